@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+#include "kinematics/laws/families.h"
+
+namespace camlaw {
+namespace {
+
+/// Lower case for ASCII and for Cyrillic in UTF-8, so that names compare as people write them.
+std::string folded(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    auto c = static_cast<unsigned char>(text[i]);
+    if (c >= 'A' && c <= 'Z') c = static_cast<unsigned char>(c - 'A' + 'a');
+    if (c == 0xD0 && i + 1 < text.size()) {
+      const auto next = static_cast<unsigned char>(text[i + 1]);
+      const bool first_half = next >= 0x90 && next <= 0x9F;  // capitals A to P
+      const bool second_half = next >= 0xA0 && next <= 0xAF;
+      if (first_half || second_half) {
+        result += static_cast<char>(first_half ? 0xD0 : 0xD1);
+        result += static_cast<char>(first_half ? next + 0x20 : next - 0x20);
+        ++i;
+        continue;
+      }
+    }
+    result += static_cast<char>(c);
+  }
+  return result;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const std::size_t replaced = diagonal + (a[i] == b[k] ? 0 : 1);
+      diagonal = row[k + 1];
+      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+bool is_named(const Family& family, const std::string& wanted) {
+  if (folded(family.name) == wanted) return true;
+  return std::any_of(family.aliases.begin(), family.aliases.end(),
+                     [&](const std::string& alias) { return folded(alias) == wanted; });
+}
+
+const Family* find_exact(std::string_view name) {
+  const std::string wanted = folded(name);
+  for (const Family& family : catalogue()) {
+    if (is_named(family, wanted)) return &family;
+  }
+  return nullptr;
+}
+
+std::vector<double> read_values(const Family& family, const Parameter& parameter,
+                                std::string_view text) {
+  std::vector<double> values;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string_view item = text.substr(0, comma);
+    double value = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+    if (error != std::errc{} || end != item.data() + item.size()) {
+      throw std::invalid_argument(fmt::format("law '{}': parameter {}: '{}' is not a number",
+                                              family.name, parameter.name, item));
+    }
+    values.push_back(value);
+    if (comma == std::string_view::npos) return values;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+const std::vector<Family>& catalogue() {
+  static const std::vector<Family> families = [] {
+    std::vector<Family> all;
+    for (auto* group : {polynomial_families, harmonic_families, phase_families, curved_families,
+                        spline_families}) {
+      for (Family& family : group()) all.push_back(std::move(family));
+    }
+    return all;
+  }();
+  return families;
+}
+
+Arguments<double> Family::standard() const {
+  std::vector<std::vector<double>> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.standard);
+  return Arguments<double>(std::move(values));
+}
+
+std::size_t Family::parameter(std::string_view parameter_name) const {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (folded(parameters[i].name) == folded(parameter_name)) return i;
+    known.push_back(parameters[i].name);
+  }
+  throw std::invalid_argument(fmt::format("law '{}': no parameter '{}'; it has {}", name,
+                                          parameter_name,
+                                          known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+}
+
+void Family::check(const Arguments<double>& arguments) const {
+  if (arguments.size() != parameters.size()) {
+    throw std::invalid_argument(fmt::format("law '{}': takes {} parameters, {} given", name,
+                                            parameters.size(), arguments.size()));
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& p = parameters[i];
+    const auto& values = arguments.list(i);
+    if (!p.list && values.size() != 1) {
+      throw std::invalid_argument(
+          fmt::format("law '{}': parameter {} takes one value, {} given", name, p.name, values.size()));
+    }
+    for (const double value : values) {
+      if (!(value >= p.low && value <= p.high)) {
+        throw std::invalid_argument(fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}",
+                                                name, p.name, value, p.low, p.high));
+      }
+      if (p.structural && !p.list && value != std::floor(value)) {
+        throw std::invalid_argument(
+            fmt::format("law '{}': parameter {} = {:.6g} must be whole", name, p.name, value));
+      }
+    }
+  }
+}
+
+void Family::rethrow(const std::invalid_argument& error) const {
+  throw std::invalid_argument(fmt::format("law '{}': {}", name, error.what()));
+}
+
+std::string Member::name() const {
+  std::string result = family->name;
+  for (std::size_t i = 0; i < family->parameters.size(); ++i) {
+    const Parameter& parameter = family->parameters[i];
+    if (arguments.list(i) == parameter.standard) continue;
+    result += fmt::format(" {}={}", parameter.name, fmt::join(arguments.list(i), ","));
+  }
+  return result;
+}
+
+std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
+  const std::string wanted = folded(typed);
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const std::string& name : known) {
+    const std::string candidate = folded(name);
+    const bool contains = !wanted.empty() && (candidate.find(wanted) != std::string::npos ||
+                                              wanted.find(candidate) != std::string::npos);
+    ranked.emplace_back(contains ? 1 : 1 + edit_distance(wanted, candidate), name);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> result;
+  for (const auto& [distance, name] : ranked) {
+    if (result.size() < 3 && distance <= 2 + wanted.size() / 2) result.push_back(name);
+  }
+  return result;
+}
+
+const Family& find_family(std::string_view name) {
+  if (const Family* family = find_exact(name)) return *family;
+  std::vector<std::string> known;
+  for (const Family& family : catalogue()) known.push_back(family.name);
+  const auto near = near_names(name, known);
+  throw std::invalid_argument(fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
+                                          near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
+}
+
+Member find_law(std::string_view text) {
+  // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
+  if (const Family* family = find_exact(text)) return {family, family->standard()};
+  std::size_t equals = text.find('=');
+  const std::size_t name_end = equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
+  if (name_end == std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
+  }
+  std::string_view name = text.substr(0, name_end);
+  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
+  const Family& family = find_family(name);
+  Member member{&family, family.standard()};
+  std::string_view rest = text.substr(name_end);
+  while (true) {
+    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+    if (rest.empty()) return member;
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(word.size());
+    equals = word.find('=');
+    if (equals == std::string_view::npos) {
+      throw std::invalid_argument(fmt::format("law '{}': '{}' is not k=v", family.name, word));
+    }
+    const std::size_t index = family.parameter(word.substr(0, equals));
+    member.arguments.values()[index] =
+        read_values(family, family.parameters[index], word.substr(equals + 1));
+  }
+}
+
+}  // namespace camlaw

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/law.h"
+#include "kinematics/shape.h"
+
+/// The catalogue of motion laws by name. It is the one list: the program's listing, its JSON and the
+/// table in docs/laws.md are printed from it.
+namespace camlaw {
+
+/// A parameter of a law family.
+struct Parameter {
+  std::string name;
+  std::string unit;  ///< as udunits writes it; "1" for a plain number
+  double low, high;  ///< accepted range of each value, ends included
+  std::vector<double> standard;  ///< value(s) used where none is given
+  std::string meaning;
+  bool list = false;        ///< takes any number of values
+  bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
+};
+
+/// Values for a family's parameters, in the order of the family's list and in the units named there.
+template <class S>
+class Arguments {
+ public:
+  explicit Arguments(std::vector<std::vector<S>> values) : values_(std::move(values)) {}
+
+  const S& scalar(std::size_t i) const { return values_[i].front(); }
+  const std::vector<S>& list(std::size_t i) const { return values_[i]; }
+  std::vector<std::vector<S>>& values() { return values_; }
+  const std::vector<std::vector<S>>& values() const { return values_; }
+  std::size_t size() const { return values_.size(); }
+
+  template <class R>
+  Arguments<R> as() const {
+    std::vector<std::vector<R>> result;
+    for (const auto& list : values_) {
+      result.emplace_back();
+      for (const S& value : list) result.back().push_back(convert<R>(value));
+    }
+    return Arguments<R>(std::move(result));
+  }
+
+ private:
+  std::vector<std::vector<S>> values_;
+};
+
+/// A family's construction in every scalar, from one generic callable
+/// template <class S> Law<S> (const Arguments<S>&).
+class Maker {
+ public:
+  template <class F>
+  Maker(F construct)  // NOLINT: a lambda is meant to become a Maker
+      : plain_([construct](const Arguments<double>& a) { return construct(a); }),
+        dual_([construct](const Arguments<Dual>& a) { return construct(a); }),
+        dual2_([construct](const Arguments<Dual2>& a) { return construct(a); }),
+        interval_([construct](const Arguments<Interval>& a) { return construct(a); }) {}
+
+  template <class S>
+  Law<S> make(const Arguments<S>& arguments) const {
+    if constexpr (std::is_same_v<S, double>) return plain_(arguments);
+    if constexpr (std::is_same_v<S, Dual>) return dual_(arguments);
+    if constexpr (std::is_same_v<S, Dual2>) return dual2_(arguments);
+    if constexpr (std::is_same_v<S, Interval>) return interval_(arguments);
+  }
+
+ private:
+  std::function<Law<double>(const Arguments<double>&)> plain_;
+  std::function<Law<Dual>(const Arguments<Dual>&)> dual_;
+  std::function<Law<Dual2>(const Arguments<Dual2>&)> dual2_;
+  std::function<Law<Interval>(const Arguments<Interval>&)> interval_;
+};
+
+/// A law of the catalogue: fixed, or a family with parameters.
+struct Family {
+  std::string name;
+  std::vector<std::string> aliases;  ///< English, German, Ukrainian
+  std::string formula;
+  std::vector<Parameter> parameters;
+  std::string ends;  ///< VDI 2143 pair, "R-R"; "by parameters" where they decide
+  int continuity;    ///< class of the standard member: kSmooth where nothing known jumps
+  bool symmetric;    ///< of the standard member: s(x) + s(1 - x) = 1
+  std::string source;
+  Maker maker;
+
+  Arguments<double> standard() const;
+  /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter
+  /// for a value outside its range or a set that makes no law.
+  template <class S>
+  Law<S> make(const Arguments<S>& arguments) const {
+    check(arguments.template as<double>());
+    try {
+      return maker.make(arguments);
+    } catch (const std::invalid_argument& error) {
+      rethrow(error);
+    }
+  }
+  /// Index of a parameter; throws std::invalid_argument listing the known ones.
+  std::size_t parameter(std::string_view parameter_name) const;
+
+ private:
+  void check(const Arguments<double>& arguments) const;
+  [[noreturn]] void rethrow(const std::invalid_argument& error) const;
+};
+
+/// Every law, in the order of the listing.
+const std::vector<Family>& catalogue();
+
+/// A law asked for by name, with its arguments: "modified-sine", "polynomial-5 alpha=-3",
+/// "fourier a=0.1,-0.05". Aliases count as names; case does not matter.
+struct Member {
+  const Family* family;
+  Arguments<double> arguments;
+
+  /// Family name and the parameters that are not standard.
+  std::string name() const;
+  template <class S = double>
+  Law<S> law() const {
+    return family->make(arguments.as<S>());
+  }
+};
+
+/// Finds a family by name or alias; throws std::invalid_argument with the nearest known names.
+const Family& find_family(std::string_view name);
+/// Reads "name k=v k=v". Values are plain numbers in the parameter's own unit.
+Member find_law(std::string_view text);
+
+/// Names of `known` that are near to what was typed, nearest first, at most three.
+std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known);
+
+}  // namespace camlaw

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include "kinematics/series.h"
+
+/// The few displacement shapes that are not polynomial plus harmonics, as functions of one
+/// variable y with all derivatives. Equations: docs/theory.md, "Curves".
+namespace camlaw {
+
+/// Derivatives that a curve can give, its value included.
+inline constexpr std::size_t kCurveOrders = 12;
+
+template <class T>
+using CurveDerivatives = std::array<T, kCurveOrders>;
+
+/// The half-ellipse sqrt(1 - y^2) integrated `integrations` times (1 or 2) from y = -1,
+/// for y in [-1, 1]. Derivatives grow without bound at y = -1 and y = 1.
+template <class T>
+struct HalfEllipse {
+  int integrations = 1;
+
+  template <class R>
+  HalfEllipse<R> as() const {
+    return {integrations};
+  }
+  CurveDerivatives<T> operator()(T y) const;
+};
+
+/// [1 - cos(pi y) / sqrt(1 - k sin^2(pi y))] / 2, k = (n^2 - 1) / n^2, for y in [0, 1], n > 0.
+template <class T>
+struct Ellipse {
+  T n;
+
+  template <class R>
+  Ellipse<R> as() const {
+    return {convert<R>(n)};
+  }
+  CurveDerivatives<T> operator()(const T& y) const;
+};
+
+/// A sine drawn along the chord from (0, 0) to (1, 1), its ordinates leaning by the cotangent e:
+/// y = t - e sin(2 pi t) / (2 pi), value t - sin(2 pi t) / (2 pi), |e| < 1. Finding t is Kepler's
+/// equation.
+template <class T>
+struct InclinedSine {
+  T e;
+
+  template <class R>
+  InclinedSine<R> as() const {
+    return {convert<R>(e)};
+  }
+  CurveDerivatives<T> operator()(const T& y) const;
+};
+
+/// y^p for y >= 0 and a real exponent p >= 2.
+template <class T>
+struct Power {
+  double exponent = 2;
+
+  template <class R>
+  Power<R> as() const {
+    return {exponent};
+  }
+  CurveDerivatives<T> operator()(const T& y) const;
+};
+
+template <class T>
+using Curve = std::variant<HalfEllipse<T>, Ellipse<T>, InclinedSine<T>, Power<T>>;
+
+/// The same curve in another scalar.
+template <class R, class T>
+Curve<R> curve_as(const Curve<T>& curve) {
+  return std::visit([](const auto& shape) -> Curve<R> { return shape.template as<R>(); }, curve);
+}
+
+// ---------------------------------------------------------------------------------------------
+
+namespace detail {
+
+/// y held in [-1, 1]: rounding in the map from x to y may step over the end of the ellipse.
+inline double on_ellipse(double y) { return std::min(1.0, std::max(-1.0, y)); }
+inline Interval on_ellipse(const Interval& y) {
+  return {on_ellipse(y.lower()), on_ellipse(y.upper())};
+}
+template <class T>
+T on_ellipse(const T& y) {
+  const double excess = value_of(y) - on_ellipse(value_of(y));
+  return excess == 0 ? y : y - number<T>(excess);
+}
+
+/// Root t of y = t - e sin(2 pi t) / (2 pi) as a plain number: Newton held in a bracket that
+/// halves when a step leaves it.
+double kepler_root(double e, double y);
+
+/// The same in the scalar T: Newton steps from the plain root, each doubling the order of the
+/// derivatives that are right.
+template <class T>
+T kepler_root(const T& e, const T& y) {
+  using std::cos;
+  using std::sin;
+  T t = number<T>(kepler_root(value_of(e), value_of(y)));
+  const T turn = number<T>(2) * pi<T>();
+  for (int step = 0; step < 2; ++step) {
+    const T residual = t - e * sin(turn * t) / turn - y;
+    t = t - residual / (number<T>(1) - e * cos(turn * t));
+  }
+  return t;
+}
+
+/// Encloses the root for every e and y of the intervals.
+Interval kepler_root(const Interval& e, const Interval& y);
+
+}  // namespace detail
+
+template <class T>
+CurveDerivatives<T> HalfEllipse<T>::operator()(T y) const {
+  using std::asin;
+  using std::sqrt;
+  using S = Series<T, kCurveOrders>;
+  y = detail::on_ellipse(y);
+  const T one = number<T>(1);
+  const S u = S::variable(y, one);
+  // 1 - y^2 as a product: no cancellation near the ends, so interval bounds stay tight there.
+  const S arc = sqrt((S(one) - u) * (S(one) + u));
+  const T root = arc.c[0];
+  const T half_pi = pi<T>() / number<T>(2);
+  const T area = (y * root + asin(y) + half_pi) / number<T>(2);
+  const S first = integral(arc, area);
+  if (integrations == 1) return derivatives(first);
+  const T moment = (root - root * root * root / number<T>(3) + y * asin(y) + y * half_pi) / number<T>(2);
+  return derivatives(integral(first, moment));
+}
+
+template <class T>
+CurveDerivatives<T> Ellipse<T>::operator()(const T& y) const {
+  using S = Series<T, kCurveOrders>;
+  const T one = number<T>(1);
+  const T k = one - one / (n * n);
+  const auto [sine, cosine] = sincos(S::variable(pi<T>() * y, pi<T>()));
+  const S shape = cosine / sqrt(S(one) - k * (sine * sine));
+  return derivatives(ratio<T>(1, 2) * (S(one) - shape));
+}
+
+template <class T>
+CurveDerivatives<T> InclinedSine<T>::operator()(const T& y) const {
+  const T t = detail::kepler_root(e, y);
+  const T one = number<T>(1);
+  const T turn = number<T>(2) * pi<T>();
+  const auto [sine, cosine] = sincos(Series<T, kCurveOrders>::variable(turn * t, turn));
+  const auto base = Series<T, kCurveOrders>::variable(t, one) - (e / turn) * sine;
+  const auto height = Series<T, kCurveOrders>::variable(t, one) - (one / turn) * sine;
+  CurveDerivatives<T> result;
+  result[0] = height.c[0];
+  // d/dy = (d/dt) / (dy/dt), one order lost with each derivative.
+  const auto next = [&]<std::size_t N>(const auto& self, const Series<T, N>& f) -> void {
+    if constexpr (N > 1) {
+      Series<T, N - 1> rate;
+      for (std::size_t k = 0; k + 1 < N; ++k) {
+        rate.c[k] = number<T>(static_cast<double>(k + 1)) * base.c[k + 1];
+      }
+      const Series<T, N - 1> slope = derivative(f) / rate;
+      result[kCurveOrders - (N - 1)] = slope.c[0];
+      self(self, slope);
+    }
+  };
+  next(next, height);
+  return result;
+}
+
+template <class T>
+CurveDerivatives<T> Power<T>::operator()(const T& y) const {
+  CurveDerivatives<T> result;
+  T factor = number<T>(1);
+  for (std::size_t k = 0; k < kCurveOrders; ++k) {
+    const double rest = exponent - static_cast<double>(k);
+    result[k] = is_number(factor, 0) ? factor : factor * real_power(y, rest);
+    factor = rest == 0 ? number<T>(0) : factor * number<T>(rest);
+  }
+  return result;
+}
+
+}  // namespace camlaw

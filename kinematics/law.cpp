@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/law.h"
+
+#include <fmt/format.h>
+
+namespace camlaw {
+
+std::string to_string(Ends ends) {
+  const auto letter = [](End end) {
+    switch (end) {
+      case End::Rest: return 'R';
+      case End::Velocity: return 'G';
+      case End::Reversal: return 'U';
+      case End::Motion: return 'B';
+    }
+    return '?';
+  };
+  return {letter(ends.begin), '-', letter(ends.end)};
+}
+
+namespace detail {
+
+void throw_bad_pieces(const std::string& why) {
+  throw std::invalid_argument("law: " + why + "; pieces must cover [0, 1] in order");
+}
+
+void check_break(double end, double next) {
+  // Breaks computed as sums of fractions differ from their neighbours by a few roundings.
+  if (!(std::abs(end - next) <= 1e-12)) {
+    throw_bad_pieces(fmt::format("the break at {} does not meet {}", end, next));
+  }
+}
+
+}  // namespace detail
+}  // namespace camlaw

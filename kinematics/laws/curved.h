@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/build.h"
+
+/// Laws that are not polynomial plus harmonics. Equations: docs/theory.md, "Curves".
+namespace camlaw {
+
+/// Half-ellipse of velocity: s' = (4 / pi) sqrt(1 - (2x - 1)^2). The acceleration has no bound at
+/// the ends.
+template <class T>
+Law<T> half_ellipse_velocity() {
+  const T zero = number<T>(0), one = number<T>(1), two = number<T>(2);
+  return Law<T>({{zero, one, zero, {}, {}, {{two / pi<T>(), two, -one, HalfEllipse<T>{1}}}}}, {});
+}
+
+/// Half-ellipses of acceleration: s'' = (16 / pi) sqrt(1 - (4x - 1)^2) up to 1/2, then mirrored.
+template <class T>
+Law<T> half_ellipse_acceleration() {
+  const T zero = number<T>(0), half = ratio<T>(1, 2), one = number<T>(1);
+  const T level = one / pi<T>();
+  const HalfEllipse<T> arc{2};
+  return Law<T>({{zero, half, zero, {}, {}, {{level, number<T>(4), -one, arc}}},
+                 {half, one, zero, {one}, {}, {{-level, number<T>(-4), number<T>(3), arc}}}},
+                {});
+}
+
+/// The elliptic law: s = [1 - cos(pi x) / sqrt(1 - k sin^2(pi x))] / 2, k = (n^2 - 1) / n^2;
+/// B = n pi / 2. n = 1 is the cosine law.
+template <class T>
+Law<T> elliptic(const T& n) {
+  return curve_law<T>(Ellipse<T>{n});
+}
+
+/// The inclined sinusoid: a sine drawn along the chord from (0, 0) to (1, 1), its ordinates leaning
+/// at `angle` (radians) from the x axis of the unit square; pi / 2 draws them upright, which is the
+/// cycloid. B = 2 / (1 + cot(angle)). The angle must lie strictly between pi / 4 and 3 pi / 4.
+template <class T>
+Law<T> inclined_sinusoid(const T& angle) {
+  using std::cos;
+  using std::sin;
+  return curve_law<T>(InclinedSine<T>{cos(angle) / sin(angle)});
+}
+
+}  // namespace camlaw

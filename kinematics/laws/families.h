@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/catalogue.h"
+#include "kinematics/transform.h"
+
+/// The catalogue's entries, one function per group of laws.
+namespace camlaw {
+
+std::vector<Family> polynomial_families();
+std::vector<Family> harmonic_families();
+std::vector<Family> phase_families();
+std::vector<Family> curved_families();
+std::vector<Family> spline_families();
+
+namespace detail {
+
+/// What a rest-to-rest family says of itself.
+struct RestToRest {
+  std::string name;
+  std::vector<std::string> aliases;
+  std::string formula;
+  int continuity;
+  bool symmetric;
+  std::string source;
+  std::vector<Parameter> parameters = {};
+};
+
+/// The entry for a rest-to-rest law. It takes one more parameter, `crossover`: the asymmetric
+/// variants.
+template <class F>
+Family rest_to_rest(RestToRest about, F construct) {
+  const std::size_t index = about.parameters.size();
+  about.parameters.push_back(
+      {"crossover", "1", 0.02, 0.98, {0.5},
+       "where the acceleration of a symmetric law changes sign; 0.5 leaves any law as it is"});
+  return {std::move(about.name), std::move(about.aliases), std::move(about.formula),
+          std::move(about.parameters), "R-R", about.continuity, about.symmetric,
+          std::move(about.source), [construct, index]<class S>(const Arguments<S>& a) {
+            Law<S> law = construct(a);
+            const S& at = a.scalar(index);
+            return is_number(at, 0.5) ? law : with_crossover(law, at);
+          }};
+}
+
+}  // namespace detail
+}  // namespace camlaw

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/laws/phases.h"
+
+#include "kinematics/laws/families.h"
+
+namespace camlaw {
+namespace {
+
+using detail::rest_to_rest;
+
+Parameter fraction(const char* name, double standard, const char* meaning) {
+  return {name, "1", 0, 1, {standard}, meaning};
+}
+
+std::vector<Family> straight_phases() {
+  constexpr double kThird = 1.0 / 3.0;
+  return {
+      rest_to_rest({"parabolic", {"constant acceleration", "quadratische Parabel"},
+                    "2x^2 | 1 - 2(1 - x)^2", 1, true, "VDI 2143"},
+                   []<class S>(const Arguments<S>&) { return parabolic<S>(); }),
+      rest_to_rest(
+          {"trapezoidal-velocity", {},
+           "constant acceleration t1, constant velocity, constant deceleration t2", 1, true,
+           "the least C for its B: C = B^2 / (B - 1) where t1 = t2",
+           {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")}},
+          []<class S>(const Arguments<S>& a) {
+            return trapezoidal_velocity<S>(a.scalar(0), a.scalar(1));
+          }),
+      rest_to_rest(
+          {"trapezoidal-acceleration", {"Beschleunigungstrapez"},
+           "acceleration: straight ramps, constant between, zero for what is left, mirrored", 2,
+           true, "VDI 2143",
+           {fraction("ramp", 0.125, "each of four ramps"),
+            fraction("constant", 0.25, "each stretch of constant acceleration")}},
+          []<class S>(const Arguments<S>& a) {
+            return trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
+          }),
+      rest_to_rest(
+          {"s-curve", {"seven-phase S-curve", "double S"},
+           "seven phases of constant jerk with peaks B, C, D; 1/B + B/C + C/D = 1", 2, true,
+           "drive controllers; lambda = 1",
+           {{"B", "1", 1, 100, {1.6}, "peak velocity"},
+            {"C", "1", 1, 1e4, {5.8}, "peak acceleration"},
+            {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}}},
+          []<class S>(const Arguments<S>& a) {
+            const S &B = a.scalar(0), &C = a.scalar(1);
+            const S one = number<S>(1);
+            return s_curve<S>(B, C, a.list(2).empty() ? C / (one - one / B - B / C)
+                                                      : a.list(2).front());
+          }),
+  };
+}
+
+/// A named member of scca, its fractions over one denominator.
+Family scca_member(std::string name, std::vector<std::string> aliases, std::string formula,
+                   std::string source, std::array<double, 4> f) {
+  return rest_to_rest(
+      {std::move(name), std::move(aliases), std::move(formula), 2, true, std::move(source)},
+      [f]<class S>(const Arguments<S>&) { return scca_of<S>(f[0], f[1], f[2], f[3]); });
+}
+
+std::vector<Family> modified_laws() {
+  const char* handbook = "VDI 2143; Hikari Cam table";
+  const char* help = "MechDesigner help";
+  return {
+      scca_member("modified-trapezoid", {"mod. trapezoid", "modifiziertes Beschleunigungstrapez"},
+                  "acceleration quarter sine 1/8, constant 1/4, quarter cosine 1/8, mirrored",
+                  handbook, {1, 2, 1, 4}),
+      scca_member("modified-sine", {"mod. sine", "modifizierte Sinuslinie"},
+                  "acceleration sine over 1/8, 3/4, 1/8", handbook, {1, 0, 3, 4}),
+      scca_member("modified-sine-cv20", {"MCV20"}, "scca a=0.2 b=0 c=0.6", help, {1, 0, 3, 5}),
+      scca_member("modified-sine-cv33", {"MCV33"}, "scca a=1/6 b=0 c=1/2", help, {1, 0, 3, 6}),
+      scca_member("modified-sine-cv50", {"MCV50"}, "scca a=0.125 b=0 c=0.375",
+                  "tarukichi cam curve page", {1, 0, 3, 8}),
+      scca_member("modified-sine-cv66", {"MCV66"}, "scca a=1/12 b=0 c=1/4", help, {1, 0, 3, 12}),
+      scca_member("modified-sine-cv75", {"MCV75"}, "scca a=0.0625 b=0 c=0.1875", help,
+                  {1, 0, 3, 16}),
+      scca_member("lazy-modified-trapezoid", {}, "scca a=b=c=1/3", help, {1, 1, 1, 3}),
+      scca_member("cycloidal-cv50", {}, "half-sine ramps 1/4, constant velocity 1/2", help,
+                  {1, 0, 1, 4}),
+  };
+}
+
+std::vector<Family> trigonometric_phases() {
+  return {
+      rest_to_rest(
+          {"scca", {"sine-constant-cosine acceleration"},
+           "acceleration: quarter sine a/2, constant b/2, quarter cosine c/2, zero 1-a-b-c, mirrored",
+           2, true, "Norton, Cam Design and Manufacturing Handbook",
+           {fraction("a", 0.3, "both sine ramps, of the whole stretch"),
+            fraction("b", 0.2, "both stretches of constant acceleration"),
+            fraction("c", 0.3, "both cosine ramps")}},
+          []<class S>(const Arguments<S>& a) {
+            return scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
+          }),
+      rest_to_rest(
+          {"universal", {"universal cam curve", "Makino"},
+           "acceleration: quarter sine d1, constant d2, quarter cosine d3, zero d4, and the same "
+           "below zero d5, d6, d7 = 1 - the others",
+           2, false, "Makino",
+           {fraction("d1", 0.1, "sine ramp up"), fraction("d2", 0.1, "constant acceleration"),
+            fraction("d3", 0.15, "cosine ramp down"), fraction("d4", 0.05, "constant velocity"),
+            fraction("d5", 0.2, "sine ramp of the deceleration"),
+            fraction("d6", 0.2, "constant deceleration")}},
+          []<class S>(const Arguments<S>& a) {
+            std::vector<S> d;
+            S rest = number<S>(1);
+            for (std::size_t i = 0; i < 6; ++i) {
+              d.push_back(a.scalar(i));
+              rest = rest - a.scalar(i);
+            }
+            d.push_back(rest);
+            return universal<S>(d);
+          }),
+  };
+}
+
+}  // namespace
+
+std::vector<Family> phase_families() {
+  std::vector<Family> all = straight_phases();
+  for (auto* group : {modified_laws, trigonometric_phases}) {
+    for (Family& family : group()) all.push_back(std::move(family));
+  }
+  return all;
+}
+
+}  // namespace camlaw

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/build.h"
+
+/// Laws laid together from phases of acceleration. Equations: docs/theory.md, "Laws from phases".
+namespace camlaw {
+
+namespace detail {
+
+/// `level` times the rising quarter of a sine.
+template <class T>
+AccelerationPhase<T> quarter_sine(const T& duration, const T& level) {
+  if (!(value_of(duration) > 0)) return {duration, {}, {}};
+  return {duration, {}, {{level, number<T>(0), pi<T>() / (number<T>(2) * duration)}}};
+}
+
+/// `level` times the falling quarter of a cosine.
+template <class T>
+AccelerationPhase<T> quarter_cosine(const T& duration, const T& level) {
+  if (!(value_of(duration) > 0)) return {duration, {}, {}};
+  return {duration, {}, {{number<T>(0), level, pi<T>() / (number<T>(2) * duration)}}};
+}
+
+/// Acceleration that goes straight from one value to another.
+template <class T>
+AccelerationPhase<T> ramp(const T& duration, const T& from, const T& to) {
+  if (!(value_of(duration) > 0)) return {duration, {}, {}};
+  return {duration, {from, (to - from) / duration}, {}};
+}
+
+template <class T>
+AccelerationPhase<T> constant(const T& duration, const T& level) {
+  return {duration, {level}, {}};
+}
+
+void check_durations(std::span<const double> durations);
+
+template <class T>
+void check_durations(const std::vector<T>& durations) {
+  std::vector<double> plain;
+  for (const T& d : durations) plain.push_back(value_of(d));
+  check_durations(std::span<const double>(plain));
+}
+
+}  // namespace detail
+
+/// Makino's universal cam curve: seven phases of the given durations - quarter sine up, constant,
+/// quarter cosine down, nothing, and the same below zero. The two acceleration levels follow from
+/// rest at the end and unit stroke. Durations must not be negative, must add up to 1, and both
+/// halves must accelerate; std::invalid_argument otherwise.
+template <class T>
+Law<T> universal(const std::vector<T>& d) {
+  detail::check_durations(d);
+  const T quarter = number<T>(2) / pi<T>();  // mean of a quarter sine
+  const T up = quarter * (d[0] + d[2]) + d[1];
+  const T down = quarter * (d[4] + d[6]) + d[5];
+  const T rise = number<T>(1), fall = -(up / down);
+  return law_from_acceleration<T>(
+      {detail::quarter_sine(d[0], rise), detail::constant(d[1], rise),
+       detail::quarter_cosine(d[2], rise), detail::constant(d[3], number<T>(0)),
+       detail::quarter_sine(d[4], fall), detail::constant(d[5], fall),
+       detail::quarter_cosine(d[6], fall)});
+}
+
+/// Sine-constant-cosine acceleration. a, b, c are fractions of the whole stretch over both halves:
+/// acceleration rises for a/2, stays for b/2, falls for c/2, is zero for 1 - a - b - c, and mirrors.
+template <class T>
+Law<T> scca(const T& a, const T& b, const T& c) {
+  const T two = number<T>(2);
+  return universal<T>(
+      {a / two, b / two, c / two, number<T>(1) - a - b - c, c / two, b / two, a / two});
+}
+
+/// The modified sine family and its kin: a member of scca by numerators over one denominator.
+template <class T>
+Law<T> scca_of(double a, double b, double c, double denominator) {
+  return scca<T>(ratio<T>(a, denominator), ratio<T>(b, denominator), ratio<T>(c, denominator));
+}
+
+/// Constant acceleration for t1, constant velocity, constant deceleration for the last t2.
+template <class T>
+Law<T> trapezoidal_velocity(const T& t1, const T& t2) {
+  const T cruise = number<T>(1) - t1 - t2;
+  detail::check_durations<T>({t1, number<T>(0), number<T>(0), cruise, t2, number<T>(0), number<T>(0)});
+  return law_from_acceleration<T>({detail::constant(t1, number<T>(1)),
+                                   detail::constant(cruise, number<T>(0)),
+                                   detail::constant(t2, -(t1 / t2))});
+}
+
+/// s = 2 x^2, then its mirror image: constant acceleration and deceleration.
+template <class T>
+Law<T> parabolic() {
+  return trapezoidal_velocity<T>(ratio<T>(1, 2), ratio<T>(1, 2));
+}
+
+/// Seven phases with straight acceleration ramps: up for `ramp`, constant, down for `ramp`, constant
+/// velocity, and the same below zero; constant velocity takes what the others leave.
+template <class T>
+Law<T> trapezoidal_acceleration(const T& ramp, const T& constant) {
+  const T one = number<T>(1), zero = number<T>(0);
+  const T cruise = one - number<T>(4) * ramp - number<T>(2) * constant;
+  detail::check_durations<T>({ramp, constant, ramp, cruise, ramp, constant, ramp});
+  return law_from_acceleration<T>({detail::ramp(ramp, zero, one), detail::constant(constant, one),
+                                   detail::ramp(ramp, one, zero), detail::constant(cruise, zero),
+                                   detail::ramp(ramp, zero, -one),
+                                   detail::constant(constant, -one),
+                                   detail::ramp(ramp, -one, zero)});
+}
+
+/// The seven-phase S-curve with peaks B, C, D, which must satisfy 1/B + B/C + C/D = 1 (the law
+/// takes exactly its stretch). Peaks that meet it within 0.1 %, as printed ones do, have their
+/// phases scaled onto it; others throw std::invalid_argument, as do peaks that leave no room for a
+/// phase (C / D <= B / C, and B no more than is reached).
+template <class T>
+Law<T> s_curve(const T& B, const T& C, const T& D) {
+  const T total = number<T>(1) / B + B / C + C / D;
+  check_scaled_sum("1/B + B/C + C/D", value_of(total));
+  return trapezoidal_acceleration<T>(C / D / total, (B / C - C / D) / total);
+}
+
+}  // namespace camlaw

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "kinematics/scalar.h"
+
+namespace camlaw {
+
+/// Truncated Taylor series c[0] + c[1] h + ... + c[N-1] h^(N-1) about some point.
+///
+/// Arithmetic on series carries a function's derivatives through a formula: c[k] = f^(k) / k!.
+/// With T = Interval and a box for the point, each coefficient encloses f^(k) / k! over the box.
+/// Recurrences: docs/theory.md, "Taylor arithmetic".
+template <class T, std::size_t N>
+struct Series {
+  std::array<T, N> c;
+
+  Series() { c.fill(number<T>(0)); }
+  explicit Series(const T& constant) : Series() { c[0] = constant; }
+  /// The identity function: value + slope * h.
+  static Series variable(const T& value, const T& slope) {
+    Series x(value);
+    if constexpr (N > 1) x.c[1] = slope;
+    return x;
+  }
+};
+
+template <class T, std::size_t N>
+Series<T, N> operator+(Series<T, N> f, const Series<T, N>& g) {
+  for (std::size_t k = 0; k < N; ++k) f.c[k] = f.c[k] + g.c[k];
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator-(Series<T, N> f, const Series<T, N>& g) {
+  for (std::size_t k = 0; k < N; ++k) f.c[k] = f.c[k] - g.c[k];
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator*(const T& factor, Series<T, N> f) {
+  for (T& coefficient : f.c) coefficient = factor * coefficient;
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator*(const Series<T, N>& f, const Series<T, N>& g) {
+  Series<T, N> product;
+  for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t i = 0; i <= k; ++i) product.c[k] = product.c[k] + f.c[i] * g.c[k - i];
+  }
+  return product;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator/(const Series<T, N>& f, const Series<T, N>& g) {
+  Series<T, N> quotient;
+  for (std::size_t k = 0; k < N; ++k) {
+    T rest = f.c[k];
+    for (std::size_t i = 1; i <= k; ++i) rest = rest - g.c[i] * quotient.c[k - i];
+    quotient.c[k] = rest / g.c[0];
+  }
+  return quotient;
+}
+
+/// Square root; where f vanishes the derivatives come out infinite, with the sign of the limit.
+template <class T, std::size_t N>
+Series<T, N> sqrt(const Series<T, N>& f) {
+  using std::sqrt;
+  Series<T, N> root;
+  root.c[0] = sqrt(f.c[0]);
+  const T divisor = root.c[0] + root.c[0];
+  for (std::size_t k = 1; k < N; ++k) {
+    T rest = f.c[k];
+    for (std::size_t i = 1; i < k; ++i) rest = rest - root.c[i] * root.c[k - i];
+    root.c[k] = rest / divisor;
+  }
+  return root;
+}
+
+/// {sin f, cos f}.
+template <class T, std::size_t N>
+std::pair<Series<T, N>, Series<T, N>> sincos(const Series<T, N>& f) {
+  using std::cos;
+  using std::sin;
+  Series<T, N> sine, cosine;
+  sine.c[0] = sin(f.c[0]);
+  cosine.c[0] = cos(f.c[0]);
+  for (std::size_t k = 1; k < N; ++k) {
+    for (std::size_t i = 1; i <= k; ++i) {
+      const T weight = ratio<T>(static_cast<double>(i), static_cast<double>(k)) * f.c[i];
+      sine.c[k] = sine.c[k] + weight * cosine.c[k - i];
+      cosine.c[k] = cosine.c[k] - weight * sine.c[k - i];
+    }
+  }
+  return {sine, cosine};
+}
+
+/// f', one term shorter.
+template <class T, std::size_t N>
+Series<T, N - 1> derivative(const Series<T, N>& f) {
+  Series<T, N - 1> slope;
+  for (std::size_t k = 1; k < N; ++k) {
+    slope.c[k - 1] = number<T>(static_cast<double>(k)) * f.c[k];
+  }
+  return slope;
+}
+
+/// The primitive of f with the given value at the point; the last term of f is not used.
+template <class T, std::size_t N>
+Series<T, N> integral(const Series<T, N>& f, const T& value) {
+  Series<T, N> primitive(value);
+  for (std::size_t k = 1; k < N; ++k) {
+    primitive.c[k] = f.c[k - 1] / number<T>(static_cast<double>(k));
+  }
+  return primitive;
+}
+
+/// The derivatives f, f', f'', ... themselves: k! c[k].
+template <class T, std::size_t N>
+std::array<T, N> derivatives(Series<T, N> f) {
+  double factorial = 1;
+  for (std::size_t k = 2; k < N; ++k) {
+    factorial *= static_cast<double>(k);
+    f.c[k] = number<T>(factorial) * f.c[k];
+  }
+  return f.c;
+}
+
+}  // namespace camlaw

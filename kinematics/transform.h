@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/peaks.h"
+#include "kinematics/shape.h"
+
+/// Laws made from other laws.
+namespace camlaw {
+
+namespace detail {
+
+/// The piece over the new argument x' with x = slope x' + shift, displaced as
+/// s' = factor s + offset. slope may be negative, which turns the piece round.
+template <class T>
+Piece<T> map_piece(const Piece<T>& piece, const T& slope, const T& shift, const T& factor,
+                   const T& offset) {
+  const auto place = [&](const T& x) { return (x - shift) / slope; };
+  Piece<T> result{place(piece.begin), place(piece.end), place(piece.origin), {}, {}, {}};
+  if (value_of(slope) < 0) std::swap(result.begin, result.end);
+  T scale = factor;
+  for (const T& c : piece.polynomial) {
+    result.polynomial.push_back(scale * c);
+    scale = scale * slope;
+  }
+  if (result.polynomial.empty()) result.polynomial.push_back(number<T>(0));
+  result.polynomial.front() = result.polynomial.front() + offset;
+  for (const auto& h : piece.harmonics) {
+    result.harmonics.push_back({factor * h.sine, factor * h.cosine, slope * h.frequency});
+  }
+  for (const auto& c : piece.curves) {
+    result.curves.push_back({factor * c.amplitude, slope * c.rate, c.shift, c.curve});
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// The law run backwards: s(x) = 1 - law(1 - x), its ends exchanged. A dwell-to-turn law becomes
+/// the turn-to-dwell law.
+template <class T>
+Law<T> reversed(const Law<T>& law) {
+  const T one = number<T>(1);
+  std::vector<Piece<T>> pieces;
+  for (std::size_t i = law.pieces().size(); i-- > 0;) {
+    pieces.push_back(detail::map_piece(law.pieces()[i], -one, one, -one, one));
+  }
+  return Law<T>(std::move(pieces), {law.ends().end, law.ends().begin});
+}
+
+/// Where the acceleration of a rest-to-rest law changes sign: 1/2 for a symmetric law, else where
+/// the velocity peaks.
+template <class T>
+T crossover(const Law<T>& law) {
+  if (is_symmetric(law.template as<double>())) return ratio<T>(1, 2);
+  return peaks(law).high(Quantity::Velocity).position;
+}
+
+/// The law with its crossover moved to `at` in (0, 1): both parts are stretched in x, and their
+/// strokes shared so that the velocity is continuous where they meet. The peak velocity of a
+/// symmetric law stays, its peak accelerations become C / (2 at) and C / (2 (1 - at)).
+/// Throws std::invalid_argument for `at` outside (0, 1).
+template <class T>
+Law<T> with_crossover(const Law<T>& law, const T& at) {
+  if (!(value_of(at) > 0 && value_of(at) < 1)) {
+    throw std::invalid_argument("crossover must lie between 0 and 1");
+  }
+  const T one = number<T>(1);
+  const T from = crossover(law);
+  const T risen = law.template derivatives<1>(from)[0];
+  const T slope1 = from / at, slope2 = (one - from) / (one - at);
+  const T share1 = one / (risen + slope1 / slope2 * (one - risen));
+  const T share2 = share1 * slope1 / slope2;
+  const T shift2 = one - slope2;  // x = 1 - slope2 (1 - x')
+  std::vector<Piece<T>> pieces;
+  for (Piece<T> piece : law.pieces()) {
+    if (value_of(piece.begin) >= value_of(from)) break;
+    if (value_of(piece.end) > value_of(from)) piece.end = from;
+    pieces.push_back(detail::map_piece(piece, slope1, number<T>(0), share1, number<T>(0)));
+  }
+  for (Piece<T> piece : law.pieces()) {
+    if (value_of(piece.end) <= value_of(from)) continue;
+    if (value_of(piece.begin) < value_of(from)) piece.begin = from;
+    pieces.push_back(detail::map_piece(piece, slope2, shift2, share2, one - share2));
+  }
+  pieces.back().end = one;
+  return Law<T>(std::move(pieces), law.ends());
+}
+
+}  // namespace camlaw
