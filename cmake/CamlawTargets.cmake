@@ -24,13 +24,7 @@ function(camlaw_embed target file variable)
   set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
   file(READ ${source} content)
-  file(CONFIGURE OUTPUT ${header} CONTENT
-"// Generated from ${from_root}.
-#pragma once
-#include <string_view>
-namespace camlaw::data {
-inline constexpr std::string_view ${variable} = R\"embedded(${content})embedded\"\;
-}
-" @ONLY)
+  set(template ${PROJECT_SOURCE_DIR}/cmake/embedded.h.in)
+  configure_file(${template} ${header} @ONLY)
   target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/embedded)
 endfunction()

@@ -147,8 +147,9 @@ std::string Member::name() const {
   std::string result = family->name;
   for (std::size_t i = 0; i < family->parameters.size(); ++i) {
     const Parameter& parameter = family->parameters[i];
-    if (arguments.list(i) == parameter.standard) continue;
-    result += fmt::format(" {}={}", parameter.name, fmt::join(arguments.list(i), ","));
+    const auto& values = arguments.list(i);
+    const bool untold = values.empty() || (parameter.name == kCrossover && values == parameter.standard);
+    if (!untold) result += fmt::format(" {}={}", parameter.name, fmt::join(values, ","));
   }
   return result;
 }

@@ -14,6 +14,9 @@
 /// table in docs/laws.md are printed from it.
 namespace camlaw {
 
+/// The parameter that every rest-to-rest family takes beside its own.
+inline constexpr const char* kCrossover = "crossover";
+
 /// A parameter of a law family.
 struct Parameter {
   std::string name;
@@ -118,7 +121,8 @@ struct Member {
   const Family* family;
   Arguments<double> arguments;
 
-  /// Family name and the parameters that are not standard.
+  /// Family name and arguments, as find_law reads them; a crossover left where it is goes without
+  /// saying, and so does a list left empty.
   std::string name() const;
   template <class S = double>
   Law<S> law() const {

@@ -32,7 +32,7 @@ template <class F>
 Family rest_to_rest(RestToRest about, F construct) {
   const std::size_t index = about.parameters.size();
   about.parameters.push_back(
-      {"crossover", "1", 0.02, 0.98, {0.5},
+      {kCrossover, "1", 0.02, 0.98, {0.5},
        "where the acceleration of a symmetric law changes sign; 0.5 leaves any law as it is"});
   return {std::move(about.name), std::move(about.aliases), std::move(about.formula),
           std::move(about.parameters), "R-R", about.continuity, about.symmetric,

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/law_figure.h"
+#include "cli/law_json.h"
+#include "cli/text_table.h"
+#include "kinematics/limits.h"
+#include "problems/units.h"
+
+namespace camlaw::cli {
+namespace {
+
+struct LawOptions {
+  std::string name;
+  std::vector<std::string> parameters;
+  int samples = 0;
+  std::string csv, svg;
+  bool json = false;
+};
+
+/// "k=v[,v...]" with units into a member's arguments.
+void set_parameter(Member& member, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw std::invalid_argument(
+        fmt::format("--param: '{}' sets nothing; write name=value", assignment));
+  }
+  const Family& family = *member.family;
+  const std::size_t index = family.parameter(assignment.substr(0, equals));
+  const Parameter& parameter = family.parameters[index];
+  const std::string what = fmt::format("law '{}': parameter {}", family.name, parameter.name);
+  std::vector<double> values;
+  std::string_view rest = std::string_view(assignment).substr(equals + 1);
+  if (parameter.list && rest.empty()) {
+    member.arguments.values()[index] = {};
+    return;
+  }
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    values.push_back(
+        problems::parse_quantity(rest.substr(0, comma), parameter.unit, parameter.unit, what));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  member.arguments.values()[index] = std::move(values);
+}
+
+std::string peak_line(const char* name, const Peak<double>& peak, const Interval& enclosure) {
+  const double width = enclosure.upper() - enclosure.lower();
+  const std::string proof = std::isfinite(peak.value) ? fmt::format("proved to {:.0e}", width) : "";
+  return fmt::format("  {:<6}{:>20}  at x = {:<20}{}\n", name,
+                     std::isfinite(peak.value) ? fmt::format("{:.13g}", peak.value)
+                                               : shown(peak.value, 0),
+                     fmt::format("{:.13g}", peak.position), proof);
+}
+
+void print_parameters(const Member& member) {
+  for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
+    const Parameter& p = member.family->parameters[i];
+    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
+    fmt::print("  {} = {}{}  ({:g} .. {:g}; {})\n", p.name,
+               fmt::join(member.arguments.list(i), ","), unit, p.low, p.high, p.meaning);
+  }
+}
+
+void print_law(const Member& member) {
+  const Family& family = *member.family;
+  const Law<double> law = member.law();
+  const auto peak = peaks(law);
+  const auto proof = peaks(member.law<Interval>());
+  const auto lambda = limit_index(peak);
+  const int smooth = continuity(law);
+  fmt::print("{}{}\n", member.name(),
+             family.aliases.empty() ? "" : fmt::format("  ({})", fmt::join(family.aliases, "; ")));
+  fmt::print("  {}\n  ends {}, continuity {}, {}; {}\n", family.formula, to_string(law.ends()),
+             smooth == kSmooth ? "smooth" : fmt::format("C{}", smooth),
+             is_symmetric(law) ? "symmetric" : "not symmetric", family.source);
+  if (!family.parameters.empty()) fmt::print("parameters\n");
+  print_parameters(member);
+  const auto a = Quantity::Acceleration, j = Quantity::Jerk;
+  fmt::print("peaks\n{}{}{}{}{}{}",
+             peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
+             peak_line("C+", peak.high(a), proof.high(a).value),
+             peak_line("C-", peak.low(a), proof.low(a).value),
+             peak_line("D+", peak.high(j), proof.high(j).value),
+             peak_line("D-", peak.low(j), proof.low(j).value),
+             peak_line("Cm", peak.absolute(Quantity::Moment), proof.Cm()));
+  if (std::isinf(peak.D()) && std::isfinite(peak.jerk_inside_highest.value) &&
+      std::isfinite(peak.jerk_inside_lowest.value)) {
+    fmt::print("  acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
+               peak.jerk_inside_lowest.value, peak.jerk_inside_highest.value);
+  }
+  if (lambda) fmt::print("  lambda = {:.6f}\n", *lambda);
+}
+
+Json samples_to_json(const std::vector<MotionSample>& samples) {
+  Json result = Json::array();
+  for (const auto& [x, m] : samples) {
+    result.push_back({{"x", x},
+                      {"s", to_json(m.s)},
+                      {"v", to_json(m.v)},
+                      {"a", to_json(m.a)},
+                      {"j", to_json(m.j)}});
+  }
+  return result;
+}
+
+void print_json(const Member& member, const LawOptions& options) {
+  const Law<double> law = member.law();
+  Json object = law_to_json(member);
+  object["enclosures"] = enclosures_to_json(peaks(member.law<Interval>()));
+  object["pieces"] = pieces_to_json(law);
+  if (options.samples > 0) object["samples"] = samples_to_json(motion_samples(law, options.samples));
+  fmt::print("{}\n", object.dump(2));
+}
+
+void show_law(const LawOptions& options) {
+  Member member = find_law(options.name);
+  for (const std::string& assignment : options.parameters) set_parameter(member, assignment);
+  const Law<double> law = member.law();
+  constexpr int kStandardSamples = 361;
+  const int samples = options.samples > 0 ? options.samples : kStandardSamples;
+  std::vector<OutputFile> files;
+  if (!options.csv.empty()) files.push_back({options.csv, motion_csv(law, samples)});
+  if (!options.svg.empty()) {
+    files.push_back({options.svg, to_svg(motion_figure(member.name(), {{member.name(), law}}))});
+  }
+  write_files(files);
+  if (options.json) {
+    print_json(member, options);
+    return;
+  }
+  print_law(member);
+  if (options.samples > 0 && options.csv.empty()) {
+    fmt::print("samples\n{}", motion_csv(law, samples));
+  }
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+}
+
+}  // namespace
+
+void add_law_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("law", "Show one law: peaks, table, curves");
+  const auto options = std::make_shared<LawOptions>();
+  command->add_option("NAME", options->name, "a name of 'camlaw laws', an alias, or NAME k=v ...")
+      ->required();
+  command->add_option("--param", options->parameters, "set a parameter: k=v, with a unit if it has one")
+      ->allow_extra_args(false);
+  command->add_option("--samples", options->samples, "tabulate this many even points")
+      ->check(CLI::Range(2, 10000000));
+  command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here");
+  command->add_option("--svg", options->svg, "draw s, v, a, j here");
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options] { show_law(*options); });
+}
+
+}  // namespace camlaw::cli

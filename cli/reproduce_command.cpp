@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/law_json.h"
+#include "cli/text_table.h"
+#include "problems/reproduction.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::SystemReproduction;
+
+std::string counts(const SystemReproduction& result) {
+  return fmt::format("{} values: {} reproduced, {} explained, {} unexplained", result.values.size(),
+                     result.reproduced, result.explained, result.unexplained);
+}
+
+void print_text(const SystemReproduction& result) {
+  fmt::print("{}: {}\n{}\n\n", result.system, result.title, result.source);
+  TextTable table({{"value", TextTable::Align::Left},
+                   {"printed"},
+                   {"unit", TextTable::Align::Left},
+                   {"as stated"},
+                   {"explained"},
+                   {"verdict", TextTable::Align::Left},
+                   {"needs", TextTable::Align::Left}});
+  for (const auto& value : result.values) {
+    const int decimals = value.printed.number.decimals;
+    const bool explained = value.verdict == optim::Verdict::Explained;
+    table.add({value.printed.id, optim::as_printed(value.printed.number.value, decimals),
+               value.printed.unit, shown(value.stated_value, decimals + 2),
+               explained ? shown(value.explained_value, decimals + 2) : "",
+               std::string(problems::to_string(value.verdict)),
+               fmt::format("{}", fmt::join(value.causes, "; "))});
+  }
+  fmt::print("{}\n", table.text());
+  if (!result.departures.empty()) {
+    fmt::print("the smallest set of departures that explains the most digits ({} sets looked at):\n",
+               result.tried);
+    for (const std::string& departure : result.departures) fmt::print("  {}\n", departure);
+  }
+  for (const auto& other : result.equals) {
+    fmt::print("another set explains as many: {}\n", fmt::join(other, "; "));
+  }
+  if (result.equals.empty()) fmt::print("no other set as small explains as many\n");
+  fmt::print("{}\n", counts(result));
+}
+
+Json to_json(const SystemReproduction& result) {
+  Json values = Json::array();
+  for (const auto& value : result.values) {
+    values.push_back({{"id", value.printed.id},
+                      {"quantity", value.printed.quantity},
+                      {"law", value.printed.law},
+                      {"condition", value.printed.condition},
+                      {"place", value.printed.place},
+                      {"printed", value.printed.number.value},
+                      {"decimals", value.printed.number.decimals},
+                      {"unit", value.printed.unit},
+                      {"value", cli::to_json(value.stated_value)},
+                      {"explained_value", cli::to_json(value.explained_value)},
+                      {"verdict", problems::to_string(value.verdict)},
+                      {"causes", value.causes}});
+  }
+  return {{"system", result.system},         {"title", result.title},
+          {"source", result.source},         {"reproduced", result.reproduced},
+          {"explained", result.explained},   {"unexplained", result.unexplained},
+          {"departures", result.departures}, {"equal_sets", result.equals},
+          {"values", std::move(values)}};
+}
+
+const problems::ReproducibleSystem& find_system(const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& system : problems::reproducible_systems()) {
+    if (system.name == name) return system;
+    known.push_back(system.name);
+  }
+  throw std::invalid_argument(
+      fmt::format("no system is called '{}'; there is {}", name, fmt::join(known, ", ")));
+}
+
+void run_reproduce(std::vector<std::string> names, bool json) {
+  if (names.empty()) {
+    for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
+  }
+  std::vector<const problems::ReproducibleSystem*> systems;
+  for (const std::string& name : names) systems.push_back(&find_system(name));
+  Json all = Json::array();
+  for (const auto* system : systems) {
+    const SystemReproduction result = system->reproduce();
+    if (json) {
+      all.push_back(to_json(result));
+    } else {
+      print_text(result);
+    }
+  }
+  if (json) fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& app) {
+  CLI::App* command =
+      app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
+  const auto names = std::make_shared<std::vector<std::string>>();
+  const auto json = std::make_shared<bool>(false);
+  command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)");
+  command->add_flag("--json", *json, "print JSON");
+  command->callback([names, json] { run_reproduce(*names, *json); });
+}
+
+}  // namespace camlaw::cli

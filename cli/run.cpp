@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "kinematics/catalogue.h"
+
+namespace camlaw::cli {
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
+
+/// One line on standard error.
+int complain(std::string message, int status) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "camlaw: {}\n", message);
+  return status;
+}
+
+/// What to say of an unknown word: the commands that are near.
+std::string with_near_commands(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const auto near = near_names(word, known);
+  return fmt::format("no command '{}'; {}", word,
+                     near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean {}?", fmt::join(near, ", ")));
+}
+
+int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
+                const char* const* argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (app.get_subcommands().empty() && !word.empty() && word.front() != '-') {
+    return complain(with_near_commands(app, word), kBadInput);
+  }
+  return complain(fmt::format("{}; 'camlaw --help' shows the usage", error.what()), kBadInput);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
+  app.set_version_flag("--version", "camlaw 0.1.0");
+  app.require_subcommand(1);
+  add_laws_command(app);
+  add_law_command(app);
+  add_study_command(app);
+  add_reproduce_command(app);
+  try {
+    app.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::Success& request) {  // --help, --version
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, error, argc, argv);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kFailed);
+  }
+}
+
+}  // namespace camlaw::cli

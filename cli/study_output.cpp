@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "cli/study_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/law_figure.h"
+#include "cli/law_json.h"
+#include "cli/text_table.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::SpineCutterStudy;
+using problems::StudyRow;
+
+std::string marks(const StudyRow& row) {
+  return std::string(row.non_dominated ? "*" : " ") + (row.smooth_non_dominated ? "o" : " ");
+}
+
+}  // namespace
+
+std::string study_text(const SpineCutterStudy& study) {
+  std::string text = "Spine cutter: which motion law for the cam?\n\ngivens\n";
+  for (const auto& given : problems::givens(study.cutter)) {
+    text += fmt::format("  {:<16} {:<4} = {:g}{}  ({})\n", given.name, given.symbol, given.value,
+                        given.unit == "1" ? "" : " " + given.unit, given.meaning);
+  }
+  TextTable table({{"law", TextTable::Align::Left},
+                   {"", TextTable::Align::Left},
+                   {"B"},
+                   {"C"},
+                   {"D"},
+                   {"Cm"},
+                   {"lambda"},
+                   {"R, mm"},
+                   {"F, N"},
+                   {"F by (7), N"},
+                   {"torque, N m"},
+                   {"above limit, %"}});
+  for (const StudyRow& row : study.rows) {
+    table.add({row.law, marks(row), shown(row.peaks.B(), 4), shown(row.peaks.C(), 4),
+               shown(row.peaks.D(), 2), shown(row.peaks.Cm(), 4),
+               row.limit_index ? shown(*row.limit_index, 3) : "-", shown(row.cam_radius * 1e3, 2),
+               shown(row.inertia_force, 3), shown(row.printed_inertia_force, 3),
+               shown(row.drive_torque, 4), shown(row.above_limit * 100, 1)});
+  }
+  text += "\n" + table.text();
+  text += fmt::format(
+      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration\n"
+      "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
+      "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
+      "{}\n",
+      study.recommendation);
+  return text;
+}
+
+std::string study_csv(const SpineCutterStudy& study) {
+  std::vector<std::vector<std::string>> rows{
+      {"law", "B", "C", "D", "Cm", "lambda", "cam_radius_mm", "inertia_force_N",
+       "printed_inertia_force_N", "drive_torque_Nm", "above_limit", "smooth", "non_dominated",
+       "smooth_non_dominated"}};
+  const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+  for (const StudyRow& row : study.rows) {
+    rows.push_back({row.law, exact(row.peaks.B()), exact(row.peaks.C()), exact(row.peaks.D()),
+                    exact(row.peaks.Cm()), row.limit_index ? exact(*row.limit_index) : "",
+                    exact(row.cam_radius * 1e3), exact(row.inertia_force),
+                    exact(row.printed_inertia_force), exact(row.drive_torque),
+                    exact(row.above_limit), flag(row.smooth), flag(row.non_dominated),
+                    flag(row.smooth_non_dominated)});
+  }
+  return to_csv(rows);
+}
+
+std::string study_json(const SpineCutterStudy& study) {
+  Json givens = Json::array(), rows = Json::array();
+  for (const auto& given : problems::givens(study.cutter)) {
+    givens.push_back({{"name", given.name},
+                      {"symbol", given.symbol},
+                      {"value", given.value},
+                      {"unit", given.unit}});
+  }
+  for (const StudyRow& row : study.rows) {
+    rows.push_back({{"law", row.law},
+                    {"B", to_json(row.peaks.B())},
+                    {"C", to_json(row.peaks.C())},
+                    {"D", to_json(row.peaks.D())},
+                    {"Cm", to_json(row.peaks.Cm())},
+                    {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
+                    {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
+                    {"inertia_force_N", to_json(row.inertia_force)},
+                    {"printed_inertia_force_N", to_json(row.printed_inertia_force)},
+                    {"drive_torque_Nm", to_json(row.drive_torque)},
+                    {"above_limit", to_json(row.above_limit)},
+                    {"smooth", row.smooth},
+                    {"non_dominated", row.non_dominated},
+                    {"smooth_non_dominated", row.smooth_non_dominated}});
+  }
+  const Json object{{"study", "spine-cutter"},
+                    {"givens", std::move(givens)},
+                    {"rows", std::move(rows)},
+                    {"smallest_cam", study.rows[study.smallest_cam].law},
+                    {"least_force", study.rows[study.least_force].law},
+                    {"compromise", study.rows[study.compromise].law},
+                    {"recommendation", study.recommendation}};
+  return object.dump(2) + "\n";
+}
+
+Figure trade_off_figure(const SpineCutterStudy& study) {
+  const double largest = study.cutter.minimum_cam_radius(2.35) * 1e3;
+  const double smallest = study.cutter.minimum_cam_radius(1.1) * 1e3;
+  const double ceiling = study.cutter.peak_inertia_force(9.5);
+  const double floor = study.cutter.peak_inertia_force(3.7);
+  Panel panel;
+  panel.x = {.label = "cam radius R", .unit = "mm", .lower = smallest, .upper = largest};
+  panel.y = {.label = "peak inertia force F", .unit = "N", .lower = floor, .upper = ceiling};
+  Line limit{.name = "least force of any law", .x = {}, .y = {}, .colour = "#000000"};
+  constexpr int kSteps = 400;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double R = std::lerp(smallest, largest, i / double(kSteps));
+    limit.x.push_back(R);
+    limit.y.push_back(problems::least_inertia_force(study.cutter, R * 1e-3));
+  }
+  panel.lines.push_back(std::move(limit));
+  Markers on_front{.name = "non-dominated", .points = {}, .colour = "#000000",
+                   .shape = MarkerShape::Diamond};
+  Markers smooth{.name = "non-dominated, continuous acceleration", .points = {},
+                 .colour = "#d55e00", .shape = MarkerShape::Circle, .size = 5};
+  Markers others{.name = "other laws", .points = {}, .colour = "#7f7f7f",
+                 .shape = MarkerShape::Circle, .filled = false, .size = 3.5};
+  for (const StudyRow& row : study.rows) {
+    if (!std::isfinite(row.inertia_force)) continue;
+    const std::string tooltip = fmt::format("{}: R {:.2f} mm, F {:.3f} N", row.law,
+                                            row.cam_radius * 1e3, row.inertia_force);
+    const bool named = row.smooth_non_dominated;
+    Marker marker{row.cam_radius * 1e3, row.inertia_force, named ? row.law : "", tooltip};
+    (named ? smooth : row.non_dominated ? on_front : others).points.push_back(std::move(marker));
+  }
+  panel.markers = {std::move(smooth), std::move(on_front), std::move(others)};
+  Figure figure;
+  figure.title = "Spine cutter: cam size against inertia force";
+  figure.subtitle = fmt::format("stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg",
+                                study.cutter.stroke * 1e3, study.cutter.block_speed,
+                                study.cutter.depth * 1e3,
+                                study.cutter.pressure_angle * 180 / std::numbers::pi);
+  figure.panels.push_back(std::move(panel));
+  figure.panel_width = 900;
+  figure.panel_height = 560;
+  return figure;
+}
+
+Figure study_motion_figure(const SpineCutterStudy& study) {
+  std::vector<NamedLaw> laws;
+  const auto add = [&](const std::string& name) {
+    for (const NamedLaw& law : laws) {
+      if (law.name == name) return;
+    }
+    laws.push_back({name, find_law(name).law()});
+  };
+  add(study.rows[study.compromise].law);
+  add(study.rows[study.least_force].law);
+  for (const char* published : {"cosine", "cubic", "polynomial-5 alpha=-3", "polynomial-5 alpha=-5",
+                                "polynomial-7 A=48", "polynomial-7 A=6"}) {
+    add(published);
+  }
+  return motion_figure("Recommended laws and the six of the paper", laws);
+}
+
+}  // namespace camlaw::cli

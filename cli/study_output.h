@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/chart.h"
+#include "problems/spine_cutter/study.h"
+
+/// The spine cutter's study as text, CSV, JSON and pictures.
+namespace camlaw::cli {
+
+std::string study_text(const problems::SpineCutterStudy& study);
+std::string study_csv(const problems::SpineCutterStudy& study);
+std::string study_json(const problems::SpineCutterStudy& study);
+/// Peak force over cam radius, with the limit curve.
+Figure trade_off_figure(const problems::SpineCutterStudy& study);
+/// s, v, a, j of the recommended and the published laws.
+Figure study_motion_figure(const problems::SpineCutterStudy& study);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace camlaw::cli {
+
+/// A table of text with aligned columns. Columns of numbers go to the right, the others to the left;
+/// widths count characters, not bytes.
+class TextTable {
+ public:
+  enum class Align { Left, Right };
+  struct Column {
+    std::string title;
+    Align align = Align::Right;
+  };
+
+  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// Adds a row; missing cells are empty.
+  void add(std::vector<std::string> cells);
+  std::string text() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Rows of values as CSV (RFC 4180 quoting, first row the header).
+std::string to_csv(const std::vector<std::vector<std::string>>& rows);
+
+/// A number for people: `decimals` places, "inf", "-inf" or "-" for NaN, never "-0.00".
+std::string shown(double value, int decimals);
+/// A number for programs: as many digits as bring the same double back; "inf", "-inf", "nan".
+std::string exact(double value);
+
+}  // namespace camlaw::cli

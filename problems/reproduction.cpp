@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "problems/reproduction.h"
+
+#include <fmt/format.h>
+
+#define CSV_IO_NO_THREAD
+#include <csv.h>
+
+#include <stdexcept>
+
+#include "problems/spine_cutter/reproduction.h"
+
+namespace camlaw::problems {
+
+std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source) {
+  using Reader = io::CSVReader<8, io::trim_chars<' '>, io::double_quote_escape<',', '"'>>;
+  try {
+    Reader reader(source, csv.data(), csv.data() + csv.size());
+    reader.read_header(io::ignore_extra_column, "id", "quantity", "law", "condition", "printed",
+                       "unit", "decimals", "place");
+    std::vector<PrintedValue> result;
+    PrintedValue row;
+    while (reader.read_row(row.id, row.quantity, row.law, row.condition, row.number.value, row.unit,
+                           row.number.decimals, row.place)) {
+      result.push_back(row);
+    }
+    return result;
+  } catch (const io::error::base& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));
+  }
+}
+
+namespace {
+
+std::string departure_name(const optim::Hypothesis& hypothesis, int rank) {
+  const std::string& value = hypothesis.alternatives[static_cast<std::size_t>(rank - 1)];
+  const std::string stated = hypothesis.unstated ? "not stated" : "stated " + hypothesis.stated;
+  return fmt::format("{}: {} ({})", hypothesis.name, value, stated);
+}
+
+std::vector<std::string> departure_names(const optim::Table& table, const optim::Choice& choice) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    if (choice[i] != 0) result.push_back(departure_name(table.hypotheses[i], choice[i]));
+  }
+  return result;
+}
+
+}  // namespace
+
+SystemReproduction reproduce_system(std::string system, std::string title, std::string source,
+                                    std::vector<PrintedValue> printed, const optim::Table& table) {
+  const optim::Reproduction found = optim::reproduce(table);
+  SystemReproduction result;
+  result.system = std::move(system);
+  result.title = std::move(title);
+  result.source = std::move(source);
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const optim::Explanation& row = found.rows[i];
+    ReproducedValue value{std::move(printed[i]), row.verdict, row.value, row.explained_value, {}};
+    for (const auto& [hypothesis, rank] : row.causes) {
+      value.causes.push_back(departure_name(table.hypotheses[hypothesis], rank));
+    }
+    if (row.verdict == optim::Verdict::Explained && row.misprint) {
+      value.causes.push_back(fmt::format("misprinted digit: {} for {}",
+                                         optim::as_printed(value.printed.number.value,
+                                                           value.printed.number.decimals),
+                                         optim::as_printed(row.explained_value,
+                                                           value.printed.number.decimals)));
+    }
+    if (row.broken) value.causes.push_back("does not agree under the departures of the other rows");
+    result.values.push_back(std::move(value));
+  }
+  result.reproduced = found.reproduced;
+  result.explained = found.explained;
+  result.unexplained = found.unexplained;
+  result.departures = departure_names(table, found.departures);
+  for (const optim::Choice& other : found.equals) {
+    result.equals.push_back(departure_names(table, other));
+  }
+  result.tried = found.tried;
+  return result;
+}
+
+const std::vector<ReproducibleSystem>& reproducible_systems() {
+  static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter}};
+  return systems;
+}
+
+std::string_view to_string(optim::Verdict verdict) {
+  switch (verdict) {
+    case optim::Verdict::Reproduced: return "reproduced";
+    case optim::Verdict::Explained: return "explained";
+    case optim::Verdict::Unexplained: return "unexplained";
+  }
+  return "?";
+}
+
+}  // namespace camlaw::problems

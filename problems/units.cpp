@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "problems/units.h"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <charconv>
+#include <memory>
+#include <stdexcept>
+
+namespace camlaw::problems {
+namespace {
+
+using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
+using Converter = std::unique_ptr<cv_converter, decltype(&cv_free)>;
+
+/// The unit database with the abbreviations that engineers use and udunits lacks.
+ut_system* unit_system() {
+  static ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    ut_system* loaded = ut_read_xml(nullptr);
+    if (loaded == nullptr) throw std::runtime_error("units: the udunits database cannot be read");
+    for (const auto& [name, meaning] : {std::pair{"deg", "arc_degree"}, {"rpm", "revolution/minute"},
+                                        {"rev", "revolution"}}) {
+      ut_unit* unit = ut_parse(loaded, meaning, UT_UTF8);
+      ut_map_name_to_unit(name, UT_UTF8, unit);  // keeps what the database has of that name
+      ut_free(unit);
+    }
+    return loaded;
+  }();
+  return system;
+}
+
+Unit find_unit(const std::string& name) {
+  return {ut_parse(unit_system(), name.c_str(), UT_UTF8), &ut_free};
+}
+
+/// What kind of quantity a unit measures, for messages.
+std::string kind_of(const Unit& unit) {
+  struct Kind {
+    const char* unit;
+    const char* name;
+  };
+  constexpr std::array kKinds{Kind{"m", "a length"}, Kind{"m/s", "a velocity"}, Kind{"kg", "a mass"},
+                              Kind{"N", "a force"}, Kind{"s", "a time"}, Kind{"Pa", "a stress"},
+                              Kind{"rad/s", "an angular velocity"}, Kind{"N m", "a torque"}};
+  const Unit radian = find_unit("rad"), one = find_unit("1");
+  if (ut_compare(unit.get(), one.get()) == 0) return "a plain number";
+  if (ut_are_convertible(unit.get(), radian.get()) != 0) return "an angle";
+  for (const Kind& kind : kKinds) {
+    if (ut_are_convertible(unit.get(), find_unit(kind.unit).get()) != 0) return kind.name;
+  }
+  return "a quantity of another kind";
+}
+
+/// Angles are numbers to udunits; here a plain number is no angle and an angle no plain number.
+bool same_kind(const Unit& a, const Unit& b) {
+  if (ut_are_convertible(a.get(), b.get()) == 0) return false;
+  const Unit one = find_unit("1");
+  const bool a_plain = ut_compare(a.get(), one.get()) == 0;
+  const bool b_plain = ut_compare(b.get(), one.get()) == 0;
+  return a_plain == b_plain;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+double convert_unit(double value, const std::string& from, const std::string& to) {
+  const Unit source = find_unit(from), target = find_unit(to);
+  if (!source || !target || !same_kind(source, target)) {
+    throw std::invalid_argument(fmt::format("units: '{}' cannot be converted to '{}'", from, to));
+  }
+  const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
+  return cv_convert_double(converter.get(), value);
+}
+
+double parse_quantity(std::string_view text, const std::string& unit, const std::string& listed,
+                      const std::string& what) {
+  text = trimmed(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) {
+    throw std::invalid_argument(
+        fmt::format("{}: '{}' is not a number{}", what, text,
+                    listed == "1" ? "" : fmt::format(" with a unit, such as 1 {}", listed)));
+  }
+  const std::string given(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
+  if (given.empty()) return convert_unit(value, listed, unit);
+  const Unit source = find_unit(given), target = find_unit(unit);
+  if (!source) {
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted, such as 1 {}", what,
+                                            given, kind_of(target), listed));
+  }
+  if (!same_kind(source, target)) {
+    throw std::invalid_argument(fmt::format("{}: '{}' is {}; {} is wanted{}", what, text,
+                                            kind_of(source), kind_of(target),
+                                            listed == "1" ? "" : fmt::format(", such as 1 {}", listed)));
+  }
+  const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
+  return cv_convert_double(converter.get(), value);
+}
+
+}  // namespace camlaw::problems
