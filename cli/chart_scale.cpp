@@ -177,21 +177,23 @@ double unit_position(double value, Range range) {
 std::vector<std::vector<Point>> clipped_curve(std::span<const double> x, std::span<const double> y,
                                               Range x_range, Range y_range) {
   Pieces pieces;
-  std::optional<Point> previous;
+  Point previous{};
+  bool has_previous = false;
   for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
     if (!is_drawable(x[i]) || !is_drawable(y[i])) {
       pieces.close();
-      previous.reset();
+      has_previous = false;
       continue;
     }
     const Point point{unit_position(x[i], x_range), unit_position(y[i], y_range)};
-    if (!previous && is_inside(point)) pieces.add(point);
-    if (const auto part = previous ? clip(*previous, point) : std::nullopt) {
+    if (!has_previous && is_inside(point)) pieces.add(point);
+    if (const auto part = has_previous ? clip(previous, point) : std::nullopt) {
       if (!pieces.is_open()) pieces.add(part->first);
       pieces.add(part->second);
     }
     if (!is_inside(point)) pieces.close();
     previous = point;
+    has_previous = true;
   }
   return pieces.take();
 }

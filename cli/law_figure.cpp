@@ -40,14 +40,14 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
   struct Row {
     const char *title, *unit;
   };
-  constexpr std::array kRows{Row{"s", "of the stroke S"}, Row{"v = s'", "S/T"},
+  constexpr std::array kRows{Row{"s", "S"}, Row{"v = s'", "S/T"},
                              Row{"a = s''", "S/T²"}, Row{"j = s'''", "S/T³"}};
   Figure figure;
   figure.title = title;
   figure.panel_height = 170;
   for (std::size_t order = 0; order < kRows.size(); ++order) {
     Panel panel;
-    panel.x = {.label = "x = t / T", .unit = "1", .lower = 0.0, .upper = 1.0};
+    panel.x = {.label = "x = t / T", .unit = "", .lower = 0.0, .upper = 1.0};
     panel.y = {.label = kRows[order].title, .unit = kRows[order].unit};
     for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order));
     figure.panels.push_back(std::move(panel));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/law_figure.h"
@@ -16,7 +17,17 @@ using problems::SpineCutterStudy;
 using problems::StudyRow;
 
 std::string marks(const StudyRow& row) {
-  return std::string(row.non_dominated ? "*" : " ") + (row.smooth_non_dominated ? "o" : " ");
+  return fmt::format("{}{}{}", row.non_dominated ? '*' : ' ', row.smooth_non_dominated ? 'o' : ' ',
+                     row.published ? 'p' : ' ');
+}
+
+/// Whether a published law stands at the same point (the cosine and its turn-to-turn twin).
+bool hidden_by_published(const SpineCutterStudy& study, const StudyRow& row) {
+  return !row.published &&
+         std::any_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
+           return other.published && other.cam_radius == row.cam_radius &&
+                  other.inertia_force == row.inertia_force;
+         });
 }
 
 }  // namespace
@@ -40,7 +51,7 @@ std::string study_text(const SpineCutterStudy& study) {
                    {"torque, N m"},
                    {"above limit, %"}});
   for (const StudyRow& row : study.rows) {
-    table.add({row.law, marks(row), shown(row.peaks.B(), 4), shown(row.peaks.C(), 4),
+    table.add({row.label, marks(row), shown(row.peaks.B(), 4), shown(row.peaks.C(), 4),
                shown(row.peaks.D(), 2), shown(row.peaks.Cm(), 4),
                row.limit_index ? shown(*row.limit_index, 3) : "-", shown(row.cam_radius * 1e3, 2),
                shown(row.inertia_force, 3), shown(row.printed_inertia_force, 3),
@@ -48,7 +59,8 @@ std::string study_text(const SpineCutterStudy& study) {
   }
   text += "\n" + table.text();
   text += fmt::format(
-      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration\n"
+      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration   "
+      "p  in the paper\n"
       "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
       "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
       "{}\n",
@@ -60,7 +72,7 @@ std::string study_csv(const SpineCutterStudy& study) {
   std::vector<std::vector<std::string>> rows{
       {"law", "B", "C", "D", "Cm", "lambda", "cam_radius_mm", "inertia_force_N",
        "printed_inertia_force_N", "drive_torque_Nm", "above_limit", "smooth", "non_dominated",
-       "smooth_non_dominated"}};
+       "smooth_non_dominated", "published"}};
   const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
   for (const StudyRow& row : study.rows) {
     rows.push_back({row.law, exact(row.peaks.B()), exact(row.peaks.C()), exact(row.peaks.D()),
@@ -68,7 +80,7 @@ std::string study_csv(const SpineCutterStudy& study) {
                     exact(row.cam_radius * 1e3), exact(row.inertia_force),
                     exact(row.printed_inertia_force), exact(row.drive_torque),
                     exact(row.above_limit), flag(row.smooth), flag(row.non_dominated),
-                    flag(row.smooth_non_dominated)});
+                    flag(row.smooth_non_dominated), flag(row.published)});
   }
   return to_csv(rows);
 }
@@ -95,7 +107,8 @@ std::string study_json(const SpineCutterStudy& study) {
                     {"above_limit", to_json(row.above_limit)},
                     {"smooth", row.smooth},
                     {"non_dominated", row.non_dominated},
-                    {"smooth_non_dominated", row.smooth_non_dominated}});
+                    {"smooth_non_dominated", row.smooth_non_dominated},
+                    {"published", row.published}});
   }
   const Json object{{"study", "spine-cutter"},
                     {"givens", std::move(givens)},
@@ -123,24 +136,30 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
     limit.y.push_back(problems::least_inertia_force(study.cutter, R * 1e-3));
   }
   panel.lines.push_back(std::move(limit));
+  Markers published{.name = "the paper's six laws", .points = {}, .colour = "#0072b2",
+                    .shape = MarkerShape::Square, .size = 5};
+  Markers smooth{.name = "non-dominated, continuous acceleration", .points = {},
+                 .colour = "#d55e00", .shape = MarkerShape::Circle, .size = 4.5};
   Markers on_front{.name = "non-dominated", .points = {}, .colour = "#000000",
                    .shape = MarkerShape::Diamond};
-  Markers smooth{.name = "non-dominated, continuous acceleration", .points = {},
-                 .colour = "#d55e00", .shape = MarkerShape::Circle, .size = 5};
   Markers others{.name = "other laws", .points = {}, .colour = "#7f7f7f",
                  .shape = MarkerShape::Circle, .filled = false, .size = 3.5};
   for (const StudyRow& row : study.rows) {
-    if (!std::isfinite(row.inertia_force)) continue;
-    const std::string tooltip = fmt::format("{}: R {:.2f} mm, F {:.3f} N", row.law,
-                                            row.cam_radius * 1e3, row.inertia_force);
-    const bool named = row.smooth_non_dominated;
-    Marker marker{row.cam_radius * 1e3, row.inertia_force, named ? row.law : "", tooltip};
-    (named ? smooth : row.non_dominated ? on_front : others).points.push_back(std::move(marker));
+    if (!std::isfinite(row.inertia_force) || hidden_by_published(study, row)) continue;
+    Markers& series = row.published              ? published
+                      : row.smooth_non_dominated ? smooth
+                      : row.non_dominated        ? on_front
+                                                 : others;
+    const bool named = row.published || row.smooth_non_dominated;
+    series.points.push_back({row.cam_radius * 1e3, row.inertia_force, named ? row.label : "",
+                             fmt::format("{}: R {:.2f} mm, F {:.3f} N", row.label,
+                                         row.cam_radius * 1e3, row.inertia_force)});
   }
-  panel.markers = {std::move(smooth), std::move(on_front), std::move(others)};
+  panel.markers = {std::move(published), std::move(smooth), std::move(on_front), std::move(others)};
   Figure figure;
   figure.title = "Spine cutter: cam size against inertia force";
-  figure.subtitle = fmt::format("stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg",
+  figure.subtitle = fmt::format("stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg; "
+                                "points beyond the frame are in the table",
                                 study.cutter.stroke * 1e3, study.cutter.block_speed,
                                 study.cutter.depth * 1e3,
                                 study.cutter.pressure_angle * 180 / std::numbers::pi);
@@ -160,10 +179,7 @@ Figure study_motion_figure(const SpineCutterStudy& study) {
   };
   add(study.rows[study.compromise].law);
   add(study.rows[study.least_force].law);
-  for (const char* published : {"cosine", "cubic", "polynomial-5 alpha=-3", "polynomial-5 alpha=-5",
-                                "polynomial-7 A=48", "polynomial-7 A=6"}) {
-    add(published);
-  }
+  for (const std::string& published : problems::published_laws()) add(published);
   return motion_figure("Recommended laws and the six of the paper", laws);
 }
 

@@ -22,7 +22,8 @@ std::string quoted(const std::string& cell) {
     if (c == '"') result += '"';
     result += c;
   }
-  return result + '"';
+  result += '"';
+  return result;
 }
 
 }  // namespace
@@ -60,7 +61,10 @@ std::string TextTable::text() const {
 std::string to_csv(const std::vector<std::vector<std::string>>& rows) {
   std::string result;
   for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) result += (i == 0 ? "" : ",") + quoted(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) result += ',';
+      result += quoted(row[i]);
+    }
     result += '\n';
   }
   return result;

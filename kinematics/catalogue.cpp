@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 #include "kinematics/laws/families.h"
 
@@ -36,19 +36,21 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      const std::size_t replaced = diagonal + (a[i] == b[k] ? 0 : 1);
-      diagonal = row[k + 1];
-      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
-    }
-  }
-  return row.back();
+/// Likeness of two names, 0 to 1: Dice's coefficient on pairs of neighbouring bytes, the ends marked.
+double likeness(const std::string& a, const std::string& b) {
+  const auto pairs = [](const std::string& name) {
+    const std::string marked = "^" + name + "$";
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i + 1 < marked.size(); ++i) result.push_back(marked.substr(i, 2));
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto pairs_a = pairs(a), pairs_b = pairs(b);
+  std::vector<std::string> common;
+  std::set_intersection(pairs_a.begin(), pairs_a.end(), pairs_b.begin(), pairs_b.end(),
+                        std::back_inserter(common));
+  return 2.0 * static_cast<double>(common.size()) /
+         static_cast<double>(pairs_a.size() + pairs_b.size());
 }
 
 bool is_named(const Family& family, const std::string& wanted) {
@@ -143,31 +145,45 @@ void Family::rethrow(const std::invalid_argument& error) const {
   throw std::invalid_argument(fmt::format("law '{}': {}", name, error.what()));
 }
 
-std::string Member::name() const {
-  std::string result = family->name;
-  for (std::size_t i = 0; i < family->parameters.size(); ++i) {
-    const Parameter& parameter = family->parameters[i];
-    const auto& values = arguments.list(i);
-    const bool untold = values.empty() || (parameter.name == kCrossover && values == parameter.standard);
-    if (!untold) result += fmt::format(" {}={}", parameter.name, fmt::join(values, ","));
+namespace {
+
+/// A member's name, its values printed by `print`.
+template <class Print>
+std::string member_name(const Member& member, Print print) {
+  std::string result = member.family->name;
+  for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
+    const Parameter& parameter = member.family->parameters[i];
+    const auto& values = member.arguments.list(i);
+    if (values.empty() || (parameter.name == kCrossover && values == parameter.standard)) continue;
+    result += fmt::format(" {}={}", parameter.name, print(values));
   }
   return result;
 }
 
+}  // namespace
+
+std::string Member::name() const {
+  return member_name(*this, [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); });
+}
+
+std::string Member::label() const {
+  return member_name(*this,
+                     [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, ",")); });
+}
+
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
   const std::string wanted = folded(typed);
-  std::vector<std::pair<std::size_t, std::string>> ranked;
+  constexpr double kNear = 0.3;
+  std::vector<std::pair<double, std::string>> ranked;
   for (const std::string& name : known) {
-    const std::string candidate = folded(name);
-    const bool contains = !wanted.empty() && (candidate.find(wanted) != std::string::npos ||
-                                              wanted.find(candidate) != std::string::npos);
-    ranked.emplace_back(contains ? 1 : 1 + edit_distance(wanted, candidate), name);
+    const double alike = likeness(wanted, folded(name));
+    if (alike >= kNear) ranked.emplace_back(alike, name);
   }
   std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> result;
-  for (const auto& [distance, name] : ranked) {
-    if (result.size() < 3 && distance <= 2 + wanted.size() / 2) result.push_back(name);
+  for (const auto& [alike, name] : ranked) {
+    if (result.size() < 3) result.push_back(name);
   }
   return result;
 }

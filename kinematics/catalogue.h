@@ -124,6 +124,8 @@ struct Member {
   /// Family name and arguments, as find_law reads them; a crossover left where it is goes without
   /// saying, and so does a list left empty.
   std::string name() const;
+  /// The same for people: six digits.
+  std::string label() const;
   template <class S = double>
   Law<S> law() const {
     return family->make(arguments.as<S>());

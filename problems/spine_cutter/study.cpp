@@ -57,9 +57,12 @@ double excess(const Peaks<double>& peak) {
 StudyRow study_law(const SpineCutter<double>& cutter, Member member) {
   const Law<double> law = member.law();
   const Peaks<double> peak = peaks(law);
-  std::string name = member.name();
+  std::string name = member.name(), label = member.label();
+  const auto& paper = published_laws();
+  const bool published = std::find(paper.begin(), paper.end(), name) != paper.end();
   return {.member = std::move(member),
           .law = std::move(name),
+          .label = std::move(label),
           .peaks = peak,
           .limit_index = limit_index(peak),
           .cam_radius = cutter.minimum_cam_radius(peak.B()),
@@ -69,7 +72,8 @@ StudyRow study_law(const SpineCutter<double>& cutter, Member member) {
           .above_limit = excess(peak),
           .smooth = smooth_through_turns(law),
           .non_dominated = false,
-          .smooth_non_dominated = false};
+          .smooth_non_dominated = false,
+          .published = published};
 }
 
 std::vector<Member> laws_to_study() {
@@ -115,7 +119,7 @@ std::string recommend(const SpineCutterStudy& study) {
   const auto name = [&](std::size_t i) {
     const StudyRow& row = study.rows[i];
     return fmt::format("{} (R {:.2f} mm, F {:.2f} N, {:.1f} % above the least force for its radius)",
-                       row.law, row.cam_radius * 1e3, row.inertia_force, row.above_limit * 100);
+                       row.label, row.cam_radius * 1e3, row.inertia_force, row.above_limit * 100);
   };
   return fmt::format(
       "Take {} where cam size and force count alike, {} where the force counts most, and {} only "
@@ -134,6 +138,13 @@ void check(const SpineCutter<double>& cutter) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& published_laws() {
+  static const std::vector<std::string> laws{"polynomial-7 A=6",      "polynomial-7 A=48",
+                                             "cosine",                "cubic",
+                                             "polynomial-5 alpha=-3", "polynomial-5 alpha=-5"};
+  return laws;
+}
 
 double least_inertia_force(const SpineCutter<double>& cutter, double cam_radius) {
   const double B = cam_radius / cutter.minimum_cam_radius(1.0);

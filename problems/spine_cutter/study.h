@@ -28,7 +28,8 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment);
 /// One law on this machine. Lengths in m, forces in N, torque in N m.
 struct StudyRow {
   Member member;
-  std::string law;  ///< the member's name
+  std::string law;    ///< the member's name, as find_law reads it
+  std::string label;  ///< the same for people
   Peaks<double> peaks;
   std::optional<double> limit_index;  ///< lambda; only rest-to-rest laws have it
   double cam_radius;                  ///< (6), at the permissible pressure angle
@@ -41,6 +42,7 @@ struct StudyRow {
   bool smooth;
   bool non_dominated;         ///< in (R, F), among all rows
   bool smooth_non_dominated;  ///< in (R, F), among the smooth rows
+  bool published;             ///< one of the paper's six laws
 };
 
 struct SpineCutterStudy {
@@ -55,6 +57,9 @@ struct SpineCutterStudy {
 /// Computes the study: every law of the catalogue that comes to rest at both turns, and the members
 /// of its families listed in study.cpp.
 SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter);
+
+/// The paper's six laws, in the order of its table 2.
+const std::vector<std::string>& published_laws();
 
 /// The limit curve in this machine's terms: least physical peak force for a cam radius R (m).
 double least_inertia_force(const SpineCutter<double>& cutter, double cam_radius);

@@ -46,8 +46,7 @@ void check_derivatives(const Curve& curve, const Formula& formula, double low, d
   for (int i = 0; i < 50; ++i) {
     const double y = place(random);
     const auto d = curve(y);
-    const Auto exact =
-        formula(boost::math::differentiation::make_fvar<long double, kOrders>(y));
+    const Auto exact = formula(boost::math::differentiation::make_fvar<long double, kOrders>(y));
     double size = 1;
     for (int k = 0; k <= kOrders; ++k) {
       CAPTURE(y, k);
@@ -60,24 +59,27 @@ void check_derivatives(const Curve& curve, const Formula& formula, double low, d
 
 TEST_CASE("Half-ellipses have the derivatives of their formula", "[curve]") {
   const int integrations = GENERATE(1, 2);
-  check_derivatives(HalfEllipse<double>{integrations},
-                    [=](const Auto& y) { return half_ellipse(integrations, y); }, -0.97, 0.97);
+  check_derivatives(
+      HalfEllipse<double>{integrations},
+      [=](const Auto& y) { return half_ellipse(integrations, y); }, -0.97, 0.97);
 }
 
 TEST_CASE("The ellipse has the derivatives of its formula", "[curve]") {
   const double n = GENERATE(0.4, 0.9, 1.2, 3.0);
-  check_derivatives(Ellipse<double>{n}, [=](const Auto& y) { return ellipse(n, y); }, 0, 1);
+  check_derivatives(
+      Ellipse<double>{n}, [=](const Auto& y) { return ellipse(n, y); }, 0, 1);
 }
 
 TEST_CASE("The inclined sine has the derivatives of its implicit formula", "[curve]") {
   const double e = GENERATE(-0.8, -0.3, 0.14, 0.6, 0.8);
-  check_derivatives(InclinedSine<double>{e}, [=](const Auto& y) { return inclined_sine(e, y); }, 0,
-                    1);
+  check_derivatives(
+      InclinedSine<double>{e}, [=](const Auto& y) { return inclined_sine(e, y); }, 0, 1);
 }
 
 TEST_CASE("A power has the derivatives of its formula", "[curve]") {
   const double p = GENERATE(2.0, 2.5, 3.0, 7.3);
-  check_derivatives(Power<double>{p}, [=](const Auto& y) { return pow(y, p); }, 0.01, 1);
+  check_derivatives(
+      Power<double>{p}, [=](const Auto& y) { return pow(y, p); }, 0.01, 1);
 }
 
 TEST_CASE("Half-ellipses end with infinities of the limit's sign", "[curve]") {
@@ -88,7 +90,7 @@ TEST_CASE("Half-ellipses end with infinities of the limit's sign", "[curve]") {
     const auto m = static_cast<std::size_t>(integrations);
     for (std::size_t k = 0; k <= m; ++k) CHECK(first[k] == 0);
     CHECK(last[m] == 0);
-    CHECK(last[m - 1] == Approx(kPi / 2).epsilon(1e-15));  // the area of the half-disc
+    CHECK(last[m - 1] == Approx(kPi / 2).epsilon(1e-15));          // the area of the half-disc
     if (m == 2) CHECK(last[0] == Approx(kPi / 2).epsilon(1e-15));  // times its mean distance 1
     for (std::size_t k = m + 1; k < kCurveOrders; ++k) {
       CAPTURE(integrations, k);
@@ -140,8 +142,7 @@ TEST_CASE("The root of Kepler's equation solves it", "[curve]") {
   }
 }
 
-TEST_CASE("The interval root of Kepler's equation encloses the root for every e and y",
-          "[curve]") {
+TEST_CASE("The interval root of Kepler's equation encloses the root for every e and y", "[curve]") {
   std::mt19937_64 random(19);
   std::uniform_real_distribution<double> lean(-0.98, 0.98), place(0, 1);
   for (int i = 0; i < 2000; ++i) {
@@ -174,9 +175,9 @@ void check_encloses(double low, double high, P... parameters) {
   std::uniform_real_distribution<double> place(low, high);
   for (int i = 0; i < 200; ++i) {
     const double a = place(random), b = place(random);
-    const Interval box = i == 0 ? Interval(low, high)
-                                : Interval(std::min(a, b), i % 2 == 0 ? std::max(a, b)
-                                                                      : std::min(a, b) + 1e-3);
+    const Interval box =
+        i == 0 ? Interval(low, high)
+               : Interval(std::min(a, b), i % 2 == 0 ? std::max(a, b) : std::min(a, b) + 1e-3);
     const auto d = Shape<double>{parameters...}.template as<Interval>()(box);
     for (const double share : {0.0, 0.3, 0.5, 0.9, 1.0}) {
       const double y = std::min(high, std::lerp(box.lower(), box.upper(), share));

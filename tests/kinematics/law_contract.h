@@ -273,7 +273,7 @@ inline void check_parameter(const Family& family, const Arguments<double>& argum
   const Values size = sizes(law);
   Worst values, slopes;
   for (const auto& piece : law.pieces()) {
-    for (const double share : {0.23, 0.57, 0.81})  /* not the middle: crossovers move there */ {
+    for (const double share : {0.23, 0.57, 0.81}) {  // not the middle, where crossovers move
       const double x = std::lerp(piece.begin, piece.end, share);
       const Values plain = law.derivatives<4>(x);
       const auto d = dual.derivatives<4>(x);
@@ -293,6 +293,9 @@ inline void check_parameter(const Family& family, const Arguments<double>& argum
   }
   INFO("parameter " << family.parameters[parameter].name << "[" << index << "] = " << value);
   expect_within("values of the Dual law", values, 1e-13);
+  // At 0.5 the crossover of an asymmetric law is left where it is; beside 0.5 it is moved.
+  const bool jumps = family.parameters[parameter].name == "crossover" && value == 0.5;
+  if (jumps && !is_symmetric(law)) return;
   // Rounding: 1e-16 / 5e-6, the shortest step, at worst.
   expect_within("derivatives by the parameter", slopes, central ? 1e-9 : 1e-8);
 }

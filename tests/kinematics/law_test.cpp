@@ -20,8 +20,7 @@ Piece<double> line(double begin, double end) { return {begin, end, 0, {0, 1}, {}
 
 bool holds(const Interval& box, double x) { return box.lower() <= x && x <= box.upper(); }
 
-TEST_CASE("A law without pieces or with pieces that do not cover the stretch is refused",
-          "[law]") {
+TEST_CASE("A law without pieces or with pieces that do not cover the stretch is refused", "[law]") {
   using Pieces = std::vector<Piece<double>>;
   const auto make = [](Pieces pieces) { return Law<double>(std::move(pieces), {}); };
   CHECK_THROWS_AS(make({}), std::invalid_argument);
@@ -100,9 +99,9 @@ TEST_CASE("An interval of x gives every value across breaks", "[law]") {
   CHECK(holds(across.a, 4));
   CHECK(holds(across.a, -4));
   CHECK(holds(across.v, 2));
-  CHECK(holds(across.s, 0.32));           // 2 x^2
-  CHECK(holds(across.s, 0.82 - 1e-15));   // 1 - 2 (1 - x)^2
-  CHECK(across.v.upper() <= 2 + 1e-12);   // and no more than the values
+  CHECK(holds(across.s, 0.32));          // 2 x^2
+  CHECK(holds(across.s, 0.82 - 1e-15));  // 1 - 2 (1 - x)^2
+  CHECK(across.v.upper() <= 2 + 1e-12);  // and no more than the values
   CHECK(holds(parabola(Interval(0.5)).a, 4));
   CHECK(holds(parabola(Interval(0.5)).a, -4));
   CHECK(holds(parabola(Interval(-1, 0.1)).v, 0.2));  // the part inside counts
@@ -169,9 +168,10 @@ TEST_CASE("evaluate gives the law at every point, in any order and any length", 
         REQUIRE((std::isnan(s[i]) && std::isnan(v[i]) && std::isnan(a[i]) && std::isnan(j[i])));
         continue;
       }
-      REQUIRE(std::abs(s[i] - exact.s) <= 1e-14);
-      REQUIRE(std::abs(v[i] - exact.v) <= 1e-13);
-      REQUIRE((a[i] == exact.a || std::abs(a[i] - exact.a) <= 1e-11));
+      // Terms of the 5-6-7-8-9 reach 1e3, 1e4, 1e5, 1e6; rounding is a few 1e-16 of them.
+      REQUIRE(std::abs(s[i] - exact.s) <= 1e-12);
+      REQUIRE(std::abs(v[i] - exact.v) <= 1e-11);
+      REQUIRE((a[i] == exact.a || std::abs(a[i] - exact.a) <= 1e-10));
       REQUIRE((j[i] == exact.j || std::abs(j[i] - exact.j) <= 1e-9));
       REQUIRE(only_a[i] == a[i]);
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/laws/polynomial.h"
-
 #include <Eigen/Dense>
 #include <boost/math/special_functions/legendre.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "kinematics/laws/polynomial.h"
 
 namespace camlaw {
 namespace {
@@ -29,8 +29,8 @@ Coefficients solve_boundary(const Coefficients& begin, const Coefficients& end) 
   Eigen::VectorXd values(m + n);
   for (int row = 0; row < m + n; ++row) {
     const int order = row < m ? row : row - m;
-    values(row) = row < m ? begin[static_cast<std::size_t>(order)]
-                          : end[static_cast<std::size_t>(order)];
+    values(row) =
+        row < m ? begin[static_cast<std::size_t>(order)] : end[static_cast<std::size_t>(order)];
     for (int k = order; k < m + n; ++k) {
       double falling = 1;  // k (k-1) ... (k - order + 1)
       for (int i = 0; i < order; ++i) falling *= k - i;
@@ -68,13 +68,16 @@ TEST_CASE("Rest at both ends gives the classical polynomials", "[polynomial]") {
   check_same(coefficients(boundary_polynomial<double>({0, 0, 0, 0, 0}, {1, 0, 0, 0, 0})),
              coefficients(poly_5_6_7_8_9<double>()), 1e-10);
   CHECK(boundary_polynomial<double>({0, 0, 0}, {1, 0, 0}).ends() == Ends{});
-  CHECK(boundary_polynomial<double>({0, 0, 0}, {1, 0, -5}).ends() == Ends{End::Rest, End::Reversal});
-  CHECK(boundary_polynomial<double>({0, 1, 0}, {1, 1, 2}).ends() == Ends{End::Velocity, End::Motion});
+  CHECK(boundary_polynomial<double>({0, 0, 0}, {1, 0, -5}).ends() ==
+        Ends{End::Rest, End::Reversal});
+  CHECK(boundary_polynomial<double>({0, 1, 0}, {1, 1, 2}).ends() ==
+        Ends{End::Velocity, End::Motion});
 }
 
 TEST_CASE("The boundary polynomial has the derivatives by its conditions", "[polynomial]") {
   // s depends linearly on a condition, so its derivative is the polynomial of the unit condition.
-  const auto law = boundary_polynomial<Dual>({Dual(0), Dual(0.3, 0), Dual(0)}, {Dual(1), Dual(0), Dual(2, 1)});
+  const auto law =
+      boundary_polynomial<Dual>({Dual(0), Dual(0.3, 0), Dual(0)}, {Dual(1), Dual(0), Dual(2, 1)});
   const auto by_v0 = boundary_polynomial<double>({0, 1, 0}, {0, 0, 0});
   const auto by_a1 = boundary_polynomial<double>({0, 0, 0}, {0, 0, 1});
   for (const double x : {0.1, 0.5, 0.8}) {
@@ -86,7 +89,8 @@ TEST_CASE("The boundary polynomial has the derivatives by its conditions", "[pol
 TEST_CASE("Stoddart's rule reproduces the classical polynomials", "[polynomial]") {
   check_same(coefficients(stoddart<double>({3, 4, 5})), {0, 0, 0, 10, -15, 6});
   check_same(coefficients(stoddart<double>({7, 5, 6, 4})), {0, 0, 0, 0, 35, -84, 70, -20});
-  check_same(coefficients(stoddart<double>({3, 5, 7})), {0, 0, 0, 35 / 8., 0, -42 / 8., 0, 15 / 8.});
+  check_same(coefficients(stoddart<double>({3, 5, 7})),
+             {0, 0, 0, 35 / 8., 0, -42 / 8., 0, 15 / 8.});
   check_same(coefficients(stoddart<double>({4, 6, 8, 10})), {0, 0, 0, 0, 10, 0, -20, 0, 15, 0, -4});
 }
 
@@ -123,11 +127,11 @@ TEST_CASE("Stoddart's rule refuses exponents that make no law", "[polynomial]") 
   CHECK_THROWS_WITH(stoddart<double>({}), Contains("at least two"));
   CHECK_THROWS_WITH(stoddart<double>({3, 4, 3}), Contains("different"));
   CHECK_THROWS_WITH(stoddart<double>({1.9, 4}), Contains("at least 2"));
-  CHECK_THROWS_AS(stoddart<double>({3, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+  CHECK_THROWS_AS(stoddart<double>({3, std::numeric_limits<double>::quiet_NaN()}),
+                  std::invalid_argument);
 }
 
-TEST_CASE("The families of the spine-cutter study hold the classical polynomials",
-          "[polynomial]") {
+TEST_CASE("The families of the spine-cutter study hold the classical polynomials", "[polynomial]") {
   check_same(coefficients(polynomial_5<double>(0)), coefficients(cubic<double>()));
   check_same(coefficients(polynomial_5<double>(-10)), coefficients(poly_3_4_5<double>()));
   check_same(coefficients(polynomial_7<double>(0)), coefficients(poly_4_5_6_7<double>()));
