@@ -38,22 +38,34 @@ std::vector<T> integrate_twice(const std::vector<T>& acceleration, const T& v0, 
 
 /// One phase of an acceleration, t counted from the phase's begin:
 ///   s''(t) = sum polynomial[k] t^k + sine sin(frequency t) + cosine cos(frequency t).
+/// Over the whole phase it adds mean * duration to the velocity, and lift * duration^2 to the stroke
+/// that it covers from rest; a phase without duration has these alone, for its derivatives.
 template <class T>
 struct AccelerationPhase {
   T duration;
+  T mean, lift;
   std::vector<T> polynomial;
   std::vector<Harmonic<T>> harmonics;
 };
 
+/// Phases no longer than this are computed remainders of zero.
+inline constexpr double kShortestPhase = 1e-12;
+
 /// Joins phases from rest, continuous in displacement and velocity, and scales the whole to unit
-/// stroke (docs/theory.md, "Laws from phases of acceleration"). Durations must add up to 1; phases
-/// without duration are left out.
+/// stroke (docs/theory.md, "Laws from phases of acceleration"). Durations must add up to 1. A phase
+/// without duration leaves no piece, but the derivatives by its duration are kept.
 template <class T>
 Law<T> law_from_acceleration(const std::vector<AccelerationPhase<T>>& phases, Ends ends = {}) {
   std::vector<Piece<T>> pieces;
   T x = number<T>(0), v = number<T>(0), s = number<T>(0);
   for (const auto& phase : phases) {
-    if (!(value_of(phase.duration) > 0)) continue;
+    if (!(value_of(phase.duration) > kShortestPhase)) {
+      const T d = phase.duration;
+      s = s + v * d + phase.lift * d * d;
+      v = v + phase.mean * d;
+      x = x + d;
+      continue;
+    }
     Piece<T> piece{x, x + phase.duration, x, {}, {}, {}};
     T s0 = s, v0 = v;
     for (const auto& h : phase.harmonics) {

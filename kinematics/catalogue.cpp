@@ -14,22 +14,26 @@
 namespace camlaw {
 namespace {
 
+/// The two UTF-8 bytes of a Cyrillic letter's small form.
+std::pair<int, int> folded_cyrillic(int lead, int trail) {
+  if (lead == 0xD2) return {lead, trail == 0x90 ? 0x91 : trail};         // G with upturn
+  if (trail < 0x90) return {0xD1, trail + 0x10};                         // Ukrainian Ye, I, Yi
+  if (trail < 0xA0) return {0xD0, trail + 0x20};                         // A to P
+  if (trail < 0xB0) return {0xD1, trail - 0x20};                         // R to Ya
+  return {lead, trail};
+}
+
 /// Lower case for ASCII and for Cyrillic in UTF-8, so that names compare as people write them.
 std::string folded(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     auto c = static_cast<unsigned char>(text[i]);
     if (c >= 'A' && c <= 'Z') c = static_cast<unsigned char>(c - 'A' + 'a');
-    if (c == 0xD0 && i + 1 < text.size()) {
-      const auto next = static_cast<unsigned char>(text[i + 1]);
-      const bool first_half = next >= 0x90 && next <= 0x9F;  // capitals A to P
-      const bool second_half = next >= 0xA0 && next <= 0xAF;
-      if (first_half || second_half) {
-        result += static_cast<char>(first_half ? 0xD0 : 0xD1);
-        result += static_cast<char>(first_half ? next + 0x20 : next - 0x20);
-        ++i;
-        continue;
-      }
+    if ((c == 0xD0 || c == 0xD2) && i + 1 < text.size()) {
+      const auto [lead, trail] = folded_cyrillic(c, static_cast<unsigned char>(text[++i]));
+      result += static_cast<char>(lead);
+      result += static_cast<char>(trail);
+      continue;
     }
     result += static_cast<char>(c);
   }
@@ -70,6 +74,7 @@ const Family* find_exact(std::string_view name) {
 std::vector<double> read_values(const Family& family, const Parameter& parameter,
                                 std::string_view text) {
   std::vector<double> values;
+  if (parameter.list && text.empty()) return values;
   while (true) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
@@ -154,7 +159,8 @@ std::string member_name(const Member& member, Print print) {
   for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
     const Parameter& parameter = member.family->parameters[i];
     const auto& values = member.arguments.list(i);
-    if (values.empty() || (parameter.name == kCrossover && values == parameter.standard)) continue;
+    const bool untold = values.empty() || parameter.name == kCrossover;
+    if (untold && values == parameter.standard) continue;
     result += fmt::format(" {}={}", parameter.name, print(values));
   }
   return result;
@@ -198,6 +204,7 @@ const Family& find_family(std::string_view name) {
 }
 
 Member find_law(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
   if (const Family* family = find_exact(text)) return {family, family->standard()};
   std::size_t equals = text.find('=');

@@ -81,8 +81,9 @@ Curve<R> curve_as(const Curve<T>& curve) {
 namespace detail {
 
 /// y held in [-1, 1]: rounding in the map from x to y may step over the end of the ellipse.
-inline double on_ellipse(double y) { return std::min(1.0, std::max(-1.0, y)); }
+inline double on_ellipse(double y) { return std::isnan(y) ? y : std::clamp(y, -1.0, 1.0); }
 inline Interval on_ellipse(const Interval& y) {
+  if (boost::numeric::empty(y)) return y;
   return {on_ellipse(y.lower()), on_ellipse(y.upper())};
 }
 template <class T>
@@ -90,6 +91,64 @@ T on_ellipse(const T& y) {
   const double excess = value_of(y) - on_ellipse(value_of(y));
   return excess == 0 ? y : y - number<T>(excess);
 }
+
+/// A rising function with a known slope, in any scalar: intervals by their ends, dual numbers by the
+/// chain rule, which keeps derivatives finite where the parts of the formula have none.
+template <class F>
+double rising(const F& f, double y) {
+  return f.value(y);
+}
+template <class F>
+Interval rising(const F& f, const Interval& y) {
+  return boost::numeric::hull(f.value(Interval(y.lower())), f.value(Interval(y.upper())));
+}
+template <class F, class T, int N>
+ceres::Jet<T, N> rising(const F& f, const ceres::Jet<T, N>& y) {
+  ceres::Jet<T, N> result(rising(f, y.a));
+  const T slope = f.slope(y.a);
+  for (int i = 0; i < N; ++i) result.v[i] = slope * y.v[i];
+  return result;
+}
+template <class F, class T>
+T rising(const F& f, const T& y) {
+  return f.value(y);
+}
+
+/// The half-ellipse's height sqrt(1 - y^2), as a product: no cancellation near the ends.
+template <class T>
+T ellipse_height(const T& y) {
+  using std::sqrt;
+  return sqrt((number<T>(1) - y) * (number<T>(1) + y));
+}
+
+/// The area under it from -1 on.
+struct EllipseArea {
+  template <class T>
+  T value(const T& y) const {
+    using std::asin;
+    const T half_pi = pi<T>() / number<T>(2);
+    return (y * ellipse_height(y) + asin(y) + half_pi) / number<T>(2);
+  }
+  template <class T>
+  T slope(const T& y) const {
+    return ellipse_height(y);
+  }
+};
+
+/// The area's own integral from -1 on.
+struct EllipseMoment {
+  template <class T>
+  T value(const T& y) const {
+    using std::asin;
+    const T r = ellipse_height(y);
+    const T half_pi = pi<T>() / number<T>(2);
+    return (r - r * r * r / number<T>(3) + y * (asin(y) + half_pi)) / number<T>(2);
+  }
+  template <class T>
+  T slope(const T& y) const {
+    return rising(EllipseArea{}, y);
+  }
+};
 
 /// Root t of y = t - e sin(2 pi t) / (2 pi) as a plain number: Newton held in a bracket that
 /// halves when a step leaves it.
@@ -117,21 +176,14 @@ Interval kepler_root(const Interval& e, const Interval& y);
 
 template <class T>
 CurveDerivatives<T> HalfEllipse<T>::operator()(T y) const {
-  using std::asin;
-  using std::sqrt;
   using S = Series<T, kCurveOrders>;
   y = detail::on_ellipse(y);
   const T one = number<T>(1);
   const S u = S::variable(y, one);
-  // 1 - y^2 as a product: no cancellation near the ends, so interval bounds stay tight there.
   const S arc = sqrt((S(one) - u) * (S(one) + u));
-  const T root = arc.c[0];
-  const T half_pi = pi<T>() / number<T>(2);
-  const T area = (y * root + asin(y) + half_pi) / number<T>(2);
-  const S first = integral(arc, area);
+  const S first = integral(arc, detail::rising(detail::EllipseArea{}, y));
   if (integrations == 1) return derivatives(first);
-  const T moment = (root - root * root * root / number<T>(3) + y * asin(y) + y * half_pi) / number<T>(2);
-  return derivatives(integral(first, moment));
+  return derivatives(integral(first, detail::rising(detail::EllipseMoment{}, y)));
 }
 
 template <class T>

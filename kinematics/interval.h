@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 /// Intervals that enclose: every operation returns bounds that hold for every real number in its
 /// arguments. Boost.Interval does the case analysis; this file gives it outward rounding by
@@ -100,8 +101,14 @@ inline double magnitude(const Interval& x) {
   return std::max(std::abs(x.lower()), std::abs(x.upper()));
 }
 
+/// a / b where b may be the point 0: there nothing is known of the quotient.
+inline Interval quotient(const Interval& a, const Interval& b) {
+  return b.lower() == 0 && b.upper() == 0 ? Interval::whole() : a / b;
+}
+
 /// x^p for x >= 0 and a real exponent; p < 0 at x = 0 gives an infinite upper bound.
 inline Interval real_power(const Interval& x, double p) {
+  if (boost::numeric::empty(x)) return x;
   const double low = std::max(0.0, x.lower());
   const double high = std::max(0.0, x.upper());
   using Rounding = detail::OutwardRounding;

@@ -47,7 +47,8 @@ class Law {
  public:
   using Scalar = T;
 
-  /// Takes pieces in order that cover [0, 1]. Throws std::invalid_argument where they do not.
+  /// Takes pieces in order that cover [0, 1]; ends that differ by up to 1e-12 are joined. Throws
+  /// std::invalid_argument where they do not.
   Law(std::vector<Piece<T>> pieces, Ends ends);
 
   const std::vector<Piece<T>>& pieces() const { return pieces_; }
@@ -109,11 +110,18 @@ template <class T>
 Law<T>::Law(std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)), ends_(ends) {
   if (pieces_.empty()) detail::throw_bad_pieces("it has no pieces");
   detail::check_break(0, value_of(pieces_.front().begin));
+  detail::check_break(value_of(pieces_.back().end), 1);
+  // Breaks that rounding has set apart are joined: no x lies between two pieces.
+  pieces_.front().begin = number<T>(0);
+  pieces_.back().end = number<T>(1);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const double begin = value_of(pieces_[i].begin);
-    const double end = value_of(pieces_[i].end);
-    if (!(begin < end)) detail::throw_bad_pieces("a piece does not end after it begins");
-    detail::check_break(end, i + 1 < pieces_.size() ? value_of(pieces_[i + 1].begin) : 1.0);
+    if (i > 0) {
+      detail::check_break(value_of(pieces_[i - 1].end), value_of(pieces_[i].begin));
+      pieces_[i].begin = pieces_[i - 1].end;
+    }
+    if (!(value_of(pieces_[i].begin) < value_of(pieces_[i].end))) {
+      detail::throw_bad_pieces("a piece does not end after it begins");
+    }
   }
 }
 

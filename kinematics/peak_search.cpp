@@ -7,6 +7,9 @@ namespace {
 /// Boxes this narrow are closed as they are: what is left inside is below rounding.
 constexpr double kSmallestBox = 1e-12;
 
+/// Rounding in a high degree's Bernstein form is divided away down to boxes of this width.
+constexpr double kNoisyBox = 0.02;
+
 Questions all_questions() {
   Questions result;
   for (std::size_t i = 0; i < kQuantities; ++i) {
@@ -97,9 +100,11 @@ class PeakSearch {
  private:
   static constexpr unsigned kMomentQuestions = 3u << (2 * (kQuantities - 1));
 
-  /// The quantity's largest size as known so far.
+  /// The quantity's largest finite size as known so far: where one side has no bound, the other is
+  /// still found to its own accuracy.
   double scale(std::size_t i) const {
-    return std::max(std::abs(questions_[i].known), std::abs(questions_[i ^ 1].known));
+    const double one = std::abs(questions_[i].known), other = std::abs(questions_[i ^ 1].known);
+    return std::max(std::isfinite(one) ? one : 0.0, std::isfinite(other) ? other : 0.0);
   }
 
   static void propose(Extremum& best, Extremum candidate, double margin) {
@@ -208,9 +213,15 @@ class PeakSearch {
       }
     }
     const double excess = bound + model.remainder - question.known;
-    if (!(excess <= 2 * noise + tolerance) && box.high - box.low > kSmallestBox) return false;
+    const double width = box.high - box.low;
+    if (width > kSmallestBox) {
+      if (!(excess <= 2 * noise + tolerance)) return false;
+      if (noise > tolerance && width > kNoisyBox) return false;
+    }
     // What keeps the box open is rounding, which no division lessens.
-    question.ceiling = std::max(question.ceiling, upper(T(bound) + T(model.remainder)));
+    const double natural = question.sign > 0 ? model.range.upper() : -model.range.lower();
+    const double ceiling = upper(T(bound) + T(model.remainder));
+    question.ceiling = std::max(question.ceiling, std::isnan(ceiling) ? natural : std::min(ceiling, natural));
     return true;
   }
 

@@ -16,7 +16,8 @@
 ///   Interval   enclosure (kinematics/interval.h)
 ///
 /// Any other type with + - * / and sqrt, sin, cos found by argument-dependent lookup joins by
-/// specialising ScalarTraits; it need not convert to double by itself.
+/// specialising ScalarTraits; it must be default-constructible, and need not convert to double by
+/// itself.
 namespace camlaw {
 
 /// Directions carried by one pass of Dual.
@@ -103,12 +104,19 @@ R convert(const T& x) {
 template <class T, class X>
 using Joined = std::conditional_t<std::is_same_v<T, double>, X, T>;
 
+/// a / b; for intervals defined at b = 0 too (kinematics/interval.h).
+template <class T>
+T quotient(const T& a, const T& b) {
+  return a / b;
+}
+
 /// x^p for x >= 0 and a plain exponent.
 inline double real_power(double x, double p) { return std::pow(x, p); }
 
 template <class T, int N>
 ceres::Jet<T, N> real_power(const ceres::Jet<T, N>& x, double p) {
   ceres::Jet<T, N> result(real_power(x.a, p));
+  if (p == 0) return result;
   const T slope = number<T>(p) * real_power(x.a, p - 1);
   for (int i = 0; i < N; ++i) result.v[i] = slope * x.v[i];
   return result;

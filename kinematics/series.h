@@ -58,13 +58,13 @@ Series<T, N> operator*(const Series<T, N>& f, const Series<T, N>& g) {
 
 template <class T, std::size_t N>
 Series<T, N> operator/(const Series<T, N>& f, const Series<T, N>& g) {
-  Series<T, N> quotient;
+  Series<T, N> ratio;
   for (std::size_t k = 0; k < N; ++k) {
     T rest = f.c[k];
-    for (std::size_t i = 1; i <= k; ++i) rest = rest - g.c[i] * quotient.c[k - i];
-    quotient.c[k] = rest / g.c[0];
+    for (std::size_t i = 1; i <= k; ++i) rest = rest - g.c[i] * ratio.c[k - i];
+    ratio.c[k] = quotient(rest, g.c[0]);
   }
-  return quotient;
+  return ratio;
 }
 
 /// Square root; where f vanishes the derivatives come out infinite, with the sign of the limit.
@@ -77,7 +77,7 @@ Series<T, N> sqrt(const Series<T, N>& f) {
   for (std::size_t k = 1; k < N; ++k) {
     T rest = f.c[k];
     for (std::size_t i = 1; i < k; ++i) rest = rest - root.c[i] * root.c[k - i];
-    root.c[k] = rest / divisor;
+    root.c[k] = quotient(rest, divisor);
   }
   return root;
 }

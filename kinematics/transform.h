@@ -47,12 +47,19 @@ Law<T> reversed(const Law<T>& law) {
   return Law<T>(std::move(pieces), {law.ends().end, law.ends().begin});
 }
 
-/// Where the acceleration of a rest-to-rest law changes sign: 1/2 for a symmetric law, else where
-/// the velocity peaks.
+/// Where the acceleration of a rest-to-rest law changes sign, and how far the law has risen there.
 template <class T>
-T crossover(const Law<T>& law) {
-  if (is_symmetric(law.template as<double>())) return ratio<T>(1, 2);
-  return peaks(law).high(Quantity::Velocity).position;
+struct Crossover {
+  T position, risen;
+};
+
+/// 1/2 and 1/2 for a symmetric law, else where the velocity peaks.
+template <class T>
+Crossover<T> crossover(const Law<T>& law) {
+  const T half = ratio<T>(1, 2);
+  if (is_symmetric(law.template as<double>())) return {half, half};
+  const T position = peaks(law).high(Quantity::Velocity).position;
+  return {position, law.template derivatives<1>(position)[0]};
 }
 
 /// The law with its crossover moved to `at` in (0, 1): both parts are stretched in x, and their
@@ -65,8 +72,7 @@ Law<T> with_crossover(const Law<T>& law, const T& at) {
     throw std::invalid_argument("crossover must lie between 0 and 1");
   }
   const T one = number<T>(1);
-  const T from = crossover(law);
-  const T risen = law.template derivatives<1>(from)[0];
+  const auto [from, risen] = crossover(law);
   const T slope1 = from / at, slope2 = (one - from) / (one - at);
   const T share1 = one / (risen + slope1 / slope2 * (one - risen));
   const T share2 = share1 * slope1 / slope2;
@@ -84,6 +90,17 @@ Law<T> with_crossover(const Law<T>& law, const T& at) {
   }
   pieces.back().end = one;
   return Law<T>(std::move(pieces), law.ends());
+}
+
+/// The law skewed by c in (0, 1): the odds of its crossover x_c are multiplied by those of c,
+/// x / (1 - x) = x_c / (1 - x_c) c / (1 - c). So c is the new crossover of a symmetric law, and 1/2
+/// leaves every law as it is.
+template <class T>
+Law<T> skewed(const Law<T>& law, const T& c) {
+  const T one = number<T>(1);
+  const T from = crossover(law).position;
+  const T early = from * c, late = (one - from) * (one - c);
+  return with_crossover(law, early / (early + late));
 }
 
 }  // namespace camlaw

@@ -45,6 +45,7 @@ std::vector<Family> straight_phases() {
           []<class S>(const Arguments<S>& a) {
             const S &B = a.scalar(0), &C = a.scalar(1);
             const S one = number<S>(1);
+            if (a.list(2).size() > 1) throw std::invalid_argument("D takes one value at most");
             return s_curve<S>(B, C, a.list(2).empty() ? C / (one - one / B - B / C)
                                                       : a.list(2).front());
           }),

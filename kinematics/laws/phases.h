@@ -3,35 +3,52 @@
 
 #include "kinematics/build.h"
 
-/// Laws laid together from phases of acceleration. Equations: docs/theory.md, "Laws from phases".
+/// Laws laid together from phases of acceleration. Equations: docs/theory.md, "Laws from phases of
+/// acceleration".
 namespace camlaw {
 
 namespace detail {
 
+/// Whether a phase lasts; the frequency and slope of one that does not have no value.
+template <class T>
+bool lasts(const T& duration) {
+  return value_of(duration) > kShortestPhase;
+}
+
 /// `level` times the rising quarter of a sine.
 template <class T>
 AccelerationPhase<T> quarter_sine(const T& duration, const T& level) {
-  if (!(value_of(duration) > 0)) return {duration, {}, {}};
-  return {duration, {}, {{level, number<T>(0), pi<T>() / (number<T>(2) * duration)}}};
+  const T share = number<T>(2) / pi<T>();
+  AccelerationPhase<T> phase{duration, level * share, level * share * (number<T>(1) - share), {}, {}};
+  if (lasts(duration)) {
+    phase.harmonics = {{level, number<T>(0), pi<T>() / (number<T>(2) * duration)}};
+  }
+  return phase;
 }
 
 /// `level` times the falling quarter of a cosine.
 template <class T>
 AccelerationPhase<T> quarter_cosine(const T& duration, const T& level) {
-  if (!(value_of(duration) > 0)) return {duration, {}, {}};
-  return {duration, {}, {{number<T>(0), level, pi<T>() / (number<T>(2) * duration)}}};
+  const T share = number<T>(2) / pi<T>();
+  AccelerationPhase<T> phase{duration, level * share, level * share * share, {}, {}};
+  if (lasts(duration)) {
+    phase.harmonics = {{number<T>(0), level, pi<T>() / (number<T>(2) * duration)}};
+  }
+  return phase;
 }
 
 /// Acceleration that goes straight from one value to another.
 template <class T>
 AccelerationPhase<T> ramp(const T& duration, const T& from, const T& to) {
-  if (!(value_of(duration) > 0)) return {duration, {}, {}};
-  return {duration, {from, (to - from) / duration}, {}};
+  const T lift = from / number<T>(3) + to / number<T>(6);
+  AccelerationPhase<T> phase{duration, (from + to) / number<T>(2), lift, {}, {}};
+  if (lasts(duration)) phase.polynomial = {from, (to - from) / duration};
+  return phase;
 }
 
 template <class T>
 AccelerationPhase<T> constant(const T& duration, const T& level) {
-  return {duration, {level}, {}};
+  return {duration, level, level / number<T>(2), {level}, {}};
 }
 
 void check_durations(std::span<const double> durations);
@@ -51,6 +68,7 @@ void check_durations(const std::vector<T>& durations) {
 /// halves must accelerate; std::invalid_argument otherwise.
 template <class T>
 Law<T> universal(const std::vector<T>& d) {
+  if (d.size() != 7) throw std::invalid_argument("universal: seven durations are needed");
   detail::check_durations(d);
   const T quarter = number<T>(2) / pi<T>();  // mean of a quarter sine
   const T up = quarter * (d[0] + d[2]) + d[1];

@@ -36,7 +36,7 @@ std::vector<Family> whole_polynomials() {
        "6.09755x^3 - 20.78040x^5 + 26.73155x^6 - 13.60965x^7 + 2.56095x^8", {}, "R-U", 2, false,
        "Rothbart (ed.), Cam Design Handbook, 2004, p. 100",
        []<class S>(const Arguments<S>&) { return rothbart_8<S>(); }},
-      {"quick-return", {"throw"}, "10x^4 - 14x^5 + 5x^6", {}, "R-U", 2, false, "MechDesigner help",
+      {"quick-return", {"throw"}, "10x^4 - 14x^5 + 5x^6", {}, "R-U", 3, false, "MechDesigner help",
        []<class S>(const Arguments<S>&) { return quick_return<S>(); }},
   };
 }

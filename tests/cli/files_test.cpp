@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "cli/files.h"
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace camlaw::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+
+/// A folder of its own for one test, gone afterwards.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "camlaw-files-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  /// Everything below it, folders included.
+  std::set<std::string> content() const {
+    std::set<std::string> result;
+    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
+      result.insert(fs::relative(entry.path(), path_).string());
+    }
+    return result;
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& path, const std::string& content) { std::ofstream(path) << content; }
+
+using Names = std::set<std::string>;
+
+}  // namespace
+
+TEST_CASE("files are written whole, with every byte", "[files]") {
+  const Folder folder;
+  const std::string binary("a\0b\r\n\xff", 6), large(3'000'000, 'x');
+  write_files({{folder / "a", binary}, {folder / "b", large}, {folder / "empty", ""}});
+  CHECK(read(folder / "a") == binary);
+  CHECK(read(folder / "b") == large);
+  CHECK(read(folder / "empty").empty());
+  CHECK(folder.content() == Names{"a", "b", "empty"});
+}
+
+TEST_CASE("missing folders are made", "[files]") {
+  const Folder folder;
+  write_files({{folder / "x/y/z.txt", "1"}, {folder / "x/y/w.txt", "2"}});
+  CHECK(read(folder / "x/y/z.txt") == "1");
+  CHECK(folder.content() == Names{"x", "x/y", "x/y/z.txt", "x/y/w.txt"});
+}
+
+TEST_CASE("a file that stands there is replaced", "[files]") {
+  const Folder folder;
+  write(folder / "a", "old and longer");
+  write_files({{folder / "a", "new"}});
+  CHECK(read(folder / "a") == "new");
+  CHECK(folder.content() == Names{"a"});
+}
+
+TEST_CASE("no files is no work", "[files]") { CHECK_NOTHROW(write_files({})); }
+
+TEST_CASE("where the folder cannot be, the error names the file", "[files]") {
+  const Folder folder;
+  write(folder / "plain", "not a folder");
+  const fs::path below = folder / "plain/x.csv", deeper = folder / "plain/y/x.csv";
+  CHECK_THROWS_AS(write_files({{below, "1"}}), std::runtime_error);
+  CHECK_THROWS_WITH(write_files({{below, "1"}}), Contains(below.string()));
+  CHECK_THROWS_WITH(write_files({{deeper, "1"}}), Contains(deeper.string()));
+  CHECK(read(folder / "plain") == "not a folder");
+  CHECK(folder.content() == Names{"plain"});
+}
+
+TEST_CASE("a folder is not a file", "[files]") {
+  const Folder folder;
+  fs::create_directory(folder / "results");
+  CHECK_THROWS_WITH(write_files({{folder / "results", "1"}}),
+                    Contains((folder / "results").string()) && Contains("folder"));
+  CHECK(folder.content() == Names{"results"});
+}
+
+TEST_CASE("a name that is too long is refused and named", "[files]") {
+  const Folder folder;
+  const std::string name(300, 'n');  // file systems end at 255
+  CHECK_THROWS_WITH(write_files({{folder / name, "1"}}), Contains(name));
+  CHECK(folder.content().empty());
+}
+
+TEST_CASE("a second file that fails leaves nothing of the first", "[files]") {
+  const Folder folder;
+  write(folder / "plain", "");
+  CHECK_THROWS(write_files({{folder / "first", "1"}, {folder / "plain/second", "2"}}));
+  CHECK(folder.content() == Names{"plain"});
+  fs::create_directory(folder / "results");
+  CHECK_THROWS(write_files({{folder / "first", "1"}, {folder / "results", "2"}}));
+  CHECK(folder.content() == Names{"plain", "results"});
+}
+
+TEST_CASE("old content stays when the new cannot be written", "[files]") {
+  const Folder folder;
+  write(folder / "first", "old");
+  write(folder / "plain", "");
+  for (const auto& bad : {folder / "plain/second", folder / std::string(300, 'n')}) {
+    CHECK_THROWS(write_files({{folder / "first", "new"}, {bad, "2"}}));
+    CHECK_THROWS(write_files({{bad, "2"}, {folder / "first", "new"}}));
+    CHECK(read(folder / "first") == "old");
+  }
+  CHECK(folder.content() == Names{"first", "plain"});
+}
+
+TEST_CASE("folders made for a file that is not written do not stay", "[files]") {
+  const Folder folder;
+  write(folder / "plain", "");
+  CHECK_THROWS(write_files({{folder / "new/deep/first", "1"}, {folder / "plain/second", "2"}}));
+  CHECK(folder.content() == Names{"plain"});
+}
+
+TEST_CASE("one place for two files is refused before anything is written", "[files]") {
+  const Folder folder;
+  write(folder / "a", "old");
+  CHECK_THROWS_WITH(write_files({{folder / "a", "1"}, {folder / "a", "2"}}), Contains("a"));
+  CHECK_THROWS(write_files({{folder / "a", "1"}, {folder / "./a", "2"}}));
+  CHECK(read(folder / "a") == "old");
+  CHECK(folder.content() == Names{"a"});
+}
+
+TEST_CASE("a link is followed, not replaced", "[files]") {
+  const Folder folder;
+  write(folder / "real", "old");
+  fs::create_symlink("real", folder / "link");
+  write_files({{folder / "link", "new"}});
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(read(folder / "real") == "new");
+  CHECK(folder.content() == Names{"link", "real"});
+}
+
+TEST_CASE("what is no regular file is not replaced by one", "[files]") {
+  // A socket stands for devices: root may rename over /dev/null.
+  const Folder folder;
+  const fs::path path = folder / "socket";
+  const int descriptor = socket(AF_UNIX, SOCK_STREAM, 0);
+  REQUIRE(descriptor >= 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  REQUIRE(path.string().size() < sizeof address.sun_path);
+  std::strcpy(address.sun_path, path.c_str());
+  const void* raw = &address;
+  REQUIRE(bind(descriptor, static_cast<const sockaddr*>(raw), sizeof address) == 0);
+  close(descriptor);
+  CHECK_THROWS_AS(write_files({{path, "1"}}), std::runtime_error);
+  CHECK(fs::is_socket(path));
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+// The built program, run as a user runs it. CAMLAW_PROGRAM is its path.
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/property_tree/xml_parser.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "kinematics/catalogue.h"
+#include "tests/kinematics/reference_data.h"
+
+namespace camlaw::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own for one test, gone afterwards.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "camlaw-program-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::set<std::string> content() const {
+    std::set<std::string> result;
+    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
+      result.insert(fs::relative(entry.path(), path_).string());
+    }
+    return result;
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int status = -1;
+  std::string out, err;
+};
+
+Outcome run(Words words) {
+  const Folder folder;
+  const std::string out = folder / "out", err = folder / "err";
+  words.insert(words.begin(), "camlaw");
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
+  pid_t child = 0;
+  const int failed =
+      posix_spawn(&child, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw std::runtime_error("cannot start " CAMLAW_PROGRAM);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
+/// What a run that is done prints.
+std::string done(const Words& words) {
+  const Outcome outcome = run(words);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  return outcome.out;
+}
+
+Json json_of(const Words& words) { return Json::parse(done(words)); }
+
+/// What a run that fails says: one line on standard error and nothing else.
+std::string failed(const Words& words, int status) {
+  const Outcome outcome = run(words);
+  INFO(outcome.err);
+  CHECK(outcome.status == status);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK((outcome.err.size() > 1 && outcome.err.back() == '\n'));
+  return outcome.err;
+}
+
+using Table = std::vector<Words>;
+
+Table csv_of(const std::string& text) {
+  Table rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.push_back(testing::split_fields(line));
+  }
+  return rows;
+}
+
+void check_svg(const std::string& path) {
+  INFO(path);
+  boost::property_tree::ptree tree;
+  REQUIRE_NOTHROW(boost::property_tree::read_xml(path, tree));
+  CHECK(tree.count("svg") == 1);
+  CHECK(read(path).find("nan") == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("the program tells its version and its usage", "[program]") {
+  CHECK_THAT(done({"--version"}), Contains("camlaw") && Contains("0.1.0"));
+  CHECK_THAT(done({"--help"}),
+             Contains("laws") && Contains("law") && Contains("study") && Contains("reproduce"));
+  for (const char* command : {"laws", "law", "study", "reproduce"}) {
+    CHECK_THAT(done({command, "--help"}), Contains("--json"));
+  }
+}
+
+TEST_CASE("bad input ends with status 2 and one line that says what is accepted", "[program]") {
+  struct Case {
+    Words words;
+    const char *says, *accepts;
+  };
+  const Case cases[] = {
+      {{"lwas"}, "lwas", "laws"},
+      {{"optimise"}, "optimise", "study"},
+      {{"--frobnicate"}, "--frobnicate", "--help"},
+      {{}, "subcommand", "--help"},
+      {{"laws", "--jsn"}, "--jsn", "--help"},
+      {{"laws", "cubic"}, "cubic", "--help"},
+      {{"law"}, "NAME", "--help"},
+      {{"law", "modified-sin"}, "modified-sin", "modified-sine"},
+      {{"law", "zzzzzz"}, "zzzzzz", "camlaw laws"},
+      {{"law", "cubic", "--param"}, "--param", "--help"},
+      {{"law", "cubic", "--param", "x=1"}, "'x'", "crossover"},
+      {{"law", "cubic", "--param", "crossover"}, "crossover", "name=value"},
+      {{"law", "cubic", "--param", "crossover=1.5"}, "crossover", "0.02 .. 0.98"},
+      {{"law", "polynomial-5", "--param", "alpha=nan"}, "alpha", "-30 .. 30"},
+      {{"law", "polynomial-5", "--param", "alpha=three"}, "alpha", "is not a number"},
+      {{"law", "polynomial-5", "--param", "alpha=3 deg"}, "alpha", "a plain number is wanted"},
+      {{"law", "inclined-sinusoid", "--param", "angle=3 mm"}, "angle", "an angle is wanted"},
+      {{"law", "inclined-sinusoid", "--param", "angle=3 rad"}, "angle", "50 .. 130"},
+      {{"law", "fourier", "--param", "a=0.1,,0.2"}, "a", "is not a number"},
+      {{"law", "cubic", "--samples", "1"}, "--samples", "2"},
+      {{"law", "cubic", "--samples", "many"}, "--samples", "many"},
+      {{"study"}, "SYSTEM", "--help"},
+      {{"study", "balancing-cam"}, "balancing-cam", "spine-cutter"},
+      {{"study", "spine-cutter", "--set", "depht=1"}, "depht", "depth (h)"},
+      {{"study", "spine-cutter", "--set", "h=1 deg"}, "depth", "a length is wanted"},
+      {{"study", "spine-cutter", "--set", "h=26 mm"}, "depth", "25 mm"},
+      {{"study", "spine-cutter", "--set", "h=0.4.5mm"}, "depth", "a length is wanted"},
+      {{"reproduce", "die-presss"}, "die-presss", "spine-cutter"},
+      {{"reproduce", "spine-cutter", "nothing"}, "nothing", "spine-cutter"},
+  };
+  for (const Case& bad : cases) {
+    std::string line;
+    for (const std::string& word : bad.words) line += " " + word;
+    INFO("camlaw" << line);
+    CHECK_THAT(failed(bad.words, 2), Contains(bad.says) && Contains(bad.accepts));
+  }
+}
+
+TEST_CASE("a run that fails leaves no file and no folder", "[program]") {
+  const Folder folder;
+  std::ofstream(folder / "plain") << "not a folder";
+  const std::string below = folder / "plain/x.csv";
+  CHECK_THAT(failed({"law", "cubic", "--csv", below}, 1), Contains(below));
+  CHECK_THAT(failed({"law", "cubic", "--csv", folder / "a.csv", "--svg", below}, 1),
+             Contains(below));
+  CHECK_THAT(failed({"study", "spine-cutter", "--out", folder / "plain"}, 1),
+             Contains(folder / "plain"));
+  failed({"law", "nothing", "--csv", folder / "a.csv"}, 2);
+  failed({"law", "cubic", "--param", "crossover=2", "--csv", folder / "a.csv"}, 2);
+  failed({"law", "cubic", "--csv", folder / "a.csv", "--bogus"}, 2);
+  failed({"study", "spine-cutter", "--set", "h=30 mm", "--out", folder / "results"}, 2);
+  CHECK(folder.content() == std::set<std::string>{"plain"});
+  CHECK(read(folder / "plain") == "not a folder");
+}
+
+TEST_CASE("one place for table and picture is refused and nothing is written", "[program]") {
+  const Folder folder;
+  const Outcome outcome = run({"law", "cubic", "--csv", folder / "a", "--svg", folder / "a"});
+  CHECK(outcome.status != 0);
+  CHECK(folder.content().empty());
+}
+
+TEST_CASE("output that cannot be written is a failure", "[program]") {
+  const std::string command = std::string(CAMLAW_PROGRAM) + " laws --json >/dev/full 2>/dev/null";
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 1);
+}
+
+TEST_CASE("laws --json lists every law of the catalogue and of the reference table", "[program]") {
+  const Json laws = json_of({"laws", "--json"});
+  std::vector<std::string> names;
+  for (const Json& law : laws) {
+    names.push_back(law.at("name"));
+    for (const char* key : {"aliases", "parameters", "B", "C_max", "C_min", "D_max", "D_min", "Cm",
+                            "lambda", "ends", "continuity", "source"}) {
+      INFO(names.back() << " " << key);
+      CHECK(law.contains(key));
+    }
+  }
+  CHECK(std::set<std::string>(names.begin(), names.end()).size() == names.size());
+  CHECK(names.size() == catalogue().size());
+  for (const auto& row : testing::read_table("problems/laws/motion_laws.csv")) {
+    INFO(row.at("law"));
+    CHECK(std::find(names.begin(), names.end(), row.at("law")) != names.end());
+  }
+}
+
+TEST_CASE("laws lists them as a table", "[program]") {
+  const std::string text = done({"laws"});
+  for (const auto& family : catalogue()) CHECK_THAT(text, Contains("\n" + family.name + " "));
+}
+
+TEST_CASE("law takes parameters with units and lists", "[program]") {
+  const auto angle = [](const std::string& text) {
+    return json_of({"law", "inclined-sinusoid", "--param", "angle=" + text, "--json"});
+  };
+  const Json degrees = angle("82deg"), plain = angle("82"), radians = angle("1.43 rad");
+  CHECK(degrees == plain);
+  CHECK(degrees["parameters"][0]["value"].get<double>() == Approx(82).epsilon(1e-14));
+  CHECK(radians["parameters"][0]["value"].get<double>() ==
+        Approx(1.43 * 180 / std::numbers::pi).epsilon(1e-14));
+  CHECK(angle("90 deg")["B"].get<double>() == Approx(2).epsilon(1e-12));  // the cycloid
+
+  const Json list = json_of({"law", "fourier", "--param", "a=0.1,-0.05", "--json"});
+  CHECK(list["parameters"][0]["value"] == Json{0.1, -0.05});
+  CHECK(list == json_of({"law", "fourier a=0.1,-0.05", "--json"}));
+  CHECK(list == json_of({"law", "fourier", "--param", "a=0.1, -0.05", "--json"}));
+  const Json two =
+      json_of({"law", "trapezoidal-velocity", "--param", "t1=0.2", "--param", "t2=0.3", "--json"});
+  // Area 1 under the trapezoid: B (1 - t1 / 2 - t2 / 2) = 1.
+  CHECK(two["B"].get<double>() == Approx(1 / 0.75).epsilon(1e-13));
+}
+
+TEST_CASE("law prints text with the peaks, and says where files went", "[program]") {
+  CHECK_THAT(done({"law", "poly-3-4-5"}), Contains("poly-3-4-5") && Contains("B    ") &&
+                                              Contains("1.875") && Contains("lambda"));
+  const Folder folder;
+  const std::string csv = folder / "new/curve.csv", svg = folder / "curve.svg";
+  CHECK_THAT(done({"law", "cubic", "--csv", csv, "--svg", svg}), Contains(csv) && Contains(svg));
+  CHECK(folder.content() == std::set<std::string>{"new", "new/curve.csv", "curve.svg"});
+  check_svg(svg);
+  CHECK(csv_of(read(csv)).size() == 362);  // 361 points and the header
+}
+
+TEST_CASE("the table of a law has its closed form's values", "[program]") {
+  const Folder folder;
+  done({"law", "cubic", "--samples", "11", "--csv", folder / "cubic.csv"});
+  const Table rows = csv_of(read(folder / "cubic.csv"));
+  REQUIRE(rows.size() == 12);
+  CHECK(rows[0] == Words{"x", "s", "v", "a", "j"});
+  const Json json = json_of({"law", "cubic", "--samples", "11", "--json"});
+  REQUIRE(json["samples"].size() == 11);
+  for (std::size_t i = 0; i <= 10; ++i) {
+    const double x = static_cast<double>(i) / 10;
+    const std::map<std::string, double> expected{{"x", x},
+                                                 {"s", x * x * (3 - 2 * x)},
+                                                 {"v", 6 * x * (1 - x)},
+                                                 {"a", 6 - 12 * x},
+                                                 {"j", -12}};
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double value = std::stod(rows[i + 1][k]);
+      CHECK(value == Approx(expected.at(rows[0][k])).margin(1e-14));
+      CHECK(json["samples"][i][rows[0][k]].get<double>() == value);
+    }
+  }
+  CHECK_THAT(done({"law", "cubic", "--samples", "3"}), Contains("x,s,v,a,j\n0,0,0,6,-12\n"));
+}
+
+TEST_CASE("the study writes its four files, and they agree", "[program]") {
+  const Folder folder;
+  const Words words{"study", "spine-cutter", "--set", "h=1.0 mm", "--set", "V=72 m/min"};
+  Words with_files = words, as_json = words;
+  with_files.insert(with_files.end(), {"--out", folder / "deep/results"});
+  as_json.push_back("--json");
+  const std::string text = done(with_files);
+  CHECK(folder.content() == std::set<std::string>{"deep", "deep/results", "deep/results/study.csv",
+                                                  "deep/results/study.json",
+                                                  "deep/results/trade_off.svg",
+                                                  "deep/results/motion.svg"});
+  for (const char* name : {"study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
+    CHECK_THAT(text, Contains(folder / (std::string("deep/results/") + name)));
+  }
+  check_svg(folder / "deep/results/trade_off.svg");
+  check_svg(folder / "deep/results/motion.svg");
+  CHECK(done(as_json) == read(folder / "deep/results/study.json"));
+
+  const Json study = json_of(as_json);
+  CHECK_THAT(text, Contains(study["recommendation"].get<std::string>()));
+  CHECK(study["givens"][4]["value"].get<double>() == Approx(1.0).epsilon(1e-14));
+  CHECK(study["givens"][3]["value"].get<double>() == Approx(1.2).epsilon(1e-14));
+  const Table csv = csv_of(read(folder / "deep/results/study.csv"));
+  REQUIRE(csv.size() == study["rows"].size() + 1);
+  for (std::size_t i = 1; i < csv.size(); ++i) {
+    const Json& row = study["rows"][i - 1];
+    REQUIRE(csv[i].size() == csv[0].size());
+    for (std::size_t k = 0; k < csv[0].size(); ++k) {
+      INFO(csv[i][0] << ", " << csv[0][k]);
+      const Json& value = row.at(csv[0][k]);
+      if (value.is_number()) {
+        CHECK(std::stod(csv[i][k]) == value.get<double>());
+      } else if (value.is_boolean()) {
+        CHECK(csv[i][k] == (value.get<bool>() ? "1" : "0"));
+      } else {
+        CHECK(csv[i][k] == (value.is_null() ? "" : value.get<std::string>()));
+      }
+    }
+  }
+}
+
+TEST_CASE("the cubic at the paper's depth has the paper's numbers", "[program]") {
+  const Json study = json_of({"study", "spine-cutter", "--set", "h=1.0 mm", "--json"});
+  for (const Json& row : study["rows"]) {
+    if (row["law"] != "cubic") continue;
+    CHECK(row["cam_radius_mm"].get<double>() == Approx(33.08).margin(0.005));
+    CHECK(row["printed_inertia_force_N"].get<double>() == Approx(4.56).margin(0.005));
+    CHECK(row["inertia_force_N"].get<double>() ==
+          Approx(2 * row["printed_inertia_force_N"].get<double>()));
+    return;
+  }
+  FAIL("no row for the cubic");
+}
+
+TEST_CASE("reproduce gives the verdict on every printed number", "[program]") {
+  const Json all = json_of({"reproduce", "spine-cutter", "--json"});
+  CHECK(all == json_of({"reproduce", "--json"}));
+  REQUIRE(all.size() == 1);
+  const Json& system = all[0];
+  CHECK(system["system"] == "spine-cutter");
+  CHECK(system["reproduced"] == 13);
+  CHECK(system["explained"] == 19);
+  CHECK(system["unexplained"] == 0);
+  CHECK(system["departures"].size() == 6);
+  CHECK(system["equal_sets"].empty());
+  REQUIRE(system["values"].size() == 32);
+  std::map<std::string, int> verdicts;
+  for (const Json& value : system["values"]) {
+    for (const char* key : {"id", "quantity", "law", "condition", "place", "printed", "decimals",
+                            "unit", "value", "explained_value", "verdict", "causes"}) {
+      CHECK(value.contains(key));
+    }
+    ++verdicts[value["verdict"]];
+  }
+  CHECK(verdicts == std::map<std::string, int>{{"reproduced", 13}, {"explained", 19}});
+  CHECK_THAT(done({"reproduce"}), Contains("13 reproduced, 19 explained, 0 unexplained"));
+}
+
+TEST_CASE("two runs give the same bytes", "[program]") {
+  const Folder folder;
+  for (const char* out : {"1", "2"}) done({"study", "spine-cutter", "--out", folder / out});
+  for (const char* name : {"study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
+    INFO(name);
+    CHECK(read(folder / (std::string("1/") + name)) == read(folder / (std::string("2/") + name)));
+  }
+  for (const Words& words :
+       {Words{"laws", "--json"}, Words{"law", "table", "--json"}, Words{"reproduce", "--json"}}) {
+    CHECK(done(words) == done(words));
+  }
+}
+
+}  // namespace camlaw::cli
