@@ -12,48 +12,102 @@
 namespace camlaw::cli {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
   throw std::runtime_error(fmt::format("cannot write '{}': {}", path.string(), reason));
 }
 
-void write_temporary(const OutputFile& file, const std::filesystem::path& temporary) {
-  if (file.path.has_parent_path()) {
-    std::error_code error;
-    std::filesystem::create_directories(file.path.parent_path(), error);
-    if (error) fail(file.path, error.message());
+/// A file on its way to its place.
+struct Pending {
+  const OutputFile* file;
+  fs::path target;     ///< links followed
+  fs::path temporary;  ///< empty for what is no regular file
+};
+
+/// Undoes what was done for files that were not written after all.
+class Cleaner {
+ public:
+  ~Cleaner() {
+    if (done_) return;
+    std::error_code ignored;
+    for (const auto& path : files_) fs::remove(path, ignored);
+    for (std::size_t i = folders_.size(); i-- > 0;) fs::remove(folders_[i], ignored);
   }
-  if (std::filesystem::is_directory(file.path)) fail(file.path, "it is a folder");
+  void file(const fs::path& path) { files_.push_back(path); }
+  void folder(const fs::path& path) { folders_.push_back(path); }
+  void done() { done_ = true; }
+
+ private:
+  std::vector<fs::path> files_, folders_;
+  bool done_ = false;
+};
+
+void make_folder(const fs::path& folder, const fs::path& wanted_for, Cleaner& cleaner) {
+  if (folder.empty() || fs::exists(folder)) return;
+  make_folder(folder.parent_path(), wanted_for, cleaner);
+  std::error_code error;
+  if (fs::create_directory(folder, error)) cleaner.folder(folder);
+  if (error) fail(wanted_for, error.message());
+}
+
+void write_stream(const fs::path& path, const OutputFile& file) {
   errno = 0;
-  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+  std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.content;
   stream.close();
   if (!stream) fail(file.path, errno != 0 ? std::strerror(errno) : "the disk took not all of it");
 }
 
+Pending locate(const OutputFile& file, std::size_t number) {
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
+  if (error) fail(file.path, error.message());
+  const auto status = fs::status(target, error);
+  if (fs::is_directory(status)) fail(file.path, "it is a folder");
+  Pending pending{&file, target, {}};
+  if (!fs::exists(status) || fs::is_regular_file(status)) {
+    pending.temporary =
+        target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number);
+  }
+  return pending;
+}
+
+std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
+  std::vector<Pending> result;
+  for (const OutputFile& file : files) {
+    result.push_back(locate(file, result.size()));
+    for (std::size_t i = 0; i + 1 < result.size(); ++i) {
+      if (result[i].target == result.back().target) {
+        throw std::invalid_argument(
+            fmt::format("two outputs go to one file, '{}'", file.path.string()));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void write_files(const std::vector<OutputFile>& files) {
-  std::vector<std::filesystem::path> temporaries;
-  const auto clean_up = [&] {
-    std::error_code ignored;
-    for (const auto& path : temporaries) std::filesystem::remove(path, ignored);
-  };
-  try {
-    for (const OutputFile& file : files) {
-      std::filesystem::path temporary = file.path;
-      temporary += fmt::format(".{}.tmp", getpid());
-      temporaries.push_back(temporary);
-      write_temporary(file, temporary);
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      std::error_code error;
-      std::filesystem::rename(temporaries[i], files[i].path, error);
-      if (error) fail(files[i].path, error.message());
-    }
-  } catch (...) {
-    clean_up();
-    throw;
+  const std::vector<Pending> pending = locate_all(files);
+  Cleaner cleaner;
+  for (const Pending& p : pending) {
+    if (p.temporary.empty()) continue;
+    make_folder(p.target.parent_path(), p.file->path, cleaner);
+    cleaner.file(p.temporary);
+    write_stream(p.temporary, *p.file);
   }
+  for (const Pending& p : pending) {
+    if (p.temporary.empty()) {
+      write_stream(p.target, *p.file);
+      continue;
+    }
+    std::error_code error;
+    fs::rename(p.temporary, p.target, error);
+    if (error) fail(p.file->path, error.message());
+  }
+  cleaner.done();
 }
 
 }  // namespace camlaw::cli

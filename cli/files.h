@@ -14,8 +14,10 @@ struct OutputFile {
 };
 
 /// Writes files whole or not at all: each goes to a temporary file beside its place, and only when
-/// all are on the disk are they renamed into place. Makes missing folders. Throws std::runtime_error
-/// naming the file and the reason; no temporary file is left behind then.
+/// all are on the disk are they renamed into place. Missing folders are made, links followed, and
+/// what is no regular file (a pipe, /dev/stdout) is written to as it is. Throws
+/// std::invalid_argument where two outputs are one file, std::runtime_error naming the file and the
+/// reason where one cannot be written; no temporary file and no new folder is left behind then.
 void write_files(const std::vector<OutputFile>& files);
 
 }  // namespace camlaw::cli

@@ -78,6 +78,6 @@ std::string shown(double value, int decimals) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-std::string exact(double value) { return fmt::format("{}", value); }
+std::string exact(double value) { return std::isnan(value) ? "nan" : fmt::format("{}", value); }
 
 }  // namespace camlaw::cli

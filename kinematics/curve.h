@@ -121,6 +121,30 @@ T ellipse_height(const T& y) {
   return sqrt((number<T>(1) - y) * (number<T>(1) + y));
 }
 
+/// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y and
+/// P_(k+1) = w P_k' + (2 k - 1) y P_k has no negative coefficient: bounds stay sharp near the ends.
+template <class T>
+CurveDerivatives<T> ellipse_height_derivatives(const T& y) {
+  const T w = (number<T>(1) - y) * (number<T>(1) + y);
+  CurveDerivatives<T> result;
+  result[0] = ellipse_height(y);
+  std::array<double, kCurveOrders> p{};  // coefficients of P_k
+  p[1] = 1;
+  for (std::size_t k = 1; k < kCurveOrders; ++k) {
+    T sum = number<T>(0);
+    for (std::size_t i = kCurveOrders; i-- > 0;) sum = sum * y + number<T>(p[i]);
+    result[k] = -(sum * real_power(w, 0.5 - static_cast<double>(k)));
+    std::array<double, kCurveOrders> next{};
+    for (std::size_t i = 0; i + 1 < kCurveOrders; ++i) {
+      const double power = static_cast<double>(i);
+      if (i > 0) next[i - 1] += power * p[i];
+      next[i + 1] += (2 * static_cast<double>(k) - 1 - power) * p[i];
+    }
+    p = next;
+  }
+  return result;
+}
+
 /// The area under it from -1 on.
 struct EllipseArea {
   template <class T>
@@ -176,14 +200,18 @@ Interval kepler_root(const Interval& e, const Interval& y);
 
 template <class T>
 CurveDerivatives<T> HalfEllipse<T>::operator()(T y) const {
-  using S = Series<T, kCurveOrders>;
   y = detail::on_ellipse(y);
-  const T one = number<T>(1);
-  const S u = S::variable(y, one);
-  const S arc = sqrt((S(one) - u) * (S(one) + u));
-  const S first = integral(arc, detail::rising(detail::EllipseArea{}, y));
-  if (integrations == 1) return derivatives(first);
-  return derivatives(integral(first, detail::rising(detail::EllipseMoment{}, y)));
+  CurveDerivatives<T> result;
+  result[0] = detail::rising(detail::EllipseArea{}, y);
+  std::size_t filled = 1;
+  if (integrations == 2) {
+    result[1] = result[0];
+    result[0] = detail::rising(detail::EllipseMoment{}, y);
+    filled = 2;
+  }
+  const auto height = detail::ellipse_height_derivatives(y);
+  for (std::size_t k = filled; k < kCurveOrders; ++k) result[k] = height[k - filled];
+  return result;
 }
 
 template <class T>

@@ -24,25 +24,17 @@ double power(double t) {
   return result;
 }
 
-/// sum of c[k] t^(k - First) for k = First to Last, by Horner's rule in t^2: as much work as in t,
-/// but half as long a chain of operations that wait for one another.
-template <int First, int Last>
-double polynomial(const double* c, double t) {
-  constexpr int kTop = (Last - First) % 2 == 0 ? Last : Last - 1;
-  double sum = kTop == Last ? c[Last] : c[Last] * t + c[kTop];
-  for (int k = kTop; k > First; k -= 2) sum = sum * (t * t) + (c[k - 1] * t + c[k - 2]);
-  return sum;
-}
-
-/// The derivative of order m of a polynomial whose coefficients below Low are zero, as at rest;
-/// drawing out t^(Low - m) spares their work. c[k] t^(k - m) is what becomes of its term k.
+/// The derivative of order m of a polynomial whose coefficients below Low are zero, as at rest:
+/// what becomes of term k is c[k] t^(k - m). Drawing out t^(Low - m) spares the work of the zeros.
 template <int Degree, int Low, int m>
 double derivative(const double* c, double t) {
-  constexpr int kFirst = std::min(std::max(Low, m), Degree);
-  return power<Low - m>(t) * polynomial<kFirst, Degree>(c, t);
+  double sum = c[Degree];
+  for (int k = Degree - 1; k >= std::max(Low, m); --k) sum = sum * t + c[k];
+  return power<Low - m>(t) * sum;
 }
 
-/// Polynomial of a degree known to the compiler, its coefficients below Low zero.
+/// Polynomial of a degree known to the compiler, its coefficients below Low zero; its origin is 0
+/// where Low is not.
 template <int Degree, int Low>
 void run_polynomial(const Piece<double>& piece, const double* x, std::size_t n, Out out) {
   double c[4][Degree + 1]{};
@@ -52,7 +44,7 @@ void run_polynomial(const Piece<double>& piece, const double* x, std::size_t n, 
   }
   const double origin = piece.origin;
   for (std::size_t i = 0; i < n; ++i) {
-    const double t = x[i] - origin;
+    const double t = Low > 0 ? x[i] : x[i] - origin;
     out.s[i] = derivative<Degree, Low, 0>(c[0], t);
     out.v[i] = derivative<Degree, Low, 1>(c[1], t);
     out.a[i] = derivative<Degree, Low, 2>(c[2], t);
@@ -64,7 +56,7 @@ template <int Degree>
 void run_degree(const Piece<double>& piece, const double* x, std::size_t n, Out out) {
   if constexpr (Degree >= 5) {  // the least that can rest at both ends without a jump of s''
     const double* c = piece.polynomial.data();
-    if (c[0] == 0 && c[1] == 0 && c[2] == 0) {
+    if (piece.origin == 0 && c[0] == 0 && c[1] == 0 && c[2] == 0) {
       return c[3] == 0 ? run_polynomial<Degree, 4>(piece, x, n, out)
                        : run_polynomial<Degree, 3>(piece, x, n, out);
     }
@@ -144,7 +136,10 @@ bool block_inside(const double* x, double low, double high) {
   std::uint64_t outside = 0;
   for (std::size_t k = 0; k < kBlock; ++k) {
     const auto bits = std::bit_cast<std::uint64_t>(x[k]);
-    outside |= (bits - first) | (last - bits);
+    outside |= bits | (last - bits);
+  }
+  for (std::size_t k = 0; first != 0 && k < kBlock; ++k) {
+    outside |= std::bit_cast<std::uint64_t>(x[k]) - first;
   }
   return outside >> 63 == 0;
 }

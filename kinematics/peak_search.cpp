@@ -103,8 +103,9 @@ class PeakSearch {
   /// The quantity's largest finite size as known so far: where one side has no bound, the other is
   /// still found to its own accuracy.
   double scale(std::size_t i) const {
-    const double one = std::abs(questions_[i].known), other = std::abs(questions_[i ^ 1].known);
-    return std::max(std::isfinite(one) ? one : 0.0, std::isfinite(other) ? other : 0.0);
+    // An interval rounds infinity outwards to the largest double, which counts as infinite here.
+    const auto finite = [](double x) { return std::abs(x) < 1e300 ? std::abs(x) : 0.0; };
+    return std::max(finite(questions_[i].known), finite(questions_[i ^ 1].known));
   }
 
   static void propose(Extremum& best, Extremum candidate, double margin) {

@@ -11,7 +11,8 @@ bool dominates(const std::vector<double>& a, const std::vector<double>& b, doubl
   bool better = false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == b[i]) continue;
-    const double margin = tolerance * std::min(std::abs(a[i]), std::abs(b[i]));
+    const double size = std::min(std::abs(a[i]), std::abs(b[i]));
+    const double margin = std::isinf(a[i]) || std::isinf(b[i]) ? 0 : tolerance * size;
     if (a[i] > b[i] + margin) return false;
     if (a[i] < b[i] - margin) better = true;
   }

@@ -6,11 +6,28 @@
 #define CSV_IO_NO_THREAD
 #include <csv.h>
 
+#include <charconv>
 #include <stdexcept>
 
 #include "problems/spine_cutter/reproduction.h"
 
 namespace camlaw::problems {
+
+namespace {
+
+/// The double nearest to a printed number, or a whole number.
+template <class Number>
+Number read_number(const std::string& text, const std::string& source, const std::string& id) {
+  Number number{};
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error != std::errc{} || end != last) {
+    throw std::invalid_argument(fmt::format("{}: value {}: '{}' is not a number", source, id, text));
+  }
+  return number;
+}
+
+}  // namespace
 
 std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source) {
   using Reader = io::CSVReader<8, io::trim_chars<' '>, io::double_quote_escape<',', '"'>>;
@@ -20,8 +37,11 @@ std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::s
                        "unit", "decimals", "place");
     std::vector<PrintedValue> result;
     PrintedValue row;
-    while (reader.read_row(row.id, row.quantity, row.law, row.condition, row.number.value, row.unit,
-                           row.number.decimals, row.place)) {
+    std::string printed, decimals;
+    while (reader.read_row(row.id, row.quantity, row.law, row.condition, printed, row.unit, decimals,
+                           row.place)) {
+      row.number.value = read_number<double>(printed, source, row.id);
+      row.number.decimals = read_number<int>(decimals, source, row.id);
       result.push_back(row);
     }
     return result;

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <memory>
+#include <regex>
 #include <stdexcept>
 
 namespace camlaw::problems {
@@ -36,31 +37,42 @@ Unit find_unit(const std::string& name) {
   return {ut_parse(unit_system(), name.c_str(), UT_UTF8), &ut_free};
 }
 
+/// Whether angle is part of a unit; udunits counts the radian as a plain number otherwise.
+bool has_angle(const Unit& unit) {
+  std::array<char, 256> definition{};
+  ut_format(unit.get(), definition.data(), definition.size(), UT_ASCII | UT_DEFINITION);
+  return std::string_view(definition.data()).find("rad") != std::string_view::npos;
+}
+
+/// Whether two units measure the same: equal dimensions (not reciprocal ones, which udunits would
+/// convert too), and angle in both or in neither.
+bool same_kind(const Unit& a, const Unit& b) {
+  const Unit ratio(ut_divide(a.get(), b.get()), &ut_free);
+  return ratio && ut_is_dimensionless(ratio.get()) != 0 && has_angle(a) == has_angle(b);
+}
+
 /// What kind of quantity a unit measures, for messages.
 std::string kind_of(const Unit& unit) {
   struct Kind {
     const char* unit;
     const char* name;
   };
-  constexpr std::array kKinds{Kind{"m", "a length"}, Kind{"m/s", "a velocity"}, Kind{"kg", "a mass"},
-                              Kind{"N", "a force"}, Kind{"s", "a time"}, Kind{"Pa", "a stress"},
-                              Kind{"rad/s", "an angular velocity"}, Kind{"N m", "a torque"}};
-  const Unit radian = find_unit("rad"), one = find_unit("1");
-  if (ut_compare(unit.get(), one.get()) == 0) return "a plain number";
-  if (ut_are_convertible(unit.get(), radian.get()) != 0) return "an angle";
+  constexpr std::array kKinds{Kind{"1", "a plain number"}, Kind{"rad", "an angle"},
+                              Kind{"m", "a length"}, Kind{"m/s", "a velocity"},
+                              Kind{"kg", "a mass"}, Kind{"N", "a force"}, Kind{"s", "a time"},
+                              Kind{"Pa", "a stress"}, Kind{"rad/s", "an angular velocity"},
+                              Kind{"N m", "a torque"}};
   for (const Kind& kind : kKinds) {
-    if (ut_are_convertible(unit.get(), find_unit(kind.unit).get()) != 0) return kind.name;
+    if (same_kind(unit, find_unit(kind.unit))) return kind.name;
   }
   return "a quantity of another kind";
 }
 
-/// Angles are numbers to udunits; here a plain number is no angle and an angle no plain number.
-bool same_kind(const Unit& a, const Unit& b) {
-  if (ut_are_convertible(a.get(), b.get()) == 0) return false;
-  const Unit one = find_unit("1");
-  const bool a_plain = ut_compare(a.get(), one.get()) == 0;
-  const bool b_plain = ut_compare(b.get(), one.get()) == 0;
-  return a_plain == b_plain;
+/// Whether text is written as a unit: names with whole powers, joined by spaces, points, stars or
+/// strokes. What udunits reads beyond that (numbers, offsets) is a slip of the pen here.
+bool is_unit_text(const std::string& text) {
+  static const std::regex form(R"((1/)?[^\x00-@\[-`{-~]+(\^?-?[0-9])?([ .*/][^\x00-@\[-`{-~]+(\^?-?[0-9])?)*|%)");
+  return std::regex_match(text, form);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -83,6 +95,7 @@ double convert_unit(double value, const std::string& from, const std::string& to
 double parse_quantity(std::string_view text, const std::string& unit, const std::string& listed,
                       const std::string& what) {
   text = trimmed(text);
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) {
@@ -92,7 +105,8 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   }
   const std::string given(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
   if (given.empty()) return convert_unit(value, listed, unit);
-  const Unit source = find_unit(given), target = find_unit(unit);
+  const Unit target = find_unit(unit);
+  const Unit source = is_unit_text(given) ? find_unit(given) : Unit(nullptr, &ut_free);
   if (!source) {
     throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted, such as 1 {}", what,
                                             given, kind_of(target), listed));

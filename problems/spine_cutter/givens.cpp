@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -60,7 +61,9 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
     throw std::invalid_argument(
         fmt::format("'{}' sets nothing; write name=value, such as h=0.8 mm", assignment));
   }
-  const Field& field = find_field(assignment.substr(0, equals));
+  std::string name = assignment.substr(0, equals);
+  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+  const Field& field = find_field(name);
   const double value =
       parse_quantity(assignment.substr(equals + 1), field.unit, field.unit, field.name);
   if (!(value >= field.low && value <= field.high)) {

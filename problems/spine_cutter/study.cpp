@@ -118,7 +118,7 @@ std::size_t best(const std::vector<StudyRow>& rows, Measure measure) {
 std::string recommend(const SpineCutterStudy& study) {
   const auto name = [&](std::size_t i) {
     const StudyRow& row = study.rows[i];
-    return fmt::format("{} (R {:.2f} mm, F {:.2f} N, {:.1f} % above the least force for its radius)",
+    return fmt::format("{} (R {:.4g} mm, F {:.4g} N, {:.1f} % above the least force for its radius)",
                        row.label, row.cam_radius * 1e3, row.inertia_force, row.above_limit * 100);
   };
   return fmt::format(
