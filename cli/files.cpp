@@ -67,8 +67,7 @@ Pending locate(const OutputFile& file, std::size_t number) {
   if (fs::is_directory(status)) fail(file.path, "it is a folder");
   Pending pending{&file, target, {}};
   if (!fs::exists(status) || fs::is_regular_file(status)) {
-    pending.temporary =
-        target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number);
+    pending.temporary = target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number);
   }
   return pending;
 }

@@ -53,10 +53,10 @@ void set_parameter(Member& member, const std::string& assignment) {
 std::string peak_line(const char* name, const Peak<double>& peak, const Interval& enclosure) {
   const double width = enclosure.upper() - enclosure.lower();
   const std::string proof = std::isfinite(peak.value) ? fmt::format("proved to {:.0e}", width) : "";
-  return fmt::format("  {:<6}{:>20}  at x = {:<20}{}\n", name,
-                     std::isfinite(peak.value) ? fmt::format("{:.13g}", peak.value)
-                                               : shown(peak.value, 0),
-                     fmt::format("{:.13g}", peak.position), proof);
+  return fmt::format(
+      "  {:<6}{:>20}  at x = {:<20}{}\n", name,
+      std::isfinite(peak.value) ? fmt::format("{:.13g}", peak.value) : shown(peak.value, 0),
+      fmt::format("{:.13g}", peak.position), proof);
 }
 
 void print_parameters(const Member& member) {
@@ -83,8 +83,7 @@ void print_law(const Member& member) {
   if (!family.parameters.empty()) fmt::print("parameters\n");
   print_parameters(member);
   const auto a = Quantity::Acceleration, j = Quantity::Jerk;
-  fmt::print("peaks\n{}{}{}{}{}{}",
-             peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
+  fmt::print("peaks\n{}{}{}{}{}{}", peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
              peak_line("C+", peak.high(a), proof.high(a).value),
              peak_line("C-", peak.low(a), proof.low(a).value),
              peak_line("D+", peak.high(j), proof.high(j).value),
@@ -115,7 +114,8 @@ void print_json(const Member& member, const LawOptions& options) {
   Json object = law_to_json(member);
   object["enclosures"] = enclosures_to_json(peaks(member.law<Interval>()));
   object["pieces"] = pieces_to_json(law);
-  if (options.samples > 0) object["samples"] = samples_to_json(motion_samples(law, options.samples));
+  if (options.samples > 0)
+    object["samples"] = samples_to_json(motion_samples(law, options.samples));
   fmt::print("{}\n", object.dump(2));
 }
 
@@ -149,7 +149,9 @@ void add_law_command(CLI::App& app) {
   const auto options = std::make_shared<LawOptions>();
   command->add_option("NAME", options->name, "a name of 'camlaw laws', an alias, or NAME k=v ...")
       ->required();
-  command->add_option("--param", options->parameters, "set a parameter: k=v, with a unit if it has one")
+  command
+      ->add_option("--param", options->parameters,
+                   "set a parameter: k=v, with a unit if it has one")
       ->allow_extra_args(false);
   command->add_option("--samples", options->samples, "tabulate this many even points")
       ->check(CLI::Range(2, 10000000));

@@ -18,7 +18,8 @@ Line motion_line(const NamedLaw& named, std::size_t order) {
   for (const auto& piece : named.law.pieces()) {
     const int steps = std::max(8, static_cast<int>(kCurvePoints * (piece.end - piece.begin)));
     for (int i = 0; i <= steps; ++i) {
-      const double x = i == steps ? piece.end : std::lerp(piece.begin, piece.end, i / double(steps));
+      const double x =
+          i == steps ? piece.end : std::lerp(piece.begin, piece.end, i / double(steps));
       line.x.push_back(x);
       line.y.push_back(derivatives<4>(piece, x)[order]);
     }
@@ -40,8 +41,8 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
   struct Row {
     const char *title, *unit;
   };
-  constexpr std::array kRows{Row{"s", "S"}, Row{"v = s'", "S/T"},
-                             Row{"a = s''", "S/T²"}, Row{"j = s'''", "S/T³"}};
+  constexpr std::array kRows{Row{"s", "S"}, Row{"v = s'", "S/T"}, Row{"a = s''", "S/T²"},
+                             Row{"j = s'''", "S/T³"}};
   Figure figure;
   figure.title = title;
   figure.panel_height = 170;

@@ -22,8 +22,8 @@ struct MotionSample {
   Motion<double> motion;
 };
 
-/// `count` even points from 0 to 1, from the right at breaks. Throws std::invalid_argument for fewer
-/// than 2.
+/// `count` even points from 0 to 1, from the right at breaks. Throws std::invalid_argument for
+/// fewer than 2.
 std::vector<MotionSample> motion_samples(const Law<double>& law, int count);
 
 /// The same as CSV: x, s, v, a, j.

@@ -83,8 +83,11 @@ Json piece_to_json(const Piece<double>& piece) {
     term["shift"] = c.shift;
     curves.push_back(std::move(term));
   }
-  return {{"begin", piece.begin}, {"end", piece.end}, {"origin", piece.origin},
-          {"polynomial", piece.polynomial}, {"harmonics", std::move(harmonics)},
+  return {{"begin", piece.begin},
+          {"end", piece.end},
+          {"origin", piece.origin},
+          {"polynomial", piece.polynomial},
+          {"harmonics", std::move(harmonics)},
           {"curves", std::move(curves)}};
 }
 

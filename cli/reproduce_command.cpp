@@ -39,8 +39,9 @@ void print_text(const SystemReproduction& result) {
   }
   fmt::print("{}\n", table.text());
   if (!result.departures.empty()) {
-    fmt::print("the smallest set of departures that explains the most digits ({} sets looked at):\n",
-               result.tried);
+    fmt::print(
+        "the smallest set of departures that explains the most digits ({} sets looked at):\n",
+        result.tried);
     for (const std::string& departure : result.departures) fmt::print("  {}\n", departure);
   }
   for (const auto& other : result.equals) {

@@ -36,7 +36,8 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
     return complain(with_near_commands(app, word), kBadInput);
   }
   if (app.get_subcommands().empty() && !word.empty()) {
-    return complain(fmt::format("no option '{}'; 'camlaw --help' shows the usage", word), kBadInput);
+    return complain(fmt::format("no option '{}'; 'camlaw --help' shows the usage", word),
+                    kBadInput);
   }
   return complain(fmt::format("{}; 'camlaw --help' shows the usage", error.what()), kBadInput);
 }

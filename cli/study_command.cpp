@@ -43,7 +43,8 @@ void run_study(const StudyOptions& options) {
 }  // namespace
 
 void add_study_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("study", "Compare all laws on a machine: table and pictures");
+  CLI::App* command =
+      app.add_subcommand("study", "Compare all laws on a machine: table and pictures");
   const auto options = std::make_shared<StudyOptions>();
   command->add_option("SYSTEM", options->system, "the machine: spine-cutter")->required();
   command->add_option("--out", options->out, "folder for study.csv, study.json and the pictures");

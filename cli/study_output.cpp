@@ -136,14 +136,24 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
     limit.y.push_back(problems::least_inertia_force(study.cutter, R * 1e-3));
   }
   panel.lines.push_back(std::move(limit));
-  Markers published{.name = "the paper's six laws", .points = {}, .colour = "#0072b2",
-                    .shape = MarkerShape::Square, .size = 5};
-  Markers smooth{.name = "non-dominated, continuous acceleration", .points = {},
-                 .colour = "#d55e00", .shape = MarkerShape::Circle, .size = 4.5};
-  Markers on_front{.name = "non-dominated", .points = {}, .colour = "#000000",
-                   .shape = MarkerShape::Diamond};
-  Markers others{.name = "other laws", .points = {}, .colour = "#7f7f7f",
-                 .shape = MarkerShape::Circle, .filled = false, .size = 3.5};
+  Markers published{.name = "the paper's six laws",
+                    .points = {},
+                    .colour = "#0072b2",
+                    .shape = MarkerShape::Square,
+                    .size = 5};
+  Markers smooth{.name = "non-dominated, continuous acceleration",
+                 .points = {},
+                 .colour = "#d55e00",
+                 .shape = MarkerShape::Circle,
+                 .size = 4.5};
+  Markers on_front{
+      .name = "non-dominated", .points = {}, .colour = "#000000", .shape = MarkerShape::Diamond};
+  Markers others{.name = "other laws",
+                 .points = {},
+                 .colour = "#7f7f7f",
+                 .shape = MarkerShape::Circle,
+                 .filled = false,
+                 .size = 3.5};
   for (const StudyRow& row : study.rows) {
     if (!std::isfinite(row.inertia_force) || hidden_by_published(study, row)) continue;
     Markers& series = row.published              ? published
@@ -158,11 +168,11 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
   panel.markers = {std::move(published), std::move(smooth), std::move(on_front), std::move(others)};
   Figure figure;
   figure.title = "Spine cutter: cam size against inertia force";
-  figure.subtitle = fmt::format("stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg; "
-                                "points beyond the frame are in the table",
-                                study.cutter.stroke * 1e3, study.cutter.block_speed,
-                                study.cutter.depth * 1e3,
-                                study.cutter.pressure_angle * 180 / std::numbers::pi);
+  figure.subtitle = fmt::format(
+      "stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg; "
+      "points beyond the frame are in the table",
+      study.cutter.stroke * 1e3, study.cutter.block_speed, study.cutter.depth * 1e3,
+      study.cutter.pressure_angle * 180 / std::numbers::pi);
   figure.panels.push_back(std::move(panel));
   figure.panel_width = 900;
   figure.panel_height = 560;

@@ -6,8 +6,8 @@
 
 namespace camlaw::cli {
 
-/// A table of text with aligned columns. Columns of numbers go to the right, the others to the left;
-/// widths count characters, not bytes.
+/// A table of text with aligned columns. Columns of numbers go to the right, the others to the
+/// left; widths count characters, not bytes.
 class TextTable {
  public:
   enum class Align { Left, Right };

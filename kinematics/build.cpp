@@ -10,8 +10,8 @@ namespace camlaw {
 void check_scaled_sum(const char* what, double sum) {
   constexpr double kPrinted = 1e-3;
   if (std::abs(sum - 1) <= kPrinted) return;
-  throw std::invalid_argument(
-      fmt::format("{} must be 1 (within 0.1 %, as printed constants are), but is {:.6g}", what, sum));
+  throw std::invalid_argument(fmt::format(
+      "{} must be 1 (within 0.1 %, as printed constants are), but is {:.6g}", what, sum));
 }
 
 namespace detail {
@@ -34,8 +34,7 @@ void check_durations(std::span<const double> durations) {
   const bool accelerates = durations[0] + durations[1] + durations[2] > 0;
   const bool decelerates = durations[4] + durations[5] + durations[6] > 0;
   if (!accelerates || !decelerates) {
-    throw std::invalid_argument(
-        "an accelerating and a decelerating phase must last longer than 0");
+    throw std::invalid_argument("an accelerating and a decelerating phase must last longer than 0");
   }
 }
 

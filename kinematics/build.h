@@ -11,7 +11,8 @@ namespace camlaw {
 /// The law of one polynomial s(x) = sum c[k] x^k on [0, 1].
 template <class T>
 Law<T> polynomial_law(std::vector<T> coefficients, Ends ends = {}) {
-  return Law<T>({{number<T>(0), number<T>(1), number<T>(0), std::move(coefficients), {}, {}}}, ends);
+  return Law<T>({{number<T>(0), number<T>(1), number<T>(0), std::move(coefficients), {}, {}}},
+                ends);
 }
 
 /// The law of one curve, s(x) = curve(x).
@@ -38,8 +39,8 @@ std::vector<T> integrate_twice(const std::vector<T>& acceleration, const T& v0, 
 
 /// One phase of an acceleration, t counted from the phase's begin:
 ///   s''(t) = sum polynomial[k] t^k + sine sin(frequency t) + cosine cos(frequency t).
-/// Over the whole phase it adds mean * duration to the velocity, and lift * duration^2 to the stroke
-/// that it covers from rest; a phase without duration has these alone, for its derivatives.
+/// Over the whole phase it adds mean * duration to the velocity, and lift * duration^2 to the
+/// stroke that it covers from rest; a phase without duration has these alone, for its derivatives.
 template <class T>
 struct AccelerationPhase {
   T duration;

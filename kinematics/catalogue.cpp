@@ -16,10 +16,10 @@ namespace {
 
 /// The two UTF-8 bytes of a Cyrillic letter's small form.
 std::pair<int, int> folded_cyrillic(int lead, int trail) {
-  if (lead == 0xD2) return {lead, trail == 0x90 ? 0x91 : trail};         // G with upturn
-  if (trail < 0x90) return {0xD1, trail + 0x10};                         // Ukrainian Ye, I, Yi
-  if (trail < 0xA0) return {0xD0, trail + 0x20};                         // A to P
-  if (trail < 0xB0) return {0xD1, trail - 0x20};                         // R to Ya
+  if (lead == 0xD2) return {lead, trail == 0x90 ? 0x91 : trail};  // G with upturn
+  if (trail < 0x90) return {0xD1, trail + 0x10};                  // Ukrainian Ye, I, Yi
+  if (trail < 0xA0) return {0xD0, trail + 0x20};                  // A to P
+  if (trail < 0xB0) return {0xD1, trail - 0x20};                  // R to Ya
   return {lead, trail};
 }
 
@@ -40,7 +40,8 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-/// Likeness of two names, 0 to 1: Dice's coefficient on pairs of neighbouring bytes, the ends marked.
+/// Likeness of two names, 0 to 1: Dice's coefficient on pairs of neighbouring bytes, the ends
+/// marked.
 double likeness(const std::string& a, const std::string& b) {
   const auto pairs = [](const std::string& name) {
     const std::string marked = "^" + name + "$";
@@ -116,9 +117,9 @@ std::size_t Family::parameter(std::string_view parameter_name) const {
     if (folded(parameters[i].name) == folded(parameter_name)) return i;
     known.push_back(parameters[i].name);
   }
-  throw std::invalid_argument(fmt::format("law '{}': no parameter '{}'; it has {}", name,
-                                          parameter_name,
-                                          known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+  throw std::invalid_argument(
+      fmt::format("law '{}': no parameter '{}'; it has {}", name, parameter_name,
+                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 void Family::check(const Arguments<double>& arguments) const {
@@ -130,13 +131,14 @@ void Family::check(const Arguments<double>& arguments) const {
     const Parameter& p = parameters[i];
     const auto& values = arguments.list(i);
     if (!p.list && values.size() != 1) {
-      throw std::invalid_argument(
-          fmt::format("law '{}': parameter {} takes one value, {} given", name, p.name, values.size()));
+      throw std::invalid_argument(fmt::format("law '{}': parameter {} takes one value, {} given",
+                                              name, p.name, values.size()));
     }
     for (const double value : values) {
       if (!(value >= p.low && value <= p.high)) {
-        throw std::invalid_argument(fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}",
-                                                name, p.name, value, p.low, p.high));
+        throw std::invalid_argument(
+            fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}", name, p.name,
+                        value, p.low, p.high));
       }
       if (p.structural && !p.list && value != std::floor(value)) {
         throw std::invalid_argument(
@@ -169,12 +171,13 @@ std::string member_name(const Member& member, Print print) {
 }  // namespace
 
 std::string Member::name() const {
-  return member_name(*this, [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); });
+  return member_name(*this,
+                     [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); });
 }
 
 std::string Member::label() const {
-  return member_name(*this,
-                     [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, ",")); });
+  return member_name(
+      *this, [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, ",")); });
 }
 
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
@@ -199,8 +202,9 @@ const Family& find_family(std::string_view name) {
   std::vector<std::string> known;
   for (const Family& family : catalogue()) known.push_back(family.name);
   const auto near = near_names(name, known);
-  throw std::invalid_argument(fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
-                                          near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
+  throw std::invalid_argument(
+      fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
+                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
 }
 
 Member find_law(std::string_view text) {
@@ -208,7 +212,8 @@ Member find_law(std::string_view text) {
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
   if (const Family* family = find_exact(text)) return {family, family->standard()};
   std::size_t equals = text.find('=');
-  const std::size_t name_end = equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
+  const std::size_t name_end =
+      equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
   if (name_end == std::string_view::npos) {
     throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
   }

@@ -10,8 +10,8 @@
 #include "kinematics/law.h"
 #include "kinematics/shape.h"
 
-/// The catalogue of motion laws by name. It is the one list: the program's listing, its JSON and the
-/// table in docs/laws.md are printed from it.
+/// The catalogue of motion laws by name. It is the one list: the program's listing, its JSON and
+/// the table in docs/laws.md are printed from it.
 namespace camlaw {
 
 /// The parameter that every rest-to-rest family takes beside its own.
@@ -20,15 +20,16 @@ inline constexpr const char* kCrossover = "crossover";
 /// A parameter of a law family.
 struct Parameter {
   std::string name;
-  std::string unit;  ///< as udunits writes it; "1" for a plain number
-  double low, high;  ///< accepted range of each value, ends included
+  std::string unit;              ///< as udunits writes it; "1" for a plain number
+  double low, high;              ///< accepted range of each value, ends included
   std::vector<double> standard;  ///< value(s) used where none is given
   std::string meaning;
   bool list = false;        ///< takes any number of values
   bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
 };
 
-/// Values for a family's parameters, in the order of the family's list and in the units named there.
+/// Values for a family's parameters, in the order of the family's list and in the units named
+/// there.
 template <class S>
 class Arguments {
  public:

@@ -92,8 +92,8 @@ T on_ellipse(const T& y) {
   return excess == 0 ? y : y - number<T>(excess);
 }
 
-/// A rising function with a known slope, in any scalar: intervals by their ends, dual numbers by the
-/// chain rule, which keeps derivatives finite where the parts of the formula have none.
+/// A rising function with a known slope, in any scalar: intervals by their ends, dual numbers by
+/// the chain rule, which keeps derivatives finite where the parts of the formula have none.
 template <class F>
 double rising(const F& f, double y) {
   return f.value(y);
@@ -121,8 +121,9 @@ T ellipse_height(const T& y) {
   return sqrt((number<T>(1) - y) * (number<T>(1) + y));
 }
 
-/// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y and
-/// P_(k+1) = w P_k' + (2 k - 1) y P_k has no negative coefficient: bounds stay sharp near the ends.
+/// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y
+/// and P_(k+1) = w P_k' + (2 k - 1) y P_k has no negative coefficient: bounds stay sharp near the
+/// ends.
 template <class T>
 CurveDerivatives<T> ellipse_height_derivatives(const T& y) {
   const T w = (number<T>(1) - y) * (number<T>(1) + y);

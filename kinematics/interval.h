@@ -30,8 +30,8 @@ namespace detail {
 
 /// Rounding policy of Boost.Interval. Sums round exactly (the error of a sum is itself a double,
 /// Knuth's TwoSum); products, quotients and roots move one step outwards unless they are exactly
-/// zero; library functions move two steps, since glibc states errors below one unit in the last
-/// place for them.
+/// zero; library functions move two steps, since glibc states errors of at most one unit in the
+/// last place for those that laws use (sqrt, sin, cos, tan, asin, atan, pow).
 struct OutwardRounding {
   using unprotected_rounding = OutwardRounding;
 
@@ -114,7 +114,9 @@ inline Interval real_power(const Interval& x, double p) {
   using Rounding = detail::OutwardRounding;
   if (p == 0) return Interval(1.0);
   const auto below = [&](double base) { return std::max(0.0, Rounding::down2(std::pow(base, p))); };
-  const auto above = [&](double base) { return base == 0 && p > 0 ? 0 : Rounding::up2(std::pow(base, p)); };
+  const auto above = [&](double base) {
+    return base == 0 && p > 0 ? 0 : Rounding::up2(std::pow(base, p));
+  };
   return p > 0 ? Interval(below(low), above(high)) : Interval(below(high), above(low));
 }
 

@@ -8,10 +8,14 @@ namespace camlaw {
 std::string to_string(Ends ends) {
   const auto letter = [](End end) {
     switch (end) {
-      case End::Rest: return 'R';
-      case End::Velocity: return 'G';
-      case End::Reversal: return 'U';
-      case End::Motion: return 'B';
+      case End::Rest:
+        return 'R';
+      case End::Velocity:
+        return 'G';
+      case End::Reversal:
+        return 'U';
+      case End::Motion:
+        return 'B';
     }
     return '?';
   };

@@ -12,11 +12,9 @@ double least_acceleration(double B) {
 
 double least_time(double B, double C, double D) {
   if (std::isinf(C) && std::isinf(D)) return 1 / B;
-  // Time to bring velocity from 0 to v, with acceleration and jerk bounded; in it the stroke v t / 2
-  // is covered.
-  const auto ramp = [&](double v) {
-    return v >= C * C / D ? v / C + C / D : 2 * std::sqrt(v / D);
-  };
+  // Time to bring velocity from 0 to v, with acceleration and jerk bounded; in it the stroke v t /
+  // 2 is covered.
+  const auto ramp = [&](double v) { return v >= C * C / D ? v / C + C / D : 2 * std::sqrt(v / D); };
   if (B * ramp(B) <= 1) return 1 / B + ramp(B);  // both ramps fit, the rest at velocity B
   // The velocity stays below B: v ramp(v) = 1.
   if (C * C * C * 2 >= D * D) return 2 * std::cbrt(4 / D);  // nor is C reached: 2 v sqrt(v/D) = 1

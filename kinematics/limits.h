@@ -9,17 +9,17 @@
 /// "Analytic limits".
 namespace camlaw {
 
-/// Least peak acceleration C of any rest-to-rest law with peak velocity B: B^2 / (B - 1) up to B = 2,
-/// 4 beyond. Infinite for B <= 1, which no such law reaches.
+/// Least peak acceleration C of any rest-to-rest law whose peak velocity is at most B: B^2 / (B -
+/// 1) up to B = 2, 4 beyond. Infinite for B <= 1, which no such law reaches.
 double least_acceleration(double B);
 
-/// Least time of any rest-to-rest motion over unit stroke with peaks no larger than B, C and D, each
-/// of which may be infinite: 1/B + B/C + C/D where C/D <= B/C <= 1/B, and the time of the S-curve
-/// that does without the phases it cannot reach elsewhere.
+/// Least time of any rest-to-rest motion over unit stroke with peaks no larger than B, C and D,
+/// each of which may be infinite: 1/B + B/C + C/D where C/D <= B/C and B/C + C/D <= 1/B, and the
+/// time of the S-curve that does without the phases it cannot reach elsewhere.
 double least_time(double B, double C, double D);
 
-/// The limit index lambda = least_time(B, C, D) of a law's own peaks: 1 for a law than which none is
-/// faster with these peaks, less for every other. Only rest-to-rest laws have it.
+/// The limit index lambda = least_time(B, C, D) of a law's own peaks: 1 for a law than which none
+/// is faster with these peaks, less for every other. Only rest-to-rest laws have it.
 std::optional<double> limit_index(const Peaks<double>& peaks);
 
 }  // namespace camlaw

@@ -149,7 +149,7 @@ void BoxModels<T>::differentiate(std::size_t order) {
   }
   model.remainder = remainders_[order];
   drop_negligible(model);
-  const double spread = sum_of_sizes(model.c, 1) + model.remainder;
+  const double spread = upper(T(sum_of_sizes(model.c, 1)) + T(model.remainder));
   model.range = Interval(lower(model.c[0]), upper(model.c[0])) + Interval(-spread, spread);
   if (has_ranges_) {
     // Where the remainder has no bound the sum is no number, and the natural range is all there is.
@@ -179,8 +179,7 @@ void BoxModels<T>::multiply_moment() {
     }
   }
   const T rv(v.remainder), ra(a.remainder);
-  model.remainder =
-      upper(T(sum_of_sizes(v.c)) * ra + T(sum_of_sizes(a.c)) * rv + rv * ra + beyond);
+  model.remainder = upper(T(sum_of_sizes(v.c)) * ra + T(sum_of_sizes(a.c)) * rv + rv * ra + beyond);
   drop_negligible(model);
   model.range = range(Quantity::Moment);
 }

@@ -31,7 +31,9 @@ struct Box {
   double low, high, middle, radius;
 
   Box(double a, double b)
-      : low(a), high(b), middle(std::midpoint(a, b)),
+      : low(a),
+        high(b),
+        middle(std::midpoint(a, b)),
         radius(step_up(std::max(b - middle, middle - a))) {}
 };
 

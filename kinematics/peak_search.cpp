@@ -130,12 +130,17 @@ class PeakSearch {
     }
   }
 
+  /// Whether x lies in the piece wherever in their intervals its ends are.
+  bool is_inside(double x) const {
+    const Piece<T>& piece = law_.pieces()[piece_];
+    return x >= upper(piece.begin) && x <= lower(piece.end);
+  }
+
   /// Takes the values at a point inside a piece as reached.
   void look_at(double x) {
     piece_ = plain_.piece_at(x, Side::Right);
-    const Piece<T>& piece = law_.pieces()[piece_];
-    if (!(x > upper(piece.begin) && x < lower(piece.end))) return;
-    const auto d = derivatives<6>(piece, T(x));
+    if (!is_inside(x)) return;
+    const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
     for (Question& question : questions_) {
       const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
       question.known = std::max(question.known, lower(value));
@@ -222,7 +227,8 @@ class PeakSearch {
     // What keeps the box open is rounding, which no division lessens.
     const double natural = question.sign > 0 ? model.range.upper() : -model.range.lower();
     const double ceiling = upper(T(bound) + T(model.remainder));
-    question.ceiling = std::max(question.ceiling, std::isnan(ceiling) ? natural : std::min(ceiling, natural));
+    question.ceiling =
+        std::max(question.ceiling, std::isnan(ceiling) ? natural : std::min(ceiling, natural));
     return true;
   }
 
@@ -233,6 +239,7 @@ class PeakSearch {
                                  lower(T(question.sign) * bernstein_.back()));
     if (ends <= question.known) return;
     for (const double x : {box.low, box.high}) {
+      if (!is_inside(x)) continue;  // the piece's own ends were looked at
       const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
       const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
       question.known = std::max(question.known, lower(value));
@@ -247,9 +254,9 @@ class PeakSearch {
     for (const T& c : model.c) plain_coefficients_.push_back(value_of(c));
     const double u = turning_point(plain_coefficients_, question.sign);
     const double x = std::min(box.high, std::max(box.low, box.middle + box.radius * u));
-    const T value = T(question.sign) * quantity_from(question.quantity,
-                                                     derivatives<6>(law_.pieces()[piece_], T(x)))[0];
-    question.known = std::max(question.known, lower(value));
+    const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
+    const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
+    if (is_inside(x)) question.known = std::max(question.known, lower(value));
     propose(question.peak, {value_of(value), x, piece_, Where::Inside}, 1e-15 * scale(i));
     question.ceiling = std::max(question.ceiling, peak_bound(model, question.sign, u));
   }
@@ -271,7 +278,7 @@ class PeakSearch {
         bend = bend * T(u) + T(pairs) * model.c[k];
         twist = twist + T(pairs * static_cast<double>(k - 2)) * T(size(model.c[k]));
       }
-      const T h(std::max(right - u, u - left));
+      const T h(step_up(std::max(right - u, u - left)));
       const T steepest = T(size(slope)) + (T(size(bend)) + twist * h) * h;
       return upper(T(sign) * value + steepest * h + T(model.remainder));
     }

@@ -23,8 +23,8 @@ using Questions = std::array<Question, 2 * kQuantities>;
 
 /// Runs the search. T = double finds the peaks of the law, T = Interval proves them; `plain` is the
 /// law of midpoints (the law itself for double). A box is closed when its upper bound is within
-/// `tolerance` of what is known, as a part of the quantity's largest size. `places` are points where
-/// peaks may be expected: the better they are, the sooner boxes close.
+/// `tolerance` of what is known, as a part of the quantity's largest size. `places` are points
+/// where peaks may be expected: the better they are, the sooner boxes close.
 template <class T>
 Questions search_peaks(const Law<T>& law, const Law<double>& plain, double tolerance,
                        std::span<const double> places);

@@ -10,8 +10,8 @@ namespace {
 /// The stationary point or piece end where there is one as high as any sample, else the sample.
 Extremum settled(const Question& question) {
   const double slack = 4e-15 * std::abs(question.sample.value);
-  Extremum e = question.peak.value >= question.sample.value - slack ? question.peak
-                                                                    : question.sample;
+  Extremum e =
+      question.peak.value >= question.sample.value - slack ? question.peak : question.sample;
   e.value = question.sign * e.value + 0.0;  // no negative zero
   return e;
 }
@@ -103,10 +103,14 @@ constexpr double kJumpTolerance = 1e-10;
 /// Derivatives beyond an end that its kind fixes: all zero but the velocity of G.
 std::array<double, 3> beyond(End kind, const std::array<double, 3>& d) {
   switch (kind) {
-    case End::Rest: return {d[0], 0, 0};
-    case End::Velocity: return {d[0], d[1], 0};
-    case End::Reversal: return {d[0], 0, d[2]};
-    case End::Motion: return d;
+    case End::Rest:
+      return {d[0], 0, 0};
+    case End::Velocity:
+      return {d[0], d[1], 0};
+    case End::Reversal:
+      return {d[0], 0, d[2]};
+    case End::Motion:
+      return d;
   }
   return d;
 }

@@ -50,7 +50,9 @@ struct Peaks {
 /// Dual2: the derivatives by the law's parameters are exact too (a peak that moves with the
 /// parameters is followed; at ties between two peaks, of the one found first). With Interval: each
 /// value encloses the peak, no wider than 1e-9 of the quantity's largest size for laws whose
-/// coefficients are points or of that accuracy; positions are those of the midpoint law.
+/// coefficients are points or of that accuracy; positions are those of the midpoint law. Intervals
+/// are meant to be narrow (rounding of constants, 1e-8 at most): whether s'' jumps, and where the
+/// crossover of an asymmetric law lies, is read off the midpoint law.
 template <class T>
 Peaks<T> peaks(const Law<T>& law);
 
@@ -89,8 +91,7 @@ Extrema<Interval> enclose_extrema(const Law<Interval>& law, const Law<double>& p
 template <class R>
 std::array<R, 3> quantity_from(Quantity q, const std::array<R, 6>& d) {
   if (q == Quantity::Moment) {
-    return {d[1] * d[2], d[2] * d[2] + d[1] * d[3],
-            number<R>(3) * d[2] * d[3] + d[1] * d[4]};
+    return {d[1] * d[2], d[2] * d[2] + d[1] * d[3], number<R>(3) * d[2] * d[3] + d[1] * d[4]};
   }
   const std::size_t k = 1 + static_cast<std::size_t>(q);
   return {d[k], d[k + 1], d[k + 2]};

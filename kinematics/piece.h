@@ -42,15 +42,15 @@ struct Piece {
 /// The same piece in the scalar R (a double made a constant, or the plain number taken out).
 template <class R, class T>
 Piece<R> piece_as(const Piece<T>& piece) {
-  Piece<R> result{convert<R>(piece.begin), convert<R>(piece.end), convert<R>(piece.origin), {}, {}, {}};
+  Piece<R> result{
+      convert<R>(piece.begin), convert<R>(piece.end), convert<R>(piece.origin), {}, {}, {}};
   for (const T& c : piece.polynomial) result.polynomial.push_back(convert<R>(c));
   for (const auto& h : piece.harmonics) {
-    result.harmonics.push_back(
-        {convert<R>(h.sine), convert<R>(h.cosine), convert<R>(h.frequency)});
+    result.harmonics.push_back({convert<R>(h.sine), convert<R>(h.cosine), convert<R>(h.frequency)});
   }
   for (const auto& c : piece.curves) {
-    result.curves.push_back({convert<R>(c.amplitude), convert<R>(c.rate), convert<R>(c.shift),
-                             curve_as<R>(c.curve)});
+    result.curves.push_back(
+        {convert<R>(c.amplitude), convert<R>(c.rate), convert<R>(c.shift), curve_as<R>(c.curve)});
   }
   return result;
 }
@@ -97,8 +97,8 @@ void add_curve(const CurveTerm<T>& term, const R& t, std::array<R, N>& d) {
   static_assert(N <= kCurveOrders, "a curve gives kCurveOrders derivatives");
   const R rate = convert<R>(term.rate);
   const R y = rate * t + convert<R>(term.shift);
-  const auto values = std::visit(
-      [&](const auto& shape) { return shape.template as<R>()(y); }, term.curve);
+  const auto values =
+      std::visit([&](const auto& shape) { return shape.template as<R>()(y); }, term.curve);
   R factor = convert<R>(term.amplitude);
   for (std::size_t k = 0; k < N; ++k) {
     d[k] = d[k] + factor * values[k];

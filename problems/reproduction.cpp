@@ -17,12 +17,13 @@ namespace {
 
 /// The double nearest to a printed number, or a whole number.
 template <class Number>
-Number read_number(const std::string& text, const std::string& source, const std::string& id) {
+Number read_number(const std::string& text, const char* column, unsigned line) {
   Number number{};
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);
   if (error != std::errc{} || end != last) {
-    throw std::invalid_argument(fmt::format("{}: value {}: '{}' is not a number", source, id, text));
+    throw std::invalid_argument(
+        fmt::format("line {}: column {}: '{}' is not a number", line, column, text));
   }
   return number;
 }
@@ -38,14 +39,14 @@ std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::s
     std::vector<PrintedValue> result;
     PrintedValue row;
     std::string printed, decimals;
-    while (reader.read_row(row.id, row.quantity, row.law, row.condition, printed, row.unit, decimals,
-                           row.place)) {
-      row.number.value = read_number<double>(printed, source, row.id);
-      row.number.decimals = read_number<int>(decimals, source, row.id);
+    while (reader.read_row(row.id, row.quantity, row.law, row.condition, printed, row.unit,
+                           decimals, row.place)) {
+      row.number.value = read_number<double>(printed, "printed", reader.get_file_line());
+      row.number.decimals = read_number<int>(decimals, "decimals", reader.get_file_line());
       result.push_back(row);
     }
     return result;
-  } catch (const io::error::base& error) {
+  } catch (const std::exception& error) {
     throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));
   }
 }
@@ -82,11 +83,10 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
       value.causes.push_back(departure_name(table.hypotheses[hypothesis], rank));
     }
     if (row.verdict == optim::Verdict::Explained && row.misprint) {
-      value.causes.push_back(fmt::format("misprinted digit: {} for {}",
-                                         optim::as_printed(value.printed.number.value,
-                                                           value.printed.number.decimals),
-                                         optim::as_printed(row.explained_value,
-                                                           value.printed.number.decimals)));
+      value.causes.push_back(
+          fmt::format("misprinted digit: {} for {}",
+                      optim::as_printed(value.printed.number.value, value.printed.number.decimals),
+                      optim::as_printed(row.explained_value, value.printed.number.decimals)));
     }
     if (row.broken) value.causes.push_back("does not agree under the departures of the other rows");
     result.values.push_back(std::move(value));
@@ -109,9 +109,12 @@ const std::vector<ReproducibleSystem>& reproducible_systems() {
 
 std::string_view to_string(optim::Verdict verdict) {
   switch (verdict) {
-    case optim::Verdict::Reproduced: return "reproduced";
-    case optim::Verdict::Explained: return "explained";
-    case optim::Verdict::Unexplained: return "unexplained";
+    case optim::Verdict::Reproduced:
+      return "reproduced";
+    case optim::Verdict::Explained:
+      return "explained";
+    case optim::Verdict::Unexplained:
+      return "unexplained";
   }
   return "?";
 }

@@ -18,7 +18,8 @@ struct PrintedValue {
 };
 
 /// Reads a reference table: CSV with the columns id, quantity, law, condition, printed, unit,
-/// decimals, place (others are left alone). Throws std::invalid_argument naming `source` and the line.
+/// decimals, place (others are left alone). Throws std::invalid_argument naming `source` and the
+/// line.
 std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source);
 
 /// One printed value beside ours.
@@ -35,7 +36,8 @@ struct SystemReproduction {
   std::string system, title, source;
   std::vector<ReproducedValue> values;
   std::size_t reproduced = 0, explained = 0, unexplained = 0;
-  std::vector<std::string> departures;  ///< the smallest set of changes that explains the most digits
+  std::vector<std::string>
+      departures;  ///< the smallest set of changes that explains the most digits
   std::vector<std::vector<std::string>> equals;  ///< other sets as small that explain as many
   std::size_t tried = 0;
 };

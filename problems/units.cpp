@@ -22,8 +22,8 @@ ut_system* unit_system() {
     ut_set_error_message_handler(ut_ignore);
     ut_system* loaded = ut_read_xml(nullptr);
     if (loaded == nullptr) throw std::runtime_error("units: the udunits database cannot be read");
-    for (const auto& [name, meaning] : {std::pair{"deg", "arc_degree"}, {"rpm", "revolution/minute"},
-                                        {"rev", "revolution"}}) {
+    for (const auto& [name, meaning] :
+         {std::pair{"deg", "arc_degree"}, {"rpm", "revolution/minute"}, {"rev", "revolution"}}) {
       ut_unit* unit = ut_parse(loaded, meaning, UT_UTF8);
       ut_map_name_to_unit(name, UT_UTF8, unit);  // keeps what the database has of that name
       ut_free(unit);
@@ -57,11 +57,11 @@ std::string kind_of(const Unit& unit) {
     const char* unit;
     const char* name;
   };
-  constexpr std::array kKinds{Kind{"1", "a plain number"}, Kind{"rad", "an angle"},
-                              Kind{"m", "a length"}, Kind{"m/s", "a velocity"},
-                              Kind{"kg", "a mass"}, Kind{"N", "a force"}, Kind{"s", "a time"},
-                              Kind{"Pa", "a stress"}, Kind{"rad/s", "an angular velocity"},
-                              Kind{"N m", "a torque"}};
+  constexpr std::array kKinds{
+      Kind{"1", "a plain number"}, Kind{"rad", "an angle"}, Kind{"m", "a length"},
+      Kind{"m/s", "a velocity"},   Kind{"kg", "a mass"},    Kind{"N", "a force"},
+      Kind{"s", "a time"},         Kind{"Pa", "a stress"},  Kind{"rad/s", "an angular velocity"},
+      Kind{"N m", "a torque"}};
   for (const Kind& kind : kKinds) {
     if (same_kind(unit, find_unit(kind.unit))) return kind.name;
   }
@@ -71,7 +71,8 @@ std::string kind_of(const Unit& unit) {
 /// Whether text is written as a unit: names with whole powers, joined by spaces, points, stars or
 /// strokes. What udunits reads beyond that (numbers, offsets) is a slip of the pen here.
 bool is_unit_text(const std::string& text) {
-  static const std::regex form(R"((1/)?[^\x00-@\[-`{-~]+(\^?-?[0-9])?([ .*/][^\x00-@\[-`{-~]+(\^?-?[0-9])?)*|%)");
+  static const std::regex form(
+      R"((1/)?[^\x00-@\[-`{-~]+(\^?-?[0-9])?([ .*/][^\x00-@\[-`{-~]+(\^?-?[0-9])?)*|%|1)");
   return std::regex_match(text, form);
 }
 
@@ -108,13 +109,13 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   const Unit target = find_unit(unit);
   const Unit source = is_unit_text(given) ? find_unit(given) : Unit(nullptr, &ut_free);
   if (!source) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted, such as 1 {}", what,
-                                            given, kind_of(target), listed));
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted, such as 1 {}",
+                                            what, given, kind_of(target), listed));
   }
   if (!same_kind(source, target)) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is {}; {} is wanted{}", what, text,
-                                            kind_of(source), kind_of(target),
-                                            listed == "1" ? "" : fmt::format(", such as 1 {}", listed)));
+    throw std::invalid_argument(
+        fmt::format("{}: '{}' is {}; {} is wanted{}", what, text, kind_of(source), kind_of(target),
+                    listed == "1" ? "" : fmt::format(", such as 1 {}", listed)));
   }
   const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
   return cv_convert_double(converter.get(), value);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
-
 #include <cstdio>
 
 namespace {

@@ -32,12 +32,22 @@ template <class F>
 Family rest_to_rest(RestToRest about, F construct) {
   const std::size_t index = about.parameters.size();
   about.parameters.push_back(
-      {kCrossover, "1", 0.02, 0.98, {0.5},
+      {kCrossover,
+       "1",
+       0.02,
+       0.98,
+       {0.5},
        "where the acceleration of a symmetric law changes sign; 0.5 leaves any law as it is, and "
        "others are skewed alike"});
-  return {std::move(about.name), std::move(about.aliases), std::move(about.formula),
-          std::move(about.parameters), "R-R", about.continuity, about.symmetric,
-          std::move(about.source), [construct, index]<class S>(const Arguments<S>& a) {
+  return {std::move(about.name),
+          std::move(about.aliases),
+          std::move(about.formula),
+          std::move(about.parameters),
+          "R-R",
+          about.continuity,
+          about.symmetric,
+          std::move(about.source),
+          [construct, index]<class S>(const Arguments<S>& a) {
             Law<S> law = construct(a);
             const S& at = a.scalar(index);
             return is_number(at, 0.5) ? law : skewed(law, at);

@@ -15,40 +15,53 @@ Parameter fraction(const char* name, double standard, const char* meaning) {
 std::vector<Family> straight_phases() {
   constexpr double kThird = 1.0 / 3.0;
   return {
-      rest_to_rest({"parabolic", {"constant acceleration", "quadratische Parabel"},
-                    "2x^2 | 1 - 2(1 - x)^2", 1, true, "VDI 2143"},
+      rest_to_rest({"parabolic",
+                    {"constant acceleration", "quadratische Parabel"},
+                    "2x^2 | 1 - 2(1 - x)^2",
+                    1,
+                    true,
+                    "VDI 2143"},
                    []<class S>(const Arguments<S>&) { return parabolic<S>(); }),
       rest_to_rest(
-          {"trapezoidal-velocity", {},
-           "constant acceleration t1, constant velocity, constant deceleration t2", 1, true,
+          {"trapezoidal-velocity",
+           {},
+           "constant acceleration t1, constant velocity, constant deceleration t2",
+           1,
+           true,
            "the least C for its B: C = B^2 / (B - 1) where t1 = t2",
            {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")}},
           []<class S>(const Arguments<S>& a) {
             return trapezoidal_velocity<S>(a.scalar(0), a.scalar(1));
           }),
       rest_to_rest(
-          {"trapezoidal-acceleration", {"Beschleunigungstrapez"},
-           "acceleration: straight ramps, constant between, zero for what is left, mirrored", 2,
-           true, "VDI 2143",
+          {"trapezoidal-acceleration",
+           {"Beschleunigungstrapez"},
+           "acceleration: straight ramps, constant between, zero for what is left, mirrored",
+           2,
+           true,
+           "VDI 2143",
            {fraction("ramp", 0.125, "each of four ramps"),
             fraction("constant", 0.25, "each stretch of constant acceleration")}},
           []<class S>(const Arguments<S>& a) {
             return trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
           }),
-      rest_to_rest(
-          {"s-curve", {"seven-phase S-curve", "double S"},
-           "seven phases of constant jerk with peaks B, C, D; 1/B + B/C + C/D = 1", 2, true,
-           "drive controllers; lambda = 1",
-           {{"B", "1", 1, 100, {1.6}, "peak velocity"},
-            {"C", "1", 1, 1e4, {5.8}, "peak acceleration"},
-            {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}}},
-          []<class S>(const Arguments<S>& a) {
-            const S &B = a.scalar(0), &C = a.scalar(1);
-            const S one = number<S>(1);
-            if (a.list(2).size() > 1) throw std::invalid_argument("D takes one value at most");
-            return s_curve<S>(B, C, a.list(2).empty() ? C / (one - one / B - B / C)
-                                                      : a.list(2).front());
-          }),
+      rest_to_rest({"s-curve",
+                    {"seven-phase S-curve", "double S"},
+                    "seven phases of constant jerk with peaks B, C, D; 1/B + B/C + C/D = 1",
+                    2,
+                    true,
+                    "drive controllers; lambda = 1",
+                    {{"B", "1", 1, 100, {1.6}, "peak velocity"},
+                     {"C", "1", 1, 1e4, {5.8}, "peak acceleration"},
+                     {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}}},
+                   []<class S>(const Arguments<S>& a) {
+                     const S &B = a.scalar(0), &C = a.scalar(1);
+                     const S one = number<S>(1);
+                     if (a.list(2).size() > 1)
+                       throw std::invalid_argument("D takes one value at most");
+                     return s_curve<S>(
+                         B, C, a.list(2).empty() ? C / (one - one / B - B / C) : a.list(2).front());
+                   }),
   };
 }
 
@@ -84,21 +97,27 @@ std::vector<Family> modified_laws() {
 
 std::vector<Family> trigonometric_phases() {
   return {
+      rest_to_rest({"scca",
+                    {"sine-constant-cosine acceleration"},
+                    "acceleration: quarter sine a/2, constant b/2, quarter cosine c/2, zero "
+                    "1-a-b-c, mirrored",
+                    2,
+                    true,
+                    "Norton, Cam Design and Manufacturing Handbook",
+                    {fraction("a", 0.3, "both sine ramps, of the whole stretch"),
+                     fraction("b", 0.2, "both stretches of constant acceleration"),
+                     fraction("c", 0.3, "both cosine ramps")}},
+                   []<class S>(const Arguments<S>& a) {
+                     return scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
+                   }),
       rest_to_rest(
-          {"scca", {"sine-constant-cosine acceleration"},
-           "acceleration: quarter sine a/2, constant b/2, quarter cosine c/2, zero 1-a-b-c, mirrored",
-           2, true, "Norton, Cam Design and Manufacturing Handbook",
-           {fraction("a", 0.3, "both sine ramps, of the whole stretch"),
-            fraction("b", 0.2, "both stretches of constant acceleration"),
-            fraction("c", 0.3, "both cosine ramps")}},
-          []<class S>(const Arguments<S>& a) {
-            return scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
-          }),
-      rest_to_rest(
-          {"universal", {"universal cam curve", "Makino"},
+          {"universal",
+           {"universal cam curve", "Makino"},
            "acceleration: quarter sine d1, constant d2, quarter cosine d3, zero d4, and the same "
            "below zero d5, d6, d7 = 1 - the others",
-           2, false, "Makino",
+           2,
+           false,
+           "Makino",
            {fraction("d1", 0.1, "sine ramp up"), fraction("d2", 0.1, "constant acceleration"),
             fraction("d3", 0.15, "cosine ramp down"), fraction("d4", 0.05, "constant velocity"),
             fraction("d5", 0.2, "sine ramp of the deceleration"),

@@ -19,7 +19,8 @@ bool lasts(const T& duration) {
 template <class T>
 AccelerationPhase<T> quarter_sine(const T& duration, const T& level) {
   const T share = number<T>(2) / pi<T>();
-  AccelerationPhase<T> phase{duration, level * share, level * share * (number<T>(1) - share), {}, {}};
+  AccelerationPhase<T> phase{
+      duration, level * share, level * share * (number<T>(1) - share), {}, {}};
   if (lasts(duration)) {
     phase.harmonics = {{level, number<T>(0), pi<T>() / (number<T>(2) * duration)}};
   }
@@ -74,15 +75,16 @@ Law<T> universal(const std::vector<T>& d) {
   const T up = quarter * (d[0] + d[2]) + d[1];
   const T down = quarter * (d[4] + d[6]) + d[5];
   const T rise = number<T>(1), fall = -(up / down);
-  return law_from_acceleration<T>(
-      {detail::quarter_sine(d[0], rise), detail::constant(d[1], rise),
-       detail::quarter_cosine(d[2], rise), detail::constant(d[3], number<T>(0)),
-       detail::quarter_sine(d[4], fall), detail::constant(d[5], fall),
-       detail::quarter_cosine(d[6], fall)});
+  return law_from_acceleration<T>({detail::quarter_sine(d[0], rise), detail::constant(d[1], rise),
+                                   detail::quarter_cosine(d[2], rise),
+                                   detail::constant(d[3], number<T>(0)),
+                                   detail::quarter_sine(d[4], fall), detail::constant(d[5], fall),
+                                   detail::quarter_cosine(d[6], fall)});
 }
 
 /// Sine-constant-cosine acceleration. a, b, c are fractions of the whole stretch over both halves:
-/// acceleration rises for a/2, stays for b/2, falls for c/2, is zero for 1 - a - b - c, and mirrors.
+/// acceleration rises for a/2, stays for b/2, falls for c/2, is zero for 1 - a - b - c, and
+/// mirrors.
 template <class T>
 Law<T> scca(const T& a, const T& b, const T& c) {
   const T two = number<T>(2);
@@ -100,7 +102,8 @@ Law<T> scca_of(double a, double b, double c, double denominator) {
 template <class T>
 Law<T> trapezoidal_velocity(const T& t1, const T& t2) {
   const T cruise = number<T>(1) - t1 - t2;
-  detail::check_durations<T>({t1, number<T>(0), number<T>(0), cruise, t2, number<T>(0), number<T>(0)});
+  detail::check_durations<T>(
+      {t1, number<T>(0), number<T>(0), cruise, t2, number<T>(0), number<T>(0)});
   return law_from_acceleration<T>({detail::constant(t1, number<T>(1)),
                                    detail::constant(cruise, number<T>(0)),
                                    detail::constant(t2, -(t1 / t2))});
@@ -112,8 +115,8 @@ Law<T> parabolic() {
   return trapezoidal_velocity<T>(ratio<T>(1, 2), ratio<T>(1, 2));
 }
 
-/// Seven phases with straight acceleration ramps: up for `ramp`, constant, down for `ramp`, constant
-/// velocity, and the same below zero; constant velocity takes what the others leave.
+/// Seven phases with straight acceleration ramps: up for `ramp`, constant, down for `ramp`,
+/// constant velocity, and the same below zero; constant velocity takes what the others leave.
 template <class T>
 Law<T> trapezoidal_acceleration(const T& ramp, const T& constant) {
   const T one = number<T>(1), zero = number<T>(0);
@@ -121,8 +124,7 @@ Law<T> trapezoidal_acceleration(const T& ramp, const T& constant) {
   detail::check_durations<T>({ramp, constant, ramp, cruise, ramp, constant, ramp});
   return law_from_acceleration<T>({detail::ramp(ramp, zero, one), detail::constant(constant, one),
                                    detail::ramp(ramp, one, zero), detail::constant(cruise, zero),
-                                   detail::ramp(ramp, zero, -one),
-                                   detail::constant(constant, -one),
+                                   detail::ramp(ramp, zero, -one), detail::constant(constant, -one),
                                    detail::ramp(ramp, -one, zero)});
 }
 

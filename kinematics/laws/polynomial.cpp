@@ -11,40 +11,73 @@ using detail::rest_to_rest;
 std::vector<Family> whole_polynomials() {
   const char* rule = "Stoddart's rule";
   return {
-      {"constant-velocity", {"straight line", "linear", "Gerade"}, "x", {}, "G-G", kSmooth, true,
-       "VDI 2143", []<class S>(const Arguments<S>&) { return constant_velocity<S>(); }},
+      {"constant-velocity",
+       {"straight line", "linear", "Gerade"},
+       "x",
+       {},
+       "G-G",
+       kSmooth,
+       true,
+       "VDI 2143",
+       []<class S>(const Arguments<S>&) { return constant_velocity<S>(); }},
       rest_to_rest(
           {"cubic", {"0000"}, "3x^2 - 2x^3", 1, true, "the 0000 of the spine-cutter study"},
           []<class S>(const Arguments<S>&) { return cubic<S>(); }),
       rest_to_rest({"poly-3-4-5",
                     {"3-4-5 polynomial", "Polynom 5. Grades",
                      "third-degree parabola of acceleration", "Складна парабола третього степеня"},
-                    "10x^3 - 15x^4 + 6x^5", 2, true, "VDI 2143"},
+                    "10x^3 - 15x^4 + 6x^5",
+                    2,
+                    true,
+                    "VDI 2143"},
                    []<class S>(const Arguments<S>&) { return poly_3_4_5<S>(); }),
-      rest_to_rest({"poly-4-5-6-7", {"4-5-6-7 polynomial", "Polynom 7. Grades"},
-                    "35x^4 - 84x^5 + 70x^6 - 20x^7", 3, true,
+      rest_to_rest({"poly-4-5-6-7",
+                    {"4-5-6-7 polynomial", "Polynom 7. Grades"},
+                    "35x^4 - 84x^5 + 70x^6 - 20x^7",
+                    3,
+                    true,
                     "Rothbart (ed.), Cam Design Handbook, 2004"},
                    []<class S>(const Arguments<S>&) { return poly_4_5_6_7<S>(); }),
-      rest_to_rest({"poly-5-6-7-8-9", {"5-6-7-8-9 polynomial", "Polynom 9. Grades"},
-                    "126x^5 - 420x^6 + 540x^7 - 315x^8 + 70x^9", 4, true, rule},
+      rest_to_rest({"poly-5-6-7-8-9",
+                    {"5-6-7-8-9 polynomial", "Polynom 9. Grades"},
+                    "126x^5 - 420x^6 + 540x^7 - 315x^8 + 70x^9",
+                    4,
+                    true,
+                    rule},
                    []<class S>(const Arguments<S>&) { return poly_5_6_7_8_9<S>(); }),
       rest_to_rest({"poly-3-5-7", {}, "(35x^3 - 42x^5 + 15x^7) / 8", 2, false, rule},
-                   []<class S>(const Arguments<S>&) { return stoddart<S>({3, 5, 7}); }),
+                   []<class S>(const Arguments<S>&) {
+                     return stoddart<S>({3, 5, 7});
+                   }),
       rest_to_rest({"poly-4-6-8-10", {}, "10x^4 - 20x^6 + 15x^8 - 4x^10", 3, false, rule},
-                   []<class S>(const Arguments<S>&) { return stoddart<S>({4, 6, 8, 10}); }),
-      {"rothbart-8", {"eighth-degree polynomial"},
-       "6.09755x^3 - 20.78040x^5 + 26.73155x^6 - 13.60965x^7 + 2.56095x^8", {}, "R-U", 2, false,
+                   []<class S>(const Arguments<S>&) {
+                     return stoddart<S>({4, 6, 8, 10});
+                   }),
+      {"rothbart-8",
+       {"eighth-degree polynomial"},
+       "6.09755x^3 - 20.78040x^5 + 26.73155x^6 - 13.60965x^7 + 2.56095x^8",
+       {},
+       "R-U",
+       2,
+       false,
        "Rothbart (ed.), Cam Design Handbook, 2004, p. 100",
        []<class S>(const Arguments<S>&) { return rothbart_8<S>(); }},
-      {"quick-return", {"throw"}, "10x^4 - 14x^5 + 5x^6", {}, "R-U", 3, false, "MechDesigner help",
+      {"quick-return",
+       {"throw"},
+       "10x^4 - 14x^5 + 5x^6",
+       {},
+       "R-U",
+       3,
+       false,
+       "MechDesigner help",
        []<class S>(const Arguments<S>&) { return quick_return<S>(); }},
   };
 }
 
 std::vector<Family> study_polynomials() {
   const char* study = "the spine-cutter study";
-  const Parameter alpha{"alpha", "1", -30, 30, {-3},
-                        "0 is the cubic, -10 the 3-4-5; a(0) = 6 + 0.6 alpha"};
+  const Parameter alpha{"alpha", "1",  -30,
+                        30,      {-3}, "0 is the cubic, -10 the 3-4-5; a(0) = 6 + 0.6 alpha"};
   const Parameter big_a{"A", "1", -100, 200, {48}, "0 is the 4-5-6-7, 30 the 3-4-5"};
   const char* formula5 = "s' = q (6 + 0.6 alpha - 3 alpha q), q = x (1 - x)";
   const char* formula7 = "s' = A q^2 + (140 - 14 A / 3) q^3, q = x (1 - x)";
@@ -73,22 +106,33 @@ std::vector<Family> study_polynomials() {
 std::vector<Family> free_polynomials() {
   return {
       rest_to_rest(
-          {"legendre", {"symmetric polynomial"},
-           "s'' = 6 P1(u) + c3 P3(u) + c5 P5(u) + ..., u = 1 - 2x, P the Legendre polynomials", 1,
-           true, "the general symmetric polynomial; c3 = 0.6 alpha is polynomial-5",
+          {"legendre",
+           {"symmetric polynomial"},
+           "s'' = 6 P1(u) + c3 P3(u) + c5 P5(u) + ..., u = 1 - 2x, P the Legendre polynomials",
+           1,
+           true,
+           "the general symmetric polynomial; c3 = 0.6 alpha is polynomial-5",
            {{"c", "1", -1000, 1000, {-1.8, 0.2}, "c3, c5, c7, ...: any odd order", true}}},
           []<class S>(const Arguments<S>& a) { return legendre<S>(a.list(0)); }),
-      rest_to_rest(
-          {"stoddart", {"pqrs", "polydyne"},
-           "sum of C_p x^p, C_p = product of q / (q - p) over the other exponents q", 2, true,
-           "Stoddart, Polydyne cam design, 1953",
-           {{"exponents", "1", 2, 100, {3, 4, 5}, "two or more, different; need not be whole", true,
-             true}}},
-          []<class S>(const Arguments<S>& a) {
-            std::vector<double> exponents;
-            for (const S& p : a.list(0)) exponents.push_back(value_of(p));
-            return stoddart<S>(exponents);
-          }),
+      rest_to_rest({"stoddart",
+                    {"pqrs", "polydyne"},
+                    "sum of C_p x^p, C_p = product of q / (q - p) over the other exponents q",
+                    2,
+                    true,
+                    "Stoddart, Polydyne cam design, 1953",
+                    {{"exponents",
+                      "1",
+                      2,
+                      100,
+                      {3, 4, 5},
+                      "two or more, different; need not be whole",
+                      true,
+                      true}}},
+                   []<class S>(const Arguments<S>& a) {
+                     std::vector<double> exponents;
+                     for (const S& p : a.list(0)) exponents.push_back(value_of(p));
+                     return stoddart<S>(exponents);
+                   }),
   };
 }
 
@@ -99,7 +143,11 @@ std::vector<Parameter> end_values(int count, char end, double displacement) {
                                             "jerk s'''"};
   std::vector<Parameter> result;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    result.push_back({std::string(letters[k]) + end, "1", -1e4, 1e4, {k == 0 ? displacement : 0.0},
+    result.push_back({std::string(letters[k]) + end,
+                      "1",
+                      -1e4,
+                      1e4,
+                      {k == 0 ? displacement : 0.0},
                       std::string(meanings[k]) + " at x = " + end});
   }
   return result;
@@ -109,8 +157,14 @@ std::vector<Parameter> end_values(int count, char end, double displacement) {
 Family boundary_family(int count, std::string name, std::string alias, std::string formula) {
   std::vector<Parameter> parameters = end_values(count, '0', 0);
   for (Parameter& parameter : end_values(count, '1', 1)) parameters.push_back(std::move(parameter));
-  return {std::move(name), {std::move(alias)}, std::move(formula), std::move(parameters),
-          "by parameters", count - 1, true, "VDI 2143",
+  return {std::move(name),
+          {std::move(alias)},
+          std::move(formula),
+          std::move(parameters),
+          "by parameters",
+          count - 1,
+          true,
+          "VDI 2143",
           [count]<class S>(const Arguments<S>& a) {
             std::vector<S> begin, end;
             for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {

@@ -37,17 +37,17 @@ void check_spline(int degree, const std::vector<double>& interior, std::size_t c
 TableSpline table_spline(const std::vector<double>& x, std::size_t samples,
                          std::size_t velocities) {
   if (x.size() != samples || (velocities != 0 && velocities != samples)) {
-    throw std::invalid_argument(fmt::format(
-        "table: x, s and v must have the same length, but have {}, {} and {}", x.size(), samples,
-        velocities));
+    throw std::invalid_argument(
+        fmt::format("table: x, s and v must have the same length, but have {}, {} and {}", x.size(),
+                    samples, velocities));
   }
   if (samples < 2 || x.front() != 0 || x.back() != 1) {
     throw std::invalid_argument("table: x must run from 0 to 1 over at least two samples");
   }
   for (std::size_t i = 1; i < samples; ++i) {
     if (!(x[i] > x[i - 1])) {
-      throw std::invalid_argument(fmt::format("table: x must increase, but {:.6g} follows {:.6g}",
-                                              x[i], x[i - 1]));
+      throw std::invalid_argument(
+          fmt::format("table: x must increase, but {:.6g} follows {:.6g}", x[i], x[i - 1]));
     }
   }
   TableSpline spline{5, {}, samples, velocities != 0};
@@ -99,8 +99,8 @@ Eigen::SparseMatrix<double> collocation(const TableSpline& spline, const std::ve
     for (int order = 0; order < orders; ++order) {
       const auto row = basis_row(spline, knots, span, order, x[i]);
       for (std::size_t k = 0; k < row.size(); ++k) {
-        entries.emplace_back(static_cast<int>(i) * orders + order,
-                             static_cast<int>(span - p + k), row[k]);
+        entries.emplace_back(static_cast<int>(i) * orders + order, static_cast<int>(span - p + k),
+                             row[k]);
       }
     }
   }
@@ -121,7 +121,8 @@ std::vector<std::vector<double>> solve_table(const TableSpline& spline,
   }
   std::vector<std::vector<double>> result;
   for (const auto& column : columns) {
-    const Eigen::Map<const Eigen::VectorXd> b(column.data(), static_cast<Eigen::Index>(column.size()));
+    const Eigen::Map<const Eigen::VectorXd> b(column.data(),
+                                              static_cast<Eigen::Index>(column.size()));
     Eigen::VectorXd c = lu.solve(b);
     c += lu.solve(b - matrix * c);  // one step of refinement
     result.emplace_back(c.data(), c.data() + c.size());
@@ -139,19 +140,29 @@ std::vector<Family> spline_families() {
   for (const double x : tenths) rise.push_back(x * x * x * (10 + x * (-15 + 6 * x)));
   const char* de_boor = "de Boor, A Practical Guide to Splines";
   return {
-      {"b-spline", {"spline"}, "sum of coefficients times B-splines, clamped at 0 and 1",
+      {"b-spline",
+       {"spline"},
+       "sum of coefficients times B-splines, clamped at 0 and 1",
        {{"degree", "1", 1, 25, {5}, "of the polynomial pieces", false, true},
         {"knots", "1", 0, 1, {}, "inside (0, 1), in order, repeated to lower the continuity", true},
         {"coefficients", "1", -100, 100, {0, 0, 0, 1, 1, 1}, "degree + 1 + number of knots", true}},
-       "by parameters", 2, true, de_boor,
+       "by parameters",
+       2,
+       true,
+       de_boor,
        []<class S>(const Arguments<S>& a) {
          return b_spline<S>(static_cast<int>(value_of(a.scalar(0))), a.list(1), a.list(2));
        }},
-      {"table", {"sampled law"}, "the spline through samples of s, or of s and v",
+      {"table",
+       {"sampled law"},
+       "the spline through samples of s, or of s and v",
        {{"x", "1", 0, 1, tenths, "places of the samples, from 0 to 1", true, true},
         {"s", "1", -10, 10, rise, "displacements", true},
         {"v", "1", -1000, 1000, {}, "velocities s', where known", true}},
-       "by parameters", 2, true, de_boor,
+       "by parameters",
+       2,
+       true,
+       de_boor,
        []<class S>(const Arguments<S>& a) {
          std::vector<double> x;
          for (const S& place : a.list(0)) x.push_back(value_of(place));

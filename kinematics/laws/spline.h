@@ -8,18 +8,18 @@
 namespace camlaw {
 
 /// The B-spline law of a degree: clamped at 0 and 1, `interior` knots in (0, 1) not decreasing (one
-/// repeated m times leaves continuity degree - m), and degree + 1 + interior.size() coefficients of s.
-/// Generic in knots and coefficients. Throws std::invalid_argument for a wrong count, a knot out of
-/// order or repeated more than `degree` times.
+/// repeated m times leaves continuity degree - m), and degree + 1 + interior.size() coefficients of
+/// s. Generic in knots and coefficients. Throws std::invalid_argument for a wrong count, a knot out
+/// of order or repeated more than `degree` times.
 template <class T>
 Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>& coefficients);
 
 /// The spline that goes through samples of a law: s at each x, and v too where `v` is not empty.
 /// x must increase from 0 to 1. With s alone: degree 5 (less for fewer than six samples), knots at
 /// the samples but the outer ones ("not a knot"), so that polynomials up to that degree come back
-/// exactly. With v: degree 5 with double knots. Coefficients depend linearly on s and v, which may be
-/// Dual; with Interval the law is the one of the midpoints. Throws std::invalid_argument for bad x
-/// or counts.
+/// exactly. With v: degree 5 with double knots. Coefficients depend linearly on s and v, which may
+/// be Dual; with Interval the law is the one of the midpoints. Throws std::invalid_argument for bad
+/// x or counts.
 template <class T>
 Law<T> table(const std::vector<double>& x, const std::vector<T>& s, const std::vector<T>& v = {});
 
@@ -53,8 +53,8 @@ std::vector<T> clamped(int degree, const std::vector<T>& interior) {
   return knots;
 }
 
-/// de Boor's algorithm at x in the span `span` (index of its left knot) for coefficients of a spline
-/// of the given degree whose knots start at `knots[skip]`.
+/// de Boor's algorithm at x in the span `span` (index of its left knot) for coefficients of a
+/// spline of the given degree whose knots start at `knots[skip]`.
 template <class T>
 T de_boor(std::size_t span, int degree, std::size_t skip, const std::vector<T>& knots,
           const std::vector<T>& coefficients, const T& x) {
@@ -81,9 +81,8 @@ std::vector<T> derivative_coefficients(int degree, std::size_t skip, const std::
   for (std::size_t i = 0; i + 1 < c.size(); ++i) {
     const T width = knots[i + 1 + skip + static_cast<std::size_t>(degree)] - knots[i + 1 + skip];
     // Zero width: a knot as often as the degree; the term has no support.
-    result.push_back(value_of(width) == 0
-                         ? number<T>(0)
-                         : number<T>(degree) * (c[i + 1] - c[i]) / width);
+    result.push_back(value_of(width) == 0 ? number<T>(0)
+                                          : number<T>(degree) * (c[i + 1] - c[i]) / width);
   }
   return result;
 }

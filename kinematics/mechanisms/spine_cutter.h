@@ -16,12 +16,12 @@ namespace camlaw {
 /// Valid for 0 < depth < cutter_diameter / 2; outside, square roots and quotients give NaN.
 template <class T>
 struct SpineCutter {
-  T cutter_diameter = number<T>(0.050);  ///< D_f, m
-  T blades = number<T>(17);              ///< z
-  T stroke = number<T>(0.040);           ///< S_f, m, one way
-  T block_speed = number<T>(0.3);        ///< V, m/s
-  T depth = number<T>(0.0004);           ///< h, m
-  T mass = number<T>(2.4);               ///< m, kg, moved by the cam
+  T cutter_diameter = number<T>(0.050);       ///< D_f, m
+  T blades = number<T>(17);                   ///< z
+  T stroke = number<T>(0.040);                ///< S_f, m, one way
+  T block_speed = number<T>(0.3);             ///< V, m/s
+  T depth = number<T>(0.0004);                ///< h, m
+  T mass = number<T>(2.4);                    ///< m, kg, moved by the cam
   T pressure_angle = pi<T>() / number<T>(6);  ///< v, rad, permissible
 
   /// (1) Chord of contact, m: S = 2 sqrt((D_f/2)^2 - (D_f/2 - h)^2), as 2 sqrt(h (D_f - h)).
@@ -37,13 +37,9 @@ struct SpineCutter {
   /// (3) Blades in contact at a time: z psi / (2 pi).
   T blades_in_contact() const { return blades * contact_angle() / (number<T>(2) * pi<T>()); }
   /// (4) Path of the block in one revolution of the cutter, m: S_rev = pi (D_f - 2 h).
-  T path_per_revolution() const {
-    return pi<T>() * (cutter_diameter - number<T>(2) * depth);
-  }
+  T path_per_revolution() const { return pi<T>() * (cutter_diameter - number<T>(2) * depth); }
   /// (5) Angular velocity of cutter and cam roller, rad/s: omega = V / (D_f / 2 - h).
-  T angular_velocity() const {
-    return block_speed / (cutter_diameter / number<T>(2) - depth);
-  }
+  T angular_velocity() const { return block_speed / (cutter_diameter / number<T>(2) - depth); }
   /// (6) Least cam radius at the permissible pressure angle, m: R = S_f B / (pi tan v) for the peak
   /// velocity constant B of the law: the stroke covers half the cam's circumference.
   T minimum_cam_radius(const T& B) const {

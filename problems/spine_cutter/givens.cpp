@@ -16,7 +16,7 @@ namespace {
 /// How a given is stored and listed, and what values it may take (in its listed unit).
 struct Field {
   const char *name, *symbol, *unit, *stored, *meaning;
-  double SpineCutter<double>::* member;
+  double SpineCutter<double>::*member;
   double low, high;
 };
 
@@ -29,7 +29,8 @@ constexpr std::array kFields{
     Field{"block_speed", "V", "m/s", "m/s", "speed of the book block",
           &SpineCutter<double>::block_speed, 1e-6, 1e3},
     Field{"depth", "h", "mm", "m", "depth of the notches", &SpineCutter<double>::depth, 1e-6, 1e4},
-    Field{"mass", "m", "kg", "kg", "mass that the cam moves", &SpineCutter<double>::mass, 1e-6, 1e6},
+    Field{"mass", "m", "kg", "kg", "mass that the cam moves", &SpineCutter<double>::mass, 1e-6,
+          1e6},
     Field{"pressure_angle", "v", "deg", "rad", "permissible pressure angle",
           &SpineCutter<double>::pressure_angle, 0.1, 89.9},
 };
@@ -67,8 +68,9 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
   const double value =
       parse_quantity(assignment.substr(equals + 1), field.unit, field.unit, field.name);
   if (!(value >= field.low && value <= field.high)) {
-    throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", field.name,
-                                            value, field.unit, field.low, field.high, field.unit));
+    throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}",
+                                            field.name, value, field.unit, field.low, field.high,
+                                            field.unit));
   }
   cutter.*field.member = convert_unit(value, field.unit, field.stored);
 }

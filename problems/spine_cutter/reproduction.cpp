@@ -27,7 +27,8 @@ constexpr std::array kDepths{0.5, 0.6, 0.7, 0.8, 0.9, 1.0};  // mm; 0.4 is state
 constexpr std::array kGrids{10, 12, 18, 20, 24, 25, 30, 36, 40, 50, 60, 72, 90, 100, 180, 360};
 constexpr int kMostA = 70;  // polynomial-7, A = 0 .. 70
 
-/// alpha of the degree-5 polynomial, from -10 to 0: whole numbers first, then one decimal, then two.
+/// alpha of the degree-5 polynomial, from -10 to 0: whole numbers first, then one decimal, then
+/// two.
 std::vector<double> alpha_candidates() {
   std::vector<double> result;
   for (const int step : {100, 10, 1}) {
@@ -42,9 +43,11 @@ std::vector<double> alpha_candidates() {
 std::vector<optim::Hypothesis> declare_hypotheses() {
   std::vector<optim::Hypothesis> h(kCount);
   h[Blades] = {"blades z", "17", {}};
-  for (int z = kLeastBlades; z <= kMostBlades; ++z) h[Blades].alternatives.push_back(std::to_string(z));
+  for (int z = kLeastBlades; z <= kMostBlades; ++z)
+    h[Blades].alternatives.push_back(std::to_string(z));
   h[Depth] = {"depth h", "0.4 mm", {}};
-  for (const double depth : kDepths) h[Depth].alternatives.push_back(fmt::format("{:.1f} mm", depth));
+  for (const double depth : kDepths)
+    h[Depth].alternatives.push_back(fmt::format("{:.1f} mm", depth));
   h[Factor] = {"factor in the inertia force", "2", {"4"}};
   h[Readout] = {"peaks", "exact", {}};
   for (const int n : kGrids) {
@@ -83,7 +86,9 @@ Peak2 sampled_peaks(const Law<double>& law, int n) {
 
 /// Central differences of the displacement, the motion mirrored at the turns.
 Peak2 differenced_peaks(const Law<double>& law, int n) {
-  const auto s = [&](int i) { return law(std::abs(n - std::abs(n - i)) / static_cast<double>(n)).s; };
+  const auto s = [&](int i) {
+    return law(std::abs(n - std::abs(n - i)) / static_cast<double>(n)).s;
+  };
   Peak2 peak{0, 0};
   for (int i = 0; i <= n; ++i) {
     const double before = s(std::abs(i - 1)), here = s(i), after = s(i + 1);
@@ -145,11 +150,17 @@ SpineCutter<double> with_condition(const std::string& condition) {
     const auto read = [&](const char* unit) {
       return parse_quantity(value, unit, unit, "condition '" + condition + "'");
     };
-    if (key == "h") cutter.depth = read("m");
-    else if (key == "S") cutter.stroke = read("m");
-    else if (key == "V") cutter.block_speed = read("m/s");
-    else if (key == "v") cutter.pressure_angle = read("rad");
-    else throw std::invalid_argument("spine_cutter.csv: no given is called '" + std::string(key) + "'");
+    if (key == "h")
+      cutter.depth = read("m");
+    else if (key == "S")
+      cutter.stroke = read("m");
+    else if (key == "V")
+      cutter.block_speed = read("m/s");
+    else if (key == "v")
+      cutter.pressure_angle = read("rad");
+    else
+      throw std::invalid_argument("spine_cutter.csv: no given is called '" + std::string(key) +
+                                  "'");
   }
   return cutter;
 }
@@ -174,7 +185,8 @@ std::vector<std::size_t> dependencies(const PrintedValue& row) {
 double compute(const PrintedValue& row, SpineCutter<double> cutter, RowLaws& laws,
                std::span<const int> choice) {
   if (choice[Blades] != 0) cutter.blades = kLeastBlades + choice[Blades] - 1;
-  if (choice[Depth] != 0) cutter.depth = kDepths[static_cast<std::size_t>(choice[Depth] - 1)] * 1e-3;
+  if (choice[Depth] != 0)
+    cutter.depth = kDepths[static_cast<std::size_t>(choice[Depth] - 1)] * 1e-3;
   if (row.quantity == "chord_of_contact") return cutter.chord_of_contact() * 1e3;
   if (row.quantity == "contact_angle") return cutter.contact_angle() * 180 / std::numbers::pi;
   if (row.quantity == "blades_in_contact") return cutter.blades_in_contact();

@@ -17,20 +17,49 @@ namespace {
 /// Members of families beside the standard one: the paper's, and enough others to see where the
 /// family goes.
 constexpr const char* kMembers[] = {
-    "polynomial-5 alpha=-10", "polynomial-5 alpha=-9", "polynomial-5 alpha=-8",
-    "polynomial-5 alpha=-7", "polynomial-5 alpha=-6", "polynomial-5 alpha=-4",
-    "polynomial-5 alpha=-2", "polynomial-5 alpha=-1", "polynomial-7 A=0", "polynomial-7 A=12",
-    "polynomial-7 A=18", "polynomial-7 A=24", "polynomial-7 A=30", "polynomial-7 A=36",
-    "polynomial-7 A=42", "polynomial-7 A=54", "polynomial-7 A=60", "legendre c=-2,0.5",
-    "legendre c=-1,0.3", "legendre c=-3,1,-0.3", "trapezoidal-velocity t1=0.2 t2=0.2",
-    "trapezoidal-velocity t1=0.25 t2=0.25", "trapezoidal-velocity t1=0.3 t2=0.3",
-    "trapezoidal-velocity t1=0.35 t2=0.35", "trapezoidal-velocity t1=0.4 t2=0.4",
-    "trapezoidal-velocity t1=0.45 t2=0.45", "trapezoidal-acceleration ramp=0.05 constant=0.2",
-    "trapezoidal-acceleration ramp=0.1 constant=0.1", "s-curve B=1.4 C=7.5", "s-curve B=1.8 C=5",
-    "elliptic n=0.85", "elliptic n=0.9", "elliptic n=0.95", "elliptic n=1.1",
-    "inclined-sinusoid angle=70", "inclined-sinusoid angle=75", "inclined-sinusoid angle=78",
-    "inclined-sinusoid angle=86", "scca a=0.1 b=0.3 c=0.3", "scca a=0.1 b=0.5 c=0.2",
-    "scca a=0.05 b=0.2 c=0.6", "fourier a=0,0.08", "poly-3-4-5 crossover=0.45",
+    "polynomial-5 alpha=-10",
+    "polynomial-5 alpha=-9",
+    "polynomial-5 alpha=-8",
+    "polynomial-5 alpha=-7",
+    "polynomial-5 alpha=-6",
+    "polynomial-5 alpha=-4",
+    "polynomial-5 alpha=-2",
+    "polynomial-5 alpha=-1",
+    "polynomial-7 A=0",
+    "polynomial-7 A=12",
+    "polynomial-7 A=18",
+    "polynomial-7 A=24",
+    "polynomial-7 A=30",
+    "polynomial-7 A=36",
+    "polynomial-7 A=42",
+    "polynomial-7 A=54",
+    "polynomial-7 A=60",
+    "legendre c=-2,0.5",
+    "legendre c=-1,0.3",
+    "legendre c=-3,1,-0.3",
+    "trapezoidal-velocity t1=0.2 t2=0.2",
+    "trapezoidal-velocity t1=0.25 t2=0.25",
+    "trapezoidal-velocity t1=0.3 t2=0.3",
+    "trapezoidal-velocity t1=0.35 t2=0.35",
+    "trapezoidal-velocity t1=0.4 t2=0.4",
+    "trapezoidal-velocity t1=0.45 t2=0.45",
+    "trapezoidal-acceleration ramp=0.05 constant=0.2",
+    "trapezoidal-acceleration ramp=0.1 constant=0.1",
+    "s-curve B=1.4 C=7.5",
+    "s-curve B=1.8 C=5",
+    "elliptic n=0.85",
+    "elliptic n=0.9",
+    "elliptic n=0.95",
+    "elliptic n=1.1",
+    "inclined-sinusoid angle=70",
+    "inclined-sinusoid angle=75",
+    "inclined-sinusoid angle=78",
+    "inclined-sinusoid angle=86",
+    "scca a=0.1 b=0.3 c=0.3",
+    "scca a=0.1 b=0.5 c=0.2",
+    "scca a=0.05 b=0.2 c=0.6",
+    "fourier a=0,0.08",
+    "poly-3-4-5 crossover=0.45",
     "modified-sine crossover=0.45",
 };
 
@@ -40,8 +69,8 @@ bool turns_at_rest(Ends ends) {
   return still(ends.begin) && still(ends.end);
 }
 
-/// The return stroke mirrors the law, so acceleration goes on through both turns if s''(1) = -s''(0)
-/// and does not jump inside.
+/// The return stroke mirrors the law, so acceleration goes on through both turns if s''(1) =
+/// -s''(0) and does not jump inside.
 bool smooth_through_turns(const Law<double>& law) {
   const double begin = law(0.0).a, end = law(1.0, Side::Left).a;
   if (!(std::abs(begin + end) <= 1e-9 * std::max(1.0, std::abs(begin)))) return false;
@@ -118,8 +147,9 @@ std::size_t best(const std::vector<StudyRow>& rows, Measure measure) {
 std::string recommend(const SpineCutterStudy& study) {
   const auto name = [&](std::size_t i) {
     const StudyRow& row = study.rows[i];
-    return fmt::format("{} (R {:.4g} mm, F {:.4g} N, {:.1f} % above the least force for its radius)",
-                       row.label, row.cam_radius * 1e3, row.inertia_force, row.above_limit * 100);
+    return fmt::format(
+        "{} (R {:.4g} mm, F {:.4g} N, {:.1f} % above the least force for its radius)", row.label,
+        row.cam_radius * 1e3, row.inertia_force, row.above_limit * 100);
   };
   return fmt::format(
       "Take {} where cam size and force count alike, {} where the force counts most, and {} only "
@@ -140,9 +170,9 @@ void check(const SpineCutter<double>& cutter) {
 }  // namespace
 
 const std::vector<std::string>& published_laws() {
-  static const std::vector<std::string> laws{"polynomial-7 A=6",      "polynomial-7 A=48",
-                                             "cosine",                "cubic",
-                                             "polynomial-5 alpha=-3", "polynomial-5 alpha=-5"};
+  static const std::vector<std::string> laws{
+      "polynomial-7 A=6",      "polynomial-7 A=48",    "cosine", "cubic",
+      "polynomial-5 alpha=-3", "polynomial-5 alpha=-5"};
   return laws;
 }
 

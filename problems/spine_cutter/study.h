@@ -48,8 +48,8 @@ struct StudyRow {
 struct SpineCutterStudy {
   SpineCutter<double> cutter;
   std::vector<StudyRow> rows;  ///< by cam radius, then force
-  /// Rows that the recommendation names, all among the smooth non-dominated ones. The compromise has
-  /// the least product of radius and force, which no choice of units or weights moves.
+  /// Rows that the recommendation names, all among the smooth non-dominated ones. The compromise
+  /// has the least product of radius and force, which no choice of units or weights moves.
   std::size_t smallest_cam, least_force, compromise;
   std::string recommendation;
 };

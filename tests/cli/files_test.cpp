@@ -35,7 +35,7 @@ class Folder {
   std::set<std::string> content() const {
     std::set<std::string> result;
     for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-      result.insert(fs::relative(entry.path(), path_).string());
+      result.insert(entry.path().lexically_relative(path_).string());
     }
     return result;
   }

@@ -80,7 +80,8 @@ TEST_CASE("The crossover is the middle of a symmetric law, else where velocity p
   CHECK(crossover(poly_3_4_5<double>()).position == 0.5);
   CHECK(crossover(scca_of<double>(1, 0, 3, 4)).position == 0.5);
   // 3-5-7: s'' = (210 x - 840 x^3 + 630 x^5) / 8 = 0 at x^2 = 1/3.
-  CHECK(crossover(stoddart<double>({3, 5, 7})).position == Approx(1 / std::sqrt(3.0)).epsilon(1e-12));
+  CHECK(crossover(stoddart<double>({3, 5, 7})).position ==
+        Approx(1 / std::sqrt(3.0)).epsilon(1e-12));
 }
 
 TEST_CASE("A moved crossover lies where it was asked for, with continuous velocity",
@@ -122,7 +123,8 @@ TEST_CASE("A symmetric law keeps its velocity peak, and C becomes C / (2 c) and 
 }
 
 TEST_CASE("A crossover moved to where it is changes nothing", "[transform]") {
-  for (const auto& law : samples()) check_same(with_crossover(law, crossover(law).position), law, 1e-12);
+  for (const auto& law : samples())
+    check_same(with_crossover(law, crossover(law).position), law, 1e-12);
 }
 
 TEST_CASE("A crossover moved there and back is the law again", "[transform]") {
