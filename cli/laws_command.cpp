@@ -21,6 +21,12 @@ std::string parameter_list(const Family& family) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
+/// "C2", or "smooth".
+std::string class_name(const Law<double>& law) {
+  const int k = continuity(law);
+  return k == kSmooth ? "smooth" : fmt::format("C{}", k);
+}
+
 void print_catalogue() {
   TextTable table({{"law", TextTable::Align::Left},
                    {"parameters", TextTable::Align::Left},
@@ -37,10 +43,8 @@ void print_catalogue() {
     const Law<double> law = family.make(family.standard());
     const auto peak = peaks(law);
     const auto lambda = limit_index(peak);
-    const int smooth = continuity(law);
-    table.add({family.name, parameter_list(family), to_string(law.ends()),
-               smooth == kSmooth ? "smooth" : fmt::format("C{}", smooth), shown(peak.B(), 4),
-               shown(peak.high(Quantity::Acceleration).value, 4),
+    table.add({family.name, parameter_list(family), to_string(law.ends()), class_name(law),
+               shown(peak.B(), 4), shown(peak.high(Quantity::Acceleration).value, 4),
                shown(peak.low(Quantity::Acceleration).value, 4),
                shown(peak.high(Quantity::Jerk).value, 3), shown(peak.low(Quantity::Jerk).value, 3),
                shown(peak.Cm(), 4), lambda ? shown(*lambda, 3) : "-"});
@@ -49,6 +53,45 @@ void print_catalogue() {
       "{}\nConstants are those of the standard parameters. Every R-R law also takes crossover=c.\n"
       "'camlaw law NAME' tells more of one law.\n",
       table.text());
+}
+
+std::string ranges(const Family& family) {
+  std::vector<std::string> lines;
+  for (const Parameter& p : family.parameters) {
+    if (p.name == kCrossover) continue;
+    const std::string unit = p.unit == "1" ? "" : " " + p.unit;
+    lines.push_back(fmt::format("`{}`{} {:g} .. {:g}{}: {}", p.name, p.list ? " (list)" : "", p.low,
+                                p.high, unit, p.meaning));
+  }
+  return fmt::format("{}", fmt::join(lines, "<br>"));
+}
+
+std::string escaped(std::string text) {
+  for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2)
+    text.insert(i, "\\");
+  return text;
+}
+
+/// The page docs/laws.md.
+void print_markdown() {
+  fmt::print(
+      "# Motion laws\n\nPrinted by `camlaw laws --markdown` from the catalogue in the code. "
+      "Constants "
+      "are those of the standard\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
+      "where its acceleration changes sign.\n\n"
+      "| law | also called | formula | parameters | ends | class | B | C+ | C- | D+ | D- | Cm | "
+      "source |\n|---|---|---|---|---|---|--:|--:|--:|--:|--:|--:|---|\n");
+  for (const Family& family : catalogue()) {
+    const Law<double> law = family.make(family.standard());
+    const auto peak = peaks(law);
+    fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
+               fmt::join(family.aliases, ", "), escaped(family.formula), ranges(family),
+               to_string(law.ends()), class_name(law), shown(peak.B(), 6),
+               shown(peak.high(Quantity::Acceleration).value, 6),
+               shown(peak.low(Quantity::Acceleration).value, 6),
+               shown(peak.high(Quantity::Jerk).value, 5), shown(peak.low(Quantity::Jerk).value, 5),
+               shown(peak.Cm(), 6), escaped(family.source));
+  }
 }
 
 void print_json() {
@@ -63,9 +106,12 @@ void print_json() {
 
 void add_laws_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("laws", "List the motion laws with their constants");
-  const auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "print JSON");
-  command->callback([json] { *json ? print_json() : print_catalogue(); });
+  const auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
+  CLI::Option* as_json = command->add_flag("--json", *json, "print JSON");
+  command->add_flag("--markdown", *markdown, "print the page docs/laws.md")->excludes(as_json);
+  command->callback([json, markdown] {
+    *json ? print_json() : *markdown ? print_markdown() : print_catalogue();
+  });
 }
 
 }  // namespace camlaw::cli

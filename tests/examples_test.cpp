@@ -42,3 +42,9 @@ TEST_CASE("the example prints what the library's closed forms give") {
   CHECK(output.find("cam radius 29.10 mm") != std::string::npos);
   CHECK(output.find("dC/da = ") != std::string::npos);
 }
+
+TEST_CASE("the page of laws is what the catalogue prints") {
+  const std::string page = output_of(CAMLAW_PROGRAM " laws --markdown");
+  CHECK(page.find("| modified-sine |") != std::string::npos);
+  CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/laws.md"));
+}
