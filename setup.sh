@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Brings a Debian 12 machine to the point where a CMake preset is built: packages, configuration, build.
-#   ./setup.sh PRESET      PRESET is one of CMakePresets.json: release, dev, asan
+#   ./setup.sh PRESET [TARGET...]      PRESET is one of CMakePresets.json: release, dev, asan
 # Does nothing that is already done, and needs the network only while packages are missing.
 set -euo pipefail
 cd "$(dirname "$0")"
-preset=${1:?usage: setup.sh PRESET}
+preset=${1:?usage: setup.sh PRESET [TARGET...]}
+shift
+build=build/$preset
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; elif command -v sudo >/dev/null; then sudo "$@"; else
@@ -26,11 +28,26 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends $missing >&2
 }
 
+configure() {
+  # A build folder that was made elsewhere, or for other presets, starts afresh.
+  if [ -f "$build/CMakeCache.txt" ] &&
+    { ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$build/CMakeCache.txt" ||
+      [ CMakePresets.json -nt "$build/build.ninja" ]; }; then
+    rm -rf "$build"
+  fi
+  if [ ! -f "$build/build.ninja" ]; then
+    echo "setup.sh: building ($preset; some minutes the first time)" >&2
+    cmake --preset "$preset" >&2
+  fi
+}
+
 install_packages
-[ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" >&2
-# Ninja's own chatter goes to a log; on failure it is shown.
 mkdir -p build
-if ! cmake --build --preset "$preset" >"build/$preset.log" 2>&1; then
-  cat "build/$preset.log" >&2
+exec 9>build/.lock
+flock 9
+configure
+# Ninja's own chatter goes to a log; on failure it is shown.
+if ! cmake --build --preset "$preset" ${1:+--target "$@"} >"$build.log" 2>&1; then
+  cat "$build.log" >&2
   exit 1
 fi

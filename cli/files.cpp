@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -24,6 +27,25 @@ struct Pending {
   fs::path target;     ///< links followed
   fs::path temporary;  ///< empty for what is no regular file
 };
+
+/// The temporary file being written, for the signal handler: it must be gone if the user
+/// interrupts.
+std::array<char, 4096> temporary_in_work{};
+
+extern "C" void remove_temporary(int signal_number) {
+  if (temporary_in_work[0] != 0) unlink(temporary_in_work.data());
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+void announce_temporary(const std::string& path) {
+  const std::size_t length = std::min(path.size(), temporary_in_work.size() - 1);
+  temporary_in_work[0] = 0;
+  std::copy_n(path.begin() + 1, length - 1, temporary_in_work.begin() + 1);
+  temporary_in_work[length] = 0;
+  temporary_in_work[0] = path[0];  // last, so that the handler never sees half a name
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, remove_temporary);
+}
 
 /// Undoes what was done for files that were not written after all.
 class Cleaner {
@@ -59,17 +81,26 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   if (!stream) fail(file.path, errno != 0 ? std::strerror(errno) : "the disk took not all of it");
 }
 
+/// Pipes, terminals, sockets and what the system offers as files: no renaming there.
+bool is_written_in_place(const fs::path& path) {
+  const std::string text = fs::absolute(path).lexically_normal().string();
+  std::error_code ignored;
+  const auto status = fs::status(path, ignored);
+  const bool special = fs::exists(status) && !fs::is_regular_file(status);
+  return special || text.starts_with("/dev/") || text.starts_with("/proc/");
+}
+
 Pending locate(const OutputFile& file, std::size_t number) {
+  if (file.path.empty()) throw std::invalid_argument("an output file has an empty name");
+  if (fs::is_directory(file.path)) fail(file.path, "it is a folder");
+  if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), {}};
   std::error_code error;
   const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
   if (error) fail(file.path, error.message());
-  const auto status = fs::status(target, error);
-  if (fs::is_directory(status)) fail(file.path, "it is a folder");
-  Pending pending{&file, target, {}};
-  if (!fs::exists(status) || fs::is_regular_file(status)) {
-    pending.temporary = target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number);
+  if (fs::exists(target) && access(target.c_str(), W_OK) != 0) {
+    fail(file.path, std::strerror(errno));
   }
-  return pending;
+  return {&file, target, target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number)};
 }
 
 std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
@@ -95,7 +126,11 @@ void write_files(const std::vector<OutputFile>& files) {
     if (p.temporary.empty()) continue;
     make_folder(p.target.parent_path(), p.file->path, cleaner);
     cleaner.file(p.temporary);
+    announce_temporary(p.temporary.string());
     write_stream(p.temporary, *p.file);
+    std::error_code ignored;
+    const auto status = fs::status(p.target, ignored);
+    if (fs::exists(status)) fs::permissions(p.temporary, status.permissions(), ignored);
   }
   for (const Pending& p : pending) {
     if (p.temporary.empty()) {
@@ -106,6 +141,7 @@ void write_files(const std::vector<OutputFile>& files) {
     fs::rename(p.temporary, p.target, error);
     if (error) fail(p.file->path, error.message());
   }
+  temporary_in_work[0] = 0;
   cleaner.done();
 }
 

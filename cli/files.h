@@ -14,10 +14,11 @@ struct OutputFile {
 };
 
 /// Writes files whole or not at all: each goes to a temporary file beside its place, and only when
-/// all are on the disk are they renamed into place. Missing folders are made, links followed, and
-/// what is no regular file (a pipe, /dev/stdout) is written to as it is. Throws
-/// std::invalid_argument where two outputs are one file, std::runtime_error naming the file and the
-/// reason where one cannot be written; no temporary file and no new folder is left behind then.
+/// all are on the disk are they renamed into place. Missing folders are made, links followed,
+/// permissions kept; what is no regular file, and all below /dev and /proc, is written to as it is.
+/// Throws std::invalid_argument where two outputs are one file or a name is empty,
+/// std::runtime_error naming the file and the reason where one cannot be written; no temporary file
+/// and no new folder is left behind then, nor when the program is interrupted.
 void write_files(const std::vector<OutputFile>& files);
 
 }  // namespace camlaw::cli

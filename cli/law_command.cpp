@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/files.h"
@@ -19,35 +21,13 @@ struct LawOptions {
   std::string name;
   std::vector<std::string> parameters;
   int samples = 0;
-  std::string csv, svg;
+  std::optional<std::string> csv, svg;
   bool json = false;
 };
 
-/// "k=v[,v...]" with units into a member's arguments.
-void set_parameter(Member& member, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos) {
-    throw std::invalid_argument(
-        fmt::format("--param: '{}' sets nothing; write name=value", assignment));
-  }
-  const Family& family = *member.family;
-  const std::size_t index = family.parameter(assignment.substr(0, equals));
-  const Parameter& parameter = family.parameters[index];
-  const std::string what = fmt::format("law '{}': parameter {}", family.name, parameter.name);
-  std::vector<double> values;
-  std::string_view rest = std::string_view(assignment).substr(equals + 1);
-  if (parameter.list && rest.empty()) {
-    member.arguments.values()[index] = {};
-    return;
-  }
-  while (true) {
-    const std::size_t comma = rest.find(',');
-    values.push_back(
-        problems::parse_quantity(rest.substr(0, comma), parameter.unit, parameter.unit, what));
-    if (comma == std::string_view::npos) break;
-    rest.remove_prefix(comma + 1);
-  }
-  member.arguments.values()[index] = std::move(values);
+/// Reads a parameter's value with its unit.
+double read_quantity(std::string_view text, const Parameter& parameter, const std::string& what) {
+  return problems::parse_quantity(text, parameter.unit, parameter.unit, what);
 }
 
 std::string peak_line(const char* name, const Peak<double>& peak, const Interval& enclosure) {
@@ -120,15 +100,17 @@ void print_json(const Member& member, const LawOptions& options) {
 }
 
 void show_law(const LawOptions& options) {
-  Member member = find_law(options.name);
-  for (const std::string& assignment : options.parameters) set_parameter(member, assignment);
+  Member member = find_law(options.name, read_quantity);
+  for (const std::string& assignment : options.parameters) {
+    set_argument(member, assignment, read_quantity);
+  }
   const Law<double> law = member.law();
   constexpr int kStandardSamples = 361;
   const int samples = options.samples > 0 ? options.samples : kStandardSamples;
   std::vector<OutputFile> files;
-  if (!options.csv.empty()) files.push_back({options.csv, motion_csv(law, samples)});
-  if (!options.svg.empty()) {
-    files.push_back({options.svg, to_svg(motion_figure(member.name(), {{member.name(), law}}))});
+  if (options.csv) files.push_back({*options.csv, motion_csv(law, samples)});
+  if (options.svg) {
+    files.push_back({*options.svg, to_svg(motion_figure(member.label(), {{"", law}}))});
   }
   write_files(files);
   if (options.json) {
@@ -136,7 +118,7 @@ void show_law(const LawOptions& options) {
     return;
   }
   print_law(member);
-  if (options.samples > 0 && options.csv.empty()) {
+  if (options.samples > 0 && !options.csv) {
     fmt::print("samples\n{}", motion_csv(law, samples));
   }
   for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
@@ -154,7 +136,7 @@ void add_law_command(CLI::App& app) {
                    "set a parameter: k=v, with a unit if it has one")
       ->allow_extra_args(false);
   command->add_option("--samples", options->samples, "tabulate this many even points")
-      ->check(CLI::Range(2, 10000000));
+      ->check(CLI::Range(2, 1000000));
   command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here");
   command->add_option("--svg", options->svg, "draw s, v, a, j here");
   command->add_flag("--json", options->json, "print JSON");

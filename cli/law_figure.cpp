@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/law_figure.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "cli/text_table.h"
+#include "kinematics/peaks.h"
 
 namespace camlaw::cli {
 namespace {
@@ -35,6 +37,41 @@ Line motion_line(const NamedLaw& named, std::size_t order) {
   return line;
 }
 
+/// Limits the scale of a curve that runs off to infinity, so that the rest of it can be seen: drawn
+/// up to twice the value that nine points in ten stay below.
+void limit_scale(Panel& panel) {
+  std::vector<double> sizes;
+  for (const Line& line : panel.lines) {
+    for (const double y : line.y) {
+      if (std::isfinite(y)) sizes.push_back(std::abs(y));
+    }
+  }
+  if (sizes.empty()) return;
+  const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+  std::nth_element(sizes.begin(), tenth, sizes.end());
+  const double bound = 2 * *tenth;
+  panel.y.lower = -bound;
+  panel.y.upper = bound;
+}
+
+/// What a panel must say of peaks that a curve cannot show.
+void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>& laws) {
+  if (order < 2) return;
+  const auto q = order == 2 ? Quantity::Acceleration : Quantity::Jerk;
+  bool jumps = false, singular = false;
+  for (const NamedLaw& named : laws) {
+    const auto peak = peaks(named.law);
+    const double inside = q == Quantity::Jerk ? std::max(peak.jerk_inside_highest.value,
+                                                         -peak.jerk_inside_lowest.value)
+                                              : peak.C();
+    singular = singular || std::isinf(inside);
+    jumps = jumps || (std::isinf(peak.absolute(q).value) && !std::isinf(inside));
+  }
+  if (singular) limit_scale(panel);
+  if (singular) panel.title = "a curve that leaves the frame has no bound there";
+  if (jumps && !singular) panel.title = "not drawn: the pulses of jerk where an acceleration jumps";
+}
+
 }  // namespace
 
 Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws) {
@@ -51,6 +88,7 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
     panel.x = {.label = "x = t / T", .unit = "", .lower = 0.0, .upper = 1.0};
     panel.y = {.label = kRows[order].title, .unit = kRows[order].unit};
     for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order));
+    mark_unbounded(panel, order, laws);
     figure.panels.push_back(std::move(panel));
   }
   return figure;

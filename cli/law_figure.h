@@ -9,7 +9,8 @@
 
 namespace camlaw::cli {
 
-/// s, v, a, j of some laws, one above the other over x.
+/// s, v, a, j of some laws, one above the other over x. A law without a name stays out of the
+/// legend.
 struct NamedLaw {
   std::string name;
   Law<double> law;

@@ -66,10 +66,14 @@ std::string ranges(const Family& family) {
   return fmt::format("{}", fmt::join(lines, "<br>"));
 }
 
-std::string escaped(std::string text) {
-  for (std::size_t i = 0; (i = text.find('|', i)) != std::string::npos; i += 2)
-    text.insert(i, "\\");
-  return text;
+/// Text for a cell of a Markdown table.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c;
+  }
+  return result;
 }
 
 /// The page docs/laws.md.

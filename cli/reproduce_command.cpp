@@ -25,7 +25,7 @@ void print_text(const SystemReproduction& result) {
                    {"printed"},
                    {"unit", TextTable::Align::Left},
                    {"as stated"},
-                   {"explained"},
+                   {"with all departures"},
                    {"verdict", TextTable::Align::Left},
                    {"needs", TextTable::Align::Left}});
   for (const auto& value : result.values) {

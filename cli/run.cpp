@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "cli/commands.h"
@@ -14,7 +15,8 @@ constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 
 /// One line on standard error.
 int complain(std::string message, int status) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
   fmt::print(stderr, "camlaw: {}\n", message);
   return status;
 }
@@ -42,6 +44,12 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
   return complain(fmt::format("{}; 'camlaw --help' shows the usage", error.what()), kBadInput);
 }
 
+/// What was printed must have arrived: a full disk behind standard output is a failure too.
+int finish(int status) {
+  const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return arrived ? status : complain("cannot write to standard output", kFailed);
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv) {
@@ -54,9 +62,9 @@ int run(int argc, const char* const* argv) {
   add_reproduce_command(app);
   try {
     app.parse(argc, argv);
-    return kDone;
+    return finish(kDone);
   } catch (const CLI::Success& request) {  // --help, --version
-    return app.exit(request);
+    return finish(app.exit(request));
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error, argc, argv);
   } catch (const std::invalid_argument& error) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/files.h"
@@ -12,7 +13,7 @@ namespace {
 
 struct StudyOptions {
   std::string system;
-  std::string out;
+  std::optional<std::string> out;
   std::vector<std::string> settings;
   bool json = false;
 };
@@ -25,9 +26,10 @@ void run_study(const StudyOptions& options) {
   SpineCutter<double> cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
-  const std::filesystem::path out = options.out;
   std::vector<OutputFile> files;
-  if (!options.out.empty()) {
+  if (options.out) {
+    if (options.out->empty()) throw std::invalid_argument("--out: a folder's name is wanted");
+    const std::filesystem::path out = *options.out;
     files = {{out / "study.csv", study_csv(study)},
              {out / "study.json", study_json(study)},
              {out / "trade_off.svg", to_svg(trade_off_figure(study))},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cli/law_figure.h"
 #include "cli/law_json.h"
@@ -121,10 +122,12 @@ std::string study_json(const SpineCutterStudy& study) {
 }
 
 Figure trade_off_figure(const SpineCutterStudy& study) {
-  const double largest = study.cutter.minimum_cam_radius(2.35) * 1e3;
+  // The frame holds B from 1.1 to 2.35 and C from 3.7 (below the least possible) to 9.5, where
+  // nearly all laws lie; the few outliers would squeeze the rest into a corner.
   const double smallest = study.cutter.minimum_cam_radius(1.1) * 1e3;
-  const double ceiling = study.cutter.peak_inertia_force(9.5);
+  const double largest = study.cutter.minimum_cam_radius(2.35) * 1e3;
   const double floor = study.cutter.peak_inertia_force(3.7);
+  const double ceiling = study.cutter.peak_inertia_force(9.5);
   Panel panel;
   panel.x = {.label = "cam radius R", .unit = "mm", .lower = smallest, .upper = largest};
   panel.y = {.label = "peak inertia force F", .unit = "N", .lower = floor, .upper = ceiling};
@@ -141,13 +144,15 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
                     .colour = "#0072b2",
                     .shape = MarkerShape::Square,
                     .size = 5};
-  Markers smooth{.name = "non-dominated, continuous acceleration",
+  Markers smooth{.name = "non-dominated among laws of continuous acceleration",
                  .points = {},
                  .colour = "#d55e00",
                  .shape = MarkerShape::Circle,
                  .size = 4.5};
-  Markers on_front{
-      .name = "non-dominated", .points = {}, .colour = "#000000", .shape = MarkerShape::Diamond};
+  Markers on_front{.name = "non-dominated among all",
+                   .points = {},
+                   .colour = "#000000",
+                   .shape = MarkerShape::Diamond};
   Markers others{.name = "other laws",
                  .points = {},
                  .colour = "#7f7f7f",
@@ -189,6 +194,7 @@ Figure study_motion_figure(const SpineCutterStudy& study) {
   };
   add(study.rows[study.compromise].law);
   add(study.rows[study.least_force].law);
+  add(study.rows[study.smallest_cam].law);
   for (const std::string& published : problems::published_laws()) add(published);
   return motion_figure("Recommended laws and the six of the paper", laws);
 }

@@ -72,23 +72,10 @@ const Family* find_exact(std::string_view name) {
   return nullptr;
 }
 
-std::vector<double> read_values(const Family& family, const Parameter& parameter,
-                                std::string_view text) {
-  std::vector<double> values;
-  if (parameter.list && text.empty()) return values;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    const std::string_view item = text.substr(0, comma);
-    double value = 0;
-    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-    if (error != std::errc{} || end != item.data() + item.size()) {
-      throw std::invalid_argument(fmt::format("law '{}': parameter {}: '{}' is not a number",
-                                              family.name, parameter.name, item));
-    }
-    values.push_back(value);
-    if (comma == std::string_view::npos) return values;
-    text.remove_prefix(comma + 1);
-  }
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
 }
 
 }  // namespace
@@ -176,8 +163,12 @@ std::string Member::name() const {
 }
 
 std::string Member::label() const {
-  return member_name(
-      *this, [](const auto& values) { return fmt::format("{:.6g}", fmt::join(values, ",")); });
+  constexpr std::size_t kShown = 6;
+  return member_name(*this, [](const std::vector<double>& values) {
+    if (values.size() <= kShown) return fmt::format("{:.6g}", fmt::join(values, ","));
+    return fmt::format("{:.6g},... ({} values)", fmt::join(values.begin(), values.begin() + 3, ","),
+                       values.size());
+  });
 }
 
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
@@ -207,34 +198,58 @@ const Family& find_family(std::string_view name) {
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
 }
 
-Member find_law(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+double read_plain_number(std::string_view text, const Parameter&, const std::string& what) {
+  double value = 0;
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a number", what, text));
+  }
+  return value;
+}
+
+void set_argument(Member& member, std::string_view assignment, ValueReader reader) {
+  const Family& family = *member.family;
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    throw std::invalid_argument(
+        fmt::format("law '{}': '{}' sets nothing; write name=value", family.name, assignment));
+  }
+  const std::size_t index = family.parameter(trimmed(assignment.substr(0, equals)));
+  const Parameter& parameter = family.parameters[index];
+  const std::string what = fmt::format("law '{}': parameter {}", family.name, parameter.name);
+  std::string_view rest = trimmed(assignment.substr(equals + 1));
+  std::vector<double> values;
+  while (!(parameter.list && rest.empty())) {
+    const std::size_t comma = rest.find(',');
+    values.push_back(reader(trimmed(rest.substr(0, comma)), parameter, what));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  member.arguments.values()[index] = std::move(values);
+}
+
+Member find_law(std::string_view text, ValueReader reader) {
+  text = trimmed(text);
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
   if (const Family* family = find_exact(text)) return {family, family->standard()};
-  std::size_t equals = text.find('=');
-  const std::size_t name_end =
-      equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
-  if (name_end == std::string_view::npos) {
+  // An assignment starts at the last space before its equals sign.
+  const auto assignment_start = [&](std::size_t from) {
+    const std::size_t equals = text.find('=', from);
+    return equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
+  };
+  std::size_t start = assignment_start(0);
+  if (start == std::string_view::npos) {
     throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
   }
-  std::string_view name = text.substr(0, name_end);
-  while (!name.empty() && name.back() == ' ') name.remove_suffix(1);
-  const Family& family = find_family(name);
+  const Family& family = find_family(trimmed(text.substr(0, start)));
   Member member{&family, family.standard()};
-  std::string_view rest = text.substr(name_end);
-  while (true) {
-    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-    if (rest.empty()) return member;
-    const std::string_view word = rest.substr(0, rest.find(' '));
-    rest.remove_prefix(word.size());
-    equals = word.find('=');
-    if (equals == std::string_view::npos) {
-      throw std::invalid_argument(fmt::format("law '{}': '{}' is not k=v", family.name, word));
-    }
-    const std::size_t index = family.parameter(word.substr(0, equals));
-    member.arguments.values()[index] =
-        read_values(family, family.parameters[index], word.substr(equals + 1));
+  while (start < text.size()) {
+    const std::size_t next = assignment_start(text.find('=', start) + 1);
+    set_argument(member, trimmed(text.substr(start, next - start)), reader);
+    start = next;
   }
+  return member;
 }
 
 }  // namespace camlaw

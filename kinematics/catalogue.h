@@ -125,7 +125,7 @@ struct Member {
   /// Family name and arguments, as find_law reads them; a crossover left where it is goes without
   /// saying, and so does a list left empty.
   std::string name() const;
-  /// The same for people: six digits.
+  /// The same for people: six digits, long lists cut short.
   std::string label() const;
   template <class S = double>
   Law<S> law() const {
@@ -133,10 +133,20 @@ struct Member {
   }
 };
 
+/// Reads one value of a parameter, in the parameter's unit; `what` names it in errors.
+using ValueReader = double (*)(std::string_view text, const Parameter& parameter,
+                               const std::string& what);
+/// The reader for plain numbers. Throws std::invalid_argument for anything else.
+double read_plain_number(std::string_view text, const Parameter& parameter,
+                         const std::string& what);
+
 /// Finds a family by name or alias; throws std::invalid_argument with the nearest known names.
 const Family& find_family(std::string_view name);
-/// Reads "name k=v k=v". Values are plain numbers in the parameter's own unit.
-Member find_law(std::string_view text);
+/// Sets a parameter from "name=value", or "name=v1,v2,..." for a list; spaces do not matter.
+void set_argument(Member& member, std::string_view assignment,
+                  ValueReader reader = read_plain_number);
+/// Reads "name k=v k=v".
+Member find_law(std::string_view text, ValueReader reader = read_plain_number);
 
 /// Names of `known` that are near to what was typed, nearest first, at most three.
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known);

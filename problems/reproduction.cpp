@@ -59,10 +59,14 @@ std::string departure_name(const optim::Hypothesis& hypothesis, int rank) {
   return fmt::format("{}: {} ({})", hypothesis.name, value, stated);
 }
 
+/// With how many alternatives each was picked from: one among a thousand is a fit, not a proof.
 std::vector<std::string> departure_names(const optim::Table& table, const optim::Choice& choice) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < choice.size(); ++i) {
-    if (choice[i] != 0) result.push_back(departure_name(table.hypotheses[i], choice[i]));
+    if (choice[i] == 0) continue;
+    result.push_back(fmt::format("{}, one of {} tried",
+                                 departure_name(table.hypotheses[i], choice[i]),
+                                 table.hypotheses[i].alternatives.size()));
   }
   return result;
 }

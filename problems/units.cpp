@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <memory>
-#include <regex>
 #include <stdexcept>
 
 namespace camlaw::problems {
@@ -68,12 +69,30 @@ std::string kind_of(const Unit& unit) {
   return "a quantity of another kind";
 }
 
-/// Whether text is written as a unit: names with whole powers, joined by spaces, points, stars or
-/// strokes. What udunits reads beyond that (numbers, offsets) is a slip of the pen here.
-bool is_unit_text(const std::string& text) {
-  static const std::regex form(
-      R"((1/)?[^\x00-@\[-`{-~]+(\^?-?[0-9])?([ .*/][^\x00-@\[-`{-~]+(\^?-?[0-9])?)*|%|1)");
-  return std::regex_match(text, form);
+/// Whether text is written as a unit: names with one-digit powers, joined by spaces, points, stars
+/// or strokes; "1/" may lead. What udunits reads beyond that (numbers, offsets, brackets) is a slip
+/// of the pen here.
+bool is_unit_text(std::string_view text) {
+  if (text == "1" || text == "%") return true;
+  if (text.starts_with("1/")) text.remove_prefix(2);
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; };
+  const auto skip = [&](auto accepted, std::size_t most) {
+    std::size_t n = 0;
+    while (n < std::min(most, text.size()) && accepted(static_cast<unsigned char>(text[n]))) ++n;
+    text.remove_prefix(n);
+    return n;
+  };
+  while (true) {
+    if (skip(is_letter, text.size()) == 0) return false;
+    skip([](unsigned char c) { return c == '^'; }, 1);
+    skip([](unsigned char c) { return c == '-'; }, 1);
+    skip([](unsigned char c) { return std::isdigit(c) != 0; }, 1);
+    if (text.empty()) return true;
+    if (skip([](unsigned char c) { return c == ' ' || c == '.' || c == '*' || c == '/'; }, 1) ==
+        0) {
+      return false;
+    }
+  }
 }
 
 std::string_view trimmed(std::string_view text) {

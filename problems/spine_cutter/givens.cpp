@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -18,12 +17,13 @@ struct Field {
   const char *name, *symbol, *unit, *stored, *meaning;
   double SpineCutter<double>::*member;
   double low, high;
+  bool whole = false;
 };
 
 constexpr std::array kFields{
     Field{"cutter_diameter", "D_f", "mm", "m", "outer diameter of the cutter",
           &SpineCutter<double>::cutter_diameter, 1e-3, 1e4},
-    Field{"blades", "z", "1", "1", "number of blades", &SpineCutter<double>::blades, 1, 1e4},
+    Field{"blades", "z", "1", "1", "number of blades", &SpineCutter<double>::blades, 1, 1e4, true},
     Field{"stroke", "S_f", "mm", "m", "axial stroke, one way", &SpineCutter<double>::stroke, 1e-3,
           1e4},
     Field{"block_speed", "V", "m/s", "m/s", "speed of the book block",
@@ -63,7 +63,7 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
         fmt::format("'{}' sets nothing; write name=value, such as h=0.8 mm", assignment));
   }
   std::string name = assignment.substr(0, equals);
-  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+  std::erase(name, ' ');
   const Field& field = find_field(name);
   const double value =
       parse_quantity(assignment.substr(equals + 1), field.unit, field.unit, field.name);
@@ -71,6 +71,9 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
     throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}",
                                             field.name, value, field.unit, field.low, field.high,
                                             field.unit));
+  }
+  if (field.whole && value != std::floor(value)) {
+    throw std::invalid_argument(fmt::format("{}: {:.6g} must be whole", field.name, value));
   }
   cutter.*field.member = convert_unit(value, field.unit, field.stored);
 }

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
+#include <span>
+#include <stdexcept>
 
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
