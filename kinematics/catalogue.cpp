@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "kinematics/laws/families.h"
 
@@ -229,8 +230,15 @@ void set_argument(Member& member, std::string_view assignment, ValueReader reade
   member.arguments.values()[index] = std::move(values);
 }
 
-Member find_law(std::string_view text, ValueReader reader) {
-  text = trimmed(text);
+Member find_law(std::string_view given, ValueReader reader) {
+  // Spaces beside an equals sign or after a comma do not part words.
+  std::string joined;
+  for (const char c : trimmed(given)) {
+    while (c == '=' && !joined.empty() && joined.back() == ' ') joined.pop_back();
+    const bool beside = !joined.empty() && (joined.back() == '=' || joined.back() == ',');
+    if (c != ' ' || !beside) joined += c;
+  }
+  const std::string_view text = joined;
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
   if (const Family* family = find_exact(text)) return {family, family->standard()};
   // An assignment starts at the last space before its equals sign.
@@ -244,8 +252,14 @@ Member find_law(std::string_view text, ValueReader reader) {
   }
   const Family& family = find_family(trimmed(text.substr(0, start)));
   Member member{&family, family.standard()};
+  std::set<std::string> seen;
   while (start < text.size()) {
     const std::size_t next = assignment_start(text.find('=', start) + 1);
+    const std::string_view name = trimmed(text.substr(start, text.find('=', start) - start));
+    if (!seen.insert(folded(name)).second) {
+      throw std::invalid_argument(
+          fmt::format("law '{}': parameter {} is given twice", family.name, name));
+    }
     set_argument(member, trimmed(text.substr(start, next - start)), reader);
     start = next;
   }

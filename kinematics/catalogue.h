@@ -68,6 +68,10 @@ class Maker {
 
   template <class S>
   Law<S> make(const Arguments<S>& arguments) const {
+    static_assert(std::is_same_v<S, double> || std::is_same_v<S, Dual> ||
+                      std::is_same_v<S, Dual2> || std::is_same_v<S, Interval>,
+                  "the catalogue makes laws of double, Dual, Dual2 and Interval; other scalars go "
+                  "through the templates in kinematics/laws");
     if constexpr (std::is_same_v<S, double>) return plain_(arguments);
     if constexpr (std::is_same_v<S, Dual>) return dual_(arguments);
     if constexpr (std::is_same_v<S, Dual2>) return dual2_(arguments);

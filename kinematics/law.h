@@ -96,7 +96,8 @@ struct MotionSpans {
 };
 
 /// s, v, a, j at every point of x (from the right at breaks; NaN outside [0, 1]): the fast way
-/// through many points. Throws std::invalid_argument if a span's length differs from x's.
+/// through many points. No span may overlap x. Throws std::invalid_argument if a span's length
+/// differs from x's.
 void evaluate(const Law<double>& law, std::span<const double> x, MotionSpans out);
 
 // ---------------------------------------------------------------------------------------------
@@ -104,11 +105,23 @@ void evaluate(const Law<double>& law, std::span<const double> x, MotionSpans out
 namespace detail {
 [[noreturn]] void throw_bad_pieces(const std::string& why);
 void check_break(double end, double next);
+
+template <class T>
+void check_finite(const Piece<T>& piece) {
+  bool finite = true;
+  const auto look = [&](const T& x) { finite = finite && std::isfinite(value_of(x)); };
+  look(piece.origin);
+  for (const T& c : piece.polynomial) look(c);
+  for (const auto& h : piece.harmonics) look(h.sine), look(h.cosine), look(h.frequency);
+  for (const auto& c : piece.curves) look(c.amplitude), look(c.rate), look(c.shift);
+  if (!finite) throw_bad_pieces("a coefficient is not finite");
+}
 }  // namespace detail
 
 template <class T>
 Law<T>::Law(std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)), ends_(ends) {
   if (pieces_.empty()) detail::throw_bad_pieces("it has no pieces");
+  for (const Piece<T>& piece : pieces_) detail::check_finite(piece);
   detail::check_break(0, value_of(pieces_.front().begin));
   detail::check_break(value_of(pieces_.back().end), 1);
   // Breaks that rounding has set apart are joined: no x lies between two pieces.

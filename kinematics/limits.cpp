@@ -6,11 +6,13 @@
 namespace camlaw {
 
 double least_acceleration(double B) {
+  if (std::isnan(B)) return B;
   if (!(B > 1)) return std::numeric_limits<double>::infinity();
   return B < 2 ? B * B / (B - 1) : 4;
 }
 
 double least_time(double B, double C, double D) {
+  if (std::isnan(B + C + D)) return std::numeric_limits<double>::quiet_NaN();
   if (std::isinf(C) && std::isinf(D)) return 1 / B;
   // Time to bring velocity from 0 to v, with acceleration and jerk bounded; in it the stroke v t /
   // 2 is covered.

@@ -8,7 +8,10 @@ namespace {
 constexpr double kSmallestBox = 1e-12;
 
 /// Rounding in a high degree's Bernstein form is divided away down to boxes of this width.
-constexpr double kNoisyBox = 0.02;
+constexpr double kNoisyBox = 0.002;
+
+/// No law of use needs so many boxes; past it what is open keeps its range as the answer.
+constexpr std::size_t kMostBoxes = 100000;
 
 Questions all_questions() {
   Questions result;
@@ -144,7 +147,7 @@ class PeakSearch {
     for (Question& question : questions_) {
       const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
       question.known = std::max(question.known, lower(value));
-      propose(question.sample, {value_of(value), x, piece_, Where::Inside}, 0);
+      propose(question.sample, {value_of(value), x, piece_, Where::Sample}, 0);
     }
   }
 
@@ -159,8 +162,21 @@ class PeakSearch {
       }
     }
     if (open == 0) return;
+    if (++boxes_ > kMostBoxes || box.high - box.low <= kSmallestBox) return give_up(box, open);
     divide(low, box.middle, open);
     divide(box.middle, high, open);
+  }
+
+  /// Takes the ranges over a box as the upper bounds.
+  void give_up(const Box& box, unsigned open) {
+    models_.expand(law_.pieces()[piece_], box);
+    for (std::size_t i = 0; i < questions_.size(); ++i) {
+      if ((open >> i & 1u) == 0) continue;
+      const Interval range = models_.range(questions_[i].quantity);
+      const double bound = questions_[i].sign > 0 ? range.upper() : -range.lower();
+      questions_[i].ceiling =
+          std::isnan(bound) ? kUnbounded : std::max(questions_[i].ceiling, bound);
+    }
   }
 
   /// Which of a quantity's two questions (bits of `open`) the box answers.
@@ -194,7 +210,7 @@ class PeakSearch {
     // The middle is reached; its Taylor coefficient is the value itself.
     const T middle = T(question.sign) * model.c[0];
     question.known = std::max(question.known, lower(middle));
-    propose(question.sample, {value_of(middle), box.middle, piece_, Where::Inside}, 0);
+    propose(question.sample, {value_of(middle), box.middle, piece_, Where::Sample}, 0);
     reach_ends(i, box);
     T highest = T(question.sign) * bernstein_.front();
     double bound = upper(highest), noise = upper(highest) - lower(highest);
@@ -243,7 +259,7 @@ class PeakSearch {
       const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
       const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
       question.known = std::max(question.known, lower(value));
-      propose(question.sample, {value_of(value), x, piece_, Where::Inside}, 0);
+      propose(question.sample, {value_of(value), x, piece_, Where::Sample}, 0);
     }
   }
 
@@ -257,7 +273,7 @@ class PeakSearch {
     const auto d = derivatives<6>(law_.pieces()[piece_], T(x));
     const T value = T(question.sign) * quantity_from(question.quantity, d)[0];
     if (is_inside(x)) question.known = std::max(question.known, lower(value));
-    propose(question.peak, {value_of(value), x, piece_, Where::Inside}, 1e-15 * scale(i));
+    propose(question.peak, {value_of(value), x, piece_, Where::Stationary}, 1e-15 * scale(i));
     question.ceiling = std::max(question.ceiling, peak_bound(model, question.sign, u));
   }
 
@@ -291,6 +307,7 @@ class PeakSearch {
   double tolerance_;
   std::size_t piece_ = 0;
   double highest_frequency_ = 0;
+  std::size_t boxes_ = 0;
   BoxModels<T> models_;
   std::vector<T> bernstein_;
   std::vector<double> plain_coefficients_;

@@ -15,7 +15,7 @@ struct Question {
   double known = -kUnbounded;    ///< a value that is reached: lower bound of the maximum
   double ceiling = -kUnbounded;  ///< upper bound of the maximum over all closed boxes
   Extremum peak{-kUnbounded, 0, 0, Where::Begin};     ///< best piece end or stationary point
-  Extremum sample{-kUnbounded, 0, 0, Where::Inside};  ///< best middle of a box
+  Extremum sample{-kUnbounded, 0, 0, Where::Sample};  ///< best middle of a box
 };
 
 /// Highest and lowest of each quantity: entry 2 i and 2 i + 1.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/peaks.h"
 
+#include "kinematics/breaks.h"
 #include "kinematics/peak_search.h"
 
 namespace camlaw {
@@ -8,10 +9,10 @@ namespace detail {
 namespace {
 
 /// The stationary point or piece end where there is one as high as any sample, else the sample.
-Extremum settled(const Question& question) {
-  const double slack = 4e-15 * std::abs(question.sample.value);
-  Extremum e =
-      question.peak.value >= question.sample.value - slack ? question.peak : question.sample;
+/// `size` is the quantity's largest.
+Extremum settled(const Question& question, double size) {
+  const bool sampled = question.sample.value > question.peak.value + 1e-13 * size;
+  Extremum e = sampled ? question.sample : question.peak;
   e.value = question.sign * e.value + 0.0;  // no negative zero
   return e;
 }
@@ -23,8 +24,10 @@ Extrema<Extremum> extrema(const Law<double>& law) {
   const Questions answers = search_peaks(law, law, 1e-13, kPlaces);
   Extrema<Extremum> result;
   for (std::size_t i = 0; i < kQuantities; ++i) {
-    result.highest[i] = settled(answers[2 * i]);
-    result.lowest[i] = settled(answers[2 * i + 1]);
+    const auto finite = [](double x) { return std::isfinite(x) ? std::abs(x) : 0.0; };
+    const double size = std::max(finite(answers[2 * i].known), finite(answers[2 * i + 1].known));
+    result.highest[i] = settled(answers[2 * i], size);
+    result.lowest[i] = settled(answers[2 * i + 1], size);
   }
   return result;
 }
@@ -95,50 +98,12 @@ Peaks<Interval> peaks(const Law<Interval>& law) {
   return result;
 }
 
-namespace {
-
-/// Jumps smaller than this part of the law's own size are rounding.
-constexpr double kJumpTolerance = 1e-10;
-
-/// Derivatives beyond an end that its kind fixes: all zero but the velocity of G.
-std::array<double, 3> beyond(End kind, const std::array<double, 3>& d) {
-  switch (kind) {
-    case End::Rest:
-      return {d[0], 0, 0};
-    case End::Velocity:
-      return {d[0], d[1], 0};
-    case End::Reversal:
-      return {d[0], 0, d[2]};
-    case End::Motion:
-      return d;
-  }
-  return d;
-}
-
-}  // namespace
-
 Jumps jumps(const Law<double>& law) {
-  const auto& pieces = law.pieces();
   Jumps result;
-  const auto inspect = [&](double x, const std::array<double, 3>& left,
-                           const std::array<double, 3>& right) {
-    // A velocity of a unit stretch is about 1, an acceleration at least 4.
-    const double kick = std::abs(left[1] - right[1]);
-    if (!result.velocity && !(kick <= kJumpTolerance)) result.velocity = x;
-    const double step = std::abs(left[2] - right[2]);
-    const double size = std::max({4.0, std::abs(left[2]), std::abs(right[2])});
-    if (!result.acceleration && !(step <= kJumpTolerance * size && std::isfinite(step))) {
-      result.acceleration = x;
-    }
-  };
-  const auto at_begin = derivatives<3>(pieces.front(), 0.0);
-  inspect(0, beyond(law.ends().begin, at_begin), at_begin);
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    inspect(pieces[i].end, derivatives<3>(pieces[i], pieces[i].end),
-            derivatives<3>(pieces[i + 1], pieces[i + 1].begin));
+  for (const detail::Break& at : detail::breaks(law)) {
+    if (!result.velocity && detail::differs(at.left, at.right, 1)) result.velocity = at.x;
+    if (!result.acceleration && detail::differs(at.left, at.right, 2)) result.acceleration = at.x;
   }
-  const auto at_end = derivatives<3>(pieces.back(), 1.0);
-  inspect(1, at_end, beyond(law.ends().end, at_end));
   return result;
 }
 

@@ -26,7 +26,8 @@ struct Peak {
 ///
 /// A jump of s' makes the peaks of s'', s''' and s' s'' infinite in both directions, a jump of s''
 /// those of s''': a pulse is bounded neither way. A jump counts inside the stretch, and at an end
-/// that is declared a rest or a constant velocity; not where the motion goes on (U, B).
+/// that is declared a rest or a constant velocity (of s' at a reversal too); not where the motion
+/// goes on (B).
 template <class T>
 struct Peaks {
   std::array<Peak<T>, kQuantities> highest;  ///< by Quantity, jumps counted
@@ -67,7 +68,9 @@ Jumps jumps(const Law<double>& law);
 
 namespace detail {
 
-enum class Where { Begin, Inside, End };
+/// A piece's begin or end, a stationary point inside, or a point that was the highest seen where
+/// the curve is flat beyond what doubles tell.
+enum class Where { Begin, Stationary, End, Sample };
 
 /// An extremum of the smooth pieces, as plain numbers.
 struct Extremum {
@@ -114,8 +117,9 @@ std::optional<R> closed_moment(const Piece<T>& piece, const X& x) {
   return -(scale * scale * rate * y);
 }
 
-/// The extremum followed in the scalar T: its position by Newton's method on the derivative, two
-/// steps, which makes first and second derivatives right.
+/// The extremum followed in the scalar T. Its plain place stays; the dual part follows from
+/// Newton's method on the derivative, two steps, which makes first and second derivatives right. At
+/// a flat peak the place is not followed: the value's first derivative does not need it.
 template <class T>
 Peak<T> follow(const Law<T>& law, Quantity q, const Extremum& e) {
   const Piece<T>& piece = law.pieces()[e.piece];
@@ -126,9 +130,11 @@ Peak<T> follow(const Law<T>& law, Quantity q, const Extremum& e) {
     if (const auto moment = closed_moment(piece, x)) return {*moment, x};
   }
   auto f = quantity_from(q, camlaw::derivatives<6>(piece, x));
-  for (int step = 0; step < 2 && e.where == Where::Inside; ++step) {
-    if (value_of(f[2]) == 0) break;  // a plateau: the position is free, the value does not move
-    x = x - f[1] / f[2];
+  constexpr double kFlat = 1e-8;
+  const double size = std::max(1.0, std::abs(value_of(f[0])));
+  const bool moves = e.where == Where::Stationary && std::abs(value_of(f[2])) > kFlat * size;
+  for (int step = 0; step < 2 && moves; ++step) {
+    x = x - (f[1] - number<T>(value_of(f[1]))) / f[2];
     f = quantity_from(q, camlaw::derivatives<6>(piece, x));
   }
   return {f[0], x};
@@ -158,6 +164,11 @@ template <class T>
 Peak<T> Peaks<T>::absolute(Quantity q) const {
   const Peak<T>& up = high(q);
   const Peak<T>& down = low(q);
+  if constexpr (std::is_same_v<T, Interval>) {
+    const Interval value(std::max({0.0, up.value.lower(), -down.value.upper()}),
+                         std::max({0.0, up.value.upper(), -down.value.lower()}));
+    return {value, value_of(up.value) >= -value_of(down.value) ? up.position : down.position};
+  }
   if (value_of(up.value) >= -value_of(down.value)) return up;
   return {-down.value, down.position};
 }

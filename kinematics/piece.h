@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "kinematics/curve.h"
@@ -101,7 +102,8 @@ void add_curve(const CurveTerm<T>& term, const R& t, std::array<R, N>& d) {
       std::visit([&](const auto& shape) { return shape.template as<R>()(y); }, term.curve);
   R factor = convert<R>(term.amplitude);
   for (std::size_t k = 0; k < N; ++k) {
-    d[k] = d[k] + factor * values[k];
+    // Where powers grow without bound together the lowest, which comes first, has the last word.
+    if (!std::is_same_v<R, double> || !std::isinf(value_of(d[k]))) d[k] = d[k] + factor * values[k];
     factor = factor * rate;
   }
 }
@@ -119,6 +121,8 @@ std::array<R, N> derivatives(const Piece<T>& piece, const X& x) {
   for (const auto& harmonic : piece.harmonics) detail::add_harmonic(harmonic, t, d);
   if constexpr (N <= kCurveOrders) {
     for (const auto& term : piece.curves) detail::add_curve(term, t, d);
+  } else if (!piece.curves.empty()) {
+    d.fill(number<R>(std::numeric_limits<double>::quiet_NaN()));  // curves do not give so many
   }
   return d;
 }

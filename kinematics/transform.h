@@ -53,12 +53,32 @@ struct Crossover {
   T position, risen;
 };
 
-/// 1/2 and 1/2 for a symmetric law, else where the velocity peaks.
+namespace detail {
+
+/// Whether the piece moves at constant velocity.
+template <class T>
+bool is_straight(const Piece<T>& piece) {
+  for (std::size_t k = 2; k < piece.polynomial.size(); ++k) {
+    if (value_of(piece.polynomial[k]) != 0) return false;
+  }
+  return piece.harmonics.empty() && piece.curves.empty() && piece.polynomial.size() > 1;
+}
+
+}  // namespace detail
+
+/// 1/2 and 1/2 for a symmetric law; else where the velocity peaks, the middle of it where the law
+/// keeps its peak velocity for a while.
 template <class T>
 Crossover<T> crossover(const Law<T>& law) {
   const T half = ratio<T>(1, 2);
   if (is_symmetric(law.template as<double>())) return {half, half};
-  const T position = peaks(law).high(Quantity::Velocity).position;
+  const auto peak = peaks(law).high(Quantity::Velocity);
+  T position = peak.position;
+  for (const Piece<T>& piece : law.pieces()) {
+    if (!detail::is_straight(piece)) continue;
+    const double shortfall = value_of(peak.value) - value_of(piece.polynomial[1]);
+    if (shortfall <= 1e-9 * value_of(peak.value)) position = (piece.begin + piece.end) * half;
+  }
   return {position, law.template derivatives<1>(position)[0]};
 }
 

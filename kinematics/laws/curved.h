@@ -26,7 +26,7 @@ Law<T> half_ellipse_acceleration() {
 }
 
 /// The elliptic law: s = [1 - cos(pi x) / sqrt(1 - k sin^2(pi x))] / 2, k = (n^2 - 1) / n^2;
-/// B = n pi / 2. n = 1 is the cosine law.
+/// B = n pi / 2 from n = sqrt(2/3) on. n = 1 is the cosine law.
 template <class T>
 Law<T> elliptic(const T& n) {
   return curve_law<T>(Ellipse<T>{n});

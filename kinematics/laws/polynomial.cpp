@@ -1,9 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/laws/polynomial.h"
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <map>
+#include <mutex>
+
 #include "kinematics/laws/families.h"
 
 namespace camlaw {
+
+namespace detail {
+
+const std::vector<double>& legendre_taylor(int n, double middle) {
+  using Real = boost::multiprecision::cpp_bin_float_100;
+  static std::map<std::pair<int, double>, std::vector<double>> kept;
+  static std::mutex guard;
+  const std::lock_guard lock(guard);
+  const auto found = kept.find({n, middle});
+  if (found != kept.end()) return found->second;
+  const Real u = 1 - 2 * Real(middle);
+  std::vector<Real> previous{1}, current{u, 1};
+  if (n == 0) current = previous;
+  for (int k = 1; k < n; ++k) {
+    std::vector<Real> next(current.size() + 1, Real(0));
+    for (std::size_t i = 0; i < current.size(); ++i) {
+      next[i] += (2 * k + 1) * u * current[i] / (k + 1);
+      next[i + 1] += (2 * k + 1) * current[i] / (k + 1);
+    }
+    for (std::size_t i = 0; i < previous.size(); ++i) next[i] -= k * previous[i] / (k + 1);
+    previous = std::move(current);
+    current = std::move(next);
+  }
+  std::vector<double> nearest;
+  for (const Real& c : current) nearest.push_back(static_cast<double>(c));
+  return kept[{n, middle}] = std::move(nearest);
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::rest_to_rest;

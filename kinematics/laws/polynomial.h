@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "kinematics/build.h"
 #include "kinematics/polynomial.h"
 #include "kinematics/shape.h"
@@ -115,7 +117,15 @@ Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& en
   shift_polynomial(q, number<T>(-1));
   for (std::size_t k = 0; k < n; ++k) low[m + k] = q[k];
   const Law<T> law = polynomial_law<T>(low);
-  return law.with_ends(natural_ends(law.template as<double>()));
+  const Ends found = natural_ends(law.template as<double>());
+  // What was given at an end is exact; what was not is read off the polynomial.
+  const auto kind = [](const std::vector<T>& given, End otherwise) {
+    if (given.size() < 3) return otherwise;
+    const bool still = value_of(given[1]) == 0, steady = value_of(given[2]) == 0;
+    if (still) return steady ? End::Rest : End::Reversal;
+    return steady ? End::Velocity : End::Motion;
+  };
+  return law.with_ends({kind(begin, found.begin), kind(end, found.end)});
 }
 
 /// Stoddart's rule: s = sum C_p x^p over the exponents, C_p the product of q / (q - p) over the
@@ -123,7 +133,8 @@ Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& en
 /// Exponents need not be whole. Throws std::invalid_argument unless there are two or more, all
 /// different and at least 2.
 template <class T>
-Law<T> stoddart(const std::vector<double>& exponents) {
+Law<T> stoddart(std::vector<double> exponents) {
+  std::sort(exponents.begin(), exponents.end());
   if (exponents.size() < 2) throw std::invalid_argument("exponents: at least two are needed");
   Piece<T> piece{number<T>(0), number<T>(1), number<T>(0), {}, {}, {}};
   for (const double& p : exponents) {
@@ -148,22 +159,19 @@ Law<T> stoddart(const std::vector<double>& exponents) {
 
 namespace detail {
 
-/// Taylor coefficients of the Legendre polynomial P_n about u, from the three-term recurrence
-/// (k + 1) P_(k+1) = (2 k + 1) u P_k - k P_(k-1) on series: no large numbers cancel.
+/// Taylor coefficients of the Legendre polynomial P_n about u = 1 - 2 middle, each the double
+/// nearest to the true one: the three-term recurrence (k + 1) P_(k+1) = (2 k + 1) u P_k - k P_(k-1)
+/// on series, in a hundred digits. Kept from call to call.
+const std::vector<double>& legendre_taylor(int n, double middle);
+
+/// A correctly rounded constant: itself, or the interval to its neighbours.
 template <class T>
-std::vector<T> legendre_taylor(int n, const T& u) {
-  std::vector<T> previous{number<T>(1)}, current{u, number<T>(1)};
-  if (n == 0) return previous;
-  for (int k = 1; k < n; ++k) {
-    std::vector<T> next = multiply(current, {u, number<T>(1)});
-    for (T& c : next) c = c * ratio<T>(2 * k + 1, k + 1);
-    for (std::size_t i = 0; i < previous.size(); ++i) {
-      next[i] = next[i] - previous[i] * ratio<T>(k, k + 1);
-    }
-    previous = std::move(current);
-    current = std::move(next);
+T rounded(double x) {
+  if constexpr (std::is_same_v<T, Interval>) {
+    return x == 0 ? Interval(0.0) : Interval(step_down(x), step_up(x));
+  } else {
+    return number<T>(x);
   }
-  return current;
 }
 
 }  // namespace detail
@@ -183,11 +191,12 @@ Law<T> legendre(const std::vector<T>& c) {
     };
     const double begin = place(i), end = place(i + 1);
     const double middle = std::midpoint(begin, end);
-    const T u = number<T>(1) - number<T>(2) * number<T>(middle);
     std::vector<T> s(static_cast<std::size_t>(order) + 3, number<T>(0));
     const auto add = [&](const T& factor, int n) {
-      const auto p = detail::legendre_taylor(n, u);
-      for (std::size_t m = 0; m < p.size(); ++m) s[m] = s[m] + factor * p[m];
+      const auto& p = detail::legendre_taylor(n, middle);
+      for (std::size_t m = 0; m < p.size(); ++m) {
+        s[m] = s[m] + factor * detail::rounded<T>(p[m]);
+      }
     };
     add(ratio<T>(1, 2), 0);
     add(ratio<T>(-1, 2), 1);
