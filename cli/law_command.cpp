@@ -54,12 +54,11 @@ void print_law(const Member& member) {
   const auto peak = peaks(law);
   const auto proof = peaks(member.law<Interval>());
   const auto lambda = limit_index(peak);
-  const int smooth = continuity(law);
   fmt::print("{}{}\n", member.name(),
              family.aliases.empty() ? "" : fmt::format("  ({})", fmt::join(family.aliases, "; ")));
   fmt::print("  {}\n  ends {}, continuity {}, {}; {}\n", family.formula, to_string(law.ends()),
-             smooth == kSmooth ? "smooth" : fmt::format("C{}", smooth),
-             is_symmetric(law) ? "symmetric" : "not symmetric", family.source);
+             class_name(continuity(law)), is_symmetric(law) ? "symmetric" : "not symmetric",
+             family.source);
   if (!family.parameters.empty()) fmt::print("parameters\n");
   print_parameters(member);
   const auto a = Quantity::Acceleration, j = Quantity::Jerk;
@@ -110,7 +109,8 @@ void show_law(const LawOptions& options) {
   std::vector<OutputFile> files;
   if (options.csv) files.push_back({*options.csv, motion_csv(law, samples)});
   if (options.svg) {
-    files.push_back({*options.svg, to_svg(motion_figure(member.label(), {{"", law}}))});
+    files.push_back(
+        {*options.svg, to_svg(motion_figure(member.label(), {{.name = "", .law = law}}))});
   }
   write_files(files);
   if (options.json) {

@@ -17,6 +17,7 @@ constexpr int kCurvePoints = 400;
 Line motion_line(const NamedLaw& named, std::size_t order) {
   Line line;
   line.name = named.name;
+  line.dashed = named.dashed;
   for (const auto& piece : named.law.pieces()) {
     const int steps = std::max(8, static_cast<int>(kCurvePoints * (piece.end - piece.begin)));
     for (int i = 0; i <= steps; ++i) {

@@ -14,6 +14,7 @@ namespace camlaw::cli {
 struct NamedLaw {
   std::string name;
   Law<double> law;
+  bool dashed = false;
 };
 Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws);
 

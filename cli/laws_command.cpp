@@ -21,12 +21,6 @@ std::string parameter_list(const Family& family) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// "C2", or "smooth".
-std::string class_name(const Law<double>& law) {
-  const int k = continuity(law);
-  return k == kSmooth ? "smooth" : fmt::format("C{}", k);
-}
-
 void print_catalogue() {
   TextTable table({{"law", TextTable::Align::Left},
                    {"parameters", TextTable::Align::Left},
@@ -43,8 +37,9 @@ void print_catalogue() {
     const Law<double> law = family.make(family.standard());
     const auto peak = peaks(law);
     const auto lambda = limit_index(peak);
-    table.add({family.name, parameter_list(family), to_string(law.ends()), class_name(law),
-               shown(peak.B(), 4), shown(peak.high(Quantity::Acceleration).value, 4),
+    table.add({family.name, parameter_list(family), to_string(law.ends()),
+               class_name(continuity(law)), shown(peak.B(), 4),
+               shown(peak.high(Quantity::Acceleration).value, 4),
                shown(peak.low(Quantity::Acceleration).value, 4),
                shown(peak.high(Quantity::Jerk).value, 3), shown(peak.low(Quantity::Jerk).value, 3),
                shown(peak.Cm(), 4), lambda ? shown(*lambda, 3) : "-"});
@@ -90,7 +85,7 @@ void print_markdown() {
     const auto peak = peaks(law);
     fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
                fmt::join(family.aliases, ", "), escaped(family.formula), ranges(family),
-               to_string(law.ends()), class_name(law), shown(peak.B(), 6),
+               to_string(law.ends()), class_name(continuity(law)), shown(peak.B(), 6),
                shown(peak.high(Quantity::Acceleration).value, 6),
                shown(peak.low(Quantity::Acceleration).value, 6),
                shown(peak.high(Quantity::Jerk).value, 5), shown(peak.low(Quantity::Jerk).value, 5),

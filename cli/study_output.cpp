@@ -69,19 +69,46 @@ std::string study_text(const SpineCutterStudy& study) {
   return text;
 }
 
+namespace {
+
+/// A row's columns, for CSV and JSON alike.
+Json row_to_json(const StudyRow& row) {
+  return {{"law", row.law},
+          {"B", to_json(row.peaks.B())},
+          {"C", to_json(row.peaks.C())},
+          {"D", to_json(row.peaks.D())},
+          {"Cm", to_json(row.peaks.Cm())},
+          {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
+          {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
+          {"inertia_force_N", to_json(row.inertia_force)},
+          {"printed_inertia_force_N", to_json(row.printed_inertia_force)},
+          {"drive_torque_Nm", to_json(row.drive_torque)},
+          {"above_limit", to_json(row.above_limit)},
+          {"smooth", row.smooth},
+          {"non_dominated", row.non_dominated},
+          {"smooth_non_dominated", row.smooth_non_dominated},
+          {"published", row.published}};
+}
+
+std::string cell_text(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  return exact(value.get<double>());
+}
+
+}  // namespace
+
 std::string study_csv(const SpineCutterStudy& study) {
-  std::vector<std::vector<std::string>> rows{
-      {"law", "B", "C", "D", "Cm", "lambda", "cam_radius_mm", "inertia_force_N",
-       "printed_inertia_force_N", "drive_torque_Nm", "above_limit", "smooth", "non_dominated",
-       "smooth_non_dominated", "published"}};
-  const auto flag = [](bool value) { return std::string(value ? "1" : "0"); };
+  std::vector<std::vector<std::string>> rows(1);
   for (const StudyRow& row : study.rows) {
-    rows.push_back({row.law, exact(row.peaks.B()), exact(row.peaks.C()), exact(row.peaks.D()),
-                    exact(row.peaks.Cm()), row.limit_index ? exact(*row.limit_index) : "",
-                    exact(row.cam_radius * 1e3), exact(row.inertia_force),
-                    exact(row.printed_inertia_force), exact(row.drive_torque),
-                    exact(row.above_limit), flag(row.smooth), flag(row.non_dominated),
-                    flag(row.smooth_non_dominated), flag(row.published)});
+    const Json columns = row_to_json(row);
+    std::vector<std::string> cells;
+    for (const auto& [name, value] : columns.items()) {
+      if (rows.size() == 1) rows.front().push_back(name);
+      cells.push_back(cell_text(value));
+    }
+    rows.push_back(std::move(cells));
   }
   return to_csv(rows);
 }
@@ -94,23 +121,7 @@ std::string study_json(const SpineCutterStudy& study) {
                       {"value", given.value},
                       {"unit", given.unit}});
   }
-  for (const StudyRow& row : study.rows) {
-    rows.push_back({{"law", row.law},
-                    {"B", to_json(row.peaks.B())},
-                    {"C", to_json(row.peaks.C())},
-                    {"D", to_json(row.peaks.D())},
-                    {"Cm", to_json(row.peaks.Cm())},
-                    {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
-                    {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
-                    {"inertia_force_N", to_json(row.inertia_force)},
-                    {"printed_inertia_force_N", to_json(row.printed_inertia_force)},
-                    {"drive_torque_Nm", to_json(row.drive_torque)},
-                    {"above_limit", to_json(row.above_limit)},
-                    {"smooth", row.smooth},
-                    {"non_dominated", row.non_dominated},
-                    {"smooth_non_dominated", row.smooth_non_dominated},
-                    {"published", row.published}});
-  }
+  for (const StudyRow& row : study.rows) rows.push_back(row_to_json(row));
   const Json object{{"study", "spine-cutter"},
                     {"givens", std::move(givens)},
                     {"rows", std::move(rows)},
@@ -186,17 +197,17 @@ Figure trade_off_figure(const SpineCutterStudy& study) {
 
 Figure study_motion_figure(const SpineCutterStudy& study) {
   std::vector<NamedLaw> laws;
-  const auto add = [&](const std::string& name) {
-    for (const NamedLaw& law : laws) {
-      if (law.name == name) return;
-    }
-    laws.push_back({name, find_law(name).law()});
+  const auto add = [&](const std::string& name, bool dashed) {
+    const bool there = std::any_of(laws.begin(), laws.end(),
+                                   [&](const NamedLaw& law) { return law.name == name; });
+    if (!there) laws.push_back({name, find_law(name).law(), dashed});
   };
-  add(study.rows[study.compromise].law);
-  add(study.rows[study.least_force].law);
-  add(study.rows[study.smallest_cam].law);
-  for (const std::string& published : problems::published_laws()) add(published);
-  return motion_figure("Recommended laws and the six of the paper", laws);
+  // The law for the smallest cam alone is left out: its jerk would flatten all the others.
+  add(study.rows[study.compromise].law, false);
+  add(study.rows[study.least_force].law, false);
+  for (const std::string& published : problems::published_laws()) add(published, true);
+  return motion_figure("The compromise, the law of least force, and the paper's six (dashed)",
+                       laws);
 }
 
 }  // namespace camlaw::cli

@@ -14,7 +14,7 @@ std::string study_csv(const problems::SpineCutterStudy& study);
 std::string study_json(const problems::SpineCutterStudy& study);
 /// Peak force over cam radius, with the limit curve.
 Figure trade_off_figure(const problems::SpineCutterStudy& study);
-/// s, v, a, j of the recommended and the published laws.
+/// s, v, a, j of the compromise, the law of least force and the published laws.
 Figure study_motion_figure(const problems::SpineCutterStudy& study);
 
 }  // namespace camlaw::cli

@@ -17,6 +17,10 @@ int continuity(const Law<double>& law) {
   return first_jump > kSmooth ? kSmooth : first_jump - 1;
 }
 
+std::string class_name(int continuity) {
+  return continuity == kSmooth ? "smooth" : "C" + std::to_string(continuity);
+}
+
 bool is_symmetric(const Law<double>& law) {
   // Two analytic functions that agree at more points than they have terms are the same; pieces
   // meet the same test through points in every piece and its mirror image.

@@ -12,6 +12,8 @@ namespace camlaw {
 /// kSmooth where every derivative that is known is continuous.
 inline constexpr int kSmooth = static_cast<int>(kCurveOrders);
 int continuity(const Law<double>& law);
+/// "C2", or "smooth".
+std::string class_name(int continuity);
 
 /// Whether s(x) + s(1 - x) = 1 throughout, to rounding.
 bool is_symmetric(const Law<double>& law);
