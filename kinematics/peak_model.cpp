@@ -19,18 +19,6 @@ const std::array<T, kTaylorOrder + 2>& inverse_factorials() {
   return table;
 }
 
-/// Entry k: 2^k / (n over k).
-template <class T>
-std::vector<T> bernstein_weights(std::size_t n) {
-  std::vector<T> result;
-  T weight(1.0);
-  for (std::size_t k = 0; k <= n; ++k) {
-    result.push_back(weight);
-    weight = weight * T(2.0 * static_cast<double>(k + 1)) / T(static_cast<double>(n - k));
-  }
-  return result;
-}
-
 /// Degrees of a product beyond this go into the remainder.
 constexpr std::size_t kProductDegree = 18;
 
@@ -55,27 +43,6 @@ void drop_negligible(TaylorModel<T>& model) {
 }
 
 }  // namespace
-
-template <class T>
-void to_bernstein(std::vector<T>& c) {
-  constexpr std::size_t kCached = 41;
-  static const auto cache = [] {
-    std::array<std::vector<T>, kCached> weights;
-    for (std::size_t n = 0; n < kCached; ++n) weights[n] = bernstein_weights<T>(n);
-    return weights;
-  }();
-  const std::size_t n = c.size() - 1;
-  shift_polynomial(c, T(-1.0));
-  const std::vector<T> fresh = n < kCached ? std::vector<T>{} : bernstein_weights<T>(n);
-  const std::vector<T>& weights = n < kCached ? cache[n] : fresh;
-  for (std::size_t k = 1; k <= n; ++k) c[k] = c[k] * weights[k];
-  for (std::size_t k = 1; k <= n; ++k) {
-    for (std::size_t i = n; i >= k; --i) c[i] = c[i] + c[i - 1];
-  }
-}
-
-template void to_bernstein(std::vector<double>&);
-template void to_bernstein(std::vector<Interval>&);
 
 template <class T>
 void BoxModels<T>::expand(const Piece<T>& piece, const Box& box) {

@@ -5,19 +5,13 @@
 #include <cmath>
 #include <vector>
 
+#include "kinematics/bounds.h"
 #include "kinematics/peaks.h"
 #include "kinematics/polynomial.h"
 
 /// What a peak search knows of a quantity on one box of x: a polynomial with a remainder, in
 /// Bernstein form (docs/theory.md, "Peaks"). T is double (fast) or Interval (proof).
 namespace camlaw::detail {
-
-inline double upper(double x) { return x; }
-inline double lower(double x) { return x; }
-inline double upper(const Interval& x) { return x.upper(); }
-inline double lower(const Interval& x) { return x.lower(); }
-inline double size(double x) { return std::abs(x); }
-inline double size(const Interval& x) { return magnitude(x); }
 
 /// Order of the Taylor polynomial of s taken of harmonics: at (frequency) (radius) = 0.8 the
 /// remainder of s''' is 1e-15 of its size.
@@ -70,10 +64,5 @@ class BoxModels {
   std::array<TaylorModel<T>, kQuantities> models_;
   std::array<bool, kQuantities> ready_{};
 };
-
-/// Bernstein coefficients on [-1, 1] of sum c[k] u^k: they bound the polynomial, the outer two are
-/// its end values, and their differences have the signs of its slope.
-template <class T>
-void to_bernstein(std::vector<T>& c);
 
 }  // namespace camlaw::detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/peak_search.h"
 
+#include "kinematics/bernstein.h"
+
 namespace camlaw::detail {
 namespace {
 
@@ -20,59 +22,6 @@ Questions all_questions() {
     result[2 * i + 1] = {.quantity = static_cast<Quantity>(i), .sign = -1};
   }
   return result;
-}
-
-/// Value and slope of sum c[k] u^k.
-template <class T>
-std::pair<T, T> value_and_slope(const std::vector<T>& c, const T& u) {
-  T value(0.0), slope(0.0);
-  for (std::size_t k = c.size(); k-- > 0;) {
-    slope = slope * u + value;
-    value = value * u + c[k];
-  }
-  return {value, slope};
-}
-
-/// The course of a polynomial over its box as its Bernstein coefficients tell it.
-enum class Course { PeakAtEnd, PeakInside, Unknown };
-
-template <class T>
-Course course(const std::vector<T>& bernstein, double sign) {
-  int changes = 0;
-  int direction = 0;  // of the last step that was not level
-  int first = 0;
-  for (std::size_t k = 0; k + 1 < bernstein.size(); ++k) {
-    const T step = T(sign) * (bernstein[k + 1] - bernstein[k]);
-    const bool up = upper(step) > 0, down = lower(step) < 0;
-    if (up && down) return Course::Unknown;
-    const int next = up ? 1 : down ? -1 : 0;
-    if (next == 0) continue;
-    if (direction == 0) first = next;
-    if (direction != 0 && next != direction) ++changes;
-    direction = next;
-  }
-  if (changes == 0 || (changes == 1 && first < 0)) return Course::PeakAtEnd;
-  return changes == 1 ? Course::PeakInside : Course::Unknown;
-}
-
-/// The root in [-1, 1] of the slope of sum c[k] u^k, which falls through zero once (sign +1) or
-/// rises (sign -1): Newton, bisection where Newton leaves the bracket.
-double turning_point(const std::vector<double>& c, double sign) {
-  double low = -1, high = 1, u = 0;
-  for (int pass = 0; pass < 80; ++pass) {
-    double slope = 0, curvature = 0;
-    for (std::size_t k = c.size(); k-- > 1;) {
-      curvature = curvature * u + slope;
-      slope = slope * u + static_cast<double>(k) * c[k];
-    }
-    if (slope == 0) return u;
-    (sign * slope > 0 ? low : high) = u;
-    double next = u - slope / curvature;
-    if (!(next > low && next < high)) next = std::midpoint(low, high);
-    if (std::abs(next - u) <= 2e-16) return next;
-    u = next;
-  }
-  return u;
 }
 
 template <class T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "kinematics/build.h"
@@ -98,7 +99,8 @@ TEST_CASE("the crossover is continuous in the other parameters") {
 
 TEST_CASE("a law of coefficients that are not finite is refused") {
   CHECK_THROWS_WITH(polynomial_law<double>({0, 0, 3, NAN}), Catch::Contains("not finite"));
-  CHECK_THROWS_WITH(polynomial_law<double>({0, 0, 3, INFINITY}), Catch::Contains("not finite"));
+  CHECK_THROWS_WITH(polynomial_law<double>({0, 0, 3, std::numeric_limits<double>::infinity()}),
+                    Catch::Contains("not finite"));
   CHECK_THROWS_WITH(polynomial_law<Interval>({Interval::whole()}), Catch::Contains("not finite"));
 }
 
@@ -123,7 +125,7 @@ TEST_CASE("Legendre laws of high order have close enclosures") {
 
 TEST_CASE("powers whose jerk grows without bound together have an infinite jerk") {
   const auto p = peaks(find_law("stoddart exponents=2.7,2.2").law());
-  CHECK(p.jerk_inside_highest.value == INFINITY);
+  CHECK(p.jerk_inside_highest.value == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("the largest size in intervals bounds both directions") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/curve.h"
+#include "kinematics/curves/inclined_sine.h"
 
 namespace camlaw::detail {
 

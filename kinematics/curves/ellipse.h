@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/curves/derivatives.h"
+#include "kinematics/series.h"
+
+namespace camlaw {
+
+/// [1 - cos(pi y) / sqrt(1 - k sin^2(pi y))] / 2, k = (n^2 - 1) / n^2, for y in [0, 1], n > 0.
+template <class T>
+struct Ellipse {
+  T n;
+
+  template <class R>
+  Ellipse<R> as() const {
+    return {convert<R>(n)};
+  }
+  CurveDerivatives<T> operator()(const T& y) const;
+};
+
+template <class T>
+CurveDerivatives<T> Ellipse<T>::operator()(const T& y) const {
+  using S = Series<T, kCurveOrders>;
+  const T one = number<T>(1);
+  const T k = one - one / (n * n);
+  const auto [sine, cosine] = sincos(S::variable(pi<T>() * y, pi<T>()));
+  const S shape = cosine / sqrt(S(one) - k * (sine * sine));
+  return derivatives(ratio<T>(1, 2) * (S(one) - shape));
+}
+
+}  // namespace camlaw
