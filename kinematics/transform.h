@@ -82,17 +82,17 @@ Crossover<T> crossover(const Law<T>& law) {
   return {position, law.template derivatives<1>(position)[0]};
 }
 
-/// The law with its crossover moved to `at` in (0, 1): both parts are stretched in x, and their
-/// strokes shared so that the velocity is continuous where they meet. The peak velocity of a
+/// The law with the crossover `now` moved to `at` in (0, 1): both parts are stretched in x, and
+/// their strokes shared so that the velocity is continuous where they meet. The peak velocity of a
 /// symmetric law stays, its peak accelerations become C / (2 at) and C / (2 (1 - at)).
 /// Throws std::invalid_argument for `at` outside (0, 1).
 template <class T>
-Law<T> with_crossover(const Law<T>& law, const T& at) {
+Law<T> with_crossover(const Law<T>& law, const Crossover<T>& now, const T& at) {
   if (!(value_of(at) > 0 && value_of(at) < 1)) {
     throw std::invalid_argument("crossover must lie between 0 and 1");
   }
   const T one = number<T>(1);
-  const auto [from, risen] = crossover(law);
+  const auto& [from, risen] = now;
   const T slope1 = from / at, slope2 = (one - from) / (one - at);
   const T share1 = one / (risen + slope1 / slope2 * (one - risen));
   const T share2 = share1 * slope1 / slope2;
@@ -112,15 +112,21 @@ Law<T> with_crossover(const Law<T>& law, const T& at) {
   return Law<T>(std::move(pieces), law.ends());
 }
 
+/// The same from the law's own crossover.
+template <class T>
+Law<T> with_crossover(const Law<T>& law, const T& at) {
+  return with_crossover(law, crossover(law), at);
+}
+
 /// The law skewed by c in (0, 1): the odds of its crossover x_c are multiplied by those of c,
 /// x / (1 - x) = x_c / (1 - x_c) c / (1 - c). So c is the new crossover of a symmetric law, and 1/2
 /// leaves every law as it is.
 template <class T>
 Law<T> skewed(const Law<T>& law, const T& c) {
   const T one = number<T>(1);
-  const T from = crossover(law).position;
-  const T early = from * c, late = (one - from) * (one - c);
-  return with_crossover(law, early / (early + late));
+  const Crossover<T> now = crossover(law);
+  const T early = now.position * c, late = (one - now.position) * (one - c);
+  return with_crossover(law, now, early / (early + late));
 }
 
 }  // namespace camlaw
