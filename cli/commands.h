@@ -7,12 +7,25 @@
 /// its result; std::invalid_argument means bad input, any other exception a failure.
 namespace camlaw::cli {
 
+/// Exit status of the program.
+enum ExitStatus : int {
+  kDone = 0,
+  kFailed = 1,
+  kBadInput = 2,
+  kInfeasible = 3,  ///< optimize: no design meets every limit
+  kNotSolved = 4,   ///< optimize: no answer
+};
+
 void add_laws_command(CLI::App& app);
 void add_law_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_reproduce_command(CLI::App& app);
+/// These set `status` where they end in another way than done.
+void add_check_command(CLI::App& app, int& status);
+void add_evaluate_command(CLI::App& app);
+void add_optimize_command(CLI::App& app, int& status);
 
-/// Runs the program; the exit status: 0 done, 2 bad input, 1 anything else.
+/// Runs the program; an ExitStatus.
 int run(int argc, const char* const* argv);
 
 }  // namespace camlaw::cli

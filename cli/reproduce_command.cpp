@@ -3,10 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/law_json.h"
 #include "cli/text_table.h"
+#include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
 
 namespace camlaw::cli {
@@ -30,7 +32,7 @@ void print_text(const SystemReproduction& result) {
                    {"needs", TextTable::Align::Left}});
   for (const auto& value : result.values) {
     const int decimals = value.printed.number.decimals;
-    const bool explained = value.verdict == optim::Verdict::Explained;
+    const bool explained = value.verdict == optim::Finding::Explained;
     table.add({value.printed.id, optim::as_printed(value.printed.number.value, decimals),
                value.printed.unit, shown(value.stated_value, decimals + 2),
                explained ? shown(value.explained_value, decimals + 2) : "",
@@ -84,7 +86,52 @@ const problems::ReproducibleSystem& find_system(const std::string& name) {
       fmt::format("no system is called '{}'; there is {}", name, fmt::join(known, ", ")));
 }
 
-void run_reproduce(std::vector<std::string> names, bool json) {
+Json to_json(const problems::CamShapeCase& solved) {
+  return {{"n", solved.n},
+          {"printed", solved.printed ? Json(*solved.printed) : Json(nullptr)},
+          {"objective", cli::to_json(solved.objective)},
+          {"true_optimum", solved.true_optimum},
+          {"max_violation", cli::to_json(solved.max_violation)},
+          {"verdict", solved.verdict},
+          {"reason", solved.reason},
+          {"iterations", solved.iterations},
+          {"wall_s", solved.wall_s}};
+}
+
+/// Every printed case.
+Json cam_shape_cases() {
+  Json cases = Json::array();
+  for (const auto& printed : problems::printed_cam_shapes()) {
+    cases.push_back(to_json(problems::solve_cam_shape(problems::points_of(printed))));
+  }
+  return cases;
+}
+
+/// One case of the cam-shape problem, of any size.
+void run_cam_shape(int n, bool json) {
+  const problems::CamShapeCase solved = problems::solve_cam_shape(n);
+  if (json) {
+    fmt::print("{}\n", to_json(solved).dump(2));
+    return;
+  }
+  fmt::print("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason);
+  if (solved.printed) fmt::print("printed        {:.10g}\n", *solved.printed);
+  fmt::print(
+      "objective      {:.10f}\ntrue optimum   {:.10f}\nmax violation  {:.1e}\n"
+      "{} iterations, {:.3g} s\n",
+      solved.objective, solved.true_optimum, solved.max_violation, solved.iterations,
+      solved.wall_s);
+}
+
+void run_reproduce(std::vector<std::string> names, bool json, std::optional<int> n) {
+  if (n) {
+    if (names.size() != 1 || names.front() != "cam-shape") {
+      throw std::invalid_argument(
+          "--n is for cam-shape alone: camlaw reproduce cam-shape --n 1000");
+    }
+    run_cam_shape(*n, json);
+    return;
+  }
   if (names.empty()) {
     for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
   }
@@ -95,6 +142,7 @@ void run_reproduce(std::vector<std::string> names, bool json) {
     const SystemReproduction result = system->reproduce();
     if (json) {
       all.push_back(to_json(result));
+      if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
     } else {
       print_text(result);
     }
@@ -109,9 +157,11 @@ void add_reproduce_command(CLI::App& app) {
       app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
   const auto names = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
+  const auto n = std::make_shared<std::optional<int>>();
   command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)");
   command->add_flag("--json", *json, "print JSON");
-  command->callback([names, json] { run_reproduce(*names, *json); });
+  command->add_option("--n", *n, "cam-shape: solve it for this many radii instead");
+  command->callback([names, json, n] { run_reproduce(*names, *json, *n); });
 }
 
 }  // namespace camlaw::cli

@@ -11,8 +11,6 @@
 namespace camlaw::cli {
 namespace {
 
-constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
-
 /// One line on standard error.
 int complain(std::string message, int status) {
   std::replace_if(
@@ -60,9 +58,13 @@ int run(int argc, const char* const* argv) {
   add_law_command(app);
   add_study_command(app);
   add_reproduce_command(app);
+  int status = kDone;
+  add_check_command(app, status);
+  add_evaluate_command(app);
+  add_optimize_command(app, status);
   try {
     app.parse(argc, argv);
-    return finish(kDone);
+    return finish(status);
   } catch (const CLI::Success& request) {  // --help, --version
     return finish(app.exit(request));
   } catch (const CLI::ParseError& error) {

@@ -26,6 +26,7 @@ struct Parameter {
   std::string meaning;
   bool list = false;        ///< takes any number of values
   bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
+  bool linear = false;      ///< s is affine in all such parameters of the family together
 };
 
 /// Values for a family's parameters, in the order of the family's list and in the units named

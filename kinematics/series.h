@@ -29,6 +29,21 @@ struct Series {
   }
 };
 
+/// A series as a scalar of formulas: a constant has no other terms.
+template <class T, std::size_t N>
+struct ScalarTraits<Series<T, N>> {
+  static Series<T, N> number(double x) { return Series<T, N>(ScalarTraits<T>::number(x)); }
+  static double value(const Series<T, N>& x) { return ScalarTraits<T>::value(x.c[0]); }
+  static Series<T, N> pi() { return Series<T, N>(ScalarTraits<T>::pi()); }
+  static bool is_number(const Series<T, N>& x, double c) {
+    bool constant = ScalarTraits<T>::is_number(x.c[0], c);
+    for (std::size_t k = 1; k < N; ++k) {
+      constant = constant && ScalarTraits<T>::is_number(x.c[k], 0.0);
+    }
+    return constant;
+  }
+};
+
 template <class T, std::size_t N>
 Series<T, N> operator+(Series<T, N> f, const Series<T, N>& g) {
   for (std::size_t k = 0; k < N; ++k) f.c[k] = f.c[k] + g.c[k];
@@ -48,10 +63,50 @@ Series<T, N> operator*(const T& factor, Series<T, N> f) {
 }
 
 template <class T, std::size_t N>
+Series<T, N> operator*(const Series<T, N>& f, const T& factor) {
+  return factor * f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator/(Series<T, N> f, const T& divisor) {
+  for (T& coefficient : f.c) coefficient = quotient(coefficient, divisor);
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator-(Series<T, N> f) {
+  for (T& coefficient : f.c) coefficient = -coefficient;
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator+(Series<T, N> f, const T& constant) {
+  f.c[0] = f.c[0] + constant;
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator+(const T& constant, const Series<T, N>& f) {
+  return f + constant;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator-(Series<T, N> f, const T& constant) {
+  f.c[0] = f.c[0] - constant;
+  return f;
+}
+
+template <class T, std::size_t N>
+Series<T, N> operator-(const T& constant, const Series<T, N>& f) {
+  return -f + constant;
+}
+
+template <class T, std::size_t N>
 Series<T, N> operator*(const Series<T, N>& f, const Series<T, N>& g) {
   Series<T, N> product;
   for (std::size_t k = 0; k < N; ++k) {
-    for (std::size_t i = 0; i <= k; ++i) product.c[k] = product.c[k] + f.c[i] * g.c[k - i];
+    product.c[k] = f.c[0] * g.c[k];
+    for (std::size_t i = 1; i <= k; ++i) product.c[k] = product.c[k] + f.c[i] * g.c[k - i];
   }
   return product;
 }
@@ -98,6 +153,55 @@ std::pair<Series<T, N>, Series<T, N>> sincos(const Series<T, N>& f) {
     }
   }
   return {sine, cosine};
+}
+
+template <class T, std::size_t N>
+Series<T, N> sin(const Series<T, N>& f) {
+  return sincos(f).first;
+}
+
+template <class T, std::size_t N>
+Series<T, N> cos(const Series<T, N>& f) {
+  return sincos(f).second;
+}
+
+/// F(f), where F of the constant term is `value` and slope(result) gives the series of F'(f) as far
+/// as the result is known (docs/theory.md, (T6)).
+template <class T, std::size_t N, class Slope>
+Series<T, N> chained(const Series<T, N>& f, const T& value, const Slope& slope) {
+  Series<T, N> result(value);
+  for (std::size_t k = 1; k < N; ++k) {
+    const Series<T, N> rate = slope(result);
+    T sum = number<T>(static_cast<double>(k)) * f.c[k] * rate.c[0];
+    for (std::size_t i = 1; i < k; ++i) {
+      sum = sum + number<T>(static_cast<double>(i)) * f.c[i] * rate.c[k - i];
+    }
+    result.c[k] = sum / number<T>(static_cast<double>(k));
+  }
+  return result;
+}
+
+template <class T, std::size_t N>
+Series<T, N> tan(const Series<T, N>& f) {
+  using std::tan;
+  const T one = number<T>(1);
+  return chained(f, tan(f.c[0]), [&](const auto& tangent) { return one + tangent * tangent; });
+}
+
+template <class T, std::size_t N>
+Series<T, N> atan(const Series<T, N>& f) {
+  using std::atan;
+  const T one = number<T>(1);
+  const Series<T, N> slope = Series<T, N>(one) / (one + f * f);
+  return chained(f, atan(f.c[0]), [&](const auto&) { return slope; });
+}
+
+template <class T, std::size_t N>
+Series<T, N> asin(const Series<T, N>& f) {
+  using std::asin;
+  const T one = number<T>(1);
+  const Series<T, N> slope = Series<T, N>(one) / sqrt((one - f) * (one + f));
+  return chained(f, asin(f.c[0]), [&](const auto&) { return slope; });
 }
 
 /// f', one term shorter.

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "problems/cam_shape/reproduction.h"
 #include "problems/spine_cutter/reproduction.h"
 
 namespace camlaw::problems {
@@ -60,7 +61,8 @@ std::string departure_name(const optim::Hypothesis& hypothesis, int rank) {
 }
 
 /// With how many alternatives each was picked from: one among a thousand is a fit, not a proof.
-std::vector<std::string> departure_names(const optim::Table& table, const optim::Choice& choice) {
+std::vector<std::string> departure_names(const optim::Table& table,
+                                         const optim::Assignment& choice) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < choice.size(); ++i) {
     if (choice[i] == 0) continue;
@@ -86,7 +88,7 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
     for (const auto& [hypothesis, rank] : row.causes) {
       value.causes.push_back(departure_name(table.hypotheses[hypothesis], rank));
     }
-    if (row.verdict == optim::Verdict::Explained && row.misprint) {
+    if (row.verdict == optim::Finding::Explained && row.misprint) {
       value.causes.push_back(
           fmt::format("misprinted digit: {} for {}",
                       optim::as_printed(value.printed.number.value, value.printed.number.decimals),
@@ -99,7 +101,7 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
   result.explained = found.explained;
   result.unexplained = found.unexplained;
   result.departures = departure_names(table, found.departures);
-  for (const optim::Choice& other : found.equals) {
+  for (const optim::Assignment& other : found.equals) {
     result.equals.push_back(departure_names(table, other));
   }
   result.tried = found.tried;
@@ -107,17 +109,18 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
 }
 
 const std::vector<ReproducibleSystem>& reproducible_systems() {
-  static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter}};
+  static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter},
+                                                       {"cam-shape", reproduce_cam_shape}};
   return systems;
 }
 
-std::string_view to_string(optim::Verdict verdict) {
+std::string_view to_string(optim::Finding verdict) {
   switch (verdict) {
-    case optim::Verdict::Reproduced:
+    case optim::Finding::Reproduced:
       return "reproduced";
-    case optim::Verdict::Explained:
+    case optim::Finding::Explained:
       return "explained";
-    case optim::Verdict::Unexplained:
+    case optim::Finding::Unexplained:
       return "unexplained";
   }
   return "?";

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "optim/hypotheses.h"
+#include "optim/tables/hypotheses.h"
 
 /// Published tables and what becomes of them when they are computed again.
 namespace camlaw::problems {
@@ -25,7 +25,7 @@ std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::s
 /// One printed value beside ours.
 struct ReproducedValue {
   PrintedValue printed;
-  optim::Verdict verdict;
+  optim::Finding verdict;
   double stated_value;     ///< with the inputs as the source states them; NaN where it does not say
   double explained_value;  ///< under the departures found
   std::vector<std::string> causes;  ///< the departures that this value needs
@@ -54,6 +54,6 @@ struct ReproducibleSystem {
 const std::vector<ReproducibleSystem>& reproducible_systems();
 
 /// "reproduced", "explained", "unexplained".
-std::string_view to_string(optim::Verdict verdict);
+std::string_view to_string(optim::Finding verdict);
 
 }  // namespace camlaw::problems

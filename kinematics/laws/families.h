@@ -15,6 +15,13 @@ std::vector<Family> spline_families();
 
 namespace detail {
 
+/// The parameter, marked as one in which s is affine (a skewed law too: families with a crossover
+/// that have such parameters are symmetric whatever their values, so the skewing is fixed).
+inline Parameter linear(Parameter parameter) {
+  parameter.linear = true;
+  return parameter;
+}
+
 /// What a rest-to-rest family says of itself.
 struct RestToRest {
   std::string name;

@@ -40,6 +40,7 @@ const std::vector<double>& legendre_taylor(int n, double middle) {
 
 namespace {
 
+using detail::linear;
 using detail::rest_to_rest;
 
 std::vector<Family> whole_polynomials() {
@@ -126,10 +127,12 @@ std::vector<Family> study_polynomials() {
         [value]<class S>(const Arguments<S>&) { return polynomial_7<S>(number<S>(value)); });
   };
   return {
-      rest_to_rest({"polynomial-5", {"Поліном 5-ї степені"}, formula5, 1, true, study, {alpha}},
-                   []<class S>(const Arguments<S>& a) { return polynomial_5<S>(a.scalar(0)); }),
-      rest_to_rest({"polynomial-7", {"Поліном 7-ї степені"}, formula7, 2, true, study, {big_a}},
-                   []<class S>(const Arguments<S>& a) { return polynomial_7<S>(a.scalar(0)); }),
+      rest_to_rest(
+          {"polynomial-5", {"Поліном 5-ї степені"}, formula5, 1, true, study, {linear(alpha)}},
+          []<class S>(const Arguments<S>& a) { return polynomial_5<S>(a.scalar(0)); }),
+      rest_to_rest(
+          {"polynomial-7", {"Поліном 7-ї степені"}, formula7, 2, true, study, {linear(big_a)}},
+          []<class S>(const Arguments<S>& a) { return polynomial_7<S>(a.scalar(0)); }),
       member5("polynomial-5 alpha=-3", -3),
       member5("polynomial-5 alpha=-5", -5),
       member7("polynomial-7 A=48", 48),
@@ -146,7 +149,7 @@ std::vector<Family> free_polynomials() {
            1,
            true,
            "the general symmetric polynomial; c3 = 0.6 alpha is polynomial-5",
-           {{"c", "1", -1000, 1000, {-1.8, 0.2}, "c3, c5, c7, ...: any odd order", true}}},
+           {linear({"c", "1", -1000, 1000, {-1.8, 0.2}, "c3, c5, c7, ...: any odd order", true})}},
           []<class S>(const Arguments<S>& a) { return legendre<S>(a.list(0)); }),
       rest_to_rest({"stoddart",
                     {"pqrs", "polydyne"},
@@ -177,12 +180,12 @@ std::vector<Parameter> end_values(int count, char end, double displacement) {
                                             "jerk s'''"};
   std::vector<Parameter> result;
   for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    result.push_back({std::string(letters[k]) + end,
-                      "1",
-                      -1e4,
-                      1e4,
-                      {k == 0 ? displacement : 0.0},
-                      std::string(meanings[k]) + " at x = " + end});
+    result.push_back(linear({std::string(letters[k]) + end,
+                             "1",
+                             -1e4,
+                             1e4,
+                             {k == 0 ? displacement : 0.0},
+                             std::string(meanings[k]) + " at x = " + end}));
   }
   return result;
 }

@@ -135,6 +135,7 @@ std::vector<std::vector<double>> solve_table(const TableSpline& spline,
 namespace camlaw {
 
 std::vector<Family> spline_families() {
+  using detail::linear;
   const std::vector<double> tenths{0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
   std::vector<double> rise;  // samples of the 3-4-5
   for (const double x : tenths) rise.push_back(x * x * x * (10 + x * (-15 + 6 * x)));
@@ -145,7 +146,13 @@ std::vector<Family> spline_families() {
        "sum of coefficients times B-splines, clamped at 0 and 1",
        {{"degree", "1", 1, 25, {5}, "of the polynomial pieces", false, true},
         {"knots", "1", 0, 1, {}, "inside (0, 1), in order, repeated to lower the continuity", true},
-        {"coefficients", "1", -100, 100, {0, 0, 0, 1, 1, 1}, "degree + 1 + number of knots", true}},
+        linear({"coefficients",
+                "1",
+                -100,
+                100,
+                {0, 0, 0, 1, 1, 1},
+                "degree + 1 + number of knots",
+                true})},
        "by parameters",
        2,
        true,
@@ -157,8 +164,8 @@ std::vector<Family> spline_families() {
        {"sampled law"},
        "the spline through samples of s, or of s and v",
        {{"x", "1", 0, 1, tenths, "places of the samples, from 0 to 1", true, true},
-        {"s", "1", -10, 10, rise, "displacements", true},
-        {"v", "1", -1000, 1000, {}, "velocities s', where known", true}},
+        linear({"s", "1", -10, 10, rise, "displacements", true}),
+        linear({"v", "1", -1000, 1000, {}, "velocities s', where known", true})},
        "by parameters",
        2,
        true,

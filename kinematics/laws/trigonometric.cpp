@@ -76,14 +76,15 @@ std::vector<Family> harmonic_series() {
   };
   constexpr double kPi = std::numbers::pi;
   return {
-      rest_to_rest({"fourier",
-                    {"sine series"},
-                    "x - sum a_n sin(2 pi n x) / (2 pi n), a_1 = 1 - the others",
-                    2,
-                    true,
-                    "Freudenstein, 1960",
-                    {{"a", "1", -10, 10, {0, 0.05}, "a_2, a_3, ...: any number", true}}},
-                   []<class S>(const Arguments<S>& a) { return fourier<S>(a.list(0)); }),
+      rest_to_rest(
+          {"fourier",
+           {"sine series"},
+           "x - sum a_n sin(2 pi n x) / (2 pi n), a_1 = 1 - the others",
+           2,
+           true,
+           "Freudenstein, 1960",
+           {detail::linear({"a", "1", -10, 10, {0, 0.05}, "a_2, a_3, ...: any number", true})}},
+          []<class S>(const Arguments<S>& a) { return fourier<S>(a.list(0)); }),
       rest_to_rest({"triple-harmonic",
                     {},
                     "s'' = h1 sin(2 pi x) + h2 sin(4 pi x) + h3 sin(6 pi x), "

@@ -13,7 +13,7 @@ namespace camlaw {
 ///
 /// Fields in SI units; T is double, Dual or Interval. Equations (n) are those of docs/theory.md,
 /// "Spine cutter"; source: Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70).
-/// Valid for 0 < depth < cutter_diameter / 2; outside, square roots and quotients give NaN.
+/// Valid for 0 < depth < cutter_diameter / 2.
 template <class T>
 struct SpineCutter {
   T cutter_diameter = number<T>(0.050);       ///< D_f, m
@@ -23,6 +23,12 @@ struct SpineCutter {
   T depth = number<T>(0.0004);                ///< h, m
   T mass = number<T>(2.4);                    ///< m, kg, moved by the cam
   T pressure_angle = pi<T>() / number<T>(6);  ///< v, rad, permissible
+  T cam_radius = number<T>(0.035);            ///< R, m, of the cam that is built
+
+  /// Whether the cutter reaches into the block, and less than half of it does.
+  bool is_possible() const {
+    return value_of(depth) > 0 && value_of(depth) < value_of(cutter_diameter) / 2;
+  }
 
   /// (1) Chord of contact, m: S = 2 sqrt((D_f/2)^2 - (D_f/2 - h)^2), as 2 sqrt(h (D_f - h)).
   T chord_of_contact() const {
@@ -61,6 +67,17 @@ struct SpineCutter {
     const T omega = angular_velocity();
     return mass * stroke * stroke * omega * omega * Cm / (pi<T>() * pi<T>() * pi<T>());
   }
+
+  // Over the cam angle the same follow from s', s'' of the law as multiples of these.
+
+  /// (S5) Tangent of the pressure angle for s' = 1: S_f / (pi R) at the cam's radius R.
+  T pressure_scale() const { return stroke / (pi<T>() * cam_radius); }
+  /// (S6) Cam radius, m, at which the pressure angle is the permissible one for s' = 1.
+  T radius_scale() const { return minimum_cam_radius(number<T>(1)); }
+  /// (S1) Inertia force, N, for s'' = 1.
+  T force_scale() const { return peak_inertia_force(number<T>(1)); }
+  /// (S2) Drive torque, N m, for s' s'' = 1.
+  T torque_scale() const { return peak_drive_torque(number<T>(1)); }
 };
 
 }  // namespace camlaw

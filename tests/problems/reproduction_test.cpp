@@ -130,7 +130,7 @@ TEST_CASE("the table that is embedded is the file beside the code", "[reproducti
 
 TEST_CASE("13 values are reproduced, 19 explained, none is left", "[reproduction]") {
   const SystemReproduction& result = spine_cutter();
-  const auto count = [&](optim::Verdict verdict) {
+  const auto count = [&](optim::Finding verdict) {
     return static_cast<std::size_t>(
         std::count_if(result.values.begin(), result.values.end(),
                       [&](const ReproducedValue& value) { return value.verdict == verdict; }));
@@ -139,8 +139,8 @@ TEST_CASE("13 values are reproduced, 19 explained, none is left", "[reproduction
   CHECK(result.reproduced == 13);
   CHECK(result.explained == 19);
   CHECK(result.unexplained == 0);
-  CHECK(count(optim::Verdict::Reproduced) == 13);
-  CHECK(count(optim::Verdict::Explained) == 19);
+  CHECK(count(optim::Finding::Reproduced) == 13);
+  CHECK(count(optim::Finding::Explained) == 19);
 }
 
 TEST_CASE("the search finds one set of departures by itself and no other as small",
@@ -172,7 +172,7 @@ TEST_CASE("reproduced values agree as stated and need nothing, explained ones do
           "[reproduction]") {
   for (const ReproducedValue& value : spine_cutter().values) {
     INFO(value.printed.id);
-    const bool reproduced = value.verdict == optim::Verdict::Reproduced;
+    const bool reproduced = value.verdict == optim::Finding::Reproduced;
     CHECK(rounds_to(value.printed, value.stated_value) == reproduced);
     CHECK(value.causes.empty() == reproduced);
   }
@@ -269,7 +269,7 @@ TEST_CASE("with a digit of the data changed the outcome changes", "[reproduction
   const auto wrong = reproduce_blades(replaced(csv, ",1.47,", ",2.58,"));
   CHECK(wrong.explained == 3);
   CHECK(wrong.unexplained == 1);
-  CHECK(wrong.values[1].verdict == optim::Verdict::Unexplained);
+  CHECK(wrong.values[1].verdict == optim::Finding::Unexplained);
   CHECK(wrong.values[1].causes.empty());
 
   // As stated, z = 17 gives 0.969, 1.188, 1.373, 1.536.
@@ -338,9 +338,9 @@ TEST_CASE("systems are known by name and verdicts have words", "[reproduction]")
   REQUIRE_FALSE(reproducible_systems().empty());
   CHECK(reproducible_systems().front().name == "spine-cutter");
   CHECK(reproducible_systems().front().reproduce().explained == 19);
-  CHECK(to_string(optim::Verdict::Reproduced) == "reproduced");
-  CHECK(to_string(optim::Verdict::Explained) == "explained");
-  CHECK(to_string(optim::Verdict::Unexplained) == "unexplained");
+  CHECK(to_string(optim::Finding::Reproduced) == "reproduced");
+  CHECK(to_string(optim::Finding::Explained) == "explained");
+  CHECK(to_string(optim::Finding::Unexplained) == "unexplained");
 }
 
 }  // namespace camlaw::problems

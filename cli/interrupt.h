@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+
+namespace camlaw::cli {
+
+/// While one of these lives, the first Ctrl-C (or a request to end) asks the running search to stop
+/// with what it has; the second ends the program.
+class Interruptible {
+ public:
+  Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  ~Interruptible();
+  const std::atomic<bool>* flag() const;
+};
+
+}  // namespace camlaw::cli

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "optim/cycle/extremes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace camlaw::optim {
+namespace {
+
+/// A curve turned so that highest is looked for.
+struct Turned {
+  const Trace& trace;
+  double sign;
+  std::array<double, 3> operator()(Place place) const {
+    auto f = trace.at(place);
+    for (double& value : f) value *= sign;
+    return f;
+  }
+};
+
+struct Sample {
+  Place place;
+  std::array<double, 3> f;
+};
+
+/// The maximum between two places where the slope turns from up to down: Newton's method on the
+/// slope, kept inside by bisection.
+Sample polished(const Turned& curve, double left, double right, Sample best) {
+  constexpr int kSteps = 60;
+  double x = best.place.angle;
+  for (int step = 0; step < kSteps; ++step) {
+    const auto f = curve({x});
+    if (f[0] > best.f[0]) best = {{x}, f};
+    if (!(f[1] == f[1]) || f[1] == 0) break;
+    (f[1] > 0 ? left : right) = x;
+    const double newton = x - f[1] / f[2];
+    const bool inside = f[2] < 0 && newton > left && newton < right;
+    const double next = inside ? newton : std::midpoint(left, right);
+    const double width = std::abs(next - x);
+    x = next;
+    if (width <= 1e-15 * std::max(std::abs(x), right - left) || !(left < right)) break;
+  }
+  const auto f = curve({x});
+  return f[0] >= best.f[0] ? Sample{{x}, f} : best;
+}
+
+/// Even samples of one smooth stretch, from its right and left ends.
+std::vector<Sample> samples_of(const Turned& curve, double from, double to, int count) {
+  std::vector<Sample> result;
+  for (int i = 0; i <= count; ++i) {
+    const Place place{i == count ? to : from + (to - from) * i / count, i == count};
+    result.push_back({place, curve(place)});
+  }
+  return result;
+}
+
+void add_stretch(const Turned& curve, const std::vector<Sample>& s, std::vector<Extreme>& found) {
+  const std::size_t last = s.size() - 1;
+  const auto add = [&](const Sample& sample) {
+    found.push_back({sample.place, curve.sign * sample.f[0]});
+  };
+  for (std::size_t i = 0; i <= last; ++i) {
+    const bool above_left = i == 0 || s[i].f[0] > s[i - 1].f[0];
+    const bool above_right = i == last || s[i].f[0] >= s[i + 1].f[0];
+    if (!above_left || !above_right) continue;
+    const bool rises = s[i].f[1] > 0;
+    if ((i == 0 && !rises) || (i == last && s[i].f[1] >= 0)) {
+      add(s[i]);
+      continue;
+    }
+    const double left = s[i == 0 ? 0 : i - 1].place.angle;
+    const double right = s[i == last ? last : i + 1].place.angle;
+    add(polished(curve, left, right, s[i]));
+  }
+}
+
+const Sample* first_undefined(const std::vector<Sample>& samples) {
+  const auto at = std::find_if(samples.begin(), samples.end(),
+                               [](const Sample& sample) { return std::isnan(sample.f[0]); });
+  return at == samples.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) {
+  constexpr int kFewest = 8;
+  const Turned curve{trace, sign};
+  const std::vector<double> breaks = trace.breaks();
+  const double cycle = breaks.back() - breaks.front();
+  std::vector<Extreme> found;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double share = (breaks[k + 1] - breaks[k]) / cycle;
+    const int count = std::max(kFewest, static_cast<int>(std::lround(share * samples)));
+    const auto stretch = samples_of(curve, breaks[k], breaks[k + 1], count);
+    if (const Sample* bad = first_undefined(stretch)) return {{bad->place, bad->f[0]}};
+    add_stretch(curve, stretch, found);
+  }
+  return found;
+}
+
+Extreme highest(const Trace& trace, double sign) {
+  const auto found = local_maxima(trace, sign);
+  return *std::max_element(found.begin(), found.end(), [&](const Extreme& a, const Extreme& b) {
+    return sign * a.value < sign * b.value;
+  });
+}
+
+namespace {
+
+struct Box {
+  double from, to;
+  bool at_begin, at_end;  ///< of a smooth stretch: there the side matters
+};
+
+}  // namespace
+
+CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
+  const std::vector<double> breaks = trace.breaks();
+  std::vector<Box> boxes;
+  for (std::size_t k = breaks.size() - 1; k > 0; --k) {
+    boxes.push_back({breaks[k - 1], breaks[k], true, true});
+  }
+  CycleProof proof;
+  proof.worst = {{breaks.front()}, -sign * kInfinity};
+  const auto look = [&](Place place) {
+    const double value = sign * trace.at(place)[0];
+    if (value > sign * proof.worst.value || std::isnan(value)) proof.worst = {place, sign * value};
+    return !(value <= limit);
+  };
+  while (!boxes.empty()) {
+    const Box box = boxes.back();
+    boxes.pop_back();
+    if (++proof.boxes > most_boxes) return proof;
+    const Bounds bounds = trace.enclose(box.from, box.to);
+    if ((sign > 0 ? bounds.upper : -bounds.lower) <= limit) continue;
+    const double middle = std::midpoint(box.from, box.to);
+    const bool divisible = middle > box.from && middle < box.to;
+    // A stretch of one point's width, or without any bound, is decided by its points alone: no
+    // proof.
+    if (look({middle}) || (box.at_begin && look({box.from})) ||
+        (box.at_end && look({box.to, true}))) {
+      proof.broken = true;
+      return proof;
+    }
+    if (!divisible) return proof;
+    boxes.push_back({middle, box.to, false, box.at_end});
+    boxes.push_back({box.from, middle, box.at_begin, false});
+  }
+  proof.proved = true;
+  return proof;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "optim/problem/curve.h"
+
+/// Where a curve is highest: by search in doubles, and by proof.
+namespace camlaw::optim {
+
+/// A highest place and the curve's value there.
+struct Extreme {
+  Place place;
+  double value;
+};
+
+/// Local maxima of sign * curve, ends of smooth stretches included, in order of the angle; values
+/// are the curve's own. Looks at about `samples` angles and polishes each maximum between them by
+/// Newton's method. A narrower one may escape: that is what prove_below is for. Values that are no
+/// number count as highest of all: the first is returned alone.
+std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples = 256);
+
+/// The highest of sign * curve among local_maxima.
+Extreme highest(const Trace& trace, double sign);
+
+/// What can be said of sign * curve <= limit over the whole cycle.
+struct CycleProof {
+  bool proved = false;
+  Extreme worst;        ///< the highest value met on the way
+  bool broken = false;  ///< worst is above the limit
+  int boxes = 0;        ///< stretches looked at
+};
+
+/// Divides the cycle until every stretch is proved to lie below the limit, or a value above it is
+/// found, or `most_boxes` stretches were looked at.
+CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes = 200000);
+
+}  // namespace camlaw::optim

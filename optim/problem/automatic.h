@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "optim/problem/function.h"
+#include "optim/problem/plain_numbers.h"
+
+/// Functions from formulas written once, generic in the scalar: derivatives come from dual numbers
+/// (docs/optimisation.md, "Derivatives").
+namespace camlaw::optim {
+
+/// Directions carried by one pass; formulas with more inputs take several passes.
+inline constexpr int kPassWidth = 4;
+using PassDual = ceres::Jet<double, kPassWidth>;
+using PassDual2 = ceres::Jet<PassDual, kPassWidth>;
+
+/// Derivatives of a generic formula f(std::span<const T>) -> T in any number of inputs.
+template <class F>
+double automatic_gradient(const F& f, std::span<const double> u, std::span<double> g) {
+  std::vector<PassDual> seeded(u.begin(), u.end());
+  double value = 0;
+  if (u.empty()) return f(u);
+  for (std::size_t block = 0; block < u.size(); block += kPassWidth) {
+    const std::size_t end = std::min(u.size(), block + kPassWidth);
+    for (std::size_t i = block; i < end; ++i) seeded[i].v[static_cast<int>(i - block)] = 1;
+    const PassDual result = f(std::span<const PassDual>(seeded));
+    value = result.a;
+    for (std::size_t i = block; i < end; ++i) {
+      g[i] = result.v[static_cast<int>(i - block)];
+      seeded[i] = PassDual(u[i]);
+    }
+  }
+  return value;
+}
+
+template <class F>
+double automatic_hessian(const F& f, std::span<const double> u, std::span<double> g,
+                         std::span<double> h) {
+  if (u.empty()) return f(u);
+  double value = 0;
+  std::vector<PassDual2> seeded(u.size());
+  const auto in_block = [](std::size_t i, std::size_t block) {
+    return i >= block && i < block + kPassWidth;
+  };
+  // Inner numbers carry the directions of one block, outer numbers those of another.
+  for (std::size_t inner = 0; inner < u.size(); inner += kPassWidth) {
+    for (std::size_t outer = inner; outer < u.size(); outer += kPassWidth) {
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        seeded[i] = PassDual2(PassDual(u[i]));
+        if (in_block(i, inner)) seeded[i].a.v[static_cast<int>(i - inner)] = 1;
+        if (in_block(i, outer)) seeded[i].v[static_cast<int>(i - outer)] = PassDual(1.0);
+      }
+      const PassDual2 result = f(std::span<const PassDual2>(seeded));
+      value = result.a.a;
+      for (std::size_t i = outer; i < std::min(u.size(), outer + kPassWidth); ++i) {
+        const PassDual& row = result.v[static_cast<int>(i - outer)];
+        g[i] = row.a;
+        for (std::size_t j = inner; j < std::min(u.size(), inner + kPassWidth); ++j) {
+          if (j <= i) h[packed(i, j)] = row.v[static_cast<int>(j - inner)];
+        }
+      }
+    }
+  }
+  return value;
+}
+
+/// A kernel from a generic callable: template <class T> T f(std::span<const T> u). With an interval
+/// type (anything with lower() and upper() that a double converts to) it encloses too.
+template <class F, class Enclosing = void>
+class AutomaticKernel final : public Kernel {
+ public:
+  explicit AutomaticKernel(F f) : f_(std::move(f)) {}
+
+  double value(std::span<const double> u) const override { return f_(u); }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    return automatic_gradient(f_, u, g);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    return automatic_hessian(f_, u, g, h);
+  }
+  Bounds enclose(std::span<const double> u) const override {
+    if constexpr (std::is_void_v<Enclosing>) {
+      return Kernel::enclose(u);
+    } else {
+      const std::vector<Enclosing> points(u.begin(), u.end());
+      const Enclosing result = f_(std::span<const Enclosing>(points));
+      return {result.lower(), result.upper()};
+    }
+  }
+
+ private:
+  F f_;
+};
+
+/// A function of some variables from a formula written with auto:
+///   function({0, 2}, [](const auto& u) { return u[0] * sin(u[1]); }, Shape::General)
+/// u[k] is the variable inputs[k]. `function<Interval>(...)` also encloses.
+template <class Enclosing = void, class F>
+Function function(std::vector<std::size_t> inputs, F f, Shape shape = Shape::General) {
+  return Function(std::move(inputs), std::make_shared<AutomaticKernel<F, Enclosing>>(std::move(f)),
+                  shape);
+}
+
+}  // namespace camlaw::optim

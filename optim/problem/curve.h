@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "optim/problem/function.h"
+
+/// Responses over the whole cycle: a function of the design at every cam angle.
+namespace camlaw::optim {
+
+/// A place on the cycle: an angle (in the curve's own unit, degrees as a rule), and at a break the
+/// side from which it is looked at.
+struct Place {
+  double angle = 0;
+  bool from_left = false;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// A curve for one design: a function of the angle alone.
+class Trace {
+ public:
+  virtual ~Trace() = default;
+  /// Increasing angles, first and last the ends of the cycle; between two of them the curve is
+  /// smooth. At those inside it may jump.
+  virtual std::vector<double> breaks() const = 0;
+  /// Value, first and second derivative by the angle.
+  virtual std::array<double, 3> at(Place place) const = 0;
+  /// Numbers that every value over [from, to] is proved to lie between; from and to lie between the
+  /// same two breaks. The bounds close on the values as the stretch shrinks. Infinite where nothing
+  /// is proved.
+  virtual Bounds enclose(double from, double to) const = 0;
+};
+
+/// A response over the cycle.
+class Curve {
+ public:
+  virtual ~Curve() = default;
+  /// The response at one place, as a function of the design.
+  virtual Function at(Place place) const = 0;
+  /// The derivative by the angle there, derived by each design variable; empty where it is not
+  /// known. With it a verdict knows how a peak moves with the design (docs/optimisation.md, "Second
+  /// order").
+  virtual std::vector<double> slope_gradient(Place, Design) const { return {}; }
+  /// Whether places of trace(x).breaks() inside the cycle may move with the design.
+  virtual bool breaks_move() const { return false; }
+  /// The response of one design, over the angle.
+  virtual std::unique_ptr<Trace> trace(Design x) const = 0;
+  /// The shape of at(place), the same for every place.
+  virtual Shape shape() const = 0;
+};
+
+}  // namespace camlaw::optim

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "optim/problem/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace camlaw::optim {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", what, why));
+}
+
+void check_variable(const Variable& v) {
+  const std::string what = fmt::format("variable '{}'", v.name);
+  if (std::isnan(v.lower) || std::isnan(v.upper)) refuse(what, "a bound is not a number");
+  if (v.lower > v.upper) {
+    refuse(what, fmt::format("lower {:.6g} exceeds upper {:.6g}", v.lower, v.upper));
+  }
+  if (!std::isfinite(v.start)) refuse(what, "its start is not a finite number");
+  if (v.scale && !(*v.scale > 0 && std::isfinite(*v.scale))) {
+    refuse(what, fmt::format("scale {:.6g} is not a positive number", *v.scale));
+  }
+  if (v.integer && (std::isinf(v.lower) || std::isinf(v.upper))) {
+    refuse(what, "an integer variable needs a lower and an upper bound");
+  }
+}
+
+void check_inputs(const Response& response, std::size_t variables) {
+  const auto check = [&](const Function& function) {
+    if (!function.inputs().empty() && function.inputs().back() >= variables) {
+      refuse(fmt::format("response '{}'", response.name),
+             fmt::format("it uses variable {}; there are {}", function.inputs().back(), variables));
+    }
+  };
+  if (!response.is_curve()) check(response.function());
+}
+
+void check_tolerance(const std::string& what, const std::optional<double>& tolerance) {
+  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
+    refuse(what, fmt::format("tolerance {:.6g} is not a positive number", *tolerance));
+  }
+}
+
+void check_constraint(const Constraint& c) {
+  const std::string what = fmt::format("constraint on '{}'", c.response.name);
+  if (!c.lower && !c.upper) refuse(what, "it needs a lower or an upper bound");
+  for (const auto& bound : {c.lower, c.upper}) {
+    if (bound && !std::isfinite(*bound)) refuse(what, "a bound is not a finite number");
+  }
+  if (c.lower && c.upper && *c.lower > *c.upper) {
+    refuse(what, fmt::format("lower {:.6g} exceeds upper {:.6g}", *c.lower, *c.upper));
+  }
+  if (c.response.is_curve() && c.lower && c.upper && *c.lower == *c.upper) {
+    refuse(what, "a curve cannot be held at one value over the whole cycle");
+  }
+  check_tolerance(what, c.tolerance);
+}
+
+void check_objective(const Objective& objective) {
+  const std::string what = fmt::format("objective '{}'", objective.response.name);
+  check_tolerance(what, objective.tolerance);
+  if (objective.response.is_curve() == (objective.part == Part::Value)) {
+    refuse(what, objective.response.is_curve()
+                     ? "a curve needs a part: highest, lowest or magnitude"
+                     : "a number has no highest or lowest part");
+  }
+  const bool upward = objective.part == Part::Highest || objective.part == Part::Magnitude;
+  if (upward && objective.sense == Sense::Maximize) {
+    refuse(what, "a highest value can be minimised, not maximised");
+  }
+  if (objective.part == Part::Lowest && objective.sense == Sense::Minimize) {
+    refuse(what, "a lowest value can be maximised, not minimised");
+  }
+}
+
+/// The objective's shape, turned so that it is minimised; of a curve the shape of its peak: the
+/// highest of convex functions is convex, of quasiconvex ones quasiconvex.
+Shape objective_shape(const Objective& objective) {
+  Shape shape = objective.response.shape();
+  if (objective.sense == Sense::Maximize) shape = negated(shape);
+  if (objective.part == Part::Value) return shape;
+  const bool both_ways = objective.part != Part::Magnitude || convex_above(shape);
+  if (!both_ways) return Shape::General;
+  if (objective.part == Part::Magnitude) {
+    return shape == Shape::Linear ? Shape::Convex
+           : convex_below(shape)  ? Shape::Quasiconvex
+                                  : Shape::General;
+  }
+  return is_convex(shape)      ? Shape::Convex
+         : convex_below(shape) ? Shape::Quasiconvex
+                               : Shape::General;
+}
+
+}  // namespace
+
+void Problem::check() const {
+  for (const Variable& variable : variables) check_variable(variable);
+  check_inputs(objective.response, variables.size());
+  check_objective(objective);
+  for (const Constraint& constraint : constraints) {
+    check_inputs(constraint.response, variables.size());
+    check_constraint(constraint);
+  }
+}
+
+std::vector<double> Problem::start() const {
+  std::vector<double> x;
+  for (const Variable& v : variables) {
+    const double inside = std::clamp(v.start, v.lower, v.upper);
+    x.push_back(v.integer ? std::clamp(std::round(inside), std::ceil(v.lower), std::floor(v.upper))
+                          : inside);
+  }
+  return x;
+}
+
+ProblemSpace ProblemSpace::of(Problem problem) {
+  return {{}, [problem = std::move(problem)](const auto&) { return problem; }};
+}
+
+bool convex_set(const Problem& problem) {
+  return std::all_of(
+      problem.constraints.begin(), problem.constraints.end(), [](const Constraint& c) {
+        const Shape shape = c.response.shape();
+        const bool equation = c.lower && c.upper && *c.lower == *c.upper;
+        if (equation) return shape == Shape::Linear || shape == Shape::Quasilinear;
+        return (!c.upper || convex_below(shape)) && (!c.lower || convex_above(shape));
+      });
+}
+
+std::optional<std::string> why_convex(const Problem& problem) {
+  const Shape shape = objective_shape(problem.objective);
+  if (!convex_below(shape) || !convex_set(problem)) return {};
+  return fmt::format(
+      "{} is {} in the variables{}", problem.objective.response.name,
+      is_convex(shape) ? "convex" : "quasiconvex and slopes",
+      problem.constraints.empty() ? "" : ", and the set that the limits leave is convex");
+}
+
+bool needs_slope(const Problem& problem) { return !is_convex(objective_shape(problem.objective)); }
+
+std::vector<double> variable_scales(const Problem& problem) {
+  std::vector<double> scales;
+  for (const Variable& v : problem.variables) {
+    const double range = v.upper - v.lower;
+    const double start = std::isfinite(v.start) ? std::abs(v.start) : 0;
+    scales.push_back(v.scale                             ? *v.scale
+                     : std::isfinite(range) && range > 0 ? range
+                                                         : std::max(1.0, start));
+  }
+  return scales;
+}
+
+}  // namespace camlaw::optim

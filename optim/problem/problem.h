@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "optim/problem/curve.h"
+#include "optim/problem/function.h"
+
+/// A design problem: what may be varied, what is wanted, what must hold. All numbers are in the
+/// units that the names carry (mm, deg, N): the engineer's.
+namespace camlaw::optim {
+
+struct Variable {
+  std::string name;
+  std::string unit = "1";
+  double lower = -kInfinity;
+  double upper = kInfinity;
+  double start = 0;
+  std::optional<double> scale = {};  ///< a typical change; by default from the range or the start
+  bool integer = false;
+};
+
+/// A response: a number that follows from the design, or a curve over the cycle.
+struct Response {
+  std::string name;
+  std::string unit = "1";
+  std::variant<Function, std::shared_ptr<const Curve>> measure;
+
+  bool is_curve() const { return measure.index() == 1; }
+  const Function& function() const { return std::get<Function>(measure); }
+  const Curve& curve() const { return *std::get<std::shared_ptr<const Curve>>(measure); }
+  Shape shape() const { return is_curve() ? curve().shape() : function().shape(); }
+};
+
+enum class Sense { Minimize, Maximize };
+
+/// What is taken of a curve over the cycle; a number is taken as it is (Value).
+enum class Part { Value, Highest, Lowest, Magnitude };
+
+/// What is wanted. Of a curve: its highest value or its magnitude (highest |value|) least, or its
+/// lowest value greatest.
+struct Objective {
+  Response response;
+  Sense sense = Sense::Minimize;
+  Part part = Part::Value;
+  std::optional<double> tolerance = {};  ///< in the unit; by default 1e-7 of the size
+};
+
+/// What must hold: lower <= response <= upper, of a curve at every angle. Equal bounds make an
+/// equation (not for curves).
+struct Constraint {
+  Response response;
+  std::optional<double> lower = {};
+  std::optional<double> upper = {};
+  std::optional<double> tolerance = {};  ///< in the unit; by default 1e-6 of the bound
+  std::optional<double> scale = {};      ///< a typical change; by default from the gradient
+};
+
+/// An answer known from elsewhere.
+struct KnownAnswer {
+  double objective;
+  std::vector<double> x;  ///< empty where only the objective is known
+  std::string source;
+};
+
+struct Problem {
+  std::string name;
+  std::vector<Variable> variables;
+  Objective objective;
+  std::vector<Constraint> constraints;
+  std::optional<KnownAnswer> known = {};
+
+  /// Throws std::invalid_argument naming what is wrong: bounds that cross, a start that is no
+  /// number, inputs that no variable has, a constraint without bounds, a peak asked for the wrong
+  /// way.
+  void check() const;
+  std::vector<double> start() const;
+};
+
+/// One of a list, such as law families or stocked sizes: an option changes the problem itself.
+struct Choice {
+  std::string name;
+  std::string unit;                  ///< of the values; "" where there are none
+  std::vector<std::string> options;  ///< in words
+  std::vector<double> values = {};   ///< the number behind each option, where there is one
+};
+
+/// A problem for each combination of choices; without choices, one problem.
+struct ProblemSpace {
+  std::vector<Choice> choices;
+  std::function<Problem(const std::vector<std::size_t>& options)> problem;
+
+  /// A space of one problem.
+  static ProblemSpace of(Problem problem);
+};
+
+/// Whether any local optimum is the global one, by the shapes of the parts: a convex objective over
+/// a convex set, or a quasiconvex one where its slope does not vanish (needs_slope). The reason in
+/// words; empty where the shapes do not tell.
+std::optional<std::string> why_convex(const Problem& problem);
+/// Whether the objective is known to be quasiconvex only.
+bool needs_slope(const Problem& problem);
+/// Whether the constraints alone make a convex set.
+bool convex_set(const Problem& problem);
+
+/// A typical change of each variable: as stated, else the range, else the start's size.
+std::vector<double> variable_scales(const Problem& problem);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/search/local.h"
+
+/// Whole variables: enumeration, or branch and bound over the continuous rest.
+namespace camlaw::optim {
+
+/// What the search over whole variables came to.
+struct WholeSearch {
+  Found found;
+  std::size_t combinations = 1;  ///< as a double would overflow, at most 1e18
+  std::size_t solved = 0;        ///< continuous problems
+  bool complete = true;          ///< every combination was solved or excluded
+  bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
+  bool enumerated = true;
+};
+
+/// Solves over the whole variables of one problem; the best is not proved yet.
+WholeSearch search_whole(const Problem& problem, const OptimiseOptions& options,
+                         const Deadline& deadline);
+
+/// The problem with each whole variable fixed at the design's value.
+Problem with_whole_fixed(const Problem& problem, Design x);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/exchange.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "optim/search/polish.h"
+#include "optim/search/working_set.h"
+
+namespace camlaw::optim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The solver's tolerance, tight enough for every constraint's own.
+SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOptions options) {
+  constexpr double kTightest = 1e-11;
+  for (const ConstraintSize& c : sizes.constraints) {
+    options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
+  }
+  const double wanted = 0.1 * sizes.objective_tolerance / sizes.objective;
+  if (problem.objective.tolerance) options.tolerance = std::min(options.tolerance, wanted);
+  options.tolerance = std::max(options.tolerance, kTightest);
+  return options;
+}
+
+bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
+
+/// One solve; the attempt takes what came of it.
+double solve_program(const Program& program, const Solver& solver, const SolverOptions& options,
+                     std::size_t variables, Attempt& attempt) {
+  const Solution solution = solver.solve(program, options);
+  ++attempt.rounds;
+  attempt.iterations += solution.iterations;
+  attempt.evaluations += solution.evaluations;
+  attempt.rows = program.rows();
+  attempt.status = solution.status;
+  attempt.message = solution.message;
+  attempt.error = solution.error;
+  if (solution.y.size() != program.variables()) return 0;
+  std::vector<double> x = program.design(solution.y);
+  const double auxiliary = x.size() > variables ? x.back() : 0;
+  x.resize(variables);
+  const bool numbers = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+  if (numbers) attempt.x = std::move(x);
+  return auxiliary;
+}
+
+void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
+         const SolverOptions& options, const std::vector<BrokenLimit>& known, Aim aim,
+         Attempt& attempt) {
+  constexpr int kRounds = 40;
+  const auto began = Clock::now();
+  WorkingSet working(problem, sizes, aim);
+  working.begin_at(attempt.x);
+  working.add(known);
+  SolverOptions left = tightened(problem, sizes, options);
+  const std::size_t variables = problem.variables.size();
+  while (true) {
+    const double auxiliary =
+        solve_program(working.program(attempt.x), solver, left, variables, attempt);
+    const bool usable = went_well(attempt.status) || attempt.status == Status::Stalled ||
+                        attempt.status == Status::IterationLimit;
+    if (!usable || attempt.error) return;
+    const bool settled = working.add_violated(attempt.x, auxiliary) == 0;
+    if (aim == Aim::Optimum && (settled || attempt.rounds > 1)) {
+      if (auto better = polished(problem, sizes, attempt.x)) {
+        attempt.x = std::move(*better);
+        attempt.status = Status::Solved;
+        return;
+      }
+    }
+    if (settled) return;
+    if (attempt.rounds >= kRounds) {
+      attempt.status = Status::IterationLimit;
+      attempt.message = "limit of exchange rounds";
+      return;
+    }
+    if (options.time_limit) {
+      const std::chrono::duration<double> spent = Clock::now() - began;
+      left.time_limit = std::max(1e-3, *options.time_limit - spent.count());
+    }
+  }
+}
+
+}  // namespace
+
+Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
+                 const SolverOptions& options, const std::vector<BrokenLimit>& known, Aim aim) {
+  Attempt attempt;
+  attempt.x.assign(start.begin(), start.end());
+  for (std::size_t i = 0; i < attempt.x.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    attempt.x[i] = std::clamp(attempt.x[i], v.lower, v.upper);
+  }
+  try {
+    run(problem, sizes, solver, options, known, aim, attempt);
+  } catch (...) {  // what the model throws between solves
+    attempt.status = Status::Failed;
+    attempt.message = "the model threw";
+    attempt.error = std::current_exception();
+  }
+  return attempt;
+}
+
+std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,
+                                   const Solver& solver) {
+  WorkingSet working(problem, sizes, Aim::Optimum);
+  working.begin_at(start);
+  return solver.refusal(working.program(start));
+}
+
+}  // namespace camlaw::optim

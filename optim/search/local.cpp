@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/local.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "optim/problem/starts.h"
+#include "optim/search/exchange.h"
+
+namespace camlaw::optim {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string words_of(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const std::exception& e) {
+    return e.what();
+  } catch (...) {
+    return "something that is no std::exception";
+  }
+}
+
+/// The methods to try in turn, and why.
+struct Plan {
+  std::vector<const Solver*> solvers;
+  std::string why;
+};
+
+Plan plan(const Problem& problem, const std::string& wanted) {
+  constexpr std::size_t kSmall = 30;
+  const Solver& ipopt = ipopt_solver();
+  const Solver& slsqp = find_solver("slsqp");
+  const std::size_t n = problem.variables.size(), m = problem.constraints.size();
+  if (wanted != "auto") {
+    const Solver& chosen = find_solver(wanted);
+    // A global method finds the valley; a local one finds its bottom.
+    if (chosen.is_global()) return {{&chosen, &slsqp, &ipopt}, "as asked for"};
+    return {{&chosen}, "as asked for"};
+  }
+  if (n <= kSmall && m <= kSmall) {
+    return {{&slsqp, &ipopt},
+            fmt::format("slsqp: {} variable{}, exact gradients; ipopt where that is not enough", n,
+                        n == 1 ? "" : "s")};
+  }
+  return {{&ipopt}, fmt::format("ipopt: {} variables and {} limits, sparse", n, m)};
+}
+
+class Search {
+ public:
+  Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
+         bool prove)
+      : problem_(problem),
+        options_(options),
+        deadline_(deadline),
+        prove_(prove),
+        convex_(why_convex(problem).has_value()),
+        plan_(plan(problem, options.solver)) {
+    found_.why_solver = plan_.why;
+    found_.solver = plan_.solvers.front()->name();
+  }
+
+  Found run() {
+    try {
+      sizes_ = sizes(problem_, problem_.start());
+      if (const auto why =
+              optim::refusal(problem_, sizes_, problem_.start(), *plan_.solvers.front())) {
+        return fail(*why);
+      }
+      search_starts();
+      finish();
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    if (error_ && !is_feasible(found_.assessment)) {
+      return fail(fmt::format("the model threw: {}", words_of(error_)));
+    }
+    return std::move(found_);
+  }
+
+ private:
+  Found fail(const std::string& why) {
+    found_.assessment.verdict = Verdict::Failed;
+    found_.assessment.reason = why;
+    return std::move(found_);
+  }
+
+  SolverOptions solver_options() const {
+    SolverOptions result;
+    result.max_iterations = options_.max_iterations;
+    result.max_evaluations = options_.max_evaluations;
+    result.time_limit = deadline_.left();
+    result.seed = options_.seed;
+    result.stop = options_.stop;
+    result.progress = options_.progress;
+    return result;
+  }
+
+  Attempt attempt(Design start, const Solver& solver, Aim aim = Aim::Optimum) {
+    Attempt result = exchange(problem_, sizes_, start, solver, solver_options(), broken_, aim);
+    found_.iterations += result.iterations;
+    found_.evaluations += result.evaluations;
+    found_.solves += result.rounds;
+    if (result.error) error_ = result.error;
+    return result;
+  }
+
+  /// Takes the design where it is better than what was found before.
+  void consider(const Attempt& tried, const Solver& solver) {
+    latest_ = {};
+    if (tried.x.empty()) return;
+    const Assessment assessment = assess(problem_, sizes_, tried.x, false);
+    latest_ = assessment;
+    if (!found_.x.empty() && !improves(assessment, found_.assessment)) return;
+    found_.x = tried.x;
+    found_.assessment = assessment;
+    found_.status = tried.status;
+    found_.solver = solver.name();
+    message_ = tried.message;
+  }
+
+  static bool settled(const Assessment& a) {
+    return is_feasible(a) && a.kkt_residual <= kKktTolerance && a.second_order;
+  }
+
+  /// Better, or as good to 1e-6 (by passing limits within their tolerance a design may look better
+  /// than the optimum) and the conditions of optimality hold where they did not.
+  bool improves(const Assessment& fresh, const Assessment& old) const {
+    const double a = fresh.objective.value, b = old.objective.value;
+    const bool alike = is_feasible(fresh) && is_feasible(old) &&
+                       std::abs(a - b) <= 1e-6 * std::max(std::abs(b), sizes_.objective);
+    if (alike && settled(fresh) != settled(old)) return settled(fresh);
+    return better(problem_, fresh, old);
+  }
+
+  /// One start, through the methods of the plan until the conditions of optimality hold.
+  void search_from(Design start) {
+    std::vector<double> x(start.begin(), start.end());
+    for (const Solver* solver : plan_.solvers) {
+      const Attempt tried = attempt(x, *solver);
+      consider(tried, *solver);
+      if (tried.error || deadline_.passed()) return;
+      if (solver->is_global() && !tried.x.empty()) {
+        x = tried.x;  // polished by the next
+        continue;
+      }
+      if (settled(latest_)) return;
+    }
+  }
+
+  void search_starts() {
+    constexpr int kStarts = 8;
+    const bool global = plan_.solvers.front()->is_global();
+    const int count = options_.starts.value_or(convex_ || global ? 1 : kStarts);
+    for (const auto& start : starts(problem_, count, options_.seed)) {
+      if (found_.starts > 0 && deadline_.passed()) break;
+      ++found_.starts;
+      search_from(start);
+      objectives_.push_back(is_feasible(latest_) ? latest_.objective.value : kInfinity);
+      if (convex_ && settled(found_.assessment)) break;
+    }
+  }
+
+  static bool is_proved(const Assessment& a) {
+    const bool peak =
+        !a.objective.angle || std::isfinite(a.objective.proved.upper - a.objective.proved.lower);
+    return is_feasible(a) && peak;
+  }
+
+  /// Proves the best design; an angle that breaks a limit joins the search.
+  void prove_best() {
+    constexpr int kRounds = 10;
+    for (int round = 0; true; ++round) {
+      found_.assessment = assess(problem_, sizes_, found_.x, true);
+      if (is_proved(found_.assessment) || deadline_.passed() || round == kRounds) return;
+      const std::size_t known = broken_.size();
+      const ObjectiveReport& peak = found_.assessment.objective;
+      if (peak.angle && std::isinf(peak.proved.upper - peak.proved.lower)) {
+        broken_.push_back({{}, peak.sign, {*peak.angle, peak.from_left}});
+      }
+      for (std::size_t i = 0; i < found_.assessment.limits.size(); ++i) {
+        const LimitReport& limit = found_.assessment.limits[i];
+        if (limit.met || !limit.worst_angle) continue;
+        broken_.push_back({i, limit.is_upper ? 1.0 : -1.0, {*limit.worst_angle, limit.from_left}});
+      }
+      if (broken_.size() == known) return;
+      const Solver& solver = *plan_.solvers.back();
+      const Attempt again = attempt(found_.x, solver);
+      if (again.x.empty()) return;
+      found_.x = again.x;
+      found_.status = again.status;
+      found_.solver = solver.name();
+    }
+  }
+
+  void finish() {
+    const Assessment& best = found_.assessment;
+    if (found_.x.empty() || !std::isfinite(best.objective.value) ||
+        std::isinf(worst_violation(best.limits))) {
+      fail_in_place("the model gives no number at the start");
+      return;
+    }
+    if (found_.status == Status::Unbounded && is_feasible(found_.assessment)) {
+      fail_in_place("the objective improves without end: a limit is missing");
+      return;
+    }
+    if (!is_feasible(found_.assessment) && !deadline_.passed()) find_feasible();
+    if (found_.assessment.verdict == Verdict::Infeasible) return;
+    if (prove_ && is_feasible(found_.assessment)) prove_best();
+    judge();
+  }
+
+  /// Small problems are done at once by the first; where that does not convince, by the second.
+  std::vector<const Solver*> least_violation_solvers() const {
+    constexpr std::size_t kSmall = 30;
+    const Solver& ipopt = ipopt_solver();
+    const bool small = problem_.variables.size() + problem_.constraints.size() <= kSmall;
+    if (small) return {&find_solver("slsqp"), &ipopt};
+    return {&ipopt};
+  }
+
+  /// From the design of least violation on; or, where that violates still, the verdict of it.
+  void find_feasible() {
+    const Solver& ipopt = ipopt_solver();
+    Attempt least;
+    Assessment blame;
+    for (const Solver* solver : least_violation_solvers()) {
+      least = attempt(found_.x, *solver, Aim::LeastViolation);
+      if (least.x.empty() || deadline_.passed()) return;
+      blame = assess_least_violation(problem_, sizes_, least.x);
+      if (is_feasible(blame) || blame.verdict == Verdict::Infeasible) break;
+    }
+    if (!is_feasible(blame)) {
+      if (worst_violation(blame.limits) < worst_violation(found_.assessment.limits) ||
+          blame.verdict == Verdict::Infeasible) {
+        found_.assessment = blame;
+        found_.x = least.x;
+      }
+      return;
+    }
+    consider(least, ipopt);
+    found_.assessment.kkt_residual = kInfinity;
+    for (const Solver* solver : {&find_solver("slsqp"), &ipopt}) {
+      if (!settled(found_.assessment)) consider(attempt(least.x, *solver), *solver);
+    }
+  }
+
+  void fail_in_place(const std::string& why) {
+    found_.assessment.verdict = Verdict::Failed;
+    found_.assessment.reason = why;
+  }
+
+  /// Words for what the search adds to the assessment.
+  void judge() {
+    const double best = found_.assessment.objective.value;
+    for (const double value : objectives_) {
+      found_.agreed += std::abs(value - best) <= 1e-6 * std::max(std::abs(best), sizes_.objective);
+    }
+    Assessment& a = found_.assessment;
+    if (deadline_.passed() && a.verdict != Verdict::Certified) {
+      a.reason = fmt::format("{}; {}", deadline_.reason(), a.reason);
+    } else if (a.verdict == Verdict::Failed) {
+      a.reason = fmt::format("{} ({}: {})", a.reason, found_.solver, message_);
+    } else if (a.verdict == Verdict::Feasible && prove_ && found_.status != Status::Solved) {
+      a.reason = fmt::format("{} ({}: {})", a.reason, found_.solver, message_);
+    }
+  }
+
+  const Problem& problem_;
+  const OptimiseOptions& options_;
+  const Deadline& deadline_;
+  bool prove_, convex_;
+  Plan plan_;
+  Sizes sizes_{};
+  Found found_;
+  std::string message_;
+  Assessment latest_;               ///< of the last attempt
+  std::vector<double> objectives_;  ///< where each start ended
+  std::vector<BrokenLimit> broken_;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+Deadline::Deadline(const OptimiseOptions& options)
+    : limit_(options.time_limit), stop_(options.stop), began_(now()) {}
+
+std::optional<double> Deadline::left() const {
+  if (!limit_) return {};
+  return std::max(1e-3, *limit_ - (now() - began_));
+}
+
+bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
+
+bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }
+
+std::string Deadline::reason() const {
+  return stopped() ? "stopped" : fmt::format("the time limit of {:g} s was reached", *limit_);
+}
+
+Found search_continuous(const Problem& problem, const OptimiseOptions& options,
+                        const Deadline& deadline, bool prove) {
+  return Search(problem, options, deadline, prove).run();
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/solvers/solver.h"
+#include "optim/verdict/verdict.h"
+
+/// Search in the continuous variables of one problem.
+namespace camlaw::optim {
+
+struct OptimiseOptions {
+  std::string solver = "auto";            ///< a name of solver_names(), or auto
+  std::optional<int> starts = {};         ///< by default 1 where the problem is convex, else 8
+  std::uint64_t seed = 1;                 ///< of starts and of methods that draw numbers
+  std::optional<double> time_limit = {};  ///< seconds, for everything
+  int max_iterations = 1000;              ///< of each local solve
+  long max_evaluations = 20000;           ///< of each solve by a global or derivative-free method
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const Progress&)> progress = {};
+};
+
+/// What the search came to.
+struct Found {
+  std::vector<double> x;  ///< empty where the model gave no numbers anywhere
+  Assessment assessment;
+  Status status = Status::Failed;  ///< of the solve that led to it
+  std::string solver;              ///< that led to it, "slsqp"
+  std::string why_solver;          ///< where auto chose it
+  int starts = 0;                  ///< searched from
+  int agreed = 0;                  ///< ended at designs as good as the best (1e-6)
+  int iterations = 0;
+  long evaluations = 0;
+  int solves = 0;
+};
+
+/// Clock and stop flag of a search.
+class Deadline {
+ public:
+  explicit Deadline(const OptimiseOptions& options);
+  std::optional<double> left() const;  ///< seconds; at least a millisecond
+  bool passed() const;
+  /// "stopped by the user", "the time limit was reached".
+  std::string reason() const;
+  bool stopped() const;
+
+ private:
+  std::optional<double> limit_;
+  const std::atomic<bool>* stop_;
+  double began_;
+};
+
+/// Searches from one or several starts, proves the best design over the cycle, and where no design
+/// meets the limits looks for the one of least violation. Integer variables count as continuous;
+/// fix them by equal bounds. Never throws what the model throws: that is a failed assessment.
+/// `prove`: as of assess(); without, the best design is not proved.
+Found search_continuous(const Problem& problem, const OptimiseOptions& options,
+                        const Deadline& deadline, bool prove);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/optimise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "optim/search/discrete.h"
+
+namespace camlaw::optim {
+namespace {
+
+std::size_t combinations_of(const std::vector<Choice>& choices) {
+  constexpr std::size_t kMost = 100000;
+  std::size_t product = 1;
+  for (const Choice& choice : choices) {
+    if (choice.options.empty()) {
+      throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
+    }
+    product *= choice.options.size();
+    if (product > kMost) {
+      throw std::invalid_argument(
+          fmt::format("choice '{}': more than {} combinations", choice.name, kMost));
+    }
+  }
+  return product;
+}
+
+/// Options as digits of a counter, the last fastest.
+std::vector<std::size_t> options_at(const std::vector<Choice>& choices, std::size_t count) {
+  std::vector<std::size_t> result(choices.size());
+  for (std::size_t i = choices.size(); i-- > 0;) {
+    result[i] = count % choices[i].options.size();
+    count /= choices[i].options.size();
+  }
+  return result;
+}
+
+/// How the combinations went, for the words of the verdict.
+struct Tally {
+  std::size_t combinations = 0, solved = 0, infeasible = 0;
+  bool complete = true, bounds_hold = true, enumerated = true, infeasible_proved = true;
+};
+
+/// What a search over combinations adds to the verdict of the best one.
+void judge_combinations(const Tally& tally, Assessment& a) {
+  if (tally.combinations == 1) return;
+  const std::string how =
+      tally.enumerated ? fmt::format("all {} combinations were solved", tally.combinations)
+                       : fmt::format("{} combinations by branch and bound ({} problems solved)",
+                                     tally.combinations, tally.solved);
+  if (!tally.complete && a.verdict == Verdict::Certified) {
+    a.verdict = Verdict::Feasible;
+    a.reason = fmt::format("not every one of the {} combinations was settled", tally.combinations);
+    a.global.reset();
+    return;
+  }
+  if (a.verdict == Verdict::Infeasible) {
+    if (tally.infeasible < tally.combinations && tally.enumerated) {
+      a.verdict = Verdict::Failed;
+      a.reason = "no combination was solved, and not every one is infeasible";
+    } else {
+      a.reason = fmt::format("{}, in the combination of least violation; none of {} can be met",
+                             a.reason, tally.combinations);
+    }
+    if (!tally.infeasible_proved) a.global.reset();
+    return;
+  }
+  if (a.verdict != Verdict::Certified) return;
+  a.global.reset();
+  if (tally.bounds_hold) a.global = how + ", each convex in the rest";
+  a.reason = fmt::format("{}; {}", a.reason, how);
+}
+
+class Optimiser {
+ public:
+  Optimiser(const ProblemSpace& space, const OptimiseOptions& options)
+      : space_(space), options_(options), deadline_(options) {}
+
+  Optimum run() {
+    const std::size_t count = combinations_of(space_.choices);
+    tally_.combinations = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (deadline_.passed() && i > 0) {
+        tally_.complete = false;
+        tally_.combinations += count - i;
+        break;
+      }
+      solve(options_at(space_.choices, i));
+    }
+    settle();
+    return std::move(best_);
+  }
+
+ private:
+  void solve(std::vector<std::size_t> options) {
+    Problem problem = space_.problem(options);
+    problem.check();
+    const bool alone = space_.choices.empty() && !has_whole(problem);
+    if (alone) {
+      tally_.combinations = tally_.solved = 1;
+      best_.problem = std::move(problem);
+      best_.found = search_continuous(best_.problem, options_, deadline_, true);
+      return;
+    }
+    WholeSearch search = search_whole(problem, options_, deadline_);
+    tally_.combinations += search.combinations;
+    tally_.solved += search.solved;
+    tally_.complete = tally_.complete && search.complete;
+    tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
+    tally_.enumerated = tally_.enumerated && search.enumerated;
+    if (search.found.assessment.verdict == Verdict::Infeasible) {
+      tally_.infeasible += search.combinations;
+      tally_.infeasible_proved =
+          tally_.infeasible_proved && search.found.assessment.global.has_value();
+    }
+    add_counts(search.found);
+    if (!started_ || better(problem, search.found.assessment, best_.found.assessment)) {
+      best_.options = std::move(options);
+      best_.problem = std::move(problem);
+      best_.found = std::move(search.found);
+    }
+    started_ = true;
+  }
+
+  static bool has_whole(const Problem& problem) {
+    return std::any_of(problem.variables.begin(), problem.variables.end(),
+                       [](const Variable& v) { return v.integer; });
+  }
+
+  void add_counts(const Found& found) {
+    evaluations_ += found.evaluations;
+    iterations_ += found.iterations;
+    solves_ += found.solves;
+  }
+
+  /// The winner, solved once more with its whole variables fixed, and proved.
+  void settle() {
+    best_.combinations = tally_.combinations;
+    best_.solved = tally_.solved;
+    if (!started_) return;
+    Found& found = best_.found;
+    if (is_feasible(found.assessment) && !found.x.empty()) {
+      Problem fixed = with_whole_fixed(best_.problem, found.x);
+      for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
+        fixed.variables[i].start = found.x[i];
+      }
+      OptimiseOptions once = options_;
+      once.starts = 1;
+      Found proved = search_continuous(fixed, once, deadline_, true);
+      if (is_feasible(proved.assessment)) {
+        proved.starts = found.starts;
+        proved.agreed = found.agreed;
+        found = std::move(proved);
+      }
+      add_counts(found);
+    }
+    found.evaluations = evaluations_;
+    found.iterations = iterations_;
+    found.solves = solves_;
+    judge_combinations(tally_, found.assessment);
+  }
+
+  const ProblemSpace& space_;
+  const OptimiseOptions& options_;
+  Deadline deadline_;
+  Tally tally_;
+  Optimum best_;
+  bool started_ = false;
+  long evaluations_ = 0;
+  int iterations_ = 0, solves_ = 0;
+};
+
+}  // namespace
+
+Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options) {
+  if (options.solver != "auto") find_solver(options.solver);
+  if (options.starts && *options.starts < 1) {
+    throw std::invalid_argument("starts: at least one is needed");
+  }
+  const auto began = std::chrono::steady_clock::now();
+  Optimum result = Optimiser(space, options).run();
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+  result.wall_s = spent.count();
+  return result;
+}
+
+Optimum optimise(const Problem& problem, const OptimiseOptions& options) {
+  return optimise(ProblemSpace::of(problem), options);
+}
+
+}  // namespace camlaw::optim

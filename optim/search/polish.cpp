@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/polish.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "optim/verdict/limits.h"
+#include "optim/verdict/second_order.h"
+
+namespace camlaw::optim {
+namespace {
+
+constexpr int kMostVariables = 300;
+constexpr double kPushes = 1e-9;  // over the sizes: a limit with less does not hold the design
+
+/// The limits that push, as equations, and the Lagrangian's second derivatives: one linear system.
+/// Its solution is the step of the design, by typical changes; empty where there is none.
+std::optional<Eigen::VectorXd> newton_step(const SecondOrderPoint& point, const Weighed& weighed) {
+  std::vector<std::size_t> pushing;
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+    if (weighed.limits[j].is_equation || weighed.multipliers[j] > kPushes) pushing.push_back(j);
+  }
+  const Eigen::Index n = point.layout.rows, m = static_cast<Eigen::Index>(pushing.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + m, n + m);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n + m);
+  K.topLeftCorner(n, n) = lagrangian_hessian(point, weighed.limits, weighed.multipliers);
+  right.head(n) = -objective_gradient(point.problem, point.sizes, point.x, point.layout);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const ActiveLimit& limit = weighed.limits[pushing[static_cast<std::size_t>(k)]];
+    for (const auto& [variable, slope] : limit.gradient) {
+      if (point.layout.row[variable] < 0) continue;
+      K(n + k, point.layout.row[variable]) = K(point.layout.row[variable], n + k) = slope;
+    }
+    if (limit.auxiliary != 0) {
+      K(n + k, point.layout.auxiliary) = K(point.layout.auxiliary, n + k) = limit.auxiliary;
+    }
+    right[n + k] = limit.margin;
+  }
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(K);
+  Eigen::VectorXd step = lu.solve(right);
+  const double off = (K * step - right).cwiseAbs().maxCoeff();
+  if (!step.allFinite() || !(off <= 1e-9 * (1 + right.cwiseAbs().maxCoeff()))) return {};
+  return step;
+}
+
+std::vector<double> moved(const SecondOrderPoint& point, const Eigen::VectorXd& step) {
+  std::vector<double> x(point.x.begin(), point.x.end());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Variable& v = point.problem.variables[i];
+    if (point.layout.row[i] < 0) continue;
+    x[i] =
+        std::clamp(x[i] + step[point.layout.row[i]] * point.sizes.variables[i], v.lower, v.upper);
+  }
+  return x;
+}
+
+/// Steps with the limits of one width until the conditions hold to rounding or cease to improve.
+std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes,
+                                            Design start, const Layout& layout, double width) {
+  constexpr int kSteps = 8;
+  constexpr double kDone = 1e-11, kGood = 1e-8, kMet = 0.1;
+  std::vector<double> best, x(start.begin(), start.end());
+  double residual = kInfinity;
+  for (int step = 0; step < kSteps; ++step) {
+    const Weighed weighed = weigh(problem, sizes, x, Optimality::Objective, layout, width);
+    const double violation = worst_violation(limit_reports(problem, sizes, x, false));
+    if (violation <= kMet && weighed.residual < residual) best = x, residual = weighed.residual;
+    if (residual <= kDone) break;
+    const SecondOrderPoint point{problem, sizes, x, layout};
+    const auto delta = newton_step(point, weighed);
+    if (!delta || delta->head(layout.rows).cwiseAbs().maxCoeff() > 1) break;
+    x = moved(point, *delta);
+  }
+  if (residual > kGood) return {};
+  return best;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes, Design x) {
+  constexpr double kWidths[] = {1e-6, 1e-3};
+  const Layout layout = lay_out(problem, Optimality::Objective);
+  if (layout.rows > kMostVariables || layout.rows == 0) return {};
+  for (const double width : kWidths) {
+    if (auto found = polished(problem, sizes, x, layout, width)) return found;
+  }
+  return {};
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/working_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/search/exchange.h"
+
+namespace camlaw::optim {
+namespace {
+
+constexpr double kTenth = 0.1;  // of a tolerance: what the exchange still goes after
+
+/// Highest value of sign * number or curve at a design.
+double peak_of(const Response& response, double sign, Design x) {
+  if (!response.is_curve()) return sign * response.function().value(x);
+  return sign * highest(*response.curve().trace(x), sign).value;
+}
+
+/// Whether a place is in the set but for rounding: asking again would not move the solver.
+bool is_known(const Side& side, Place place, const std::vector<double>& breaks) {
+  const double near = 1e-10 * (breaks.back() - breaks.front());
+  return std::any_of(side.places.begin(), side.places.end(), [&](const Place& other) {
+    return other.from_left == place.from_left && std::abs(other.angle - place.angle) <= near;
+  });
+}
+
+}  // namespace
+
+WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
+    : problem_(problem),
+      sizes_(sizes),
+      aim_(aim),
+      auxiliary_(aim == Aim::LeastViolation || problem.objective.response.is_curve()) {
+  const Objective& objective = problem.objective;
+  if (aim == Aim::Optimum && objective.response.is_curve()) {
+    const auto add = [&](double sign) {
+      sides_.push_back(
+          {&objective.response, sign, 0, true, sizes.objective, sizes.objective_tolerance, {}});
+    };
+    if (objective.part != Part::Lowest) add(1);
+    if (objective.part != Part::Highest) add(-1);
+  }
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const Constraint& c = problem.constraints[i];
+    if (!c.response.is_curve()) continue;
+    const ConstraintSize& size = sizes.constraints[i];
+    if (c.upper) sides_.push_back({&c.response, 1, *c.upper, false, size.size, size.tolerance, {}});
+    if (c.lower) {
+      sides_.push_back({&c.response, -1, *c.lower, false, size.size, size.tolerance, {}});
+    }
+  }
+}
+
+void WorkingSet::begin_at(Design x) {
+  // Few stretches get more places each: the first program should already be bounded.
+  constexpr std::size_t kFewStretches = 16;
+  for (Side& side : sides_) {
+    const auto trace = side.response->curve().trace(x);
+    const auto breaks = trace->breaks();
+    const int steps = breaks.size() <= kFewStretches ? 8 : 2;
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+      for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        const double angle =
+            i == steps ? breaks[k + 1] : std::lerp(breaks[k], breaks[k + 1], share);
+        side.places.push_back({angle, i == steps});
+      }
+    }
+  }
+}
+
+void WorkingSet::add(const std::vector<BrokenLimit>& known) {
+  for (const BrokenLimit& broken : known) {
+    const Response* response = broken.constraint
+                                   ? &problem_.constraints[*broken.constraint].response
+                                   : &problem_.objective.response;
+    for (Side& side : sides_) {
+      if (side.response == response && side.sign == broken.sign)
+        side.places.push_back(broken.place);
+    }
+  }
+}
+
+std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
+  std::size_t added = 0;
+  for (Side& side : sides_) {
+    const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
+    const double bound = side.of_peak ? auxiliary : side.bound;
+    // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
+    // a magnitude from both sides.
+    const double limit =
+        side.of_peak && problem_.objective.part == Part::Magnitude ? bound : side.sign * bound;
+    const auto trace = side.response->curve().trace(x);
+    for (const Extreme& peak : local_maxima(*trace, side.sign)) {
+      const double above = side.sign * peak.value - limit - slack;
+      if (!(above > kTenth * side.tolerance)) continue;
+      if (is_known(side, peak.place, trace->breaks())) continue;
+      side.places.push_back(peak.place);
+      ++added;
+    }
+  }
+  return added;
+}
+
+Row WorkingSet::number_row(const Constraint& constraint, const ConstraintSize& size) const {
+  return {constraint.response.function(),
+          constraint.lower.value_or(-kInfinity),
+          constraint.upper.value_or(kInfinity),
+          size.size,
+          {}};
+}
+
+void WorkingSet::add_rows(std::vector<Row>& rows) const {
+  const std::size_t auxiliary = problem_.variables.size();
+  for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+    const Constraint& c = problem_.constraints[i];
+    if (c.response.is_curve()) continue;
+    const Row row = number_row(c, sizes_.constraints[i]);
+    if (aim_ == Aim::Optimum) {
+      rows.push_back(row);
+      continue;
+    }
+    // Either side may be passed by the same share of the size.
+    if (c.upper)
+      rows.push_back({row.function, -kInfinity, row.upper, row.size, {{auxiliary, -row.size}}});
+    if (c.lower)
+      rows.push_back({row.function, row.lower, kInfinity, row.size, {{auxiliary, row.size}}});
+  }
+  for (const Side& side : sides_) {
+    for (const Place& place : side.places) {
+      Row row{side.response->curve().at(place), -kInfinity, kInfinity, side.size, {}};
+      const bool magnitude = side.of_peak && problem_.objective.part == Part::Magnitude;
+      (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
+      if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};
+      if (aim_ == Aim::LeastViolation) row.auxiliary = {{auxiliary, -side.sign * side.size}};
+      rows.push_back(std::move(row));
+    }
+  }
+}
+
+double WorkingSet::auxiliary_start(Design x) const {
+  const Objective& objective = problem_.objective;
+  if (aim_ == Aim::Optimum) {
+    double peak = -kInfinity;
+    if (objective.part == Part::Lowest) return -peak_of(objective.response, -1, x);
+    peak = peak_of(objective.response, 1, x);
+    if (objective.part == Part::Magnitude)
+      peak = std::max(peak, peak_of(objective.response, -1, x));
+    return peak;
+  }
+  double violation = 0;
+  for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+    const Constraint& c = problem_.constraints[i];
+    const double size = sizes_.constraints[i].size;
+    if (c.upper) violation = std::max(violation, (peak_of(c.response, 1, x) - *c.upper) / size);
+    if (c.lower) violation = std::max(violation, (peak_of(c.response, -1, x) + *c.lower) / size);
+  }
+  return violation;
+}
+
+Program WorkingSet::program(Design start) const {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < problem_.variables.size(); ++i) {
+    const Variable& v = problem_.variables[i];
+    columns.push_back({v.lower, v.upper, start[i], sizes_.variables[i]});
+  }
+  std::vector<Row> rows;
+  add_rows(rows);
+  const std::size_t auxiliary = columns.size();
+  if (aim_ == Aim::LeastViolation) {
+    columns.push_back({0, kInfinity, auxiliary_start(start), 1});
+    return Program(std::move(columns), variable_function(auxiliary), 1, 1, std::move(rows));
+  }
+  const Objective& objective = problem_.objective;
+  const double sign = objective.sense == Sense::Minimize ? 1 : -1;
+  if (!auxiliary_) {
+    return Program(std::move(columns), objective.response.function(), sign, sizes_.objective,
+                   std::move(rows));
+  }
+  columns.push_back({-kInfinity, kInfinity, auxiliary_start(start), sizes_.objective});
+  return Program(std::move(columns), variable_function(auxiliary), sign, sizes_.objective,
+                 std::move(rows));
+}
+
+}  // namespace camlaw::optim

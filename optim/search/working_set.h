@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "optim/cycle/extremes.h"
+#include "optim/problem/sizes.h"
+#include "optim/solvers/program.h"
+
+/// The limits of a problem as rows of a program, those of curves at chosen places.
+namespace camlaw::optim {
+
+enum class Aim;
+struct BrokenLimit;
+
+/// One side of a limit on a curve, or of a peak that is sought: sign * (curve - bound) <= 0, where
+/// the bound of a peak is a variable of the program.
+struct Side {
+  const Response* response;
+  double sign;
+  double bound;  ///< not used for a peak
+  bool of_peak;
+  double size;  ///< of the response
+  double tolerance;
+  std::vector<Place> places;
+};
+
+/// The program's rows and the places that they stand for.
+class WorkingSet {
+ public:
+  WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim);
+
+  /// Even places in each smooth stretch of a design's curves.
+  void begin_at(Design x);
+  /// Adds places that a proof has found.
+  void add(const std::vector<BrokenLimit>& known);
+  /// Adds every peak that passes its limit at the design by more than a tenth of its tolerance;
+  /// `auxiliary` is the program's variable for the peak or the violation. The number added.
+  std::size_t add_violated(Design x, double auxiliary);
+
+  /// The program, to be searched from a design on.
+  Program program(Design start) const;
+
+ private:
+  double auxiliary_start(Design x) const;
+  void add_rows(std::vector<Row>& rows) const;
+  Row number_row(const Constraint& constraint, const ConstraintSize& size) const;
+
+  const Problem& problem_;
+  const Sizes& sizes_;
+  Aim aim_;
+  bool auxiliary_;
+  std::vector<Side> sides_;
+};
+
+}  // namespace camlaw::optim

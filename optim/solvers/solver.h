@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "optim/solvers/program.h"
+
+/// Back ends: what a solver is to the rest of camlaw. Solver headers are included in the back ends'
+/// .cpp files alone.
+namespace camlaw::optim {
+
+/// How a back end ended. It is a hint: whether a design is good the verdict says.
+enum class Status {
+  Solved,          ///< its own tests of optimality hold
+  Acceptable,      ///< they hold to its looser tolerance
+  Stalled,         ///< no more progress: steps too small, rounding
+  IterationLimit,  ///< or limit of evaluations
+  TimeLimit,
+  Infeasible,      ///< it thinks that the rows contradict one another
+  Unbounded,       ///< the objective falls without end
+  NonFiniteStart,  ///< objective or rows are no numbers at the start
+  Stopped,         ///< by the user
+  Failed,          ///< anything else; the message says what
+};
+std::string_view to_string(Status status);
+
+/// What is reported while a solver runs.
+struct Progress {
+  int iteration;
+  double objective;  ///< scaled back to the problem's unit
+  double violation;  ///< the largest of the scaled rows
+};
+
+struct SolverOptions {
+  double tolerance = 1e-9;                ///< of scaled rows, gradients and complementarity
+  int max_iterations = 1000;              ///< of a local method
+  long max_evaluations = 20000;           ///< of a global or derivative-free method
+  std::optional<double> time_limit = {};  ///< seconds
+  std::uint64_t seed = 1;                 ///< of methods that draw numbers
+  /// Ipopt alone: by how much bounds and rows are widened. Its own default, 1e-8, is what lets it
+  /// answer problems with designs that they exclude.
+  double bound_relaxation = 0;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const Progress&)> progress = {};
+};
+
+/// A point to begin at, with multipliers where an earlier solve left them.
+struct WarmStart {
+  std::vector<double> y;
+  std::vector<double> rows, lower, upper;  ///< multipliers, Ipopt's signs; empty where unknown
+};
+
+struct Solution {
+  Status status = Status::Failed;
+  std::string message;                     ///< the solver's own words
+  std::vector<double> y;                   ///< the last or best point; empty if there is none
+  std::vector<double> rows, lower, upper;  ///< multipliers, empty where the method has none
+  int iterations = 0;
+  long evaluations = 0;           ///< of the objective
+  std::exception_ptr error = {};  ///< what the model threw, if it did
+};
+
+/// A method. Const and without state: safe to share.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual std::string name() const = 0;
+  /// Searches the whole box instead of following the slope from the start.
+  virtual bool is_global() const = 0;
+  /// Why this method cannot take the program, in words; empty where it can.
+  virtual std::optional<std::string> refusal(const Program& program) const = 0;
+  /// Never throws what the model throws: that is kept in Solution::error.
+  virtual Solution solve(const Program& program, const SolverOptions& options,
+                         const WarmStart* warm = nullptr) const = 0;
+};
+
+/// "ipopt", "slsqp", ...; throws std::invalid_argument listing the known names.
+const Solver& find_solver(std::string_view name);
+std::vector<std::string> solver_names();
+
+/// The back ends' own lists.
+const Solver& ipopt_solver();
+const std::vector<const Solver*>& nlopt_solvers();
+
+}  // namespace camlaw::optim

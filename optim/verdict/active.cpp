@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/active.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/cycle/extremes.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// Collects the limits of one design.
+class Collector {
+ public:
+  Collector(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+            double width)
+      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), width_(width) {}
+
+  std::vector<ActiveLimit> collect() {
+    const bool least_violation = optimality_ == Optimality::LeastViolation;
+    if (least_violation) violation_ = largest_violation();
+    if (!least_violation && problem_.objective.response.is_curve()) add_objective();
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) add_constraint(i);
+    for (std::size_t i = 0; i < problem_.variables.size(); ++i) add_bounds(i);
+    return std::move(limits_);
+  }
+
+ private:
+  struct Level {
+    double sign, bound, size, reach;  ///< reach: the largest margin that counts as active
+  };
+
+  double largest_violation() const {
+    double worst = 0;
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      const Constraint& c = problem_.constraints[i];
+      const double size = sizes_.constraints[i].size;
+      if (c.upper) worst = std::max(worst, (peak(c.response, 1) - *c.upper) / size);
+      if (c.lower) worst = std::max(worst, (peak(c.response, -1) + *c.lower) / size);
+    }
+    return worst;
+  }
+
+  double peak(const Response& response, double sign) const {
+    if (!response.is_curve()) return sign * response.function().value(x_);
+    return sign * highest(*response.curve().trace(x_), sign).value;
+  }
+
+  void add_objective() {
+    const Objective& objective = problem_.objective;
+    const double value = objective_value(objective, x_);
+    const double reach = std::max(width_ * sizes_.objective, 2 * sizes_.objective_tolerance);
+    const auto add = [&](double sign) {
+      const bool turned = objective.part == Part::Magnitude && sign < 0;
+      add_curve(objective.response, {sign, turned ? -value : value, sizes_.objective, reach}, {});
+    };
+    if (objective.part != Part::Lowest) add(1);
+    if (objective.part != Part::Highest) add(-1);
+  }
+
+  void add_constraint(std::size_t i) {
+    const Constraint& c = problem_.constraints[i];
+    const ConstraintSize& size = sizes_.constraints[i];
+    const double reach = std::max(width_ * size.size, 2 * size.tolerance);
+    const bool equation = c.lower && c.upper && *c.lower == *c.upper;
+    const double eased = violation_ * size.size;
+    const auto add = [&](double sign, double bound) {
+      const Level level{sign, bound + sign * eased, size.size, reach};
+      if (c.response.is_curve()) {
+        add_curve(c.response, level, i);
+      } else {
+        add_number(c.response.function(), level, i, equation);
+      }
+    };
+    if (c.upper) add(1, *c.upper);
+    if (c.lower && (!equation || optimality_ == Optimality::LeastViolation)) add(-1, *c.lower);
+  }
+
+  void add_number(const Function& f, const Level& level, std::size_t constraint, bool equation) {
+    ActiveLimit limit = gradient_of(f, level);
+    const bool free = equation && optimality_ == Optimality::Objective;
+    if (!free && limit.margin * level.size > level.reach) return;
+    limit.constraint = constraint;
+    limit.is_equation = free;
+    if (optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
+    limits_.push_back(std::move(limit));
+  }
+
+  void add_curve(const Response& response, const Level& level,
+                 std::optional<std::size_t> constraint) {
+    const Curve& curve = response.curve();
+    const auto trace = curve.trace(x_);
+    const auto breaks = trace->breaks();
+    for (const Extreme& peak : local_maxima(*trace, level.sign)) {
+      if (level.sign * (level.bound - peak.value) > level.reach) continue;
+      ActiveLimit limit = gradient_of(curve.at(peak.place), level);
+      limit.constraint = constraint;
+      if (!constraint || optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
+      const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
+        return std::abs(angle - peak.place.angle) <= 1e-12 * (breaks.back() - breaks.front());
+      });
+      if (inside) {
+        limit.slope_gradient = curve.slope_gradient(peak.place, x_);
+        limit.curvature = trace->at(peak.place)[2];
+      } else if (curve.breaks_move()) {
+        limit.at_moving_break = slopes_at_break(*trace, peak.place, breaks, level);
+      }
+      if (!is_twin(limit)) limits_.push_back(std::move(limit));
+    }
+  }
+
+  /// Whether a limit of the same constraint has the same gradient, as rise and return of a
+  /// symmetric cycle have: the two would share a multiplier in any proportion.
+  bool is_twin(const ActiveLimit& limit) const {
+    static constexpr double kSame = 1e-9;
+    return std::any_of(limits_.begin(), limits_.end(), [&](const ActiveLimit& other) {
+      if (other.constraint != limit.constraint || other.variable || !other.function) return false;
+      if (std::abs(other.margin - limit.margin) > kSame) return false;
+      return std::equal(limit.gradient.begin(), limit.gradient.end(), other.gradient.begin(),
+                        other.gradient.end(), [](const auto& a, const auto& b) {
+                          return a.first == b.first && std::abs(a.second - b.second) <= kSame;
+                        });
+    });
+  }
+
+  /// Whether a peak stands at a break inside the cycle, with a slope that a shift of it would show.
+  static bool slopes_at_break(const Trace& trace, Place place, const std::vector<double>& breaks,
+                              const Level& level) {
+    constexpr double kSlope = 1e-6;
+    if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
+    const double cycle = breaks.back() - breaks.front();
+    return std::abs(trace.at(place)[1]) * cycle > kSlope * level.size;
+  }
+
+  ActiveLimit gradient_of(const Function& f, const Level& level) const {
+    ActiveLimit limit;
+    limit.function = f;
+    limit.size = level.size;
+    limit.sign = level.sign;
+    std::vector<double> g(f.inputs().size());
+    const double value = f.gradient(x_, g);
+    limit.margin = level.sign * (level.bound - value) / level.size;
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      const std::size_t variable = f.inputs()[k];
+      const double slope = level.sign * g[k] * sizes_.variables[variable] / level.size;
+      if (slope != 0) limit.gradient.emplace_back(variable, slope);
+    }
+    return limit;
+  }
+
+  void add_bounds(std::size_t i) {
+    const Variable& v = problem_.variables[i];
+    if (v.lower == v.upper) return;
+    const auto add = [&](double sign, double bound) {
+      const double margin = sign * (bound - x_[i]) / sizes_.variables[i];
+      if (!(margin <= std::max(width_, 1e-7))) return;
+      ActiveLimit limit;
+      limit.gradient = {{i, sign}};
+      limit.margin = margin;
+      limit.size = sizes_.variables[i];
+      limit.sign = sign;
+      limit.variable = i;
+      limits_.push_back(std::move(limit));
+    };
+    add(1, v.upper);
+    add(-1, v.lower);
+  }
+
+  const Problem& problem_;
+  const Sizes& sizes_;
+  Design x_;
+  Optimality optimality_;
+  double width_;
+  double violation_ = 0;
+  std::vector<ActiveLimit> limits_;
+};
+
+}  // namespace
+
+std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
+                                       Optimality optimality, double width) {
+  return Collector(problem, sizes, x, optimality, width).collect();
+}
+
+}  // namespace camlaw::optim

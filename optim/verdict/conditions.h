@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "optim/verdict/active.h"
+
+/// The conditions of optimality as a linear system for the multipliers.
+namespace camlaw::optim {
+
+/// The rows of the conditions: one for each variable that is free, one for the peak's bound or the
+/// violation where there is one.
+struct Layout {
+  std::vector<int> row;  ///< of each variable; -1 where it is fixed
+  int rows = 0;
+  int auxiliary = -1;
+};
+Layout lay_out(const Problem& problem, Optimality optimality);
+
+/// The objective's gradient, over its size and by typical changes.
+Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, Design x,
+                                   const Layout& layout);
+
+/// Limits near a design and the multipliers with which the conditions hold best.
+struct Weighed {
+  std::vector<ActiveLimit> limits;
+  std::vector<double> multipliers;  ///< by limit, over the sizes
+  double residual = kInfinity;
+  double condition = 1;
+};
+
+/// Of the limits within `width` (as of active_limits).
+Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+              const Layout& layout, double width);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/kkt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/verdict/conditions.h"
+#include "optim/verdict/second_order.h"
+
+namespace camlaw::optim {
+namespace {
+
+constexpr double kPushes = 1e-4;  // over the sizes: less is as good as nothing
+
+/// From multipliers over sizes to the engineer's units.
+Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_size) {
+  Kkt result;
+  result.residual = weighed.residual;
+  result.condition = weighed.condition;
+  const std::size_t constraints = problem.constraints.size(), variables = problem.variables.size();
+  result.constraints.assign(constraints, 0);
+  result.active_constraints.assign(constraints, false);
+  result.lower.assign(variables, 0);
+  result.upper.assign(variables, 0);
+  result.active_lower.assign(variables, false);
+  result.active_upper.assign(variables, false);
+  const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+    const ActiveLimit& limit = weighed.limits[j];
+    const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
+    if (limit.at_moving_break && weighed.multipliers[j] > kPushes) result.at_moving_break = true;
+    if (limit.constraint) {
+      const double gain = limit.is_equation ? -sense * multiplier : multiplier;
+      result.constraints[*limit.constraint] += gain;
+      result.active_constraints[*limit.constraint] = true;
+    } else if (limit.variable) {
+      (limit.sign > 0 ? result.upper : result.lower)[*limit.variable] = multiplier;
+      (limit.sign > 0 ? result.active_upper : result.active_lower)[*limit.variable] = true;
+    }
+  }
+  return result;
+}
+
+constexpr double kFlat = 1e-8;  // of a typical slope
+
+/// The objective's slope, of a peak the weighed sum of its places' slopes: the longest entry.
+double objective_slope(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+                       const Weighed& weighed) {
+  if (layout.auxiliary < 0) {
+    const auto gradient = objective_gradient(problem, sizes, x, layout);
+    return gradient.size() == 0 ? 0 : gradient.cwiseAbs().maxCoeff();
+  }
+  std::vector<double> sum(problem.variables.size(), 0.0);
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+    const ActiveLimit& limit = weighed.limits[j];
+    if (limit.constraint || limit.variable) continue;
+    for (const auto& [variable, slope] : limit.gradient) {
+      sum[variable] += weighed.multipliers[j] * slope;
+    }
+  }
+  double largest = 0;
+  for (const double slope : sum) largest = std::max(largest, std::abs(slope));
+  return largest;
+}
+
+/// Whether a limit that pushes has no slope, though it is not known to be convex: such a point may
+/// be a saddle of the violation rather than its least.
+bool has_flat_push(const Problem& problem, const Weighed& weighed) {
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+    const ActiveLimit& limit = weighed.limits[j];
+    if (!limit.constraint || weighed.multipliers[j] < kPushes) continue;
+    const Shape shape = problem.constraints[*limit.constraint].response.shape();
+    if (limit.sign > 0 ? is_convex(shape) : is_concave(shape)) continue;
+    const bool flat = std::all_of(limit.gradient.begin(), limit.gradient.end(),
+                                  [](const auto& entry) { return std::abs(entry.second) < kFlat; });
+    if (flat) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_global_valley(const Problem& problem, double objective_slope) {
+  constexpr double kSlopes = 1e-6;
+  return why_convex(problem) && (!needs_slope(problem) || objective_slope > kSlopes);
+}
+
+Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality) {
+  // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
+  // slack times multiplier counts against them.
+  constexpr double kGood = 1e-8;
+  constexpr double kWidths[] = {0, 1e-6, 1e-4};
+  const Layout layout = lay_out(problem, optimality);
+  Weighed best;
+  for (const double width : kWidths) {
+    Weighed weighed = weigh(problem, sizes, x, optimality, layout, width);
+    if (weighed.residual < best.residual || width == 0) best = std::move(weighed);
+    if (best.residual <= kGood) break;
+  }
+  const bool least_violation = optimality == Optimality::LeastViolation;
+  Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);
+  if (least_violation) {
+    result.flat = has_flat_push(problem, best);
+    result.second_order = true;
+    return result;
+  }
+  result.objective_slope = objective_slope(problem, sizes, x, layout, best);
+  result.second_order =
+      is_global_valley(problem, result.objective_slope) ||
+      second_order_holds({problem, sizes, x, layout}, best.limits, best.multipliers);
+  return result;
+}
+
+}  // namespace camlaw::optim

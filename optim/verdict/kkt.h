@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/problem/sizes.h"
+
+/// Conditions of optimality (Karush, Kuhn, Tucker) at a design, from the problem alone
+/// (docs/optimisation.md, "Conditions of optimality").
+namespace camlaw::optim {
+
+/// What the conditions are checked for: the objective's optimum, or the least of the largest
+/// violation (counted in the constraints' sizes).
+enum class Optimality { Objective, LeastViolation };
+
+struct Kkt {
+  /// Largest entry of the Lagrangian's gradient, by typical changes of the variables, and what
+  /// multipliers times margins leave open; over the objective's measure: the largest of its size
+  /// here, its change since the start and its typical change (of LeastViolation: over one).
+  double residual = kInfinity;
+  /// Objective units gained per unit of the bound, not negative; of an equation signed: by how much
+  /// the objective rises as the bound does. Of LeastViolation: shares that add up to one, by size.
+  std::vector<double> constraints;
+  std::vector<double> lower, upper;  ///< of the variables' bounds
+  std::vector<bool> active_constraints, active_lower, active_upper;
+  double condition = 1;  ///< of the active limits' gradients; infinite: not unique multipliers
+  double objective_slope = 0;  ///< its largest entry, over the objective's size
+  bool flat = false;  ///< LeastViolation: a limit that pushes is stationary and not known convex
+  /// A peak that pushes stands at a break that moves with the design: its gradient is not known.
+  bool at_moving_break = false;
+  bool second_order = false;  ///< no direction along the active limits improves, to second order
+};
+
+/// Whether the shapes make a design where the conditions hold the best there is. A quasiconvex
+/// objective must slope there.
+bool is_global_valley(const Problem& problem, double objective_slope);
+
+/// At a design that meets every limit (for LeastViolation: any design).
+Kkt kkt(const Problem& problem, const Sizes& sizes, Design x,
+        Optimality optimality = Optimality::Objective);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camlaw::optim {
+namespace {
+
+/// One side at a design: how much room is left, and where on the cycle.
+struct Standing {
+  double value, margin;
+  std::optional<Place> place;
+};
+
+Standing standing(const Response& response, const Trace* trace, Design x, double sign,
+                  double bound) {
+  if (trace == nullptr) {
+    const double value = response.function().value(x);
+    return {value, sign * (bound - value), {}};
+  }
+  const Extreme worst = highest(*trace, sign);
+  return {worst.value, sign * (bound - worst.value), worst.place};
+}
+
+/// Whether intervals prove one side, with its tolerance. Where they find it broken, the standing
+/// becomes the place that breaks it.
+bool prove_side(const Response& response, const Trace* trace, Design x, double sign, double bound,
+                double tolerance, Standing& side) {
+  if (trace == nullptr) {
+    const Bounds exact = response.function().enclose(x);
+    return sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
+  }
+  const CycleProof proof = prove_below(*trace, sign, sign * bound + tolerance);
+  if (proof.broken && sign * (bound - proof.worst.value) < side.margin) {
+    side = {proof.worst.value, sign * (bound - proof.worst.value), proof.worst.place};
+  }
+  return proof.proved;
+}
+
+LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bool prove) {
+  LimitReport result;
+  result.name = c.response.name;
+  result.unit = c.response.unit;
+  result.is_equation = c.lower && c.upper && *c.lower == *c.upper;
+  result.tolerance = size.tolerance;
+  result.margin = kInfinity;
+  result.proved = prove;
+  const auto trace = c.response.is_curve() ? c.response.curve().trace(x) : nullptr;
+  const auto look = [&](double sign, double bound) {
+    Standing side = standing(c.response, trace.get(), x, sign, bound);
+    if (prove) {
+      result.proved = prove_side(c.response, trace.get(), x, sign, bound, size.tolerance, side) &&
+                      result.proved;
+    }
+    // What is no number is worst of all, and stays.
+    if (side.margin >= result.margin || std::isnan(result.margin)) return;
+    result.value = side.value;
+    result.bound = bound;
+    result.is_upper = sign > 0;
+    result.margin = side.margin;
+    if (!side.place) return;
+    result.worst_angle = side.place->angle;
+    result.from_left = side.place->from_left;
+  };
+  if (c.upper) look(1, *c.upper);
+  if (c.lower) look(-1, *c.lower);
+  result.met = result.margin >= -size.tolerance;
+  return result;
+}
+
+/// A little more than a peak that the search has found.
+double above(double value) { return value + 1e-9 * std::abs(value); }
+
+/// Proves one side of the objective's peak, `value` times `sign` the highest that the search found.
+/// Where the proof finds more, the report takes it.
+double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, double value) {
+  const double limit = above(sign * value);
+  const CycleProof proof = prove_below(trace, sign, limit);
+  if (proof.proved) return limit;
+  if (proof.broken) {
+    report.value = proof.worst.value;
+    report.angle = proof.worst.place.angle;
+    report.from_left = proof.worst.place.from_left;
+    report.sign = sign;
+  }
+  return kInfinity;
+}
+
+}  // namespace
+
+std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& sizes, Design x,
+                                       bool prove) {
+  std::vector<LimitReport> result;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    result.push_back(report(problem.constraints[i], sizes.constraints[i], x, prove));
+  }
+  return result;
+}
+
+ObjectiveReport objective_report(const Problem& problem, Design x, bool prove) {
+  const Objective& objective = problem.objective;
+  ObjectiveReport result;
+  if (!objective.response.is_curve()) {
+    const Function& f = objective.response.function();
+    result.value = f.value(x);
+    if (prove) result.proved = f.enclose(x);
+    return result;
+  }
+  const auto trace = objective.response.curve().trace(x);
+  const Extreme up = highest(*trace, 1), down = highest(*trace, -1);
+  const bool lowest = objective.part == Part::Lowest;
+  const bool magnitude = objective.part == Part::Magnitude;
+  const bool from_below = lowest || (magnitude && -down.value > up.value);
+  const Extreme& peak = from_below ? down : up;
+  result.value = peak.value;
+  result.angle = peak.place.angle;
+  result.from_left = peak.place.from_left;
+  result.sign = from_below ? -1 : 1;
+  if (prove) {
+    const double found = result.value;
+    const double one = prove_peak(*trace, result.sign, result, found);
+    const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found) : one;
+    const double most = std::max(one, other);
+    result.proved = lowest ? Bounds{-most, above(found)} : Bounds{-above(-std::abs(found)), most};
+    if (!lowest && !magnitude) result.proved.lower = -above(-found);
+  }
+  if (magnitude) result.value = std::abs(result.value);
+  return result;
+}
+
+double worst_violation(const std::vector<LimitReport>& limits) {
+  double worst = 0;
+  for (const LimitReport& limit : limits) {
+    const double violation = -limit.margin / limit.tolerance;
+    if (std::isnan(violation)) return kInfinity;
+    worst = std::max(worst, violation);
+  }
+  return worst;
+}
+
+}  // namespace camlaw::optim

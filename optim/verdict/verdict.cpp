@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/verdict.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camlaw::optim {
+namespace {
+
+std::vector<VariableReport> variable_reports(const Problem& problem, Design x) {
+  std::vector<VariableReport> result;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    result.push_back({v.name, v.unit, x[i], v.lower, v.upper, false, false, 0});
+  }
+  return result;
+}
+
+/// Names of the limits that a design stands at; where `least` is above 0 those alone whose share
+/// of the push is at least that.
+std::vector<std::string> active_names(const Problem& problem, const Sizes& sizes,
+                                      const Kkt& conditions, double least) {
+  std::vector<std::string> names;
+  const auto add = [&](bool active, double multiplier, double size, const std::string& name) {
+    if (active && std::abs(multiplier) * size >= least) names.push_back(name);
+  };
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    add(conditions.active_constraints[i], conditions.constraints[i], sizes.constraints[i].size,
+        problem.constraints[i].response.name);
+  }
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const std::string& name = problem.variables[i].name;
+    const double size = sizes.variables[i];
+    add(conditions.active_lower[i], conditions.lower[i], size, "lower bound of " + name);
+    add(conditions.active_upper[i], conditions.upper[i], size, "upper bound of " + name);
+  }
+  return names;
+}
+
+void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& conditions,
+                     Assessment& result) {
+  result.kkt_residual = conditions.residual;
+  result.condition = conditions.condition;
+  result.second_order = conditions.second_order;
+  result.at_moving_break = conditions.at_moving_break;
+  result.is_global = is_global_valley(problem, conditions.objective_slope);
+  for (std::size_t i = 0; i < result.limits.size(); ++i) {
+    result.limits[i].multiplier = conditions.constraints[i];
+  }
+  for (std::size_t i = 0; i < result.variables.size(); ++i) {
+    VariableReport& v = result.variables[i];
+    v.at_lower = conditions.active_lower[i];
+    v.at_upper = conditions.active_upper[i];
+    v.multiplier = std::max(conditions.lower[i], conditions.upper[i]);
+  }
+  result.active = active_names(problem, sizes, conditions, 0);
+}
+
+bool inside_bounds(const std::vector<VariableReport>& variables) {
+  return std::all_of(variables.begin(), variables.end(), [](const VariableReport& v) {
+    return v.value >= v.lower && v.value <= v.upper;
+  });
+}
+
+/// What keeps a design that meets every limit from being certified; empty where nothing does.
+std::string doubt(const Problem& problem, const Assessment& a) {
+  for (std::size_t i = 0; i < a.limits.size(); ++i) {
+    if (problem.constraints[i].response.is_curve() && !a.limits[i].proved) {
+      return fmt::format("{} is met wherever it was looked at, but not proved over the whole cycle",
+                         a.limits[i].name);
+    }
+  }
+  const Bounds& peak = a.objective.proved;
+  if (problem.objective.response.is_curve() && !(std::isfinite(peak.lower + peak.upper))) {
+    return fmt::format("{} is not proved to have no higher peak", problem.objective.response.name);
+  }
+  if (!(a.kkt_residual <= kKktTolerance)) {
+    return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
+  }
+  if (a.at_moving_break) {
+    return "a peak stands at a joint of the law that moves with the design: how it changes is not "
+           "known";
+  }
+  if (!a.second_order) return "a direction along the active limits improves to second order";
+  return {};
+}
+
+std::string violated_names(const std::vector<LimitReport>& limits) {
+  std::vector<std::string> names;
+  for (const LimitReport& limit : limits) {
+    if (!limit.met) names.push_back(limit.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string_view to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Certified:
+      return "certified optimum";
+    case Verdict::Feasible:
+      return "feasible";
+    case Verdict::Infeasible:
+      return "infeasible";
+    case Verdict::Failed:
+      return "failed";
+  }
+  return "?";
+}
+
+Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
+  Assessment result;
+  result.variables = variable_reports(problem, x);
+  result.objective = objective_report(problem, x, prove);
+  result.limits = limit_reports(problem, sizes, x, prove);
+  if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
+    result.reason = "the model gives no number at the answer";
+    return result;
+  }
+  if (!is_feasible(result)) {
+    result.reason = fmt::format("the design does not meet {}", violated_names(result.limits));
+    return result;
+  }
+  take_conditions(problem, sizes, kkt(problem, sizes, x), result);
+  result.reason = prove ? doubt(problem, result) : "not proved yet";
+  result.verdict = result.reason.empty() ? Verdict::Certified : Verdict::Feasible;
+  if (result.verdict == Verdict::Certified) {
+    result.reason = "every limit is met and the conditions of optimality hold";
+    if (result.is_global) result.global = why_convex(problem);
+  }
+  return result;
+}
+
+Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x) {
+  Assessment result;
+  result.variables = variable_reports(problem, x);
+  result.objective = objective_report(problem, x, false);
+  result.limits = limit_reports(problem, sizes, x, false);
+  if (std::isinf(worst_violation(result.limits))) {
+    result.reason = "the model gives no number at the design of least violation";
+    return result;
+  }
+  const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation);
+  take_conditions(problem, sizes, conditions, result);
+  constexpr double kPushes = 1e-4;
+  result.blamed = active_names(problem, sizes, conditions, kPushes);
+  if (!(result.kkt_residual <= kKktTolerance) || result.blamed.empty()) {
+    result.reason = fmt::format("no design was found that meets {}", violated_names(result.limits));
+    return result;
+  }
+  result.verdict = Verdict::Infeasible;
+  result.reason = fmt::format("{} contradict one another", fmt::join(result.blamed, " and "));
+  if (result.blamed.size() == 1) {
+    result.reason = fmt::format("{} cannot be met", result.blamed.front());
+  }
+  if (convex_set(problem) && !conditions.flat)
+    result.global = "the set that the limits leave is convex: it is empty";
+  return result;
+}
+
+bool is_feasible(const Assessment& a) {
+  return std::isfinite(a.objective.value) && worst_violation(a.limits) <= 1 &&
+         inside_bounds(a.variables);
+}
+
+bool better(const Problem& problem, const Assessment& a, const Assessment& b) {
+  const bool a_meets = is_feasible(a), b_meets = is_feasible(b);
+  if (a_meets != b_meets) return a_meets;
+  if (!a_meets) return worst_violation(a.limits) < worst_violation(b.limits);
+  const double sign = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  return sign * a.objective.value < sign * b.objective.value;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "problems/mechanism/curve_row.h"
+
+#include <algorithm>
+
+namespace camlaw::problems {
+namespace {
+
+using optim::packed, optim::packed_size;
+using Four = std::array<double, 4>;
+
+void negate(std::vector<Four>& all) {
+  for (Four& four : all) {
+    for (double& x : four) x = -x;
+  }
+}
+
+bool matters(const Four& derivatives, const std::array<bool, 4>& uses) {
+  for (std::size_t m = 0; m < 4; ++m) {
+    if (uses[m] && derivatives[m] != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law) {
+  const Motion<double> follower =
+      follower_motion<double>(stretch, {law.value[0], law.value[1], law.value[2], law.value[3]});
+  law.value = {follower.s, follower.v, follower.a, follower.j};
+  if (!stretch.returning) return law;
+  negate(law.gradient);
+  negate(law.hessian);
+  return law;
+}
+
+MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
+  if (!stretch.returning) return law;
+  for (double& derivative : law.value) derivative = -derivative;
+  negate(law.gradient);
+  return law;
+}
+
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
+                         optim::Place place, const std::array<bool, 4>& uses)
+    : law_(std::move(law)), stretch_(stretch), place_(law_place(stretch, place)) {
+  std::vector<double> own;
+  for (const LawVariable& v : law_->variables()) {
+    own.push_back(law_->member().arguments.list(v.parameter)[v.element]);
+  }
+  if (law_->is_linear()) {
+    expansion_ = follower_motion(stretch_, law_->motion(place_.x, place_.side, own, 1));
+  }
+  std::vector<Four> kept;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (law_->is_linear()) {
+      if (!matters(expansion_.gradient[i], uses)) continue;
+      kept.push_back(expansion_.gradient[i]);
+      origin_.push_back(own[i]);
+    }
+    variables_.push_back(i);
+  }
+  expansion_.gradient = std::move(kept);
+}
+
+MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
+  MotionDerivatives motion = expansion_;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t m = 0; m < 4; ++m) {
+      motion.value[m] += (values[i] - origin_[i]) * motion.gradient[i][m];
+    }
+  }
+  return motion;
+}
+
+MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
+  if (law_->is_linear()) return linear_at(values);
+  return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
+}
+
+CurveRow::CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
+                   PlaceMotion motion)
+    : point_(std::move(point)), machine_(machine_arguments), motion_(std::move(motion)) {}
+
+std::vector<double> CurveRow::point_at(std::span<const double> u,
+                                       const MotionDerivatives& motion) const {
+  std::vector<double> result(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(machine_));
+  result.insert(result.end(), motion.value.begin(), motion.value.end());
+  return result;
+}
+
+double CurveRow::value(std::span<const double> u) const {
+  return point_->value(point_at(u, motion_.at(u.subspan(machine_), 0)));
+}
+
+double CurveRow::gradient(std::span<const double> u, std::span<double> g) const {
+  const MotionDerivatives motion = motion_.at(u.subspan(machine_), 1);
+  std::vector<double> inner(machine_ + 4);
+  const double result = point_->gradient(point_at(u, motion), inner);
+  chain_gradient(inner, motion, g);
+  return result;
+}
+
+double CurveRow::hessian(std::span<const double> u, std::span<double> g,
+                         std::span<double> h) const {
+  const MotionDerivatives motion = motion_.at(u.subspan(machine_), 2);
+  std::vector<double> inner(machine_ + 4), inner_second(packed_size(machine_ + 4));
+  const double result = point_->hessian(point_at(u, motion), inner, inner_second);
+  chain_gradient(inner, motion, g);
+  chain_hessian(inner, inner_second, motion, h);
+  return result;
+}
+
+void CurveRow::chain_gradient(std::span<const double> inner, const MotionDerivatives& motion,
+                              std::span<double> g) const {
+  std::copy_n(inner.begin(), machine_, g.begin());
+  for (std::size_t i = 0; i < motion.gradient.size(); ++i) {
+    g[machine_ + i] = 0;
+    for (std::size_t m = 0; m < 4; ++m) {
+      g[machine_ + i] += inner[machine_ + m] * motion.gradient[i][m];
+    }
+  }
+}
+
+void CurveRow::chain_hessian(std::span<const double> inner, std::span<const double> inner_second,
+                             const MotionDerivatives& motion, std::span<double> h) const {
+  std::copy_n(inner_second.begin(), packed_size(machine_), h.begin());
+  const auto& slopes = motion.gradient;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    Four bent;  // its slopes times the second derivatives by the motion
+    for (std::size_t m = 0; m < 4; ++m) {
+      bent[m] = 0;
+      for (std::size_t n = 0; n < 4; ++n) {
+        bent[m] += slopes[i][n] *
+                   inner_second[packed(machine_ + std::max(m, n), machine_ + std::min(m, n))];
+      }
+    }
+    for (std::size_t k = 0; k < machine_; ++k) {
+      double& mixed = h[packed(machine_ + i, k)] = 0;
+      for (std::size_t m = 0; m < 4; ++m)
+        mixed += slopes[i][m] * inner_second[packed(machine_ + m, k)];
+    }
+    for (std::size_t k = 0; k <= i; ++k) {
+      double& second = h[packed(machine_ + i, machine_ + k)] = 0;
+      for (std::size_t m = 0; m < 4; ++m) {
+        second += bent[m] * slopes[k][m];
+        if (!motion.hessian.empty())
+          second += inner[machine_ + m] * motion.hessian[packed(i, k)][m];
+      }
+    }
+  }
+}
+
+}  // namespace camlaw::problems

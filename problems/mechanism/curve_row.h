@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "optim/problem/function.h"
+#include "problems/mechanism/cycle.h"
+#include "problems/mechanism/law_binding.h"
+
+namespace camlaw::problems {
+
+/// The follower's motion from the law's, and its rate along x from that of the law's.
+MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law);
+MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law);
+
+/// The follower's motion at one place of the cycle, as a function of the law's variables.
+class PlaceMotion {
+ public:
+  /// `uses` tells which of s, v, a, j matter.
+  PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch, optim::Place place,
+              const std::array<bool, 4>& uses);
+
+  /// The law's variables that the motion here depends on: of a linear law only those whose
+  /// derivatives are not all zero, such as the few coefficients of a spline.
+  const std::vector<std::size_t>& variables() const { return variables_; }
+  /// At values of these variables.
+  MotionDerivatives at(std::span<const double> values, int order) const;
+
+ private:
+  MotionDerivatives linear_at(std::span<const double> values) const;
+
+  std::shared_ptr<const LawBinding> law_;
+  Stretch stretch_;
+  LawPlace place_;
+  std::vector<std::size_t> variables_;
+  std::vector<double> origin_;   ///< of a linear law: values at which ...
+  MotionDerivatives expansion_;  ///< ... the motion here, and its derivatives everywhere, are these
+};
+
+/// A curve at one place. Arguments: the machine's that vary, then the law's variables that matter
+/// here. `point` is the curve's formula in the machine's arguments and s, v, a, j; derivatives by
+/// the law follow by the chain rule (docs/theory.md, "Curves over the cycle").
+class CurveRow final : public optim::Kernel {
+ public:
+  CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
+           PlaceMotion motion);
+
+  double value(std::span<const double> u) const override;
+  double gradient(std::span<const double> u, std::span<double> g) const override;
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override;
+
+ private:
+  std::vector<double> point_at(std::span<const double> u, const MotionDerivatives& motion) const;
+  void chain_gradient(std::span<const double> inner, const MotionDerivatives& motion,
+                      std::span<double> g) const;
+  void chain_hessian(std::span<const double> inner, std::span<const double> inner_second,
+                     const MotionDerivatives& motion, std::span<double> h) const;
+
+  std::shared_ptr<const optim::Kernel> point_;
+  std::size_t machine_;
+  PlaceMotion motion_;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "problems/mechanism/law_binding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ranges>
+#include <stdexcept>
+
+#include "optim/problem/function.h"
+#include "problems/mechanism/recent.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr std::size_t kWidth = kDualWidth;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t blocks(std::size_t variables) { return (variables + kWidth - 1) / kWidth; }
+/// The parameters of a block, as far as there are any.
+auto block_of(std::size_t block, std::size_t variables) {
+  return std::views::iota(std::min(block * kWidth, variables),
+                          std::min((block + 1) * kWidth, variables));
+}
+
+/// An x that rounding has set beside a break is at it: angles turned into x, and the breaks of laws
+/// in other scalars, differ in the last places.
+template <class S>
+double at_break(const Law<S>& law, double x) {
+  constexpr double kBeside = 1e-14;
+  for (const auto& piece : law.pieces()) {
+    if (std::abs(x - value_of(piece.end)) <= kBeside) return value_of(piece.end);
+  }
+  return x;
+}
+
+/// Four derivatives of s from the first on: s, v, a, j from 0.
+template <class S>
+std::array<S, 4> motion_of(const Law<S>& law, double x, Side side, std::size_t first = 0) {
+  if (first == 0) return law.template derivatives<4>(at_break(law, x), side);
+  const auto d = law.template derivatives<5>(at_break(law, x), side);
+  return {d[1], d[2], d[3], d[4]};
+}
+
+void check_variable(const Member& member, const LawVariable& variable) {
+  const Family& family = *member.family;
+  if (variable.parameter >= family.parameters.size()) {
+    throw std::invalid_argument(
+        fmt::format("law '{}' has no parameter {}", family.name, variable.parameter));
+  }
+  const Parameter& parameter = family.parameters[variable.parameter];
+  if (parameter.structural) {
+    throw std::invalid_argument(fmt::format(
+        "law '{}': parameter {} cannot vary: it shapes the law, and there are no derivatives by it",
+        family.name, parameter.name));
+  }
+  const std::size_t count = member.arguments.list(variable.parameter).size();
+  if (variable.element >= count) {
+    throw std::invalid_argument(fmt::format("law '{}': parameter {} has {} values, none at {}",
+                                            family.name, parameter.name, count, variable.element));
+  }
+}
+
+}  // namespace
+
+/// Laws in the scalars that carry derivatives: one for each block of parameters, or each pair of
+/// blocks; none where the values make no law.
+struct LawBinding::Laws {
+  Recent<std::optional<Law<double>>> plain;
+  Recent<std::vector<Law<Dual>>> first;
+  Recent<std::vector<Law<Dual2>>> second;
+};
+
+LawBinding::LawBinding(Member member, std::vector<LawVariable> variables)
+    : member_(std::move(member)),
+      variables_(std::move(variables)),
+      linear_(true),
+      laws_(std::make_shared<Laws>()) {
+  for (const LawVariable& variable : variables_) {
+    check_variable(member_, variable);
+    linear_ = linear_ && member_.family->parameters[variable.parameter].linear;
+    values_.push_back(member_.arguments.list(variable.parameter)[variable.element]);
+  }
+  member_.law();  // throws where there is none
+}
+
+std::vector<double> LawBinding::values_at(std::span<const double> design) const {
+  std::vector<double> values;
+  for (const LawVariable& variable : variables_) values.push_back(design[variable.variable]);
+  return values;
+}
+
+Member LawBinding::with_values(std::span<const double> values) const {
+  Member result = member_;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    result.arguments.values()[variables_[i].parameter][variables_[i].element] = values[i];
+  }
+  return result;
+}
+
+template <class S, class Seed>
+std::optional<Law<S>> LawBinding::seeded(std::span<const double> values, const Seed& seed) const {
+  const Member member = with_values(values);
+  Arguments<S> arguments = member.arguments.as<S>();
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    seed(i, arguments.values()[variables_[i].parameter][variables_[i].element]);
+  }
+  try {
+    return member.family->make(arguments);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<Law<Dual>> LawBinding::first_laws(std::span<const double> values) const {
+  std::vector<Law<Dual>> laws;
+  for (std::size_t block = 0; block < blocks(values.size()); ++block) {
+    auto law = seeded<Dual>(values, [&](std::size_t i, Dual& p) {
+      if (i / kWidth == block) p.v[static_cast<int>(i % kWidth)] = 1;
+    });
+    if (!law) return {};
+    laws.push_back(std::move(*law));
+  }
+  return laws;
+}
+
+std::vector<Law<Dual2>> LawBinding::second_laws(std::span<const double> values) const {
+  std::vector<Law<Dual2>> laws;
+  for (std::size_t outer = 0; outer < blocks(values.size()); ++outer) {
+    for (std::size_t inner = 0; inner <= outer; ++inner) {
+      auto law = seeded<Dual2>(values, [&](std::size_t i, Dual2& p) {
+        if (i / kWidth == inner) p.a.v[static_cast<int>(i % kWidth)] = 1;
+        if (i / kWidth == outer) p.v[static_cast<int>(i % kWidth)] = Dual(1.0);
+      });
+      if (!law) return {};
+      laws.push_back(std::move(*law));
+    }
+  }
+  return laws;
+}
+
+void LawBinding::fill_value(double x, Side side, std::span<const double> values, std::size_t first,
+                            MotionDerivatives& d) const {
+  const auto law =
+      laws_->plain.get(values, [&] { return seeded<double>(values, [](std::size_t, double&) {}); });
+  d.value.fill(kNaN);
+  if (*law) d.value = motion_of(**law, x, side, first);
+}
+
+void LawBinding::fill_gradient(double x, Side side, std::span<const double> values,
+                               std::size_t first, MotionDerivatives& d) const {
+  const auto laws = laws_->first.get(values, [&] { return first_laws(values); });
+  d.value.fill(kNaN);
+  d.gradient.assign(values.size(), d.value);
+  for (std::size_t block = 0; block < laws->size(); ++block) {
+    const auto motion = motion_of((*laws)[block], x, side, first);
+    for (std::size_t m = 0; m < 4; ++m) {
+      d.value[m] = motion[m].a;
+      for (const std::size_t i : block_of(block, values.size())) {
+        d.gradient[i][m] = motion[m].v[static_cast<int>(i % kWidth)];
+      }
+    }
+  }
+}
+
+void LawBinding::fill_hessian(double x, Side side, std::span<const double> values,
+                              MotionDerivatives& d) const {
+  const auto laws = laws_->second.get(values, [&] { return second_laws(values); });
+  d.value.fill(kNaN);
+  d.gradient.assign(values.size(), d.value);
+  d.hessian.assign(optim::packed_size(values.size()), d.value);
+  for (std::size_t pair = 0, outer = 0, inner = 0; pair < laws->size(); ++pair) {
+    const auto motion = motion_of((*laws)[pair], x, side);
+    for (std::size_t m = 0; m < 4; ++m) {
+      d.value[m] = motion[m].a.a;
+      for (const std::size_t i : block_of(outer, values.size())) {
+        const Dual& row = motion[m].v[static_cast<int>(i % kWidth)];
+        d.gradient[i][m] = row.a;
+        for (const std::size_t k : block_of(inner, i + 1)) {
+          d.hessian[optim::packed(i, k)][m] = row.v[static_cast<int>(k % kWidth)];
+        }
+      }
+    }
+    if (++inner > outer) ++outer, inner = 0;
+  }
+}
+
+/// From the derivatives at the member's own values: they are the same everywhere.
+MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const double> values,
+                                            std::size_t first) const {
+  MotionDerivatives d;
+  fill_gradient(x, side, values_, first, d);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t m = 0; m < 4; ++m) {
+      d.value[m] += (values[i] - values_[i]) * d.gradient[i][m];
+    }
+  }
+  return d;
+}
+
+MotionDerivatives LawBinding::motion_rate(double x, Side side,
+                                          std::span<const double> values) const {
+  MotionDerivatives d;
+  if (values.empty()) {
+    fill_value(x, side, values, 1, d);
+  } else if (linear_) {
+    d = linear_motion(x, side, values, 1);
+  } else {
+    fill_gradient(x, side, values, 1, d);
+  }
+  return d;
+}
+
+MotionDerivatives LawBinding::motion(double x, Side side, std::span<const double> values,
+                                     int order) const {
+  MotionDerivatives d;
+  if (values.empty()) {
+    fill_value(x, side, values, 0, d);
+  } else if (linear_) {
+    d = linear_motion(x, side, values, 0);
+    if (order == 0) d.gradient.clear();
+  } else if (order == 0) {
+    fill_value(x, side, values, 0, d);
+  } else if (order == 1) {
+    fill_gradient(x, side, values, 0, d);
+  } else {
+    fill_hessian(x, side, values, d);
+  }
+  return d;
+}
+
+}  // namespace camlaw::problems

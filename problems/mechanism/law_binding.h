@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinematics/catalogue.h"
+
+namespace camlaw::problems {
+
+/// A parameter of a law family that varies: which, which element of a list, and the design variable
+/// behind it.
+struct LawVariable {
+  std::size_t parameter;
+  std::size_t element = 0;
+  std::size_t variable = 0;
+};
+
+/// s, v, a, j of a law at one x with their derivatives by the varying parameters.
+struct MotionDerivatives {
+  std::array<double, 4> value;
+  std::vector<std::array<double, 4>> gradient;  ///< by each varying parameter
+  std::vector<std::array<double, 4>> hessian;   ///< packed; empty where the law is linear
+};
+
+/// A law whose parameters are design variables. Where the law is linear in all that vary, its
+/// derivatives are worked out once; else by dual numbers at each design, the laws of the last few
+/// designs kept. Safe from any thread.
+class LawBinding {
+ public:
+  /// Throws std::invalid_argument where a parameter has no such element or no derivatives, and
+  /// where the member is no law.
+  LawBinding(Member member, std::vector<LawVariable> variables);
+
+  const Member& member() const { return member_; }
+  const std::vector<LawVariable>& variables() const { return variables_; }
+  /// Whether the law is linear in everything that varies.
+  bool is_linear() const { return linear_; }
+  /// The varying parameters of a design, in the order of variables().
+  std::vector<double> values_at(std::span<const double> design) const;
+  /// The member at a design.
+  Member member_at(std::span<const double> design) const { return with_values(values_at(design)); }
+  /// Throws std::invalid_argument where the design makes no law.
+  template <class S>
+  Law<S> law_at(std::span<const double> design) const {
+    return member_at(design).template law<S>();
+  }
+  /// Motion at x with derivatives, order 0, 1 or 2, at values of the varying parameters; at a break
+  /// the limit from the given side. NaN where the values make no law.
+  MotionDerivatives motion(double x, Side side, std::span<const double> values, int order) const;
+  /// v, a, j and the derivative of j: the motion's own derivatives by x, with theirs by the varying
+  /// parameters, first order.
+  MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
+
+ private:
+  struct Laws;
+
+  Member with_values(std::span<const double> values) const;
+  template <class S, class Seed>
+  std::optional<Law<S>> seeded(std::span<const double> values, const Seed& seed) const;
+  std::vector<Law<Dual>> first_laws(std::span<const double> values) const;
+  std::vector<Law<Dual2>> second_laws(std::span<const double> values) const;
+  /// `first`: the first of the four derivatives by x.
+  void fill_value(double x, Side side, std::span<const double> values, std::size_t first,
+                  MotionDerivatives& d) const;
+  void fill_gradient(double x, Side side, std::span<const double> values, std::size_t first,
+                     MotionDerivatives& d) const;
+  MotionDerivatives linear_motion(double x, Side side, std::span<const double> values,
+                                  std::size_t first) const;
+  void fill_hessian(double x, Side side, std::span<const double> values,
+                    MotionDerivatives& d) const;
+
+  Member member_;
+  std::vector<LawVariable> variables_;
+  bool linear_;
+  std::vector<double> values_;  ///< the member's own
+  std::shared_ptr<Laws> laws_;
+};
+
+}  // namespace camlaw::problems

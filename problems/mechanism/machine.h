@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "problems/mechanism/mechanism.h"
+#include "problems/mechanism/unit_factor.h"
+
+/// Joins the parameters of a mechanism, as people list them, to the fields of its formulas.
+namespace camlaw::problems {
+
+/// What a machine, a class template in its scalar such as SpineCutter, has to say of itself.
+/// Specialised for each with
+///   static const std::vector<MechanismParameter>& parameters();
+///   template <class T> static constexpr std::array fields{&M<T>::..., ...};  // in that order
+/// A machine with a member is_possible() is undefined, NaN, where that is false.
+template <template <class> class M>
+struct MachineTraits;
+
+/// A machine of a binding: constants with some parameters that vary.
+template <template <class> class M>
+class BoundMachine {
+ public:
+  explicit BoundMachine(const Binding& binding)
+      : constants_(binding.constants), varying_(binding.parameters) {}
+
+  /// The machine with its varying parameters at u, in their listed units.
+  template <class T>
+  M<T> at(std::span<const T> u) const {
+    constexpr auto& fields = MachineTraits<M>::template fields<T>;
+    M<T> machine;
+    if constexpr (!fields.empty()) {
+      const auto& factor = factors();
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        machine.*fields[i] = factor[i].template as<T>() * number<T>(constants_[i]);
+      }
+      for (std::size_t k = 0; k < varying_.size(); ++k) {
+        machine.*fields[varying_[k]] = factor[varying_[k]].template as<T>() * u[k];
+      }
+    }
+    return machine;
+  }
+
+ private:
+  /// From listed units to those of the formulas.
+  static const std::vector<UnitFactor>& factors() {
+    static const std::vector<UnitFactor> kept = [] {
+      std::vector<UnitFactor> result;
+      for (const auto& p : MachineTraits<M>::parameters()) result.emplace_back(p.unit, p.stored);
+      return result;
+    }();
+    return kept;
+  }
+
+  std::vector<double> constants_;
+  std::vector<std::size_t> varying_;
+};
+
+template <class Machine>
+bool is_possible(const Machine& machine) {
+  if constexpr (requires { machine.is_possible(); }) return machine.is_possible();
+  return true;
+}
+
+/// The machine with every parameter at its standard value.
+template <template <class> class M>
+BoundMachine<M> standard_machine(std::vector<std::size_t> varying = {}) {
+  Binding binding;
+  for (const auto& p : MachineTraits<M>::parameters()) binding.constants.push_back(p.standard);
+  binding.parameters = std::move(varying);
+  return BoundMachine<M>(binding);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "problems/mechanism/mechanism.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "kinematics/catalogue.h"
+#include "problems/mechanism/normalised_law.h"
+#include "problems/spine_cutter/mechanism.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part;
+
+/// Refuses a name, with the near ones and all known.
+[[noreturn]] void refuse(const std::string& what, std::string_view name,
+                         const std::vector<std::string>& known) {
+  const auto near = near_names(name, known);
+  throw std::invalid_argument(
+      fmt::format("{} '{}'{}; known are {}", what, name,
+                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
+                  fmt::join(known, ", ")));
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+template <class Named>
+const Named* find_named(const std::vector<Named>& all, std::string_view name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& named) { return named.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const MechanismParameter* find_parameter(const Mechanism& mechanism, std::string_view name) {
+  const auto& all = mechanism.parameters;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MechanismParameter& p) {
+    return p.name == name || p.symbol == name;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Parts that people ask for in words.
+struct PartWord {
+  std::string_view word;
+  Part part;
+};
+constexpr PartWord kPartWords[] = {
+    {"peak ", Part::Magnitude}, {"highest ", Part::Highest}, {"lowest ", Part::Lowest}};
+
+ResponseName response_name(std::string_view asked, const MechanismResponse& response, Part part) {
+  return {.name = std::string(asked), .response = &response, .part = part, .unit = response.unit};
+}
+
+std::vector<std::string> known_responses(const Mechanism& mechanism) {
+  std::vector<std::string> known;
+  for (const auto& response : mechanism.responses) known.push_back(response.name);
+  for (const auto& peak : mechanism.peaks) known.push_back(peak.name);
+  for (const auto& parameter : mechanism.parameters) known.push_back(parameter.name);
+  return known;
+}
+
+/// A curve asked for by one of the words for its parts; null response where it is none.
+ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
+  for (const auto& [word, part] : kPartWords) {
+    if (!name.starts_with(word)) continue;
+    const std::string_view curve = trimmed(name.substr(word.size()));
+    const MechanismResponse* response = find_named(mechanism.responses, curve);
+    if (response == nullptr) {
+      std::vector<std::string> curves;
+      for (const auto& r : mechanism.responses) {
+        if (r.curve) curves.push_back(r.name);
+      }
+      refuse(fmt::format("{}: there is no curve", mechanism.name), curve, curves);
+    }
+    if (!response->curve) {
+      throw std::invalid_argument(
+          fmt::format("'{}': {} is a number, it has no parts", name, response->name));
+    }
+    return response_name(name, *response, part);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::size_t Mechanism::parameter(std::string_view parameter_name) const {
+  if (const auto* found = find_parameter(*this, parameter_name)) {
+    return static_cast<std::size_t>(found - parameters.data());
+  }
+  std::vector<std::string> known;
+  for (const auto& p : parameters) known.push_back(fmt::format("{} ({})", p.name, p.symbol));
+  refuse(fmt::format("{}: no parameter is called", name), parameter_name, known);
+}
+
+const std::vector<Mechanism>& mechanisms() {
+  static const std::vector<Mechanism> all{spine_cutter_mechanism(), normalised_law_mechanism()};
+  return all;
+}
+
+const Mechanism& find_mechanism(std::string_view name) {
+  if (const Mechanism* found = find_named(mechanisms(), name)) return *found;
+  std::vector<std::string> known;
+  for (const Mechanism& mechanism : mechanisms()) known.push_back(mechanism.name);
+  refuse("no mechanism is called", name, known);
+}
+
+ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
+  const std::string_view name = trimmed(asked);
+  if (const auto* response = find_named(mechanism.responses, name)) {
+    return response_name(name, *response, Part::Value);
+  }
+  if (const auto* peak = find_named(mechanism.peaks, name)) {
+    return response_name(name, *find_named(mechanism.responses, peak->curve), peak->part);
+  }
+  if (const auto* parameter = find_parameter(mechanism, name)) {
+    return {.name = parameter->name,
+            .parameter = static_cast<std::size_t>(parameter - mechanism.parameters.data()),
+            .unit = parameter->unit};
+  }
+  if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
+  refuse(fmt::format("{}: no response is called", mechanism.name), name,
+         known_responses(mechanism));
+}
+
+}  // namespace camlaw::problems

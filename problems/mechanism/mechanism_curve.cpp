@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "problems/mechanism/mechanism_curve.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "problems/mechanism/arguments.h"
+#include "problems/mechanism/curve_row.h"
+#include "problems/mechanism/mechanism_trace.h"
+
+namespace camlaw::problems {
+namespace {
+
+template <class S>
+std::optional<Law<S>> law_of(const Member& member) {
+  try {
+    return member.law<S>();
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape)
+    : parts_(std::move(parts)), variables_(binding.variables), law_(binding.law), shape_(shape) {}
+
+optim::Function MechanismCurve::at(optim::Place place) const {
+  PlaceMotion motion(law_, parts_.cycle.stretch_at(place), place, parts_.uses);
+  std::vector<std::size_t> variables = variables_;
+  for (const std::size_t i : motion.variables()) {
+    variables.push_back(law_->variables()[i].variable);
+  }
+  auto row = std::make_shared<CurveRow>(parts_.point, variables_.size(), std::move(motion));
+  return function_of(variables, std::move(row), shape_);
+}
+
+/// With f the formula, m its arguments of the machine and q the motion: f_angle = rate * f_q q', so
+///   d f_angle / dm = rate * f_mq q',
+///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p).
+std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
+  const Stretch& stretch = parts_.cycle.stretch_at(place);
+  const auto [at, side] = law_place(stretch, place);
+  const std::vector<double> values = law_->values_at(x);
+  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
+  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
+  const std::size_t machine = variables_.size();
+  std::vector<double> u, g(machine + 4), h(optim::packed_size(machine + 4));
+  for (const std::size_t variable : variables_) u.push_back(x[variable]);
+  u.insert(u.end(), motion.value.begin(), motion.value.end());
+  parts_.point->hessian(u, g, h);
+  std::array<double, 4> bent{};  // f_qq q'
+  std::vector<double> result(x.size(), 0.0);
+  for (std::size_t m = 0; m < 4; ++m) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      bent[m] +=
+          h[optim::packed(machine + std::max(m, n), machine + std::min(m, n))] * rate.value[n];
+    }
+    for (std::size_t k = 0; k < machine; ++k) {
+      result[variables_[k]] += h[optim::packed(machine + m, k)] * rate.value[m] / stretch.length();
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      result[law_->variables()[i].variable] +=
+          (bent[m] * motion.gradient[i][m] + g[machine + m] * rate.gradient[i][m]) /
+          stretch.length();
+    }
+  }
+  return result;
+}
+
+std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
+  std::vector<double> arguments;
+  for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
+  const Member member = law_->member_at(x);
+  return std::make_unique<MechanismTrace>(parts_.cycle, law_of<double>(member),
+                                          law_of<Interval>(member), parts_.formula(arguments));
+}
+
+}  // namespace camlaw::problems

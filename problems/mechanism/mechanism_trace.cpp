@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "problems/mechanism/mechanism_trace.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Both hold; what is not a number says nothing.
+Interval both(const Interval& a, const Interval& b) {
+  const auto higher = [](double p, double q) { return p >= q || std::isnan(q) ? p : q; };
+  const auto lower = [](double p, double q) { return p <= q || std::isnan(q) ? p : q; };
+  Interval result;
+  result.assign(higher(a.lower(), b.lower()), lower(a.upper(), b.upper()));
+  return result;
+}
+
+}  // namespace
+
+MechanismTrace::MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
+                               const std::optional<Law<Interval>>& enclosing,
+                               std::unique_ptr<const CurveFormula> formula)
+    : cycle_(std::move(cycle)), law_(std::move(law)), formula_(std::move(formula)) {
+  for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
+  if (!law_ || !enclosing || enclosing->pieces().size() != law_->pieces().size()) return;
+  for (const auto& piece : enclosing->pieces()) expanders_.emplace_back(piece);
+}
+
+void MechanismTrace::add_sections(std::size_t index) {
+  const Stretch& stretch = cycle_.stretches[index];
+  const std::size_t pieces = law_ ? law_->pieces().size() : 1;
+  double begin = stretch.begin;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double end =
+        i + 1 == pieces ? stretch.end : stretch.begin + stretch.length() * law_->pieces()[i].end;
+    if (end > begin) sections_.push_back({begin, end, index, i});
+    begin = end;
+  }
+}
+
+std::vector<double> MechanismTrace::breaks() const {
+  std::vector<double> result;
+  for (const Section& section : sections_) result.push_back(section.begin);
+  result.push_back(sections_.back().end);
+  return result;
+}
+
+const MechanismTrace::Section& MechanismTrace::section_at(optim::Place place) const {
+  const auto after =
+      std::partition_point(sections_.begin(), sections_.end() - 1, [&](const Section& section) {
+        return section.end < place.angle || (section.end == place.angle && !place.from_left);
+      });
+  return *after;
+}
+
+std::array<double, 3> MechanismTrace::at(optim::Place place) const {
+  if (!law_) return {kNaN, kNaN, kNaN};
+  const Section& section = section_at(place);
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const auto d = derivatives<6>(law_->pieces()[section.piece], law_place(stretch, place).x);
+  const auto f = (*formula_)(follower_motion(stretch, motion_series<3>(d)));
+  const double rate = 1 / stretch.length();
+  return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
+}
+
+/// The x of a range of places. At the section's ends it reaches over the break as far as that is
+/// not known exactly.
+Interval MechanismTrace::law_range(const Section& section, double from, double to) const {
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const auto& piece = expanders_[section.piece].piece();
+  const Interval begin(stretch.begin);
+  const Interval x = (Interval(from, to) - begin) / (Interval(stretch.end) - begin);
+  const double low = from <= section.begin ? std::min(x.lower(), piece.begin.lower()) : x.lower();
+  const double high = to >= section.end ? std::max(x.upper(), piece.end.upper()) : x.upper();
+  return {std::max(low, 0.0), std::min(high, 1.0)};
+}
+
+Interval MechanismTrace::value_at(const Section& section, double x) const {
+  const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
+  return (*formula_)(follower_motion(cycle_.stretches[section.stretch], motion)).c[0];
+}
+
+/// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius.
+Interval MechanismTrace::taylor_range(const Expansion& motion, const Stretch& stretch,
+                                      const Interval& second) const {
+  const auto f = (*formula_)(follower_motion(stretch, motion_series<2>(motion.at)));
+  const double r = motion.radius;
+  return f.c[0] + f.c[1] * Interval(-r, r) + second * Interval(0, step_up(r * r));
+}
+
+optim::Bounds MechanismTrace::enclose(double from, double to) const {
+  if (expanders_.empty()) return {};
+  const Section& section = section_at({std::midpoint(from, to)});
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const Interval x = law_range(section, from, to);
+  const Expansion motion = expanders_[section.piece](x);
+  const auto f = (*formula_)(follower_motion(stretch, motion_series<3>(motion.over)));
+  Interval range = both(Interval::whole(), f.c[0]);
+  if (f.c[1].lower() >= 0 || f.c[1].upper() <= 0) {
+    range = both(range,
+                 boost::numeric::hull(value_at(section, x.lower()), value_at(section, x.upper())));
+  } else {
+    range = both(range, taylor_range(motion, stretch, f.c[2]));
+  }
+  return {range.lower(), range.upper()};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kinematics/expansion.h"
+#include "optim/problem/curve.h"
+#include "problems/mechanism/curve_formula.h"
+#include "problems/mechanism/cycle.h"
+
+namespace camlaw::problems {
+
+/// A mechanism's curve for one design (docs/theory.md, "Enclosing a stretch"). A design that makes
+/// no law is NaN everywhere and bounded nowhere.
+class MechanismTrace final : public optim::Trace {
+ public:
+  MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
+                 const std::optional<Law<Interval>>& enclosing,
+                 std::unique_ptr<const CurveFormula> formula);
+
+  std::vector<double> breaks() const override;
+  std::array<double, 3> at(optim::Place place) const override;
+  optim::Bounds enclose(double from, double to) const override;
+
+ private:
+  /// A part of the cycle in which one piece of the law runs.
+  struct Section {
+    double begin, end;
+    std::size_t stretch, piece;
+  };
+
+  void add_sections(std::size_t stretch);
+  const Section& section_at(optim::Place place) const;
+  Interval law_range(const Section& section, double from, double to) const;
+  Interval value_at(const Section& section, double x) const;
+  Interval taylor_range(const Expansion& motion, const Stretch& stretch,
+                        const Interval& second) const;
+
+  Cycle cycle_;
+  std::optional<Law<double>> law_;
+  std::vector<PieceExpander> expanders_;  ///< of each piece; empty where nothing is enclosed
+  std::unique_ptr<const CurveFormula> formula_;
+  std::vector<Section> sections_;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace camlaw::problems {
+
+/// Keeps what was made for the last few keys: many rows of a problem are evaluated at one design.
+/// Safe from any thread; things are made outside the lock, so two threads may both make one.
+template <class Value>
+class Recent {
+ public:
+  template <class Make>
+  std::shared_ptr<const Value> get(std::span<const double> key, const Make& make) {
+    if (auto found = find(key)) return found;
+    auto made = std::make_shared<const Value>(make());
+    const std::lock_guard lock(guard_);
+    kept_[next_] = {{key.begin(), key.end()}, made};
+    next_ = (next_ + 1) % kept_.size();
+    return made;
+  }
+
+ private:
+  struct Entry {
+    std::vector<double> key;
+    std::shared_ptr<const Value> value;
+  };
+
+  std::shared_ptr<const Value> find(std::span<const double> key) {
+    const std::lock_guard lock(guard_);
+    for (const Entry& entry : kept_) {
+      if (entry.value && std::equal(key.begin(), key.end(), entry.key.begin(), entry.key.end())) {
+        return entry.value;
+      }
+    }
+    return nullptr;
+  }
+
+  std::mutex guard_;
+  std::array<Entry, 8> kept_;  ///< a design for each of a few threads
+  std::size_t next_ = 0;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/bind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part;
+
+/// Whole variables are tried one by one while there are no more combinations than this.
+constexpr double kTried = 5000;
+
+optim::Choice choice_of(const VariableStatement& v) {
+  optim::Choice choice{v.name, v.unit, {}, v.values};
+  for (double value = std::ceil(v.lower); v.values.empty() && value <= v.upper; ++value) {
+    choice.values.push_back(value);
+  }
+  for (const double value : choice.values) choice.options.push_back(fmt::format("{:.10g}", value));
+  return choice;
+}
+
+/// The parameter of a member's family that a variable names; the family's size where it has none.
+std::size_t law_parameter(const Family& family, const std::string& name) {
+  const auto& all = family.parameters;
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == name; }) -
+      all.begin());
+}
+
+/// Limits on a peak are limits on its curve at every angle.
+optim::Constraint limit_on(const Mechanism& mechanism, const ConstraintStatement& c,
+                           const Binding& binding) {
+  optim::Constraint result;
+  result.response = make_response(mechanism, c.response, binding);
+  result.lower = c.lower;
+  result.upper = c.upper;
+  result.tolerance = c.tolerance;
+  if (c.response.part == Part::Magnitude && c.upper) result.lower = -*c.upper;
+  return result;
+}
+
+}  // namespace
+
+struct BoundProblem::Slot {
+  std::size_t variable;                  ///< of the statement
+  std::optional<double> fixed;           ///< by a choice
+  std::optional<std::size_t> parameter;  ///< of the chosen law's family
+};
+
+BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(statement)) {
+  if (!statement_.objective) {
+    throw std::invalid_argument(
+        "the problem has no objective; write [objective] minimize = \"...\"");
+  }
+  if (statement_.variables.empty() && statement_.laws.size() < 2) {
+    throw std::invalid_argument("the problem has no variables: nothing can be optimised");
+  }
+  if (statement_.laws.size() > 1) {
+    optim::Choice choice{"law", "", {}, {}};
+    for (const Member& member : statement_.laws) choice.options.push_back(member.label());
+    choices_.push_back(std::move(choice));
+  }
+  double tried = 1;
+  for (const VariableStatement& v : statement_.variables) {
+    if (v.integer && v.values.empty()) tried *= std::floor(v.upper) - std::ceil(v.lower) + 1;
+  }
+  for (std::size_t i = 0; i < statement_.variables.size(); ++i) {
+    const VariableStatement& v = statement_.variables[i];
+    if (v.values.empty() && !(v.integer && tried <= kTried)) continue;
+    choices_.push_back(choice_of(v));
+    chosen_.push_back(i);
+  }
+}
+
+optim::ProblemSpace BoundProblem::space() const {
+  return {choices_, [bound = *this](const auto& options) { return bound.problem(options); }};
+}
+
+const Member& BoundProblem::law(const std::vector<std::size_t>& options) const {
+  return statement_.laws.size() > 1 ? statement_.laws[options.front()] : statement_.laws.front();
+}
+
+std::vector<BoundProblem::Slot> BoundProblem::slots(const std::vector<std::size_t>& options) const {
+  const Family& family = *law(options).family;
+  const std::size_t first = choices_.size() - chosen_.size();
+  std::vector<Slot> result;
+  for (std::size_t i = 0; i < statement_.variables.size(); ++i) {
+    const VariableStatement& v = statement_.variables[i];
+    Slot slot{i, {}, {}};
+    if (v.of_law) {
+      slot.parameter = law_parameter(family, v.law_parameter);
+      if (*slot.parameter == family.parameters.size()) continue;  // not a parameter of this law
+    }
+    const auto at = std::find(chosen_.begin(), chosen_.end(), i);
+    if (at != chosen_.end()) {
+      const auto k = first + static_cast<std::size_t>(at - chosen_.begin());
+      slot.fixed = choices_[k].values[options[k]];
+    }
+    result.push_back(slot);
+  }
+  return result;
+}
+
+Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
+  Binding binding;
+  binding.constants = statement_.constants;
+  Member member = law(options);
+  std::vector<LawVariable> law_variables;
+  std::vector<std::pair<std::size_t, std::size_t>> parameters;
+  std::size_t variable = 0;
+  for (const Slot& slot : slots(options)) {
+    const VariableStatement& v = statement_.variables[slot.variable];
+    if (slot.fixed && v.of_law) {
+      member.arguments.values()[*slot.parameter][v.element] = *slot.fixed;
+    } else if (slot.fixed) {
+      binding.constants[v.parameter] = *slot.fixed;
+    } else if (v.of_law) {
+      law_variables.push_back({*slot.parameter, v.element, variable++});
+    } else {
+      parameters.emplace_back(v.parameter, variable++);
+    }
+  }
+  std::sort(parameters.begin(), parameters.end());
+  for (const auto& [parameter, index] : parameters) {
+    binding.parameters.push_back(parameter);
+    binding.variables.push_back(index);
+  }
+  binding.law = std::make_shared<LawBinding>(std::move(member), std::move(law_variables));
+  return binding;
+}
+
+optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) const {
+  optim::Problem problem;
+  problem.name = statement_.title;
+  for (const Slot& slot : slots(options)) {
+    if (slot.fixed) continue;
+    const VariableStatement& v = statement_.variables[slot.variable];
+    problem.variables.push_back({v.name, v.unit, v.lower, v.upper, v.start, v.scale, v.integer});
+  }
+  const Binding bound = binding(options);
+  const Mechanism& mechanism = *statement_.mechanism;
+  const ObjectiveStatement& objective = *statement_.objective;
+  problem.objective = {make_response(mechanism, objective.response, bound), objective.sense,
+                       objective.response.part, objective.tolerance};
+  problem.constraints = constraints_of(statement_, bound);
+  return problem;
+}
+
+ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim::Design x) const {
+  ProblemStatement result = statement_;
+  Member member = law(options);
+  std::size_t variable = 0;
+  for (const Slot& slot : slots(options)) {
+    VariableStatement& v = result.variables[slot.variable];
+    v.start = slot.fixed ? *slot.fixed : x[variable++];
+    if (v.of_law) {
+      member.arguments.values()[*slot.parameter][v.element] = v.start;
+    } else {
+      result.constants[v.parameter] = v.start;
+    }
+  }
+  result.laws = {std::move(member)};
+  return result;
+}
+
+std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
+                                              const Binding& binding) {
+  std::vector<optim::Constraint> result;
+  for (const ConstraintStatement& c : statement.constraints) {
+    result.push_back(limit_on(*statement.mechanism, c, binding));
+  }
+  return result;
+}
+
+}  // namespace camlaw::problems

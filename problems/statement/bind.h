@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/verdict/limits.h"
+#include "problems/statement/statement.h"
+
+/// From a statement to functions: names become fields once, here.
+namespace camlaw::problems {
+
+/// A statement with every name bound. Choices are, in this order: the law where there are several,
+/// variables with listed values, and whole variables with few enough values to try each.
+class BoundProblem {
+ public:
+  /// Throws std::invalid_argument where there is no objective or nothing varies.
+  explicit BoundProblem(ProblemStatement statement);
+
+  const ProblemStatement& statement() const { return statement_; }
+  optim::ProblemSpace space() const;
+
+  /// Of one combination of options: the problem, and the mechanism and law behind its variables.
+  optim::Problem problem(const std::vector<std::size_t>& options) const;
+  Binding binding(const std::vector<std::size_t>& options) const;
+
+  /// The design as a person states it: the statement with every constant and law parameter of the
+  /// design, for evaluation and for a file.
+  ProblemStatement at(const std::vector<std::size_t>& options, optim::Design x) const;
+
+ private:
+  struct Slot;  // what a variable of a combination is
+  std::vector<Slot> slots(const std::vector<std::size_t>& options) const;
+  const Member& law(const std::vector<std::size_t>& options) const;
+
+  ProblemStatement statement_;
+  std::vector<optim::Choice> choices_;
+  std::vector<std::size_t> chosen_;  ///< the variable behind each choice but the law's
+};
+
+/// One response of the design that a statement begins with.
+struct EvaluatedResponse {
+  std::string name, unit, meaning;
+  bool is_curve = false;
+  double value = 0;                                               ///< of a number
+  double highest = 0, lowest = 0, highest_at = 0, lowest_at = 0;  ///< of a curve
+  std::string along;                                              ///< unit of the places
+};
+
+/// Every response of the mechanism, named peaks last, at the statement's starts.
+std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement);
+
+/// Each constraint at the statement's starts, proved over the cycle.
+std::vector<optim::LimitReport> standing(const ProblemStatement& statement);
+
+/// The statement's constraints as functions of a binding's variables.
+std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
+                                              const Binding& binding);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/parameters.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace camlaw::problems {
+namespace {
+
+/// Rounding that a change of units may leave, of the value's size.
+constexpr double kRounding = 1e-12;
+
+}  // namespace
+
+std::string NamedParameter::element_name(std::size_t index) const {
+  return list ? fmt::format("{}[{}]", name, index + 1) : name;
+}
+
+std::optional<std::size_t> index_in(const Family& law, std::string_view parameter) {
+  for (std::size_t i = 0; i < law.parameters.size(); ++i) {
+    if (law.parameters[i].name == parameter) return i;
+  }
+  return {};
+}
+
+std::vector<double> values_of(const ProblemStatement& problem, const NamedParameter& parameter) {
+  if (!parameter.of_law) return {problem.constants[parameter.parameter]};
+  for (const Member& law : problem.laws) {
+    if (const auto i = index_in(*law.family, parameter.law_parameter)) {
+      return law.arguments.list(*i);
+    }
+  }
+  return {};
+}
+
+void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
+               double value) {
+  if (!parameter.of_law) {
+    problem.constants[parameter.parameter] = value;
+    return;
+  }
+  for (Member& law : problem.laws) {
+    if (const auto i = index_in(*law.family, parameter.law_parameter)) {
+      law.arguments.values()[*i].at(index) = value;
+    }
+  }
+}
+
+void put_values(ProblemStatement& problem, const NamedParameter& parameter,
+                const std::vector<double>& values) {
+  for (Member& law : problem.laws) {
+    if (const auto i = index_in(*law.family, parameter.law_parameter)) {
+      law.arguments.values()[*i] = values;
+    }
+  }
+}
+
+std::optional<std::size_t> find_variable(const ProblemStatement& problem,
+                                         const NamedParameter& parameter, std::size_t index) {
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const VariableStatement& variable = problem.variables[i];
+    const bool same =
+        variable.of_law == parameter.of_law && variable.parameter == parameter.parameter &&
+        variable.law_parameter == parameter.law_parameter && variable.element == index;
+    if (same) return i;
+  }
+  return {};
+}
+
+double onto_range(double value, double low, double high) {
+  for (const double end : {low, high}) {
+    if (std::abs(value - end) <= kRounding * std::abs(end)) return end;
+  }
+  return value;
+}
+
+std::optional<std::string> refusal(const NamedParameter& parameter, double value) {
+  if (!(value >= parameter.low && value <= parameter.high)) {
+    return fmt::format("{} is outside {}, which {} accepts", with_unit(value, parameter.unit),
+                       range_text(parameter.low, parameter.high, parameter.unit), parameter.name);
+  }
+  if (parameter.whole && value != std::floor(value)) {
+    return fmt::format("{:.6g} is not whole, as {} must be", value, parameter.name);
+  }
+  return {};
+}
+
+void check_laws(const ProblemStatement& problem) {
+  for (const Member& law : problem.laws) law.law();
+}
+
+std::string law_names(const ProblemStatement& problem) {
+  std::vector<std::string> names;
+  for (const Member& law : problem.laws) names.push_back(law.family->name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+std::string range_text(double low, double high, const std::string& unit) {
+  return fmt::format("{:.6g} .. {}", low, with_unit(high, unit));
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/statement/statement.h"
+
+/// Parameters as a problem names them: those of its mechanism and those of its laws.
+namespace camlaw::problems {
+
+/// Where a name is looked for.
+enum class Owner { Either, Machine, Law };
+
+/// A parameter that a problem names, with what it accepts. Of several laws that have it, what all
+/// accept.
+struct NamedParameter {
+  std::string name;  ///< "blades", "alpha"; "law.v" where the machine understands v too
+  bool of_law = false;
+  std::size_t parameter = 0;           ///< of the mechanism
+  std::string law_parameter = {};      ///< of the laws
+  std::optional<std::size_t> element;  ///< of a list, from 0; none: the whole list
+  std::string unit;
+  double low = 0, high = 0;
+  bool whole = false;
+  bool list = false;
+  bool structural = false;
+
+  /// As reported: "alpha", of a list "c[2]".
+  std::string element_name(std::size_t index) const;
+};
+
+/// A parameter of one law.
+NamedParameter named(const Parameter& parameter);
+
+/// Finds "stroke", "S_f", "alpha", "c", "c[2]", "law.v", "machine.v". Case counts: a machine may
+/// have both v and V. Throws std::invalid_argument with near or known names, where both machine and
+/// law have it, and where a list has no such element.
+NamedParameter find_parameter(const ProblemStatement& problem, std::string_view name,
+                              Owner owner = Owner::Either);
+
+/// Where a law has a parameter of exactly that name; none: it has not.
+std::optional<std::size_t> index_in(const Family& law, std::string_view parameter);
+
+/// The numbers that a parameter has: one, or a list's. Of several laws, those of the first that has
+/// it.
+std::vector<double> values_of(const ProblemStatement& problem, const NamedParameter& parameter);
+/// Sets one number, in every law that has the parameter.
+void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
+               double value);
+/// Sets all numbers of a law's parameter, in every law that has it.
+void put_values(ProblemStatement& problem, const NamedParameter& parameter,
+                const std::vector<double>& values);
+
+/// Where among the problem's variables one number of a parameter is; none: it does not vary.
+std::optional<std::size_t> find_variable(const ProblemStatement& problem,
+                                         const NamedParameter& parameter, std::size_t index);
+
+/// A value that rounding in a change of units has left beside an end of the range: that end.
+double onto_range(double value, double low, double high);
+/// Why a parameter cannot have a value, in words; empty where it can.
+std::optional<std::string> refusal(const NamedParameter& parameter, double value);
+
+/// Throws std::invalid_argument where a law cannot be made with the values it has.
+void check_laws(const ProblemStatement& problem);
+/// "cosine", or of several laws "cosine, polynomial-5".
+std::string law_names(const ProblemStatement& problem);
+
+/// "40 mm", "17".
+std::string with_unit(double value, const std::string& unit);
+/// "-10 .. 0", "10 .. 60 mm".
+std::string range_text(double low, double high, const std::string& unit);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "problems/statement/parameters.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Kind = Entry::Kind;
+using optim::Part, optim::Sense;
+
+ResponseName read_response(const Entry& entry, const ProblemStatement& problem) {
+  const std::string& name = text_of(entry);
+  return located(entry, [&] { return find_response(*problem.mechanism, name); });
+}
+
+/// The curve that a response is, or is a part of; empty for a number.
+std::string curve_of(const ResponseName& name) {
+  return name.response != nullptr && name.response->curve ? name.response->name : "";
+}
+
+bool is_peak(const ResponseName& name) {
+  return name.part == Part::Highest || name.part == Part::Magnitude;
+}
+
+void check_part(const Entry& entry, const ResponseName& name, Sense sense) {
+  const std::string curve = curve_of(name);
+  if (!curve.empty() && name.part == Part::Value) {
+    refuse(entry,
+           fmt::format("{0} is a curve over the cycle; write \"peak {0}\" (the largest size), "
+                       "\"highest {0}\" or \"lowest {0}\"",
+                       curve));
+  }
+  if (is_peak(name) && sense == Sense::Maximize) {
+    refuse(entry, "the highest value of a curve can be minimized, not maximized");
+  }
+  if (name.part == Part::Lowest && sense == Sense::Minimize) {
+    refuse(entry, "the lowest value of a curve can be maximized, not minimized");
+  }
+}
+
+/// Refuses a constant: no design has less or more of it.
+void check_varies(const Entry& entry, const ResponseName& name, const ProblemStatement& problem) {
+  if (name.response != nullptr || problem.variables.empty()) return;
+  for (const VariableStatement& variable : problem.variables) {
+    if (!variable.of_law && variable.parameter == name.parameter) return;
+  }
+  refuse(entry, fmt::format("{0} is a constant here; let it vary, [variables.{0}]",
+                            problem.mechanism->parameters[name.parameter].name));
+}
+
+/// The bounds of a constraint as its table gives them.
+struct Limits {
+  const Entry *lower, *upper, *equals;
+};
+
+Limits find_limits(const Entry& table) {
+  const Limits limits{find(table, "lower"), find(table, "upper"), find(table, "equals")};
+  if (limits.equals != nullptr && (limits.lower != nullptr || limits.upper != nullptr)) {
+    refuse(*limits.equals, "equals is given with lower or upper; drop one of the two");
+  }
+  if (limits.equals == nullptr && limits.lower == nullptr && limits.upper == nullptr) {
+    refuse(table, "there is no bound; give lower, upper or both, or equals");
+  }
+  return limits;
+}
+
+/// Refuses bounds that a curve or its part cannot be held to by limiting every angle.
+void check_limits(const Limits& limits, const ResponseName& name) {
+  const std::string curve = curve_of(name);
+  if (curve.empty()) return;
+  if (limits.equals != nullptr) {
+    refuse(*limits.equals, fmt::format("{} cannot be held at one value; give lower or upper",
+                                       name.part == Part::Value ? "a curve" : "a peak of a curve"));
+  }
+  if (limits.lower != nullptr && is_peak(name)) {
+    refuse(*limits.lower, fmt::format("a peak can be limited from above only; to keep the whole "
+                                      "curve above a value write response = \"{}\"",
+                                      curve));
+  }
+  if (limits.upper != nullptr && name.part == Part::Lowest) {
+    refuse(*limits.upper, fmt::format("a lowest value can be limited from below only; to keep the "
+                                      "whole curve below a value write response = \"{}\"",
+                                      curve));
+  }
+}
+
+std::optional<double> read_limit(const Entry* entry, const std::string& unit) {
+  return entry == nullptr ? std::nullopt : std::optional(quantity_of(*entry, unit));
+}
+
+/// Refuses bounds that cross, and for a curve bounds that leave one value.
+void check_order(const Entry& table, const Limits& limits, const ConstraintStatement& constraint) {
+  if (limits.lower == nullptr || limits.upper == nullptr) return;
+  const std::string& unit = constraint.response.unit;
+  Entry both = *limits.lower;
+  both.path = table.path;
+  if (*constraint.lower > *constraint.upper) {
+    refuse(both, fmt::format("lower {} exceeds upper {}", with_unit(*constraint.lower, unit),
+                             with_unit(*constraint.upper, unit)));
+  }
+  if (*constraint.lower == *constraint.upper && !curve_of(constraint.response).empty()) {
+    refuse(both, "a curve cannot be held at one value; lower and upper are the same");
+  }
+}
+
+ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& problem) {
+  expect(table, Kind::Table, "a table, [[constraints]]");
+  check_keys(table, {"response", "lower", "upper", "equals", "tolerance"});
+  const Entry* response = find(table, "response");
+  if (response == nullptr) refuse(table, "response is missing; name what is to hold");
+  ConstraintStatement constraint;
+  constraint.response = read_response(*response, problem);
+  const std::string& unit = constraint.response.unit;
+  const Limits limits = find_limits(table);
+  check_limits(limits, constraint.response);
+  constraint.lower = read_limit(limits.equals != nullptr ? limits.equals : limits.lower, unit);
+  constraint.upper = read_limit(limits.equals != nullptr ? limits.equals : limits.upper, unit);
+  check_order(table, limits, constraint);
+  constraint.tolerance = find_positive(table, "tolerance", unit);
+  return constraint;
+}
+
+}  // namespace
+
+void read_objective(const Entry& file, ProblemStatement& problem) {
+  const Entry* table = find(file, "objective");
+  if (table == nullptr) return;
+  expect(*table, Kind::Table, "a table, [objective] with minimize or maximize");
+  check_keys(*table, {"minimize", "maximize", "tolerance"});
+  const Entry *least = find(*table, "minimize"), *greatest = find(*table, "maximize");
+  if (least != nullptr && greatest != nullptr) {
+    refuse(*table, "minimize and maximize are both given; a problem has one objective");
+  }
+  if (least == nullptr && greatest == nullptr) {
+    refuse(*table, "there is neither minimize nor maximize; give one of them");
+  }
+  const Entry& wanted = least != nullptr ? *least : *greatest;
+  ObjectiveStatement objective;
+  objective.sense = least != nullptr ? Sense::Minimize : Sense::Maximize;
+  objective.response = read_response(wanted, problem);
+  check_part(wanted, objective.response, objective.sense);
+  check_varies(wanted, objective.response, problem);
+  objective.tolerance = find_positive(*table, "tolerance", objective.response.unit);
+  problem.objective = std::move(objective);
+}
+
+void read_constraints(const Entry& file, ProblemStatement& problem) {
+  const Entry* constraints = find(file, "constraints");
+  if (constraints == nullptr) return;
+  expect(*constraints, Kind::List, "a list of tables, each headed [[constraints]]");
+  for (const Entry& table : constraints->items) {
+    problem.constraints.push_back(read_constraint(table, problem));
+  }
+}
+
+}  // namespace camlaw::problems

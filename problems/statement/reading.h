@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "problems/statement/statement.h"
+#include "problems/statement/toml_entry.h"
+
+/// The parts of reading a problem file, in the order in which they are done. Each takes the whole
+/// file and adds its part to the problem; errors as those of read_problem.
+namespace camlaw::problems {
+
+/// Parameters that the file fixes, by NamedParameter::name; they may not vary as well.
+using FixedNames = std::set<std::string>;
+
+void read_mechanism(const Entry& file, ProblemStatement& problem);
+void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
+/// That each law can be made with its fixed values and starts, and that no two are the same.
+void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
+void read_objective(const Entry& file, ProblemStatement& problem);
+void read_constraints(const Entry& file, ProblemStatement& problem);
+void read_solver(const Entry& file, ProblemStatement& problem);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "problems/statement/choices.h"
+#include "problems/statement/parameters.h"
+#include "problems/units.h"
+
+namespace camlaw::problems {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+std::vector<std::string_view> parted(std::string_view text, char mark) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(mark);
+    parts.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// A number that the parameter accepts.
+double read_number(std::string_view text, const NamedParameter& parameter,
+                   const std::string& name) {
+  const double value = onto_range(parse_quantity(text, parameter.unit, parameter.unit, name),
+                                  parameter.low, parameter.high);
+  if (const auto why = refusal(parameter, value)) {
+    throw std::invalid_argument(fmt::format("{}: {}", name, *why));
+  }
+  return value;
+}
+
+/// Sets one number: the start of what varies, or what is fixed.
+void set_number(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
+                std::string_view text) {
+  const std::string name = parameter.element_name(index);
+  double value = read_number(text, parameter, name);
+  if (const auto i = find_variable(problem, parameter, index)) {
+    VariableStatement& variable = problem.variables[*i];
+    if (const auto why = why_not(variable, value)) {
+      throw std::invalid_argument(fmt::format("{}: {}", name, *why));
+    }
+    value = variable.start = as_chosen(variable, value);
+  }
+  put_value(problem, parameter, index, value);
+}
+
+/// Sets a list. Its length is fixed where a number of it varies: each is a variable.
+void set_list(ProblemStatement& problem, const NamedParameter& parameter, std::string_view text) {
+  const auto parts = text.empty() ? std::vector<std::string_view>{} : parted(text, ',');
+  std::vector<double> values = values_of(problem, parameter);
+  bool varies = false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    varies |= find_variable(problem, parameter, i).has_value();
+  }
+  if (varies && parts.size() != values.size()) {
+    throw std::invalid_argument(fmt::format("{}: {} values are given; it varies, and has {}",
+                                            parameter.name, parts.size(), values.size()));
+  }
+  put_values(problem, parameter, std::vector<double>(parts.size()));
+  for (std::size_t i = 0; i < parts.size(); ++i) set_number(problem, parameter, i, parts[i]);
+}
+
+}  // namespace
+
+void set_value(ProblemStatement& problem, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string_view name = trimmed(assignment.substr(0, equals));
+  if (equals == std::string_view::npos || name.empty()) {
+    throw std::invalid_argument(
+        fmt::format("'{}' sets nothing; write name=value, such as stroke=30 mm", assignment));
+  }
+  ProblemStatement changed = problem;  // which stays as it is where the value is refused
+  const NamedParameter parameter = find_parameter(changed, name);
+  const std::string_view text = trimmed(assignment.substr(equals + 1));
+  if (parameter.list && !parameter.element) {
+    set_list(changed, parameter, text);
+  } else {
+    set_number(changed, parameter, parameter.element.value_or(0), text);
+  }
+  check_laws(changed);
+  problem = std::move(changed);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/catalogue.h"
+#include "problems/mechanism/mechanism.h"
+
+/// A design problem as a person states it: a file that names a mechanism, a law, what may vary,
+/// what is wanted and what must hold. Reading it checks every name, unit and range; after that no
+/// string is looked at again.
+namespace camlaw::problems {
+
+/// A variable: a parameter of the mechanism or of the law. Numbers are in the listed unit.
+struct VariableStatement {
+  std::string name;  ///< as reported: "alpha", "blades", "c[2]"; "law.v" if the machine has v too
+  std::string unit;
+  bool of_law = false;
+  std::size_t parameter = 0;  ///< of the mechanism; 0 for a law's: there its name counts
+  std::string law_parameter;  ///< "c"; at least one of the laws has it
+  std::size_t element = 0;    ///< of a list, from 0
+  double lower = 0, upper = 0, start = 0;
+  std::optional<double> scale;
+  bool integer = false;
+  std::vector<double> values;  ///< one of these, where not empty; lower and upper are their ends
+};
+
+struct ObjectiveStatement {
+  ResponseName response;
+  optim::Sense sense = optim::Sense::Minimize;
+  std::optional<double> tolerance;
+};
+
+struct ConstraintStatement {
+  ResponseName response;
+  std::optional<double> lower, upper, tolerance;
+};
+
+/// How to solve, where the file says so.
+struct SolverStatement {
+  std::optional<std::string> name;
+  std::optional<int> starts;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> time_limit;  ///< seconds
+};
+
+/// Constants and laws hold the starts of what varies, so that they make the design to begin with.
+struct ProblemStatement {
+  std::string title;
+  const Mechanism* mechanism = nullptr;
+  std::vector<double> constants;  ///< of every mechanism parameter, in its listed unit
+  /// One, or a list to choose from; all different. A variable of laws may be missing in some.
+  std::vector<Member> laws;
+  std::vector<VariableStatement> variables;
+  std::optional<ObjectiveStatement> objective;  ///< `evaluate` does without
+  std::vector<ConstraintStatement> constraints;
+  SolverStatement solver;
+};
+
+/// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.
+/// Throws std::invalid_argument with the line, the key and what is accepted:
+/// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20".
+ProblemStatement read_problem(std::string_view toml, const std::string& source);
+/// Reads a file. Throws std::invalid_argument too where it cannot be read.
+ProblemStatement read_problem_file(const std::string& path);
+
+/// Sets a variable's start, a constant or a law's fixed parameter: "blades=21", "stroke=30 mm",
+/// "alpha=-3", "c=-1.8,0.2", "c[2]=0.2". For the values at which a design is looked at. Throws
+/// std::invalid_argument, and leaves the problem as it is, for unknown names and for values outside
+/// the variable's bounds or the parameter's range.
+void set_value(ProblemStatement& problem, std::string_view assignment);
+
+/// The problem in sentences.
+std::string in_words(const ProblemStatement& problem);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/toml_entry.h"
+
+#include <fmt/format.h>
+
+// toml++ 3.3 asserts what bad input like "[[[a" breaks (its pull request 301); without assertions,
+// as in a release, it goes on to report the error.
+#define TOML_ASSERT(expression) static_assert(true)
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "problems/statement/letters.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Kind = Entry::Kind;
+
+/// Turns toml++'s nodes into entries.
+class EntryBuilder {
+ public:
+  explicit EntryBuilder(const std::string& source) : source_(source) {}
+
+  Entry file(const toml::table& table) const {
+    Entry entry;
+    entry.place = source_;
+    fill(entry, table);
+    return entry;
+  }
+
+ private:
+  Entry entry(const toml::node& node, const toml::source_position& where, std::string key,
+              std::string path) const {
+    Entry entry;
+    entry.place = fmt::format("{}:{}", source_, where.line);
+    entry.key = std::move(key);
+    entry.path = std::move(path);
+    node.visit([&](const auto& value) { fill(entry, value); });
+    return entry;
+  }
+
+  void fill(Entry& entry, const toml::table& table) const {
+    entry.kind = Kind::Table;
+    std::vector<std::pair<const toml::key*, const toml::node*>> members;
+    for (const auto& [key, node] : table) members.emplace_back(&key, &node);
+    // toml++ sorts a table by name; people wrote it in an order.
+    std::sort(members.begin(), members.end(), [](const auto& a, const auto& b) {
+      const auto &p = a.first->source().begin, &q = b.first->source().begin;
+      return std::tie(p.line, p.column) < std::tie(q.line, q.column);
+    });
+    for (const auto& [key, node] : members) {
+      const std::string name(key->str());
+      entry.items.push_back(this->entry(*node, key->source().begin, name,
+                                        entry.path.empty() ? name : entry.path + "." + name));
+    }
+  }
+
+  void fill(Entry& entry, const toml::array& array) const {
+    entry.kind = Kind::List;
+    for (const toml::node& node : array) {
+      entry.items.push_back(this->entry(node, node.source().begin, entry.key,
+                                        fmt::format("{}[{}]", entry.path, entry.items.size() + 1)));
+    }
+  }
+
+  void fill(Entry& entry, const toml::value<std::string>& value) const {
+    entry.kind = Kind::Text;
+    entry.text = value.get();
+  }
+
+  void fill(Entry& entry, const toml::value<std::int64_t>& value) const {
+    entry.kind = Kind::Integer;
+    entry.integer = value.get();
+    entry.number = static_cast<double>(value.get());
+  }
+
+  void fill(Entry& entry, const toml::value<double>& value) const {
+    entry.kind = Kind::Float;
+    entry.number = value.get();
+  }
+
+  void fill(Entry& entry, const toml::value<bool>&) const { entry.kind = Kind::Truth; }
+
+  template <class DateOrTime>
+  void fill(Entry& entry, const toml::value<DateOrTime>&) const {
+    entry.kind = Kind::Date;
+  }
+
+  const std::string& source_;
+};
+
+/// toml++'s own words, with the remedy where a slip is a likely one.
+std::string explained(std::string_view description) {
+  if (description.find("utf-8") != std::string_view::npos) {
+    return "it is not UTF-8; save the file as UTF-8 text";
+  }
+  const bool runs_on = description.find("a comment or whitespace") != std::string_view::npos;
+  return fmt::format("it is not TOML: {}{}", description,
+                     runs_on ? "; a number with a unit stands in quotes, such as \"40 mm\"" : "");
+}
+
+}  // namespace
+
+std::string_view to_string(Entry::Kind kind) {
+  switch (kind) {
+    case Kind::Text:
+      return "a text";
+    case Kind::Integer:
+    case Kind::Float:
+      return "a number";
+    case Kind::Truth:
+      return "true or false";
+    case Kind::Date:
+      return "a date or time";
+    case Kind::List:
+      return "a list";
+    case Kind::Table:
+      return "a table";
+  }
+  return "?";
+}
+
+Entry parse_toml(std::string_view text, const std::string& source) {
+  check_letters(text, source);
+  try {
+    return EntryBuilder(source).file(toml::parse(text));
+  } catch (const toml::parse_error& error) {
+    throw std::invalid_argument(fmt::format("{}:{}: {}", source, error.source().begin.line,
+                                            explained(error.description())));
+  }
+}
+
+void refuse(const Entry& entry, const std::string& why) {
+  throw std::invalid_argument(entry.path.empty()
+                                  ? fmt::format("{}: {}", entry.place, why)
+                                  : fmt::format("{}: {}: {}", entry.place, entry.path, why));
+}
+
+}  // namespace camlaw::problems

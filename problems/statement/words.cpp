@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Sense;
+
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& parts) {
+  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
+  return fmt::format("{} and {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
+}
+
+/// " (tolerance 0.01 mm)", where there is one.
+std::string tolerance_note(const std::optional<double>& tolerance, const std::string& unit) {
+  return tolerance ? fmt::format(" (tolerance {})", with_unit(*tolerance, unit)) : "";
+}
+
+/// The machine's parameters that the objective and the constraints depend on; all, where there are
+/// neither.
+std::set<std::size_t> used_parameters(const ProblemStatement& problem) {
+  std::set<std::size_t> used;
+  const auto use = [&](const ResponseName& name) {
+    if (name.response == nullptr) used.insert(name.parameter);
+    if (name.response != nullptr)
+      used.insert(name.response->uses.begin(), name.response->uses.end());
+  };
+  if (problem.objective) use(problem.objective->response);
+  for (const ConstraintStatement& constraint : problem.constraints) use(constraint.response);
+  if (problem.objective || !problem.constraints.empty()) return used;
+  for (std::size_t i = 0; i < problem.constants.size(); ++i) used.insert(i);
+  return used;
+}
+
+std::string constants_sentence(const ProblemStatement& problem) {
+  std::vector<std::string> parts;
+  for (const std::size_t i : used_parameters(problem)) {
+    const bool varies = std::any_of(problem.variables.begin(), problem.variables.end(),
+                                    [&](const auto& v) { return !v.of_law && v.parameter == i; });
+    const MechanismParameter& p = problem.mechanism->parameters[i];
+    if (!varies) parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
+  }
+  return parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
+}
+
+bool varies(const ProblemStatement& problem, const std::string& law_parameter,
+            std::size_t element) {
+  return std::any_of(problem.variables.begin(), problem.variables.end(), [&](const auto& v) {
+    return v.of_law && v.law_parameter == law_parameter && v.element == element;
+  });
+}
+
+/// "alpha = -3", "c = [-1.8, varies]"; empty where every number varies.
+std::string fixed_text(const ProblemStatement& problem, const Parameter& parameter,
+                       const std::vector<double>& values) {
+  constexpr std::size_t kShown = 8;
+  std::vector<std::string> parts;
+  bool all_vary = true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool varied = varies(problem, parameter.name, i);
+    all_vary &= varied;
+    parts.push_back(varied ? "varies" : fmt::format("{:.6g}", values[i]));
+  }
+  if (all_vary) return "";
+  const std::string unit = parameter.unit == "1" ? "" : " " + parameter.unit;
+  if (!parameter.list) return fmt::format("{} = {}{}", parameter.name, parts.front(), unit);
+  if (parts.size() > kShown) return fmt::format("{} values of {}", parts.size(), parameter.name);
+  return fmt::format("{} = [{}]{}", parameter.name, fmt::join(parts, ", "), unit);
+}
+
+/// A law with the parameters that stay, but for a crossover left where it is.
+std::string law_text(const ProblemStatement& problem, const Member& law) {
+  std::vector<std::string> fixed;
+  for (std::size_t i = 0; i < law.arguments.size(); ++i) {
+    const Parameter& parameter = law.family->parameters[i];
+    const auto& values = law.arguments.list(i);
+    if (parameter.name == kCrossover && values == parameter.standard) continue;
+    const std::string text = fixed_text(problem, parameter, values);
+    if (!text.empty()) fixed.push_back(text);
+  }
+  return law.family->name + (fixed.empty() ? "" : fmt::format(" ({})", listed(fixed)));
+}
+
+std::string laws_sentence(const ProblemStatement& problem) {
+  std::vector<std::string> laws;
+  for (const Member& law : problem.laws) laws.push_back(law_text(problem, law));
+  if (laws.size() == 1) return fmt::format("The motion law is {}.\n", laws.front());
+  return fmt::format("Choose the motion law among {}.\n", listed(laws));
+}
+
+/// " (of polynomial-5)", where not every law has what varies.
+std::string owner_note(const ProblemStatement& problem, const VariableStatement& v) {
+  std::vector<std::string> owners;
+  for (const Member& law : problem.laws) {
+    if (v.of_law && index_in(*law.family, v.law_parameter)) owners.push_back(law.family->name);
+  }
+  const bool all = owners.size() == problem.laws.size();
+  return v.of_law && !all ? fmt::format(" (of {})", listed(owners)) : "";
+}
+
+std::string variable_sentence(const ProblemStatement& problem, const VariableStatement& v) {
+  const std::string name = v.name + owner_note(problem, v);
+  const std::string start = with_unit(v.start, v.unit);
+  if (!v.values.empty()) {
+    std::vector<std::string> values;
+    for (const double value : v.values) values.push_back(fmt::format("{:.6g}", value));
+    return fmt::format("Choose {} among {}{}, starting at {}.\n", name, listed(values),
+                       v.unit == "1" ? "" : " " + v.unit, start);
+  }
+  return fmt::format("Vary {} {} {:.6g} and {}, starting at {}.\n", name,
+                     v.integer ? "in whole steps between" : "between", v.lower,
+                     with_unit(v.upper, v.unit), start);
+}
+
+std::string objective_sentence(const std::optional<ObjectiveStatement>& objective) {
+  if (!objective) return "There is no objective.\n";
+  const ResponseName& response = objective->response;
+  return fmt::format("Find the {} {}{}{}.\n",
+                     objective->sense == Sense::Minimize ? "least" : "greatest", response.name,
+                     response.unit == "1" ? "" : fmt::format(" ({})", response.unit),
+                     tolerance_note(objective->tolerance, response.unit));
+}
+
+std::string limits_text(const ConstraintStatement& c) {
+  const std::string& unit = c.response.unit;
+  if (c.lower && c.upper) {
+    return *c.lower == *c.upper
+               ? "equal to " + with_unit(*c.lower, unit)
+               : fmt::format("between {:.6g} and {}", *c.lower, with_unit(*c.upper, unit));
+  }
+  return c.lower ? "at least " + with_unit(*c.lower, unit) : "at most " + with_unit(*c.upper, unit);
+}
+
+std::string constraint_sentence(const ConstraintStatement& c) {
+  const bool curve = c.response.response != nullptr && c.response.response->curve;
+  return fmt::format("Such that {} is {}{}{}.\n", c.response.name, limits_text(c),
+                     curve && c.response.part == optim::Part::Value ? " over the whole cycle" : "",
+                     tolerance_note(c.tolerance, c.response.unit));
+}
+
+std::string solver_sentence(const SolverStatement& solver) {
+  std::vector<std::string> parts;
+  if (solver.name) parts.push_back("with " + *solver.name);
+  if (solver.starts) {
+    parts.push_back(fmt::format("from {} start{}", *solver.starts, *solver.starts == 1 ? "" : "s"));
+  }
+  if (solver.seed) parts.push_back(fmt::format("with seed {}", *solver.seed));
+  if (solver.time_limit) parts.push_back(fmt::format("for at most {:.6g} s", *solver.time_limit));
+  return parts.empty() ? "" : fmt::format("Solve {}.\n", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::string in_words(const ProblemStatement& problem) {
+  std::string words = problem.title.empty() ? "" : problem.title + "\n\n";
+  words +=
+      fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
+  words += constants_sentence(problem) + laws_sentence(problem);
+  for (const VariableStatement& variable : problem.variables)
+    words += variable_sentence(problem, variable);
+  words += objective_sentence(problem.objective);
+  for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
+  return words + solver_sentence(problem.solver);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,812 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/verdict.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "kinematics/interval.h"
+#include "optim/problem/automatic_curve.h"
+#include "optim/search/optimise.h"
+
+namespace camlaw::optim {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using Point = std::vector<double>;
+using Names = std::vector<std::string>;
+
+/// Of intervals Boost's own, which is narrower, is found by the argument.
+template <class T>
+T square(const T& x) {
+  return x * x;
+}
+
+/// Judged with the sizes at the problem's own start.
+Assessment judge(const Problem& problem, const Point& x, bool prove = true) {
+  return assess(problem, sizes(problem, problem.start()), x, prove);
+}
+
+Objective least(Function f) { return {{"cost", "N", std::move(f)}, Sense::Minimize, {}, {}}; }
+Objective most(Function f) { return {{"gain", "N", std::move(f)}, Sense::Maximize, {}, {}}; }
+
+/// Least (x - 2)^2 + (y - 1)^2 in [0, 10]^2 where x + y <= 2, "sum". The nearest point of the line
+/// to (2, 1) is (1.5, 0.5); there the gradient (-1, -1) is -1 times the limit's.
+Problem projection() {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 0, .upper = 10, .start = 1},
+                       {.name = "y", .lower = 0, .upper = 10, .start = 1}};
+  problem.objective = least(function<Interval>(
+      {0, 1}, [](const auto& u) { return square(u[0] - 2.0) + square(u[1] - 1.0); },
+      Shape::Convex));
+  problem.constraints = {
+      {.response = {"sum", "mm",
+                    function<Interval>(
+                        {0, 1}, [](const auto& u) { return u[0] + u[1]; }, Shape::Linear)},
+       .upper = 2}};
+  return problem;
+}
+
+/// Least x + y in [-5, 5]^2 where x + y >= u0 sin(angle) stands for limits over a cycle: x sin(a) +
+/// y in [lower, upper].
+Problem over_cycle(std::optional<double> lower, std::optional<double> upper, bool enclosed) {
+  const auto f = [](const auto& u, const auto& angle) { return u[0] * sin(angle) + u[1]; };
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
+                       {.name = "y", .lower = -5, .upper = 5, .start = 0}};
+  problem.objective = most(function(
+      {0, 1}, [](const auto& u) { return u[0] + 3.0 * u[1]; }, Shape::Linear));
+  problem.constraints = {
+      {.response = {"wave", "mm",
+                    enclosed ? curve<Interval>({0, 1}, 0, 2 * kPi, f, Shape::Linear)
+                             : curve({0, 1}, 0, 2 * kPi, f, Shape::Linear)},
+       .lower = lower,
+       .upper = upper}};
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("an optimum is certified, with its limit, multiplier and why none is better anywhere",
+          "[verdict]") {
+  const Assessment a = judge(projection(), {1.5, 0.5});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.objective.value == 0.5);
+  CHECK(a.objective.proved.lower <= 0.5);
+  CHECK(a.objective.proved.upper >= 0.5);
+  CHECK(a.objective.proved.upper - a.objective.proved.lower < 1e-15);
+  CHECK(a.kkt_residual <= 1e-12);
+  CHECK(a.second_order);
+  CHECK(a.condition == Approx(1));
+  CHECK(a.active == Names{"sum"});
+  CHECK(a.blamed.empty());
+  CHECK(a.global);
+  CHECK(is_feasible(a));
+  REQUIRE(a.limits.size() == 1);
+  const LimitReport& sum = a.limits[0];
+  CHECK(sum.name == "sum");
+  CHECK(sum.unit == "mm");
+  CHECK(sum.value == 2);
+  CHECK(sum.bound == 2);
+  CHECK(sum.is_upper);
+  CHECK(sum.margin == 0);
+  CHECK(sum.tolerance == Approx(2e-6));
+  CHECK(sum.met);
+  CHECK(sum.proved);
+  CHECK_FALSE(sum.worst_angle);
+  CHECK(sum.multiplier == Approx(1).epsilon(1e-12));
+  REQUIRE(a.variables.size() == 2);
+  CHECK(a.variables[0].name == "x");
+  CHECK(a.variables[0].value == 1.5);
+  CHECK(a.variables[0].upper == 10);
+  CHECK_FALSE(a.variables[0].at_lower);
+  CHECK(a.variables[0].multiplier == 0);
+}
+
+TEST_CASE("without proof a good design is feasible at best", "[verdict]") {
+  const Assessment a = judge(projection(), {1.5, 0.5}, false);
+  CHECK(a.verdict == Verdict::Feasible);
+  CHECK(a.reason == "not proved yet");
+  CHECK_FALSE(a.limits[0].proved);
+  CHECK(std::isinf(a.objective.proved.upper));
+  CHECK(a.kkt_residual <= 1e-12);
+}
+
+TEST_CASE("a design with room to improve is feasible, and the reason gives the residual",
+          "[verdict]") {
+  for (const Point& x : {Point{1, 0.5}, Point{1, 1}, Point{0, 2}, Point{2, 0}, Point{0, 0}}) {
+    INFO(x[0] << " " << x[1]);
+    const Assessment a = judge(projection(), x);
+    CHECK(a.verdict == Verdict::Feasible);
+    CHECK(a.reason.find("conditions of optimality") != std::string::npos);
+    CHECK(a.kkt_residual > 1e-3);
+    CHECK_FALSE(a.global);
+    CHECK(a.limits[0].margin == 2 - x[0] - x[1]);
+    CHECK(is_feasible(a));
+  }
+}
+
+TEST_CASE("a limit passed within its tolerance counts as met", "[verdict]") {
+  const Assessment a = judge(projection(), {1.5 + 4e-7, 0.5 + 4e-7});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.limits[0].met);
+  CHECK(a.limits[0].margin == Approx(-8e-7).epsilon(1e-6));
+  CHECK(worst_violation(a.limits) == Approx(0.4).epsilon(1e-6));
+  // The tolerance that was asked for decides.
+  Problem strict = projection();
+  strict.constraints[0].tolerance = 1e-9;
+  CHECK(judge(strict, {1.5 + 4e-7, 0.5 + 4e-7}).verdict == Verdict::Failed);
+}
+
+TEST_CASE("a design that passes a limit fails, and the reason names it", "[verdict]") {
+  const Assessment a = judge(projection(), {2, 1});
+  CHECK(a.verdict == Verdict::Failed);
+  CHECK(a.reason == "the design does not meet sum");
+  CHECK(a.limits[0].margin == -1);
+  CHECK_FALSE(a.limits[0].met);
+  CHECK_FALSE(is_feasible(a));
+  CHECK(worst_violation(a.limits) == Approx(1 / 2e-6));
+}
+
+TEST_CASE("a design outside a variable's bounds fails, and the reason names the variable",
+          "[verdict]") {
+  for (const Point& x : {Point{-1e-9, 0.5}, Point{-1, 1}, Point{-20, 10}}) {
+    const Assessment a = judge(projection(), x);
+    CHECK(a.verdict == Verdict::Failed);
+    CHECK_FALSE(is_feasible(a));
+    CHECK(a.reason.find("lower bound of x") != std::string::npos);
+  }
+}
+
+TEST_CASE("a design at which the model gives no number fails", "[verdict]") {
+  Problem problem = projection();
+  problem.constraints[0].response.measure =
+      function({0, 1}, [](const auto& u) { return sqrt(u[0] - 1.0) + u[1]; });
+  CHECK(judge(problem, {0.5, 0.5}).verdict == Verdict::Failed);
+  CHECK(judge(problem, {0.5, 0.5}).reason.find("no number") != std::string::npos);
+  CHECK_FALSE(judge(problem, {0.5, 0.5}).limits[0].met);
+  CHECK_FALSE(judge(problem, {0.5, 0.5}).limits[0].proved);
+  problem = projection();
+  problem.objective = least(function({0, 1}, [](const auto& u) { return log(u[0]) + u[1]; }));
+  CHECK(judge(problem, {0, 1}).verdict == Verdict::Failed);
+  problem = projection();
+  problem.constraints[0].response.measure = curve<Interval>(
+      {0, 1}, 0, 1, [](const auto& u, const auto& angle) { return sqrt(u[0] - angle) + u[1]; });
+  CHECK(judge(problem, {0.5, 0.5}).verdict == Verdict::Failed);
+  CHECK(judge(problem, {0.5, 0.5}).reason.find("no number") != std::string::npos);
+  CHECK(judge(problem, {2, 0.1}).limits[0].met);
+  CHECK(judge(problem, {kNan, 0.5}).verdict == Verdict::Failed);
+}
+
+TEST_CASE("a derivative that is no number keeps a design from being certified", "[verdict]") {
+  // sqrt(x) at 0: the value is one, the slope is not.
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.5}};
+  problem.objective = least(function({0}, [](const auto& u) { return sqrt(u[0]) * u[0]; }));
+  const Assessment a = judge(problem, {0});
+  CHECK(a.objective.value == 0);
+  CHECK(a.verdict == Verdict::Feasible);
+}
+
+TEST_CASE("of two bounds the report takes the nearer, or the one passed by more", "[verdict]") {
+  Problem problem = projection();
+  problem.constraints[0].lower = -1;
+  const auto at = [&](double x) { return judge(problem, {x, 0}).limits[0]; };
+  CHECK(at(0.25).bound == -1);  // room of 1.25 below, 1.75 above
+  CHECK_FALSE(at(0.25).is_upper);
+  CHECK(at(0.25).margin == 1.25);
+  CHECK(at(1).bound == 2);
+  CHECK(at(1).is_upper);
+  CHECK(at(1).margin == 1);
+  CHECK(at(4).margin == -2);
+  CHECK(at(4).is_upper);
+  CHECK(at(-1.5).margin == -0.5);
+  CHECK_FALSE(at(-1.5).is_upper);
+}
+
+TEST_CASE("a limit over the cycle reports the worst angle of the side it names", "[verdict]") {
+  const auto at = [](const Point& x) { return judge(over_cycle(-2, 3, true), x).limits[0]; };
+  // x sin(a) + y, highest at pi/2, lowest at 3 pi/2.
+  const LimitReport above = at({1, 1.5});  // between 0.5 and 2.5
+  CHECK(above.is_upper);
+  CHECK(above.value == Approx(2.5).epsilon(1e-15));
+  CHECK(above.margin == Approx(0.5).epsilon(1e-14));
+  REQUIRE(above.worst_angle);
+  CHECK(*above.worst_angle == Approx(kPi / 2).epsilon(1e-9));
+  CHECK(above.met);
+  CHECK(above.proved);
+  const LimitReport below = at({1, -0.75});  // between -1.75 and 0.25
+  CHECK_FALSE(below.is_upper);
+  CHECK(below.value == Approx(-1.75).epsilon(1e-15));
+  CHECK(below.margin == Approx(0.25).epsilon(1e-14));
+  CHECK(*below.worst_angle == Approx(3 * kPi / 2).epsilon(1e-9));
+  const LimitReport both = at({4, 1});  // between -3 and 5: passed by 1 and by 2
+  CHECK(both.is_upper);
+  CHECK(both.margin == Approx(-2).epsilon(1e-14));
+  CHECK_FALSE(both.met);
+  CHECK_FALSE(both.proved);
+  // Sin has turned round where x is negative.
+  CHECK(*at({-1, 1.5}).worst_angle == Approx(3 * kPi / 2).epsilon(1e-9));
+}
+
+TEST_CASE("an optimum over the cycle is certified where intervals prove the limit", "[verdict]") {
+  // Most x + 3 y where |x| + y <= 3 and y - |x| >= -2: at (0, 3). There moving x by d costs |d| of
+  // y, three times as much as it brings. Peaks at x = 0: the curve is level, all angles are.
+  // With y <= 2 by the box instead: |x| <= 1, so x = 1, y = 2: x gains 1, y gains 3 - 1.
+  Problem problem = over_cycle(-2, 3, true);
+  problem.variables[1].upper = 2;
+  const Assessment a = judge(problem, {1, 2});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.limits[0].proved);
+  CHECK(a.limits[0].multiplier == Approx(1).epsilon(1e-9));  // x rises as 3 does
+  CHECK(a.variables[1].at_upper);
+  CHECK(a.variables[1].multiplier == Approx(2).epsilon(1e-9));  // y brings 3, and costs x its 1
+  CHECK(a.active == Names{"wave", "upper bound of y"});
+  CHECK(a.global);
+}
+
+TEST_CASE("without enclosures an optimum over the cycle is not certified", "[verdict]") {
+  Problem problem = over_cycle(-2, 3, false);
+  problem.variables[1].upper = 2;
+  const Assessment a = judge(problem, {1, 2});
+  CHECK(a.verdict == Verdict::Feasible);
+  CHECK_FALSE(a.limits[0].proved);
+  CHECK(a.limits[0].met);
+  CHECK(a.reason == "wave is met wherever it was looked at, but not proved over the whole cycle");
+  CHECK_FALSE(a.global);
+}
+
+TEST_CASE("a proof finds a limit broken where the search sees none, and reports the place",
+          "[verdict]") {
+  // 0.2 a / 360 and a spike of height 1, 0.002 wide, between the samples: limit 1.
+  constexpr double kPlace = 100.123;
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.2}};
+  problem.objective = most(function(
+      {0}, [](const auto& u) { return u[0]; }, Shape::Linear));
+  problem.constraints = {
+      {.response = {"spike", "mm",
+                    curve<Interval>({0}, 0, 360,
+                                    [](const auto& u, const auto& angle) {
+                                      using T = std::remove_cvref_t<decltype(angle)>;
+                                      const T one = constant<T>(1);
+                                      const T t = (angle - constant<T>(kPlace)) / constant<T>(1e-3);
+                                      return u[0] * angle / constant<T>(360) + one / (one + t * t);
+                                    })},
+       .upper = 1}};
+  CHECK(judge(problem, {0.2}, false).limits[0].met);
+  const Assessment a = judge(problem, {0.2}, true);
+  CHECK(a.verdict == Verdict::Failed);
+  CHECK_FALSE(a.limits[0].met);
+  CHECK_FALSE(a.limits[0].proved);
+  CHECK(a.limits[0].value > 1);
+  CHECK(*a.limits[0].worst_angle == Approx(kPlace).margin(0.01));
+}
+
+TEST_CASE("an objective over the cycle comes with its angle and proved bounds", "[verdict]") {
+  Problem problem = over_cycle(-4, 4, true);
+  const auto measure = problem.constraints[0].response.measure;
+  const auto at = [&](Part part, Sense sense) {
+    problem.objective = {{"cost", "N", measure}, sense, part, {}};
+    return objective_report(problem, Point{1.5, -0.5}, true);  // between -2 and 1
+  };
+  const ObjectiveReport highest = at(Part::Highest, Sense::Minimize);
+  CHECK(highest.value == Approx(1).epsilon(1e-15));
+  CHECK(*highest.angle == Approx(kPi / 2).epsilon(1e-9));
+  CHECK(highest.proved.lower <= 1);
+  CHECK(highest.proved.upper >= 1);
+  CHECK(highest.proved.upper <= 1 + 1e-8);
+  const ObjectiveReport lowest = at(Part::Lowest, Sense::Maximize);
+  CHECK(lowest.value == Approx(-2).epsilon(1e-15));
+  CHECK(*lowest.angle == Approx(3 * kPi / 2).epsilon(1e-9));
+  CHECK(lowest.proved.lower >= -2 - 1e-8);
+  CHECK(lowest.proved.lower <= -2);
+  CHECK(lowest.proved.upper >= -2);
+  const ObjectiveReport magnitude = at(Part::Magnitude, Sense::Minimize);
+  CHECK(magnitude.value == Approx(2).epsilon(1e-15));
+  CHECK(*magnitude.angle == Approx(3 * kPi / 2).epsilon(1e-9));
+  CHECK(magnitude.proved.upper >= 2);
+  CHECK(magnitude.proved.upper <= 2 + 1e-8);
+}
+
+namespace {
+
+/// A problem as a function of one bound, and the multiplier of that bound.
+struct Moved {
+  const char* what;
+  std::function<Problem(double bound)> problem;
+  double bound;
+  double gain;  ///< what relaxing by one brings, or of an equation the objective's rise; by hand
+  std::function<double(const Assessment&)> multiplier;
+  /// 1 where the objective's derivative by the bound equals the multiplier, -1 where it is
+  /// opposite.
+  double sign;
+};
+
+double of_limit(const Assessment& a) { return a.limits.at(0).multiplier; }
+double of_x(const Assessment& a) { return a.variables.at(0).multiplier; }
+
+enum class Kind { Upper, Lower, Equation };
+
+/// "flow" x^2 + 30 y and an objective of other size, so that factors of scaling show.
+Problem sloped(Sense sense, double a, double b, Kind kind, double bound) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -40, .upper = 40, .start = 1},
+                       {.name = "y", .lower = -0.5, .upper = 0.5, .start = 0.01}};
+  const double way = sense == Sense::Minimize ? 1 : -1;
+  problem.objective = {
+      {"cost", "N",
+       function({0, 1},
+                [=](const auto& u) {
+                  return way * 250.0 * ((u[0] - a) * (u[0] - a) + 900.0 * (u[1] - b) * (u[1] - b));
+                })},
+      sense,
+      Part::Value,
+      {}};
+  Constraint flow{.response = {"flow", "l",
+                               function({0, 1}, [](const auto& u) { return u[0] + 30.0 * u[1]; })}};
+  if (kind != Kind::Lower) flow.upper = bound;
+  if (kind != Kind::Upper) flow.lower = bound;
+  problem.constraints = {flow};
+  return problem;
+}
+
+Problem boxed(Sense sense, Kind kind, double bound) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -9, .upper = 9, .start = 0},
+                       {.name = "y", .lower = -9, .upper = 9, .start = 0}};
+  (kind == Kind::Lower ? problem.variables[0].lower : problem.variables[0].upper) = bound;
+  const double way = sense == Sense::Minimize ? 1 : -1, towards = kind == Kind::Lower ? -12 : 12;
+  problem.objective = {
+      {"cost", "N",
+       function({0, 1},
+                [=](const auto& u) {
+                  return way * 50.0 *
+                         ((u[0] - towards) * (u[0] - towards) + u[0] * u[1] + u[1] * u[1]);
+                })},
+      sense,
+      Part::Value,
+      {}};
+  return problem;
+}
+
+std::vector<Moved> moved_bounds() {
+  using enum Sense;
+  std::vector<Moved> all;
+  // 250 times the square of the distance of (x, 30 y) from (a, 30 b); "flow" is the sum of its
+  // coordinates. From (a, 30 b) of sum s to a sum of c it is (s - c)^2 / 2: the optimum is 125
+  // (s - c)^2 and its derivative by c -250 (s - c). With s - c = 4 or -4: 1000.
+  const auto add = [&](const char* what, Sense sense, Kind kind, double c, double gain,
+                       double sign) {
+    all.push_back({what, [=](double bound) { return sloped(sense, 3, 0.1, kind, bound); }, c, gain,
+                   of_limit, sign});
+  };
+  add("upper, minimise", Minimize, Kind::Upper, 2, 1000, -1);
+  add("lower, minimise", Minimize, Kind::Lower, 10, 1000, 1);
+  add("upper, maximise", Maximize, Kind::Upper, 2, 1000, 1);
+  add("lower, maximise", Maximize, Kind::Lower, 10, 1000, -1);
+  add("equation from below, minimise", Minimize, Kind::Equation, 2, -1000, 1);
+  add("equation from above, minimise", Minimize, Kind::Equation, 10, 1000, 1);
+  add("equation from below, maximise", Maximize, Kind::Equation, 2, 1000, 1);
+  add("equation from above, maximise", Maximize, Kind::Equation, 10, -1000, 1);
+  // 50 ((x -+ 12)^2 + x y + y^2), x at its bound b: y = -b/2, so 50 ((b -+ 12)^2 - b^2 / 4), of
+  // derivative 50 (2 (b -+ 12) - b/2): at b = 4 for 12 50 (-16 - 2) = -900.
+  const auto box = [&](const char* what, Sense sense, Kind kind, double b, double sign) {
+    all.push_back(
+        {what, [=](double bound) { return boxed(sense, kind, bound); }, b, 900, of_x, sign});
+  };
+  box("upper bound of a variable, minimise", Minimize, Kind::Upper, 4, -1);
+  box("lower bound of a variable, minimise", Minimize, Kind::Lower, -4, 1);
+  box("upper bound of a variable, maximise", Maximize, Kind::Upper, 4, 1);
+  box("lower bound of a variable, maximise", Maximize, Kind::Lower, -4, -1);
+  return all;
+}
+
+/// Least x^2 + y^2 where "wave", x (2 + sin(a)) + y cos(2 a) / 10, keeps a bound over the cycle.
+Problem waving(Sense sense, Kind kind, double bound) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
+                       {.name = "y", .lower = -5, .upper = 5, .start = 1}};
+  const double way = sense == Sense::Minimize ? 1 : -1;
+  problem.objective = {
+      {"cost", "N",
+       function({0, 1}, [=](const auto& u) { return way * (7.0 * u[0] * u[0] + u[1] * u[1]); })},
+      sense,
+      Part::Value,
+      {}};
+  Constraint wave{
+      .response = {"wave", "mm",
+                   curve<Interval>({0, 1}, 0, 2 * kPi, [](const auto& u, const auto& angle) {
+                     using T = std::remove_cvref_t<decltype(angle)>;
+                     return u[0] * (constant<T>(2) + sin(angle)) +
+                            u[1] * cos(angle + angle) / constant<T>(10);
+                   })}};
+  (kind == Kind::Lower ? wave.lower : wave.upper) = bound;
+  problem.constraints = {wave};
+  return problem;
+}
+
+/// Least highest of (x - a)^2 + y over a in [0, 4] where y >= bound: (4/2)^2 + bound.
+Problem raised(double bound) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
+                       {.name = "y", .lower = -50, .upper = 50, .start = 10}};
+  problem.objective = {{"cost", "N",
+                        curve<Interval>({0, 1}, 0, 4,
+                                        [](const auto& u, const auto& angle) {
+                                          return (u[0] - angle) * (u[0] - angle) + u[1];
+                                        })},
+                       Sense::Minimize,
+                       Part::Highest,
+                       {}};
+  problem.constraints = {
+      {.response = {"level", "mm", function({1}, [](const auto& u) { return 3.0 * u[0]; })},
+       .lower = bound}};
+  return problem;
+}
+
+std::vector<Moved> moved_over_cycle() {
+  using enum Sense;
+  std::vector<Moved> all;
+  const auto add = [&](const char* what, Sense sense, Kind kind, double c, double sign) {
+    all.push_back(
+        {what, [=](double bound) { return waving(sense, kind, bound); }, c, kNan, of_limit, sign});
+  };
+  add("curve from below, minimise", Minimize, Kind::Lower, 2, 1);
+  add("curve from above, minimise", Minimize, Kind::Upper, -2, -1);
+  add("curve from below, maximise", Maximize, Kind::Lower, 2, -1);
+  add("curve from above, maximise", Maximize, Kind::Upper, -2, 1);
+  // 3 y >= bound: the optimum 4 + bound / 3.
+  all.push_back({"limit under a peak", raised, 6, 1.0 / 3, of_limit, 1});
+  return all;
+}
+
+/// Derivative of the optimum by the bound: central differences, extrapolated once.
+double resolved_slope(const Moved& moved, double step) {
+  const auto optimum = [&](double bound) {
+    Problem problem = moved.problem(bound);
+    for (Constraint& c : problem.constraints) c.tolerance = 1e-10;
+    const Optimum found = optimise(problem);
+    INFO(moved.what << ": " << found.found.assessment.reason);
+    CHECK(found.found.assessment.verdict == Verdict::Certified);
+    return found.found.assessment.objective.value;
+  };
+  const auto central = [&](double h) {
+    return (optimum(moved.bound + h) - optimum(moved.bound - h)) / (2 * h);
+  };
+  return (4 * central(step / 2) - central(step)) / 3;
+}
+
+void check_multiplier(const Moved& moved) {
+  INFO(moved.what);
+  const Optimum found = optimise(moved.problem(moved.bound));
+  REQUIRE(found.found.assessment.verdict == Verdict::Certified);
+  const double multiplier = moved.multiplier(found.found.assessment);
+  if (!std::isnan(moved.gain)) CHECK(multiplier == Approx(moved.gain).epsilon(1e-5));
+  CHECK(moved.sign * multiplier == Approx(resolved_slope(moved, 0.05)).epsilon(1e-4));
+}
+
+}  // namespace
+
+TEST_CASE("multipliers are what the optimum gains where a bound moves", "[verdict]") {
+  for (const Moved& moved : moved_bounds()) check_multiplier(moved);
+}
+
+TEST_CASE("multipliers of limits over the cycle, and under a peak, too", "[verdict]") {
+  for (const Moved& moved : moved_over_cycle()) check_multiplier(moved);
+}
+
+TEST_CASE("limits that do not hold the design have no multiplier", "[verdict]") {
+  Problem problem = projection();
+  problem.constraints.push_back(
+      {.response = {"idle", "mm",
+                    function(
+                        {0}, [](const auto& u) { return u[0]; }, Shape::Linear)},
+       .upper = 3});
+  const Assessment a = judge(problem, {1.5, 0.5});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.limits[1].multiplier == 0);
+  CHECK(a.limits[1].margin == 1.5);
+  CHECK(a.active == Names{"sum"});
+  // Pushed the wrong way: the objective grows away from the limit that the design stands at.
+  problem.constraints[0].lower = 2;
+  problem.constraints[0].upper.reset();
+  const Assessment turned = judge(problem, {1.5, 0.5});
+  CHECK(turned.verdict == Verdict::Feasible);
+  CHECK(turned.limits[0].multiplier == 0);
+}
+
+TEST_CASE("limits that depend on each other are certified with an infinite condition",
+          "[verdict]") {
+  Problem problem = projection();
+  problem.constraints.push_back(
+      {.response = {"double", "mm",
+                    function(
+                        {0, 1}, [](const auto& u) { return 2.0 * u[0] + 2.0 * u[1]; },
+                        Shape::Linear)},
+       .upper = 4});
+  const Assessment a = judge(problem, {1.5, 0.5});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(std::isinf(a.condition));
+  CHECK(a.limits[0].multiplier + 2 * a.limits[1].multiplier == Approx(1).epsilon(1e-9));
+}
+
+namespace {
+
+/// Assessments of one problem, from best to worst; within one class none is better.
+std::vector<std::vector<Assessment>> ranks(const Problem& problem) {
+  const auto at = [&](const Point& x) { return judge(problem, x, false); };
+  const auto with = [&](double objective, std::vector<double> margins) {
+    Assessment a = at({1, 0.5});
+    a.objective.value = objective;
+    a.limits.resize(margins.size(), a.limits.front());
+    for (std::size_t i = 0; i < margins.size(); ++i) a.limits[i].margin = margins[i];
+    return a;
+  };
+  return {
+      {with(-kInfinity, {0}), with(kInfinity, {0}), with(kNan, {0}), with(kNan, {1}),
+       with(1, {kNan}), with(1, {0, kNan}), with(1, {-1, kNan}), with(kNan, {-1}),
+       at({kNan, kNan})},                                       // not numbers: the last
+      {with(0.25, {-2}), with(7, {-2, 0}), with(7, {-1, -2})},  // passed by 2
+      {with(0.25, {-1}), with(-9, {-1, 1})},                    // passed by 1
+      {with(9, {0}), with(9, {3})},                             // feasible, cost 9
+      {at({1.5, 0.5}), with(0.5, {1, 1})},                      // 0.5
+      {with(-3, {-1e-6}), with(-3, {0, 0})},                    // -3, within the tolerance 2e-6
+  };
+}
+
+}  // namespace
+
+TEST_CASE("better is a strict weak order, and what is no number comes last", "[verdict]") {
+  Problem problem = projection();
+  const auto classes = ranks(problem);
+  struct Ranked {
+    std::size_t rank;
+    const Assessment* assessment;
+  };
+  std::vector<Ranked> all;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    for (const Assessment& a : classes[k]) all.push_back({k, &a});
+  }
+  const auto words = [](const Ranked& r) {
+    return "rank " + std::to_string(r.rank) + " of cost " +
+           std::to_string(r.assessment->objective.value) + " and violation " +
+           std::to_string(worst_violation(r.assessment->limits));
+  };
+  Names wrong;
+  for (const Ranked& a : all) {
+    for (const Ranked& b : all) {
+      if (better(problem, *a.assessment, *b.assessment) == (a.rank > b.rank)) continue;
+      wrong.push_back(words(a) + " before " + words(b));
+    }
+  }
+  CHECK(wrong == Names{});
+}
+
+TEST_CASE("better is a strict weak order by its axioms", "[verdict]") {
+  for (const Sense sense : {Sense::Minimize, Sense::Maximize}) {
+    Problem problem = projection();
+    problem.objective.sense = sense;
+    std::vector<Assessment> all{Assessment{}};
+    for (const auto& rank : ranks(problem)) all.insert(all.end(), rank.begin(), rank.end());
+    const auto before = [&](std::size_t i, std::size_t j) {
+      return better(problem, all[i], all[j]);
+    };
+    const auto equal = [&](std::size_t i, std::size_t j) { return !before(i, j) && !before(j, i); };
+    bool holds = true;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      holds = holds && !before(i, i);
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        holds = holds && !(before(i, j) && before(j, i));
+        for (std::size_t k = 0; k < all.size(); ++k) {
+          holds = holds && (!(before(i, j) && before(j, k)) || before(i, k));
+          holds = holds && (!(equal(i, j) && equal(j, k)) || equal(i, k));
+        }
+      }
+    }
+    CHECK(holds);
+  }
+}
+
+TEST_CASE("to maximise, the greater objective is better", "[verdict]") {
+  Problem problem = over_cycle(-2, 3, true);
+  const Assessment low = judge(problem, {0.5, 0}, false), high = judge(problem, {1, 1}, false);
+  CHECK(better(problem, high, low));
+  CHECK_FALSE(better(problem, low, high));
+}
+
+TEST_CASE("what was never assessed is not feasible", "[verdict]") {
+  CHECK_FALSE(is_feasible(Assessment{}));
+  const Problem problem = projection();
+  CHECK(better(problem, judge(problem, {1, 0.5}), Assessment{}));
+  CHECK_FALSE(better(problem, Assessment{}, judge(problem, {1, 0.5})));
+}
+
+namespace {
+
+/// A curve that does not tell how its slope depends on the design.
+class WithoutSlope final : public Curve {
+ public:
+  explicit WithoutSlope(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
+  Function at(Place place) const override { return curve_->at(place); }
+  std::unique_ptr<Trace> trace(Design x) const override { return curve_->trace(x); }
+  Shape shape() const override { return curve_->shape(); }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+};
+
+/// 5 + x^2 - (a - k x)^2 over a in [-1.5, 1.5], whose peak 5 + x^2 stands at a = k x. At a fixed
+/// angle its second derivative by x is 2 - 2 k^2.
+Problem moving_peak(double k, double bend, bool tells_slope) {
+  std::shared_ptr<const Curve> peak =
+      curve<Interval>({0}, -1.5, 1.5, [k, bend](const auto& u, const auto& angle) {
+        using T = std::remove_cvref_t<decltype(angle)>;
+        const T away = angle - constant<T>(k) * u[0];
+        return constant<T>(5) + constant<T>(bend) * u[0] * u[0] - away * away;
+      });
+  if (!tells_slope) peak = std::make_shared<const WithoutSlope>(peak);
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -0.25, .upper = 0.25, .start = 0.1}};
+  problem.objective = {{"peak", "N", peak}, Sense::Minimize, Part::Magnitude, {}};
+  return problem;
+}
+
+Problem smooth(Function f) {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -2, .upper = 2, .start = 0.5},
+                       {.name = "y", .lower = -2, .upper = 2, .start = 0.5}};
+  problem.objective = least(std::move(f));
+  return problem;
+}
+
+const auto kSaddle = [](const auto& u) { return u[0] * u[0] - u[1] * u[1]; };
+
+}  // namespace
+
+TEST_CASE("a peak that moves with the design is certified where it is least", "[verdict]") {
+  for (const double k : {0.0, 0.5, 2.0, 5.0}) {
+    INFO("the peak moves by " << k);
+    const Assessment a = judge(moving_peak(k, 1, true), {0});
+    CHECK(a.objective.value == Approx(5).epsilon(1e-15));
+    CHECK(a.verdict == Verdict::Certified);
+    CHECK(a.second_order);
+    // Without the slope the motion is unknown: 2 - 2 k^2 decides.
+    CHECK(judge(moving_peak(k, 1, false), {0}).second_order == (k < 1));
+  }
+}
+
+TEST_CASE("a peak that moves is not certified where its height is greatest", "[verdict]") {
+  for (const double k : {0.0, 0.5, 2.0, 5.0}) {
+    const Assessment a = judge(moving_peak(k, -1, true), {0});
+    CHECK(a.verdict == Verdict::Feasible);
+    CHECK_FALSE(a.second_order);
+    CHECK(a.kkt_residual <= kKktTolerance);  // stationary it is
+  }
+}
+
+TEST_CASE("stationary maxima and saddles are feasible, not certified", "[verdict]") {
+  const auto hill = [](const auto& u) { return 1.0 - u[0] * u[0] - u[1] * u[1]; };
+  for (const Problem& problem :
+       {smooth(function({0, 1}, hill)), smooth(function({0, 1}, kSaddle))}) {
+    const Assessment a = judge(problem, {0, 0});
+    CHECK(a.kkt_residual <= kKktTolerance);
+    CHECK_FALSE(a.second_order);
+    CHECK(a.verdict == Verdict::Feasible);
+    CHECK(a.reason.find("second order") != std::string::npos);
+  }
+  const auto bowl = [](const auto& u) { return u[0] * u[0] + u[1] * u[1]; };
+  CHECK(judge(smooth(function({0, 1}, bowl)), {0, 0}).verdict == Verdict::Certified);
+}
+
+TEST_CASE("a quasiconvex objective is known to be best of all only where it slopes", "[verdict]") {
+  // x^3 over [-1, 1], or as the peak of a curve: level at 0, least at -1.
+  const auto cube = [](const auto& u) { return u[0] * u[0] * u[0]; };
+  const auto along = [](const auto& u, const auto&) { return u[0] * u[0] * u[0]; };
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -1, .upper = 1, .start = 0.5}};
+  for (const bool peak : {false, true}) {
+    problem.objective = least(function({0}, cube, Shape::Quasilinear));
+    if (peak) {
+      problem.objective.response.measure = curve({0}, 0, 1, along, Shape::Quasilinear);
+      problem.objective.part = Part::Highest;
+    }
+    CHECK_FALSE(judge(problem, {0}).global);
+    const Assessment best = judge(problem, {-1});
+    CHECK(best.verdict == Verdict::Certified);
+    CHECK(best.global);
+    CHECK(best.variables[0].multiplier == Approx(3).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a saddle is a minimum where limits close the way down", "[verdict]") {
+  // x^2 - y^2 with y = 0 by an equation, or held at y = 1 by its bound with the slope -2.
+  Problem problem = smooth(function({0, 1}, kSaddle));
+  problem.constraints = {
+      {.response = {"y", "mm", function({1}, [](const auto& u) { return 1.0 * u[0]; })},
+       .lower = 0,
+       .upper = 0}};
+  CHECK(judge(problem, {0, 0}).verdict == Verdict::Certified);
+  problem.constraints.clear();
+  problem.variables[1].upper = 1;
+  const Assessment a = judge(problem, {0, 1});
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.variables[1].multiplier == Approx(2).epsilon(1e-9));
+  problem.variables[1].lower = problem.variables[1].upper = 0;  // fixed
+  CHECK(judge(problem, {0, 0}).verdict == Verdict::Certified);
+}
+
+TEST_CASE("curved limits count in the second order", "[verdict]") {
+  // Least -x^2 - 3 y on the disc x^2 + y^2 <= 1 at (0, 1): the multiplier is 3/2, so by x the
+  // Lagrangian bends by -2 + 3: a minimum. With -y / 2 in place of -3 y it bends by -2 + 1/2: none.
+  const auto disc = [](double pull) {
+    Problem problem = smooth(
+        function({0, 1}, [pull](const auto& u) { return -1.0 * u[0] * u[0] - pull * u[1]; }));
+    problem.constraints = {
+        {.response = {"radius", "mm",
+                      function(
+                          {0, 1}, [](const auto& u) { return u[0] * u[0] + u[1] * u[1]; },
+                          Shape::Convex)},
+         .upper = 1}};
+    return problem;
+  };
+  const Assessment minimum = judge(disc(3), {0, 1});
+  CHECK(minimum.verdict == Verdict::Certified);
+  CHECK(minimum.limits[0].multiplier == Approx(1.5).epsilon(1e-9));
+  CHECK(judge(disc(0.5), {0, 1}).verdict == Verdict::Feasible);
+  CHECK_FALSE(judge(disc(0.5), {0, 1}).second_order);
+}
+
+TEST_CASE("the design of least violation is infeasible, and the limits that push are blamed",
+          "[verdict]") {
+  // x >= 3 and x <= 1, both counted in units of 1: half way, at 2. "far" does not push.
+  const auto x = [] {
+    return function(
+        {0}, [](const auto& u) { return 1.0 * u[0]; }, Shape::Linear);
+  };
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 0, .upper = 10, .start = 5},
+                       {.name = "y", .lower = 0, .upper = 10, .start = 5}};
+  problem.objective = least(function(
+      {1}, [](const auto& u) { return 1.0 * u[0]; }, Shape::Linear));
+  problem.constraints = {{.response = {"low", "mm", x()}, .lower = 3, .scale = 1},
+                         {.response = {"high", "mm", x()}, .upper = 1, .scale = 1},
+                         {.response = {"far", "mm", x()}, .upper = 9, .scale = 1}};
+  const Sizes s = sizes(problem, problem.start());
+  const Assessment a = assess_least_violation(problem, s, Point{2, 5});
+  CHECK(a.verdict == Verdict::Infeasible);
+  CHECK(a.blamed == Names{"low", "high"});
+  CHECK(a.reason == "low and high contradict one another");
+  CHECK(a.limits[0].margin == -1);
+  CHECK(a.limits[1].margin == -1);
+  CHECK(a.limits[2].margin == 7);
+  CHECK(a.global);  // linear limits: nowhere is there a design
+  // Elsewhere the conditions do not hold: nothing is claimed.
+  const Assessment off = assess_least_violation(problem, s, Point{2.5, 5});
+  CHECK(off.verdict == Verdict::Failed);
+  CHECK_FALSE(off.global);
+  // Of one limit alone it is said that it cannot be met.
+  problem.constraints = {
+      {.response = {"square", "mm^2", function({0}, [](const auto& u) { return u[0] * u[0]; })},
+       .upper = -1}};
+  const Assessment alone =
+      assess_least_violation(problem, sizes(problem, problem.start()), Point{0, 5});
+  CHECK(alone.verdict == Verdict::Infeasible);
+  CHECK(alone.reason == "square cannot be met");
+  CHECK_FALSE(alone.global);
+}
+
+TEST_CASE("verdicts have words", "[verdict]") {
+  CHECK(to_string(Verdict::Certified) == "certified optimum");
+  CHECK(to_string(Verdict::Feasible) == "feasible");
+  CHECK(to_string(Verdict::Infeasible) == "infeasible");
+  CHECK(to_string(Verdict::Failed) == "failed");
+}
+
+}  // namespace camlaw::optim
