@@ -97,8 +97,8 @@ class Checker {
             std::max(second, std::abs(h[packed(i, j)]) * scales_[inputs[i]] * scales_[inputs[j]]);
       }
     }
-    // Second derivatives that vanish are compared on the first ones' measure.
-    second = std::max(second, first);
+    // Derivatives of one order that vanish are compared on the other's measure.
+    first = second = first > 0 || second > 0 ? std::max(first, second) : 1;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       const std::size_t variable = inputs[i];
       const double by_value = ridders(

@@ -20,12 +20,16 @@ void check_variable(const Variable& v) {
   if (v.lower > v.upper) {
     refuse(what, fmt::format("lower {:.6g} exceeds upper {:.6g}", v.lower, v.upper));
   }
+  if (v.lower == kInfinity || v.upper == -kInfinity) refuse(what, "its bounds leave no number");
   if (!std::isfinite(v.start)) refuse(what, "its start is not a finite number");
   if (v.scale && !(*v.scale > 0 && std::isfinite(*v.scale))) {
     refuse(what, fmt::format("scale {:.6g} is not a positive number", *v.scale));
   }
   if (v.integer && (std::isinf(v.lower) || std::isinf(v.upper))) {
     refuse(what, "an integer variable needs a lower and an upper bound");
+  }
+  if (v.integer && std::ceil(v.lower) > std::floor(v.upper)) {
+    refuse(what, fmt::format("no whole number lies between {:.6g} and {:.6g}", v.lower, v.upper));
   }
 }
 
@@ -36,7 +40,7 @@ void check_inputs(const Response& response, std::size_t variables) {
              fmt::format("it uses variable {}; there are {}", function.inputs().back(), variables));
     }
   };
-  if (!response.is_curve()) check(response.function());
+  check(response.is_curve() ? response.curve().at({}) : response.function());
 }
 
 void check_tolerance(const std::string& what, const std::optional<double>& tolerance) {
@@ -58,6 +62,9 @@ void check_constraint(const Constraint& c) {
     refuse(what, "a curve cannot be held at one value over the whole cycle");
   }
   check_tolerance(what, c.tolerance);
+  if (c.scale && !(*c.scale > 0 && std::isfinite(*c.scale))) {
+    refuse(what, fmt::format("scale {:.6g} is not a positive number", *c.scale));
+  }
 }
 
 void check_objective(const Objective& objective) {

@@ -53,8 +53,9 @@ std::vector<std::vector<double>> starts(const Problem& problem, int count, std::
     for (std::size_t i = 0; i < x.size(); ++i) {
       const Variable& v = problem.variables[i];
       if (v.integer || v.lower == v.upper) continue;
-      const double low = std::max(v.lower, first[i] - kReach * scales[i]);
-      const double high = std::min(v.upper, first[i] + kReach * scales[i]);
+      const double reach = kReach * scales[i];
+      const double low = std::isfinite(v.lower) ? v.lower : first[i] - reach;
+      const double high = std::isfinite(v.upper) ? v.upper : first[i] + reach;
       const double turned = mirrored(static_cast<std::uint64_t>(n), bases[i]) + share(seed, i);
       x[i] = std::lerp(low, high, turned - std::floor(turned));
     }

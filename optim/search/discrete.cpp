@@ -64,7 +64,8 @@ class Whole {
     ++result_.solved;
     const bool nothing_yet = result_.found.why_solver.empty();
     const bool says_why = !is_feasible(found.assessment) && nothing_yet;
-    if (says_why || (!found.x.empty() && are_whole(found.x))) keep(continuous, found);
+    if (says_why || ((!found.x.empty() || continuous.variables.empty()) && are_whole(found.x)))
+      keep(continuous, found);
     return found;
   }
 

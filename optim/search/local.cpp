@@ -68,6 +68,7 @@ class Search {
 
   Found run() {
     try {
+      if (problem_.variables.empty()) return judge_alone();
       sizes_ = sizes(problem_, problem_.start());
       if (const auto why =
               optim::refusal(problem_, sizes_, problem_.start(), *plan_.solvers.front())) {
@@ -85,6 +86,18 @@ class Search {
   }
 
  private:
+  /// A problem in which nothing varies: there is one design.
+  Found judge_alone() {
+    sizes_ = sizes(problem_, {});
+    found_.starts = found_.agreed = 1;
+    found_.status = Status::Solved;
+    found_.assessment = assess(problem_, sizes_, {}, true);
+    if (is_feasible(found_.assessment)) return std::move(found_);
+    const Assessment blame = assess_least_violation(problem_, sizes_, {});
+    if (blame.verdict == Verdict::Infeasible) found_.assessment = blame;
+    return std::move(found_);
+  }
+
   Found fail(const std::string& why) {
     found_.assessment.verdict = Verdict::Failed;
     found_.assessment.reason = why;
@@ -117,6 +130,7 @@ class Search {
     if (tried.x.empty()) return;
     const Assessment assessment = assess(problem_, sizes_, tried.x, false);
     latest_ = assessment;
+    if (improves(assessment, from_start_)) from_start_ = assessment;
     if (!found_.x.empty() && !improves(assessment, found_.assessment)) return;
     found_.x = tried.x;
     found_.assessment = assessment;
@@ -161,8 +175,9 @@ class Search {
     for (const auto& start : starts(problem_, count, options_.seed)) {
       if (found_.starts > 0 && deadline_.passed()) break;
       ++found_.starts;
+      from_start_ = {};
       search_from(start);
-      objectives_.push_back(is_feasible(latest_) ? latest_.objective.value : kInfinity);
+      objectives_.push_back(is_feasible(from_start_) ? from_start_.objective.value : kInfinity);
       if (convex_ && settled(found_.assessment)) break;
     }
   }
@@ -280,6 +295,7 @@ class Search {
   Sizes sizes_{};
   Found found_;
   std::string message_;
+  Assessment from_start_;           ///< the best since the last start
   Assessment latest_;               ///< of the last attempt
   std::vector<double> objectives_;  ///< where each start ended
   std::vector<BrokenLimit> broken_;

@@ -57,6 +57,12 @@ void judge_combinations(const Tally& tally, Assessment& a) {
     a.global.reset();
     return;
   }
+  if (!tally.enumerated && !tally.bounds_hold && a.verdict == Verdict::Certified) {
+    a.verdict = Verdict::Feasible;
+    a.reason = "combinations were excluded by bounds that hold nearby only: the rest is not convex";
+    a.global.reset();
+    return;
+  }
   if (a.verdict == Verdict::Infeasible) {
     if (tally.infeasible < tally.combinations && tally.enumerated) {
       a.verdict = Verdict::Failed;

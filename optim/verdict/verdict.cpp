@@ -88,10 +88,14 @@ std::string doubt(const Problem& problem, const Assessment& a) {
   return {};
 }
 
-std::string violated_names(const std::vector<LimitReport>& limits) {
+std::string violated_names(const Assessment& a) {
   std::vector<std::string> names;
-  for (const LimitReport& limit : limits) {
+  for (const LimitReport& limit : a.limits) {
     if (!limit.met) names.push_back(limit.name);
+  }
+  for (const VariableReport& v : a.variables) {
+    if (v.value < v.lower) names.push_back("the lower bound of " + v.name);
+    if (v.value > v.upper) names.push_back("the upper bound of " + v.name);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -122,7 +126,7 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
     return result;
   }
   if (!is_feasible(result)) {
-    result.reason = fmt::format("the design does not meet {}", violated_names(result.limits));
+    result.reason = fmt::format("the design does not meet {}", violated_names(result));
     return result;
   }
   take_conditions(problem, sizes, kkt(problem, sizes, x), result);
@@ -149,7 +153,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
   constexpr double kPushes = 1e-4;
   result.blamed = active_names(problem, sizes, conditions, kPushes);
   if (!(result.kkt_residual <= kKktTolerance) || result.blamed.empty()) {
-    result.reason = fmt::format("no design was found that meets {}", violated_names(result.limits));
+    result.reason = fmt::format("no design was found that meets {}", violated_names(result));
     return result;
   }
   result.verdict = Verdict::Infeasible;
@@ -170,7 +174,11 @@ bool is_feasible(const Assessment& a) {
 bool better(const Problem& problem, const Assessment& a, const Assessment& b) {
   const bool a_meets = is_feasible(a), b_meets = is_feasible(b);
   if (a_meets != b_meets) return a_meets;
-  if (!a_meets) return worst_violation(a.limits) < worst_violation(b.limits);
+  const auto badness = [](const Assessment& assessment) {
+    const bool number = std::isfinite(assessment.objective.value);
+    return number ? worst_violation(assessment.limits) : kInfinity;
+  };
+  if (!a_meets) return badness(a) < badness(b);
   const double sign = problem.objective.sense == Sense::Minimize ? 1 : -1;
   return sign * a.objective.value < sign * b.objective.value;
 }

@@ -145,7 +145,7 @@ TEST_CASE("bad input ends with status 2 and one line that says what is accepted"
   };
   const Case cases[] = {
       {{"lwas"}, "lwas", "laws"},
-      {{"optimise"}, "optimise", "study"},
+      {{"paint"}, "paint", "study"},
       {{"--frobnicate"}, "--frobnicate", "--help"},
       {{}, "subcommand", "--help"},
       {{"laws", "--jsn"}, "--jsn", "--help"},
@@ -348,8 +348,11 @@ TEST_CASE("the cubic at the paper's depth has the paper's numbers", "[program]")
 
 TEST_CASE("reproduce gives the verdict on every printed number", "[program]") {
   const Json all = json_of({"reproduce", "spine-cutter", "--json"});
-  CHECK(all == json_of({"reproduce", "--json"}));
+  const Json both = json_of({"reproduce", "--json"});
   REQUIRE(all.size() == 1);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0] == all[0]);
+  CHECK(both[1]["system"] == "cam-shape");
   const Json& system = all[0];
   CHECK(system["system"] == "spine-cutter");
   CHECK(system["reproduced"] == 13);
@@ -378,7 +381,7 @@ TEST_CASE("two runs give the same bytes", "[program]") {
     CHECK(read(folder / (std::string("1/") + name)) == read(folder / (std::string("2/") + name)));
   }
   for (const Words& words :
-       {Words{"laws", "--json"}, Words{"law", "table", "--json"}, Words{"reproduce", "--json"}}) {
+       {Words{"laws", "--json"}, Words{"law", "table", "--json"}, Words{"reproduce", "spine-cutter", "--json"}}) {
     CHECK(done(words) == done(words));
   }
 }

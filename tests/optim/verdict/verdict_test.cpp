@@ -262,6 +262,21 @@ TEST_CASE("without enclosures an optimum over the cycle is not certified", "[ver
   CHECK_FALSE(a.global);
 }
 
+TEST_CASE("without enclosures a least peak is not certified", "[verdict]") {
+  // Least highest of x sin(a) + y where y >= 1: x = 0, y = 1.
+  for (const bool enclosed : {true, false}) {
+    Problem problem = over_cycle({}, 3, enclosed);
+    problem.objective = {problem.constraints[0].response, Sense::Minimize, Part::Highest, {}};
+    problem.constraints.clear();
+    problem.variables[1].lower = 1;
+    const Assessment a = judge(problem, {0, 1});
+    CHECK(a.objective.value == 1);
+    CHECK(a.kkt_residual <= kKktTolerance);
+    CHECK(a.verdict == (enclosed ? Verdict::Certified : Verdict::Feasible));
+    CHECK(std::isfinite(a.objective.proved.upper) == enclosed);
+  }
+}
+
 TEST_CASE("a proof finds a limit broken where the search sees none, and reports the place",
           "[verdict]") {
   // 0.2 a / 360 and a spike of height 1, 0.002 wide, between the samples: limit 1.
@@ -714,7 +729,7 @@ TEST_CASE("a quasiconvex objective is known to be best of all only where it slop
   for (const bool peak : {false, true}) {
     problem.objective = least(function({0}, cube, Shape::Quasilinear));
     if (peak) {
-      problem.objective.response.measure = curve({0}, 0, 1, along, Shape::Quasilinear);
+      problem.objective.response.measure = curve<Interval>({0}, 0, 1, along, Shape::Quasilinear);
       problem.objective.part = Part::Highest;
     }
     CHECK_FALSE(judge(problem, {0}).global);
