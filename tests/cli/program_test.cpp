@@ -380,8 +380,8 @@ TEST_CASE("two runs give the same bytes", "[program]") {
     INFO(name);
     CHECK(read(folder / (std::string("1/") + name)) == read(folder / (std::string("2/") + name)));
   }
-  for (const Words& words :
-       {Words{"laws", "--json"}, Words{"law", "table", "--json"}, Words{"reproduce", "spine-cutter", "--json"}}) {
+  for (const Words& words : {Words{"laws", "--json"}, Words{"law", "table", "--json"},
+                             Words{"reproduce", "spine-cutter", "--json"}}) {
     CHECK(done(words) == done(words));
   }
 }
