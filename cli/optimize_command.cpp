@@ -69,15 +69,15 @@ int exit_status(optim::Verdict verdict) {
   return kNotSolved;
 }
 
-std::vector<OutputFile> result_files(const Answer& answer, const Member& law,
+std::vector<OutputFile> result_files(const Answer& answer, const std::optional<Member>& law,
                                      const std::filesystem::path& out) {
   constexpr int kSamples = 361;
   std::vector<OutputFile> files{{out / "result.json", answer_json(answer).dump(2) + "\n"}};
-  if (answer.optimum.found.x.empty() && !answer.optimum.problem.variables.empty()) return files;
-  const Law<double> shape = law.law();
+  if (!law) return files;
+  const Law<double> shape = law->law();
   files.push_back({out / "law.csv", motion_csv(shape, kSamples)});
   files.push_back(
-      {out / "law.svg", to_svg(motion_figure(law.label(), {{.name = "", .law = shape}}))});
+      {out / "law.svg", to_svg(motion_figure(law->label(), {{.name = "", .law = shape}}))});
   const Figure cycle = cycle_figure(answer);
   if (!cycle.panels.empty()) files.push_back({out / "cycle.svg", to_svg(cycle)});
   return files;
@@ -101,8 +101,11 @@ void run_optimize(const OptimizeOptions& options, int& status) {
   const Answer answer{bound, space, optimum};
   Json json = answer_json(answer);
   json["seed"] = search.seed;
-  const Member law = bound.at(optimum.options, optimum.found.x).laws.front();
-  json["law"] = law.name();
+  std::optional<Member> law;  // none where the model gave no design
+  if (optimum.found.x.size() == optimum.problem.variables.size()) {
+    law = bound.at(optimum.options, optimum.found.x).laws.front();
+  }
+  json["law"] = law ? Json(law->name()) : Json(nullptr);
   std::vector<OutputFile> files;
   if (options.out) files = result_files(answer, law, *options.out);
   if (!files.empty()) files.front().content = json.dump(2) + "\n";

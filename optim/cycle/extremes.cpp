@@ -75,6 +75,25 @@ void add_stretch(const Turned& curve, const std::vector<Sample>& s, std::vector<
   }
 }
 
+/// The ends of a stretch that is level at its maximum, for then one place does not tell all: adds
+/// each end that stands as high as the highest found from `first` on.
+void add_level_ends(const Turned& curve, const std::vector<Sample>& s, std::size_t first,
+                    std::vector<Extreme>& found) {
+  constexpr double kLevel = 1e-9;
+  const double near = 1e-6 * (s.back().place.angle - s.front().place.angle);
+  double highest = -kInfinity;
+  for (std::size_t i = first; i < found.size(); ++i) {
+    highest = std::max(highest, curve.sign * found[i].value);
+  }
+  for (const Sample* end : {&s.front(), &s.back()}) {
+    const bool known = std::any_of(
+        found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
+        [&](const Extreme& e) { return std::abs(e.place.angle - end->place.angle) <= near; });
+    if (known || !(end->f[0] >= highest - kLevel * std::abs(highest))) continue;
+    found.push_back({end->place, curve.sign * end->f[0]});
+  }
+}
+
 const Sample* first_undefined(const std::vector<Sample>& samples) {
   const auto at = std::find_if(samples.begin(), samples.end(),
                                [](const Sample& sample) { return std::isnan(sample.f[0]); });
@@ -94,7 +113,9 @@ std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) 
     const int count = std::max(kFewest, static_cast<int>(std::lround(share * samples)));
     const auto stretch = samples_of(curve, breaks[k], breaks[k + 1], count);
     if (const Sample* bad = first_undefined(stretch)) return {{bad->place, bad->f[0]}};
+    const std::size_t first = found.size();
     add_stretch(curve, stretch, found);
+    add_level_ends(curve, stretch, first, found);
   }
   return found;
 }

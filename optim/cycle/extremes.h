@@ -14,10 +14,11 @@ struct Extreme {
   double value;
 };
 
-/// Local maxima of sign * curve, ends of smooth stretches included, in order of the angle; values
-/// are the curve's own. Looks at about `samples` angles and polishes each maximum between them by
-/// Newton's method. A narrower one may escape: that is what prove_below is for. Values that are no
-/// number count as highest of all: the first is returned alone.
+/// Local maxima of sign * curve, ends of smooth stretches included, stretch by stretch; of a
+/// stretch that is level at its maximum both ends. Values are the curve's own. Looks at about
+/// `samples` angles and polishes each maximum between them by Newton's method. A narrower one may
+/// escape: that is what prove_below is for. Values that are no number count as highest of all: the
+/// first is returned alone.
 std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples = 256);
 
 /// The highest of sign * curve among local_maxima.

@@ -10,7 +10,7 @@ namespace camlaw::optim {
 enum class ColumnState {
   InPlay,    ///< fitted; its multiplier may still come out as zero
   Clamped,   ///< held at zero by its bound
-  Dependent  ///< zero, since the columns in play already span it: another choice is as good
+  Dependent  ///< spanned by those in play: its multiplier, commonly zero, is one choice of many
 };
 
 /// min |A m + b|_2 over m, where m[j] >= 0 for each j whose `free` is false.

@@ -24,14 +24,14 @@ inline constexpr int kLeastCamShape = 3, kMostCamShape = 100000;
 /// The problem of n radii. Its convexity rows are over d^2, which makes them the cam's curvature to
 /// first order (r r'' - 2 r'^2 - r^2 <= 0), and its slope rows over d: as published, a convexity
 /// row is of the size of d^2, and a tolerance of 1e-8 is worth more than the answer's digits
-/// (docs/theory.md, "Cam shape"). Throws std::invalid_argument for n outside [3, 100000].
+/// (docs/optimisation.md, "Cam shape"). Throws std::invalid_argument for n outside [3, 100000].
 optim::Problem cam_shape(int n);
 
 /// d for n radii.
 double cam_shape_angle(int n);
 
 /// The optimal radii, by a forward recursion that is proved to bound every feasible cam
-/// (docs/theory.md, "Cam shape"). Throws as cam_shape().
+/// (docs/optimisation.md, "Cam shape"). Throws as cam_shape().
 std::vector<double> cam_shape_radii(int n);
 
 /// The optimum, (pi / n) times the sum of those.

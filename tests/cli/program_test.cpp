@@ -1,133 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The built program, run as a user runs it. CAMLAW_PROGRAM is its path.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <boost/property_tree/xml_parser.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
-#include <set>
-#include <sstream>
 
 #include "kinematics/catalogue.h"
-#include "tests/kinematics/reference_data.h"
+#include "tests/cli/program_runner.h"
 
 namespace camlaw::cli {
-namespace {
-
-namespace fs = std::filesystem;
-using Catch::Matchers::Contains;
-using Json = nlohmann::json;
-using Words = std::vector<std::string>;
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// A folder of its own for one test, gone afterwards.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "camlaw-program-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::set<std::string> content() const {
-    std::set<std::string> result;
-    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-      result.insert(fs::relative(entry.path(), path_).string());
-    }
-    return result;
-  }
-
- private:
-  fs::path path_;
-};
-
-struct Outcome {
-  int status = -1;
-  std::string out, err;
-};
-
-Outcome run(Words words) {
-  const Folder folder;
-  const std::string out = folder / "out", err = folder / "err";
-  words.insert(words.begin(), "camlaw");
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
-  pid_t child = 0;
-  const int failed =
-      posix_spawn(&child, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("cannot start " CAMLAW_PROGRAM);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
-}
-
-/// What a run that is done prints.
-std::string done(const Words& words) {
-  const Outcome outcome = run(words);
-  INFO(outcome.err);
-  REQUIRE(outcome.status == 0);
-  CHECK(outcome.err.empty());
-  return outcome.out;
-}
-
-Json json_of(const Words& words) { return Json::parse(done(words)); }
-
-/// What a run that fails says: one line on standard error and nothing else.
-std::string failed(const Words& words, int status) {
-  const Outcome outcome = run(words);
-  INFO(outcome.err);
-  CHECK(outcome.status == status);
-  CHECK(outcome.out.empty());
-  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK((outcome.err.size() > 1 && outcome.err.back() == '\n'));
-  return outcome.err;
-}
-
-using Table = std::vector<Words>;
-
-Table csv_of(const std::string& text) {
-  Table rows;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    rows.push_back(testing::split_fields(line));
-  }
-  return rows;
-}
-
-void check_svg(const std::string& path) {
-  INFO(path);
-  boost::property_tree::ptree tree;
-  REQUIRE_NOTHROW(boost::property_tree::read_xml(path, tree));
-  CHECK(tree.count("svg") == 1);
-  CHECK(read(path).find("nan") == std::string::npos);
-}
-
-}  // namespace
 
 TEST_CASE("the program tells its version and its usage", "[program]") {
   CHECK_THAT(done({"--version"}), Contains("camlaw") && Contains("0.1.0"));

@@ -53,8 +53,7 @@ Problem projection() {
   return problem;
 }
 
-/// Least x + y in [-5, 5]^2 where x + y >= u0 sin(angle) stands for limits over a cycle: x sin(a) +
-/// y in [lower, upper].
+/// Most x + 3 y in [-5, 5]^2 where "wave", x sin(a) + y over a whole turn, keeps its bounds.
 Problem over_cycle(std::optional<double> lower, std::optional<double> upper, bool enclosed) {
   const auto f = [](const auto& u, const auto& angle) { return u[0] * sin(angle) + u[1]; };
   Problem problem;
@@ -236,17 +235,16 @@ TEST_CASE("a limit over the cycle reports the worst angle of the side it names",
 }
 
 TEST_CASE("an optimum over the cycle is certified where intervals prove the limit", "[verdict]") {
-  // Most x + 3 y where |x| + y <= 3 and y - |x| >= -2: at (0, 3). There moving x by d costs |d| of
-  // y, three times as much as it brings. Peaks at x = 0: the curve is level, all angles are.
-  // With y <= 2 by the box instead: |x| <= 1, so x = 1, y = 2: x gains 1, y gains 3 - 1.
+  // Most x + 3 y where |x| + y <= 3, and y <= 2 by the box: x = 1, y = 2. One more of 3 brings x
+  // one; one more of y brings 3 and costs x one.
   Problem problem = over_cycle(-2, 3, true);
   problem.variables[1].upper = 2;
   const Assessment a = judge(problem, {1, 2});
   CHECK(a.verdict == Verdict::Certified);
   CHECK(a.limits[0].proved);
-  CHECK(a.limits[0].multiplier == Approx(1).epsilon(1e-9));  // x rises as 3 does
+  CHECK(a.limits[0].multiplier == Approx(1).epsilon(1e-9));
   CHECK(a.variables[1].at_upper);
-  CHECK(a.variables[1].multiplier == Approx(2).epsilon(1e-9));  // y brings 3, and costs x its 1
+  CHECK(a.variables[1].multiplier == Approx(2).epsilon(1e-9));
   CHECK(a.active == Names{"wave", "upper bound of y"});
   CHECK(a.global);
 }
@@ -423,7 +421,7 @@ std::vector<Moved> moved_bounds() {
   return all;
 }
 
-/// Least x^2 + y^2 where "wave", x (2 + sin(a)) + y cos(2 a) / 10, keeps a bound over the cycle.
+/// Least 7 x^2 + y^2 where "wave", x (2 + sin(a)) + y cos(2 a) / 10, keeps a bound over the cycle.
 Problem waving(Sense sense, Kind kind, double bound) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
@@ -447,7 +445,7 @@ Problem waving(Sense sense, Kind kind, double bound) {
   return problem;
 }
 
-/// Least highest of (x - a)^2 + y over a in [0, 4] where y >= bound: (4/2)^2 + bound.
+/// Least highest of (x - a)^2 + y over a in [0, 4] where 3 y >= bound: x = 2, 4 + bound / 3.
 Problem raised(double bound) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
@@ -477,7 +475,6 @@ std::vector<Moved> moved_over_cycle() {
   add("curve from above, minimise", Minimize, Kind::Upper, -2, -1);
   add("curve from below, maximise", Maximize, Kind::Lower, 2, -1);
   add("curve from above, maximise", Maximize, Kind::Upper, -2, 1);
-  // 3 y >= bound: the optimum 4 + bound / 3.
   all.push_back({"limit under a peak", raised, 6, 1.0 / 3, of_limit, 1});
   return all;
 }

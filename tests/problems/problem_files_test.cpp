@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The problem files that ship, and the analytic limit of all laws, solved and compared with answers
+// from elsewhere: closed forms, and searches over the exact peaks of laws.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/laws/polynomial.h"
+#include "kinematics/mechanisms/spine_cutter.h"
+#include "kinematics/peaks.h"
+#include "optim/problem/check_derivatives.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Optimum;
+using optim::Verdict;
+
+BoundProblem shipped(const std::string& name) {
+  return BoundProblem(
+      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/" + name));
+}
+
+/// The machine of the force problems: SI units.
+const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};
+
+TEST_CASE("every problem file is certified by our own verdict", "[problem-files]") {
+  for (const char* name : {"least_radius.toml", "least_force.toml", "least_force_legendre.toml",
+                           "least_moment.toml", "cutter.toml"}) {
+    INFO(name);
+    const Optimum optimum = optim::optimise(shipped(name).space());
+    const optim::Assessment& a = optimum.found.assessment;
+    CHECK(a.verdict == Verdict::Certified);
+    CHECK(a.kkt_residual <= optim::kKktTolerance);
+    for (const optim::LimitReport& limit : a.limits) CHECK(limit.proved);
+  }
+}
+
+TEST_CASE("derivatives and shapes of every problem file hold", "[problem-files]") {
+  for (const char* name : {"least_radius.toml", "least_force.toml", "least_force_legendre.toml",
+                           "least_moment.toml", "cutter.toml"}) {
+    INFO(name);
+    const auto space = shipped(name).space();
+    const auto problem = space.problem(std::vector<std::size_t>(space.choices.size(), 0));
+    const auto check = optim::check_derivatives(problem, problem.start());
+    CHECK(check.agrees);
+    CHECK(check.shapes.empty());
+  }
+}
+
+TEST_CASE("the least radius from the 3-4-5 to the cubic is the cubic's", "[problem-files]") {
+  // B = 1.5 - 0.0375 alpha for alpha in [-10, 0]: least at 0. R = S B / (pi tan v).
+  const Optimum optimum = optim::optimise(shipped("least_radius.toml").space());
+  const double slope = std::tan(std::numbers::pi / 6);
+  const double radius = 40 * 1.5 / (std::numbers::pi * slope);
+  CHECK(optimum.found.x[0] == Approx(0).margin(1e-9));
+  CHECK(optimum.found.x[1] == Approx(radius).epsilon(1e-9));
+  CHECK(optimum.found.assessment.global);
+  // One degree more: dR/dv = -R (1 + tan^2 v) / tan v.
+  const double price = radius * (1 + slope * slope) / slope * std::numbers::pi / 180;
+  CHECK(optimum.found.assessment.limits[0].multiplier == Approx(price).epsilon(1e-6));
+}
+
+TEST_CASE("the least force is that of alpha = -10/3", "[problem-files]") {
+  // s'' = u (9 - 5 u^2) with u = 1 - 2x: greatest at u^2 = 3/5, C = 6 sqrt(3/5), where alpha does
+  // not move it: d s''/d alpha = 0.6 P3(u) = 0.3 u (5 u^2 - 3) vanishes there.
+  const Optimum optimum = optim::optimise(shipped("least_force.toml").space());
+  const double C = 6 * std::sqrt(0.6);
+  CHECK(optimum.found.x[0] == Approx(-10.0 / 3).epsilon(1e-8));
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(kCutter.peak_inertia_force(C)).epsilon(1e-10));
+  for (double alpha = -10; alpha <= 10; alpha += 0.25) {
+    CHECK(peaks(polynomial_5(alpha)).C() >= C * (1 - 1e-12));
+  }
+}
+
+TEST_CASE("the least force over Legendre laws has no better neighbour", "[problem-files]") {
+  const Optimum optimum = optim::optimise(shipped("least_force_legendre.toml").space());
+  const auto& x = optimum.found.x;
+  const auto best = peaks(legendre<double>(x));
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(kCutter.peak_inertia_force(best.C())).epsilon(1e-9));
+  CHECK(kCutter.minimum_cam_radius(best.B()) == Approx(0.036).epsilon(1e-8));
+  CHECK(optimum.found.assessment.global);
+  // Linear programming on 4001 even x, a bound from below: 6.735524760 N.
+  CHECK(optimum.found.assessment.objective.value >= 6.735524759);
+  CHECK(optimum.found.assessment.objective.value == Approx(6.735524760).epsilon(1e-6));
+  // The problem is convex: a design that is no worse than its neighbours all round is the best.
+  for (int i = 0; i < 81; ++i) {
+    for (const double step : {1e-3, 1e-1}) {
+      std::vector<double> c = x;
+      for (int k = 0, digits = i; k < 4; ++k, digits /= 3) {
+        c[static_cast<std::size_t>(k)] += step * (digits % 3 - 1);
+      }
+      const auto other = peaks(legendre<double>(c));
+      const bool fits = kCutter.minimum_cam_radius(other.B()) <= 0.036;
+      CHECK((!fits || other.C() >= best.C() * (1 - 1e-9)));
+    }
+  }
+}
+
+TEST_CASE("the least moment is below every other on a grid", "[problem-files]") {
+  const Optimum optimum = optim::optimise(shipped("least_moment.toml").space());
+  const double Cm = peaks(legendre<double>(optimum.found.x)).Cm();
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(kCutter.peak_drive_torque(Cm)).epsilon(1e-9));
+  for (double c3 = -8; c3 <= 8; c3 += 0.5) {
+    for (double c5 = -8; c5 <= 8; c5 += 0.5) {
+      CHECK(peaks(legendre<double>({c3, c5})).Cm() >= Cm * (1 - 1e-9));
+    }
+  }
+}
+
+TEST_CASE("the cutter has all the blades and the diameter at which one is in contact",
+          "[problem-files]") {
+  // z psi = 2 pi with sin(psi / 2)^2 = 4 h (D - h) / D^2: D = 2 h (1 + cos(pi / z)) / sin^2(pi /
+  // z).
+  const BoundProblem bound = shipped("cutter.toml");
+  const Optimum optimum = optim::optimise(bound.space());
+  REQUIRE(bound.space().choices.size() == 1);
+  CHECK(bound.space().choices[0].values[optimum.options[0]] == 24);
+  const double angle = std::numbers::pi / 24;
+  const double diameter = 2 * 0.4 * (1 + std::cos(angle)) / std::pow(std::sin(angle), 2);
+  CHECK(optimum.found.x[0] == Approx(diameter).epsilon(1e-8));
+}
+
+/// Least C at B <= b over quadratic splines with even knots.
+Optimum least_acceleration(double b, std::size_t knots) {
+  Member member = find_law("b-spline");
+  auto& values = member.arguments.values();
+  values[0] = {2};
+  values[1].clear();
+  for (std::size_t i = 1; i <= knots; ++i) {
+    values[1].push_back(static_cast<double>(i) / static_cast<double>(knots + 1));
+  }
+  const std::size_t count = knots + 3;
+  values[2].assign(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    values[2][i] = static_cast<double>(i) / static_cast<double>(count - 1);
+  }
+  values[2][1] = 0;          // at rest in the beginning
+  values[2][count - 2] = 1;  // and in the end
+  std::vector<LawVariable> variables;
+  optim::Problem problem;
+  for (std::size_t i = 2; i + 2 < count; ++i) {
+    variables.push_back({2, i, variables.size()});
+    problem.variables.push_back(
+        {.name = "c", .lower = -1, .upper = 2, .start = values[2][i], .scale = 0.1});
+  }
+  const Mechanism& law = find_mechanism("law");
+  const Binding binding{{}, {}, {}, std::make_shared<LawBinding>(member, variables)};
+  problem.objective = {make_response(law, find_response(law, "acceleration"), binding),
+                       optim::Sense::Minimize, optim::Part::Magnitude};
+  problem.constraints = {{make_response(law, find_response(law, "velocity"), binding), {}, b}};
+  return optim::optimise(problem);
+}
+
+TEST_CASE("the free law approaches the least acceleration b^2 / (b - 1) as knots grow",
+          "[problem-files]") {
+  for (const double b : {1.5, 1.8}) {
+    const double limit = b * b / (b - 1);
+    double last = optim::kInfinity;
+    for (const std::size_t knots : {7, 15, 31}) {
+      INFO(b << " with " << knots);
+      const Optimum optimum = least_acceleration(b, knots);
+      const double C = optimum.found.assessment.objective.value;
+      CHECK(optimum.found.assessment.verdict == Verdict::Certified);
+      CHECK(optimum.found.assessment.global);
+      CHECK(C >= limit * (1 - 1e-9));
+      CHECK(C <= last * (1 + 1e-9));
+      last = C;
+    }
+    CHECK(last <= limit * 1.01);
+  }
+}
+
+}  // namespace
+}  // namespace camlaw::problems
