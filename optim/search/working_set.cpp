@@ -18,7 +18,7 @@ double peak_of(const Response& response, double sign, Design x) {
 }
 
 /// Whether a place is in the set but for rounding: asking again would not move the solver.
-bool is_known(const Side& side, Place place, const std::vector<double>& breaks) {
+bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
   return std::any_of(side.places.begin(), side.places.end(), [&](const Place& other) {
     return other.from_left == place.from_left && std::abs(other.angle - place.angle) <= near;
@@ -55,7 +55,7 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
 void WorkingSet::begin_at(Design x) {
   // Few stretches get more places each: the first program should already be bounded.
   constexpr std::size_t kFewStretches = 16;
-  for (Side& side : sides_) {
+  for (CurveSide& side : sides_) {
     const auto trace = side.response->curve().trace(x);
     const auto breaks = trace->breaks();
     const int steps = breaks.size() <= kFewStretches ? 8 : 2;
@@ -75,7 +75,7 @@ void WorkingSet::add(const std::vector<BrokenLimit>& known) {
     const Response* response = broken.constraint
                                    ? &problem_.constraints[*broken.constraint].response
                                    : &problem_.objective.response;
-    for (Side& side : sides_) {
+    for (CurveSide& side : sides_) {
       if (side.response == response && side.sign == broken.sign)
         side.places.push_back(broken.place);
     }
@@ -84,7 +84,7 @@ void WorkingSet::add(const std::vector<BrokenLimit>& known) {
 
 std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
   std::size_t added = 0;
-  for (Side& side : sides_) {
+  for (CurveSide& side : sides_) {
     const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
     const double bound = side.of_peak ? auxiliary : side.bound;
     // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
@@ -127,7 +127,7 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
     if (c.lower)
       rows.push_back({row.function, row.lower, kInfinity, row.size, {{auxiliary, row.size}}});
   }
-  for (const Side& side : sides_) {
+  for (const CurveSide& side : sides_) {
     for (const Place& place : side.places) {
       Row row{side.response->curve().at(place), -kInfinity, kInfinity, side.size, {}};
       const bool magnitude = side.of_peak && problem_.objective.part == Part::Magnitude;

@@ -15,7 +15,7 @@ struct BrokenLimit;
 
 /// One side of a limit on a curve, or of a peak that is sought: sign * (curve - bound) <= 0, where
 /// the bound of a peak is a variable of the program.
-struct Side {
+struct CurveSide {
   const Response* response;
   double sign;
   double bound;  ///< not used for a peak
@@ -50,7 +50,7 @@ class WorkingSet {
   const Sizes& sizes_;
   Aim aim_;
   bool auxiliary_;
-  std::vector<Side> sides_;
+  std::vector<CurveSide> sides_;
 };
 
 }  // namespace camlaw::optim
