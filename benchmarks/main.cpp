@@ -3,21 +3,32 @@
 
 #include <string_view>
 
+#include "benchmarks/accuracy/accuracy.h"
 #include "benchmarks/timing.h"
 
-/// camlaw_benchmarks --table prints the tables of README.md; any other arguments are Google
-/// Benchmark's (--benchmark_filter=peaks and so on).
+/// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy,
+/// --search and --cam-shape those tables of speed alone; any other arguments are Google Benchmark's
+/// (--benchmark_filter=peaks and so on).
 int main(int argc, char* argv[]) {
   namespace measures = camlaw::benchmarks;
-  if (argc == 2 && std::string_view(argv[1]) == "--table") {
+  const std::string_view wanted = argc == 2 ? argv[1] : "";
+  const bool all = wanted == "--table";
+  if (all) {
     measures::print_law_tables();
     measures::print_peak_table();
     measures::print_study_table();
-    return 0;
   }
+  if (all || wanted == "--search") measures::print_search_table();
+  if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
+  if (wanted == "--accuracy") {
+    measures::print_hock_schittkowski_table();
+    measures::print_cam_shape_accuracy();
+  }
+  if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--accuracy") return 0;
   measures::register_laws();
   measures::register_peaks();
   measures::register_study();
+  measures::register_search();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

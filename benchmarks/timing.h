@@ -30,10 +30,13 @@ inline double median(std::vector<double> values) { return quantile(std::move(val
 void print_law_tables();
 void print_peak_table();
 void print_study_table();
+void print_search_table();
+void print_cam_shape_table();
 
 /// Adds the measures of a file to Google Benchmark's list.
 void register_laws();
 void register_peaks();
 void register_study();
+void register_search();
 
 }  // namespace camlaw::benchmarks

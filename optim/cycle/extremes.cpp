@@ -45,6 +45,31 @@ Sample polished(const Turned& curve, double left, double right, Sample best) {
   return f[0] >= best.f[0] ? Sample{{x}, f} : best;
 }
 
+/// The summit above a place: steps that double go uphill until the slope turns. The first are so
+/// short that no peak with the place on its flank is stepped over. Stays between left and right,
+/// which lie in one smooth stretch.
+Sample climbed(const Turned& curve, const Sample& from, double left, double right) {
+  constexpr double kFirst = 1e-9;
+  if (!(from.f[1] != 0)) return from;
+  const double uphill = from.f[1] > 0 ? 1 : -1;
+  const double end = uphill > 0 ? right : left;
+  Sample below = from;
+  for (double step = kFirst * (right - left);; step *= 2) {
+    const double next = below.place.angle + uphill * step;
+    if (!(uphill * (end - next) > 0)) break;
+    const Sample here{{next}, curve({next})};
+    if (!(uphill * here.f[1] > 0) || here.f[0] < below.f[0]) {
+      return polished(curve, std::min(below.place.angle, next), std::max(below.place.angle, next),
+                      below);
+    }
+    below = here;
+  }
+  const Place last{end, uphill > 0};
+  const Sample top{last, curve(last)};
+  if (top.f[0] >= below.f[0] && uphill * top.f[1] >= 0) return top;
+  return polished(curve, std::min(below.place.angle, end), std::max(below.place.angle, end), below);
+}
+
 /// Even samples of one smooth stretch, from its right and left ends.
 std::vector<Sample> samples_of(const Turned& curve, double from, double to, int count) {
   std::vector<Sample> result;
@@ -69,9 +94,11 @@ void add_stretch(const Turned& curve, const std::vector<Sample>& s, std::vector<
       add(s[i]);
       continue;
     }
-    const double left = s[i == 0 ? 0 : i - 1].place.angle;
-    const double right = s[i == last ? last : i + 1].place.angle;
-    add(polished(curve, left, right, s[i]));
+    if (i == 0 || i == last) {
+      add(climbed(curve, s[i], s[i == 0 ? 0 : i - 1].place.angle, s[i == 0 ? 1 : i].place.angle));
+    } else {
+      add(polished(curve, s[i - 1].place.angle, s[i + 1].place.angle, s[i]));
+    }
   }
 }
 
@@ -134,6 +161,19 @@ struct Box {
   bool at_begin, at_end;  ///< of a smooth stretch: there the side matters
 };
 
+/// The summit above a place that a proof came upon.
+Extreme summit(const Trace& trace, double sign, const Extreme& found) {
+  if (std::isnan(found.value)) return found;
+  const Turned curve{trace, sign};
+  const std::vector<double> breaks = trace.breaks();
+  const double angle = found.place.angle;
+  const auto after = found.place.from_left ? std::lower_bound(breaks.begin(), breaks.end(), angle)
+                                           : std::upper_bound(breaks.begin(), breaks.end(), angle);
+  if (after == breaks.begin() || after == breaks.end()) return found;
+  const Sample top = climbed(curve, {found.place, curve(found.place)}, *(after - 1), *after);
+  return {top.place, sign * top.f[0]};
+}
+
 }  // namespace
 
 CycleProof prove_below(const Trace& trace, double sign, double limit, int most_boxes) {
@@ -162,6 +202,7 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
     if (look({middle}) || (box.at_begin && look({box.from})) ||
         (box.at_end && look({box.to, true}))) {
       proof.broken = true;
+      proof.worst = summit(trace, sign, proof.worst);
       return proof;
     }
     if (!divisible) return proof;

@@ -27,7 +27,7 @@ Extreme highest(const Trace& trace, double sign);
 /// What can be said of sign * curve <= limit over the whole cycle.
 struct CycleProof {
   bool proved = false;
-  Extreme worst;        ///< the highest value met on the way
+  Extreme worst;        ///< the highest value met on the way; where that is above, its summit
   bool broken = false;  ///< worst is above the limit
   int boxes = 0;        ///< stretches looked at
 };

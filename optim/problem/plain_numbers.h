@@ -5,49 +5,6 @@
 
 #include <type_traits>
 
-/// Lets formulas mix plain numbers with second-order dual numbers, as ceres::Jet does for
-/// first-order ones: 2.0 * u[0] + 1.0. The operators stand in ceres, where they are found by the
-/// argument.
-namespace ceres {
-
-template <class T, int M, int N>
-using SecondOrder = Jet<Jet<T, M>, N>;
-
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator+(const SecondOrder<T, M, N>& f, double c) {
-  return f + Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator+(double c, const SecondOrder<T, M, N>& f) {
-  return f + Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator-(const SecondOrder<T, M, N>& f, double c) {
-  return f - Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator-(double c, const SecondOrder<T, M, N>& f) {
-  return Jet<T, M>(T(c)) - f;
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator*(const SecondOrder<T, M, N>& f, double c) {
-  return f * Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator*(double c, const SecondOrder<T, M, N>& f) {
-  return f * Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator/(const SecondOrder<T, M, N>& f, double c) {
-  return f / Jet<T, M>(T(c));
-}
-template <class T, int M, int N>
-SecondOrder<T, M, N> operator/(double c, const SecondOrder<T, M, N>& f) {
-  return Jet<T, M>(T(c)) / f;
-}
-
-}  // namespace ceres
-
 namespace camlaw::optim {
 
 /// A plain number as the scalar of a formula, for where an operator will not do.
@@ -61,3 +18,46 @@ T constant(double c) {
 }
 
 }  // namespace camlaw::optim
+
+/// Lets formulas mix plain numbers with dual numbers over something else than plain numbers (dual
+/// numbers of second order, of intervals), as ceres::Jet does for Jet<double, N>: 2.0 * u[0] + 1.0.
+/// The operators stand in ceres, where they are found by the argument.
+namespace ceres {
+
+template <class T>
+concept NotPlain = !std::is_arithmetic_v<T>;
+
+template <NotPlain T, int N>
+Jet<T, N> operator+(const Jet<T, N>& f, double c) {
+  return f + camlaw::optim::constant<T>(c);
+}
+template <NotPlain T, int N>
+Jet<T, N> operator+(double c, const Jet<T, N>& f) {
+  return camlaw::optim::constant<T>(c) + f;
+}
+template <NotPlain T, int N>
+Jet<T, N> operator-(const Jet<T, N>& f, double c) {
+  return f - camlaw::optim::constant<T>(c);
+}
+template <NotPlain T, int N>
+Jet<T, N> operator-(double c, const Jet<T, N>& f) {
+  return camlaw::optim::constant<T>(c) - f;
+}
+template <NotPlain T, int N>
+Jet<T, N> operator*(const Jet<T, N>& f, double c) {
+  return f * camlaw::optim::constant<T>(c);
+}
+template <NotPlain T, int N>
+Jet<T, N> operator*(double c, const Jet<T, N>& f) {
+  return camlaw::optim::constant<T>(c) * f;
+}
+template <NotPlain T, int N>
+Jet<T, N> operator/(const Jet<T, N>& f, double c) {
+  return f / camlaw::optim::constant<T>(c);
+}
+template <NotPlain T, int N>
+Jet<T, N> operator/(double c, const Jet<T, N>& f) {
+  return camlaw::optim::constant<T>(c) / f;
+}
+
+}  // namespace ceres

@@ -48,13 +48,11 @@ double solve_program(const Program& program, const Solver& solver, const SolverO
 }
 
 void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
-         const SolverOptions& options, const std::vector<BrokenLimit>& known, Aim aim,
-         Attempt& attempt) {
+         const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
-  working.add(known);
   SolverOptions left = tightened(problem, sizes, options);
   const std::size_t variables = problem.variables.size();
   while (true) {
@@ -87,7 +85,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
 }  // namespace
 
 Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
-                 const SolverOptions& options, const std::vector<BrokenLimit>& known, Aim aim) {
+                 const SolverOptions& options, Aim aim) {
   Attempt attempt;
   attempt.x.assign(start.begin(), start.end());
   for (std::size_t i = 0; i < attempt.x.size(); ++i) {
@@ -95,7 +93,7 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
     attempt.x[i] = std::clamp(attempt.x[i], v.lower, v.upper);
   }
   try {
-    run(problem, sizes, solver, options, known, aim, attempt);
+    run(problem, sizes, solver, options, aim, attempt);
   } catch (...) {  // what the model throws between solves
     attempt.status = Status::Failed;
     attempt.message = "the model threw";

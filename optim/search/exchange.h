@@ -29,19 +29,10 @@ struct Attempt {
   std::exception_ptr error = {};
 };
 
-/// A place where a proof found a limit passed that no search had seen.
-struct BrokenLimit {
-  std::optional<std::size_t> constraint;  ///< none: the objective's peak
-  double sign;                            ///< 1: the upper bound, -1: the lower
-  Place place;
-};
-
 /// Searches from `start`. Peaks are found after each solve; angles where a limit is passed, or a
 /// peak stands above the bound that the solver worked with, join the program, until none does.
-/// Places in `known` are in the program from the beginning.
 Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
-                 const SolverOptions& options, const std::vector<BrokenLimit>& known = {},
-                 Aim aim = Aim::Optimum);
+                 const SolverOptions& options, Aim aim = Aim::Optimum);
 
 /// Why a solver cannot take the problem; empty where it can.
 std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,

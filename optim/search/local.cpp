@@ -4,18 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "optim/cycle/watched.h"
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
+#include "optim/search/plan.h"
 
 namespace camlaw::optim {
 namespace {
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::string words_of(const std::exception_ptr& error) {
   try {
@@ -27,36 +24,12 @@ std::string words_of(const std::exception_ptr& error) {
   }
 }
 
-/// The methods to try in turn, and why.
-struct Plan {
-  std::vector<const Solver*> solvers;
-  std::string why;
-};
-
-Plan plan(const Problem& problem, const std::string& wanted) {
-  constexpr std::size_t kSmall = 30;
-  const Solver& ipopt = ipopt_solver();
-  const Solver& slsqp = find_solver("slsqp");
-  const std::size_t n = problem.variables.size(), m = problem.constraints.size();
-  if (wanted != "auto") {
-    const Solver& chosen = find_solver(wanted);
-    // A global method finds the valley; a local one finds its bottom.
-    if (chosen.is_global()) return {{&chosen, &slsqp, &ipopt}, "as asked for"};
-    return {{&chosen}, "as asked for"};
-  }
-  if (n <= kSmall && m <= kSmall) {
-    return {{&slsqp, &ipopt},
-            fmt::format("slsqp: {} variable{}, exact gradients; ipopt where that is not enough", n,
-                        n == 1 ? "" : "s")};
-  }
-  return {{&ipopt}, fmt::format("ipopt: {} variables and {} limits, sparse", n, m)};
-}
-
 class Search {
  public:
   Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
          bool prove)
-      : problem_(problem),
+      : original_(problem),
+        problem_(problem),
         options_(options),
         deadline_(deadline),
         prove_(prove),
@@ -116,7 +89,7 @@ class Search {
   }
 
   Attempt attempt(Design start, const Solver& solver, Aim aim = Aim::Optimum) {
-    Attempt result = exchange(problem_, sizes_, start, solver, solver_options(), broken_, aim);
+    Attempt result = exchange(problem_, sizes_, start, solver, solver_options(), aim);
     found_.iterations += result.iterations;
     found_.evaluations += result.evaluations;
     found_.solves += result.rounds;
@@ -188,29 +161,54 @@ class Search {
     return is_feasible(a) && peak;
   }
 
-  /// Proves the best design; an angle that breaks a limit joins the search.
-  void prove_best() {
-    constexpr int kRounds = 10;
-    for (int round = 0; true; ++round) {
-      found_.assessment = assess(problem_, sizes_, found_.x, true);
-      if (is_proved(found_.assessment) || deadline_.passed() || round == kRounds) return;
-      const std::size_t known = broken_.size();
-      const ObjectiveReport& peak = found_.assessment.objective;
-      if (peak.angle && std::isinf(peak.proved.upper - peak.proved.lower)) {
-        broken_.push_back({{}, peak.sign, {*peak.angle, peak.from_left}});
-      }
-      for (std::size_t i = 0; i < found_.assessment.limits.size(); ++i) {
-        const LimitReport& limit = found_.assessment.limits[i];
-        if (limit.met || !limit.worst_angle) continue;
-        broken_.push_back({i, limit.is_upper ? 1.0 : -1.0, {*limit.worst_angle, limit.from_left}});
-      }
-      if (broken_.size() == known) return;
-      const Solver& solver = *plan_.solvers.back();
-      const Attempt again = attempt(found_.x, solver);
-      if (again.x.empty()) return;
+  /// Angles at which a proof found a limit passed, or the peak higher, that no search had seen:
+  /// from now on every search looks there. Whether there were any new ones.
+  bool watch_what_was_found() {
+    bool any = false;
+    const auto watch = [&](std::size_t index, double angle, const Response& original,
+                           Response& response) {
+      std::vector<double>& angles = watched_[index];
+      if (std::find(angles.begin(), angles.end(), angle) != angles.end()) return;
+      angles.push_back(angle);
+      response = watched(original, angles);
+      any = true;
+    };
+    const Assessment& a = found_.assessment;
+    watched_.resize(1 + a.limits.size());
+    if (a.objective.angle && std::isinf(a.objective.proved.upper - a.objective.proved.lower)) {
+      watch(0, *a.objective.angle, original_.objective.response, problem_.objective.response);
+    }
+    for (std::size_t i = 0; i < a.limits.size(); ++i) {
+      if (a.limits[i].met || !a.limits[i].worst_angle) continue;
+      watch(i + 1, *a.limits[i].worst_angle, original_.constraints[i].response,
+            problem_.constraints[i].response);
+    }
+    return any;
+  }
+
+  /// From the best design on, now that more is known of the curves.
+  void search_again() {
+    const Solver& solver = *plan_.solvers.back();
+    const Attempt again = attempt(found_.x, solver);
+    if (!again.x.empty()) {
       found_.x = again.x;
       found_.status = again.status;
       found_.solver = solver.name();
+      message_ = again.message;
+    }
+    found_.assessment = assess(problem_, sizes_, found_.x, false);
+  }
+
+  /// Proves the best design; where the proof finds an angle that breaks a limit, searches again.
+  void prove_best() {
+    constexpr int kRounds = 10;
+    for (int round = 0; true; ++round) {
+      if (!is_feasible(found_.assessment) && !deadline_.passed()) find_feasible();
+      if (!is_feasible(found_.assessment) || !prove_) return;
+      found_.assessment = assess(problem_, sizes_, found_.x, true);
+      if (is_proved(found_.assessment) || deadline_.passed() || round == kRounds) return;
+      if (!watch_what_was_found()) return;
+      search_again();
     }
   }
 
@@ -225,19 +223,9 @@ class Search {
       fail_in_place("the objective improves without end: a limit is missing");
       return;
     }
-    if (!is_feasible(found_.assessment) && !deadline_.passed()) find_feasible();
+    prove_best();
     if (found_.assessment.verdict == Verdict::Infeasible) return;
-    if (prove_ && is_feasible(found_.assessment)) prove_best();
     judge();
-  }
-
-  /// Small problems are done at once by the first; where that does not convince, by the second.
-  std::vector<const Solver*> least_violation_solvers() const {
-    constexpr std::size_t kSmall = 30;
-    const Solver& ipopt = ipopt_solver();
-    const bool small = problem_.variables.size() + problem_.constraints.size() <= kSmall;
-    if (small) return {&find_solver("slsqp"), &ipopt};
-    return {&ipopt};
   }
 
   /// From the design of least violation on; or, where that violates still, the verdict of it.
@@ -245,7 +233,7 @@ class Search {
     const Solver& ipopt = ipopt_solver();
     Attempt least;
     Assessment blame;
-    for (const Solver* solver : least_violation_solvers()) {
+    for (const Solver* solver : least_violation_plan(problem_)) {
       least = attempt(found_.x, *solver, Aim::LeastViolation);
       if (least.x.empty() || deadline_.passed()) return;
       blame = assess_least_violation(problem_, sizes_, least.x);
@@ -287,7 +275,8 @@ class Search {
     }
   }
 
-  const Problem& problem_;
+  const Problem& original_;
+  Problem problem_;  ///< the original with its curves watched where proofs found something
   const OptimiseOptions& options_;
   const Deadline& deadline_;
   bool prove_, convex_;
@@ -295,30 +284,14 @@ class Search {
   Sizes sizes_{};
   Found found_;
   std::string message_;
-  Assessment from_start_;           ///< the best since the last start
-  Assessment latest_;               ///< of the last attempt
-  std::vector<double> objectives_;  ///< where each start ended
-  std::vector<BrokenLimit> broken_;
+  Assessment from_start_;                     ///< the best since the last start
+  Assessment latest_;                         ///< of the last attempt
+  std::vector<double> objectives_;            ///< where each start ended
+  std::vector<std::vector<double>> watched_;  ///< angles of the objective and of each constraint
   std::exception_ptr error_;
 };
 
 }  // namespace
-
-Deadline::Deadline(const OptimiseOptions& options)
-    : limit_(options.time_limit), stop_(options.stop), began_(now()) {}
-
-std::optional<double> Deadline::left() const {
-  if (!limit_) return {};
-  return std::max(1e-3, *limit_ - (now() - began_));
-}
-
-bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
-
-bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }
-
-std::string Deadline::reason() const {
-  return stopped() ? "stopped" : fmt::format("the time limit of {:g} s was reached", *limit_);
-}
 
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
                         const Deadline& deadline, bool prove) {

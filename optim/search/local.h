@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/search/deadline.h"
 #include "optim/solvers/solver.h"
 #include "optim/verdict/verdict.h"
 
@@ -35,22 +36,6 @@ struct Found {
   int iterations = 0;
   long evaluations = 0;
   int solves = 0;
-};
-
-/// Clock and stop flag of a search.
-class Deadline {
- public:
-  explicit Deadline(const OptimiseOptions& options);
-  std::optional<double> left() const;  ///< seconds; at least a millisecond
-  bool passed() const;
-  /// "stopped by the user", "the time limit was reached".
-  std::string reason() const;
-  bool stopped() const;
-
- private:
-  std::optional<double> limit_;
-  const std::atomic<bool>* stop_;
-  double began_;
 };
 
 /// Searches from one or several starts, proves the best design over the cycle, and where no design

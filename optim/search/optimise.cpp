@@ -41,7 +41,7 @@ std::vector<std::size_t> options_at(const std::vector<Choice>& choices, std::siz
 /// How the combinations went, for the words of the verdict.
 struct Tally {
   std::size_t combinations = 0, solved = 0, infeasible = 0;
-  bool complete = true, bounds_hold = true, enumerated = true, infeasible_proved = true;
+  bool complete = true, bounds_hold = true, enumerated = true;
 };
 
 /// What a search over combinations adds to the verdict of the best one.
@@ -71,7 +71,8 @@ void judge_combinations(const Tally& tally, Assessment& a) {
       a.reason = fmt::format("{}, in the combination of least violation; none of {} can be met",
                              a.reason, tally.combinations);
     }
-    if (!tally.infeasible_proved) a.global.reset();
+    a.global.reset();
+    if (tally.bounds_hold) a.global = how + ", each leaves a convex set, and all are empty";
     return;
   }
   if (a.verdict != Verdict::Certified) return;
@@ -83,7 +84,7 @@ void judge_combinations(const Tally& tally, Assessment& a) {
 class Optimiser {
  public:
   Optimiser(const ProblemSpace& space, const OptimiseOptions& options)
-      : space_(space), options_(options), deadline_(options) {}
+      : space_(space), options_(options), deadline_(options.time_limit, options.stop) {}
 
   Optimum run() {
     const std::size_t count = combinations_of(space_.choices);
@@ -119,8 +120,6 @@ class Optimiser {
     tally_.enumerated = tally_.enumerated && search.enumerated;
     if (search.found.assessment.verdict == Verdict::Infeasible) {
       tally_.infeasible += search.combinations;
-      tally_.infeasible_proved =
-          tally_.infeasible_proved && search.found.assessment.global.has_value();
     }
     add_counts(search.found);
     if (!started_ || better(problem, search.found.assessment, best_.found.assessment)) {

@@ -70,18 +70,6 @@ void WorkingSet::begin_at(Design x) {
   }
 }
 
-void WorkingSet::add(const std::vector<BrokenLimit>& known) {
-  for (const BrokenLimit& broken : known) {
-    const Response* response = broken.constraint
-                                   ? &problem_.constraints[*broken.constraint].response
-                                   : &problem_.objective.response;
-    for (CurveSide& side : sides_) {
-      if (side.response == response && side.sign == broken.sign)
-        side.places.push_back(broken.place);
-    }
-  }
-}
-
 std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
   std::size_t added = 0;
   for (CurveSide& side : sides_) {

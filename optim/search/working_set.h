@@ -11,7 +11,6 @@
 namespace camlaw::optim {
 
 enum class Aim;
-struct BrokenLimit;
 
 /// One side of a limit on a curve, or of a peak that is sought: sign * (curve - bound) <= 0, where
 /// the bound of a peak is a variable of the program.
@@ -32,8 +31,6 @@ class WorkingSet {
 
   /// Even places in each smooth stretch of a design's curves.
   void begin_at(Design x);
-  /// Adds places that a proof has found.
-  void add(const std::vector<BrokenLimit>& known);
   /// Adds every peak that passes its limit at the design by more than a tenth of its tolerance;
   /// `auxiliary` is the program's variable for the peak or the violation. The number added.
   std::size_t add_violated(Design x, double auxiliary);

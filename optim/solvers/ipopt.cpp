@@ -123,7 +123,7 @@ class Adapter final : public Ipopt::TNLP {
                              Ipopt::IpoptCalculatedQuantities*) override {
     solution.iterations = iteration;
     if (options_.progress) {
-      options_.progress({iteration, objective * program_.objective_size(), violation});
+      options_.progress({iteration, program_.unscaled_objective(objective), violation});
     }
     stopped = options_.stop != nullptr && options_.stop->load();
     const std::chrono::duration<double> spent = Clock::now() - began_;

@@ -128,7 +128,7 @@ void Evaluator::compare_with_best() {
   }
   if (!options_.progress) return;
   guarded([&] {
-    options_.progress({static_cast<int>(evaluations_), best_.objective * program_.objective_size(),
+    options_.progress({static_cast<int>(evaluations_), program_.unscaled_objective(best_.objective),
                        best_.violation});
   });
 }

@@ -73,7 +73,8 @@ class Program {
   /// Between the program's y and the problem's x.
   std::vector<double> design(std::span<const double> y) const;
   std::vector<double> scaled(std::span<const double> x) const;
-  double objective_size() const { return objective_size_; }
+  /// The program's objective in the problem's unit and sign.
+  double unscaled_objective(double value) const { return sign_ * objective_size_ * value; }
   const std::vector<Row>& row_list() const { return rows_; }
   const std::vector<Column>& columns() const { return columns_; }
 

@@ -96,10 +96,7 @@ class Collector {
       ActiveLimit limit = gradient_of(curve.at(peak.place), level);
       limit.constraint = constraint;
       if (!constraint || optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
-      const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
-        return std::abs(angle - peak.place.angle) <= 1e-12 * (breaks.back() - breaks.front());
-      });
-      if (inside) {
+      if (is_smooth_at(*trace, peak.place, breaks)) {
         limit.slope_gradient = curve.slope_gradient(peak.place, x_);
         limit.curvature = trace->at(peak.place)[2];
       } else if (curve.breaks_move()) {
@@ -107,6 +104,17 @@ class Collector {
       }
       if (!is_twin(limit)) limits_.push_back(std::move(limit));
     }
+  }
+
+  /// Whether a place is no break, or one at which nothing breaks (see watched()).
+  static bool is_smooth_at(const Trace& trace, Place place, const std::vector<double>& breaks) {
+    const double cycle = breaks.back() - breaks.front();
+    const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
+      return std::abs(angle - place.angle) <= 1e-12 * cycle;
+    });
+    if (inside) return true;
+    if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
+    return trace.at({place.angle, true}) == trace.at({place.angle, false});
   }
 
   /// Whether a limit of the same constraint has the same gradient, as rise and return of a

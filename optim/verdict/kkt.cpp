@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "optim/verdict/conditions.h"
+#include "optim/verdict/flat_directions.h"
 #include "optim/verdict/second_order.h"
 
 namespace camlaw::optim {
@@ -105,9 +106,12 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
     return result;
   }
   result.objective_slope = objective_slope(problem, sizes, x, layout, best);
-  result.second_order =
-      is_global_valley(problem, result.objective_slope) ||
-      second_order_holds({problem, sizes, x, layout}, best.limits, best.multipliers);
+  result.second_order = is_global_valley(problem, result.objective_slope);
+  if (!result.second_order) {
+    const SecondOrderPoint point{problem, sizes, x, layout};
+    const SecondOrder second = second_order(point, best.limits, best.multipliers);
+    result.second_order = second.holds && !improves_along(point, best, second.flat);
+  }
   return result;
 }
 

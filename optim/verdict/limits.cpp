@@ -23,8 +23,8 @@ Standing standing(const Response& response, const Trace* trace, Design x, double
   return {worst.value, sign * (bound - worst.value), worst.place};
 }
 
-/// Whether intervals prove one side, with its tolerance. Where they find it broken, the standing
-/// becomes the place that breaks it.
+/// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
+/// the search did, the standing becomes that.
 bool prove_side(const Response& response, const Trace* trace, Design x, double sign, double bound,
                 double tolerance, Standing& side) {
   if (trace == nullptr) {
@@ -32,7 +32,7 @@ bool prove_side(const Response& response, const Trace* trace, Design x, double s
     return sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
   }
   const CycleProof proof = prove_below(*trace, sign, sign * bound + tolerance);
-  if (proof.broken && sign * (bound - proof.worst.value) < side.margin) {
+  if (sign * (bound - proof.worst.value) < side.margin) {
     side = {proof.worst.value, sign * (bound - proof.worst.value), proof.worst.place};
   }
   return proof.proved;

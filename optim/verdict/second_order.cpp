@@ -47,45 +47,114 @@ void add_peak_motion(const SecondOrderPoint& point, const ActiveLimit& limit, do
   }
 }
 
-/// Gradients of the limits that hold the design: those that push, and those that are met exactly.
-Eigen::SparseMatrix<double> held(const SecondOrderPoint& point,
-                                 const std::vector<ActiveLimit>& limits,
-                                 const std::vector<double>& multipliers) {
-  constexpr double kPushes = 1e-8, kMet = 1e-7;
+/// Gradients of the limits that hold the design: of those that push, and of those that are met
+/// exactly without pushing and may be left to one side.
+struct Held {
+  Eigen::SparseMatrix<double> pushing, met;
+};
+
+Eigen::SparseMatrix<double> gradients(const Layout& layout,
+                                      const std::vector<const ActiveLimit*>& limits) {
   Triplets entries;
   int column = 0;
-  for (std::size_t j = 0; j < limits.size(); ++j) {
-    if (std::abs(multipliers[j]) <= kPushes && limits[j].margin > kMet) continue;
-    for (const auto& [variable, slope] : limits[j].gradient) {
-      if (point.layout.row[variable] >= 0)
-        entries.emplace_back(point.layout.row[variable], column, slope);
+  for (const ActiveLimit* limit : limits) {
+    for (const auto& [variable, slope] : limit->gradient) {
+      if (layout.row[variable] >= 0) entries.emplace_back(layout.row[variable], column, slope);
     }
-    if (limits[j].auxiliary != 0) {
-      entries.emplace_back(point.layout.auxiliary, column, limits[j].auxiliary);
-    }
+    if (limit->auxiliary != 0) entries.emplace_back(layout.auxiliary, column, limit->auxiliary);
     ++column;
   }
-  Eigen::SparseMatrix<double> A(point.layout.rows, column);
+  Eigen::SparseMatrix<double> A(layout.rows, column);
   A.setFromTriplets(entries.begin(), entries.end());
   return A;
 }
 
+Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
+          const std::vector<double>& multipliers) {
+  constexpr double kPushes = 1e-8, kMet = 1e-7;
+  std::vector<const ActiveLimit*> pushing, met;
+  for (std::size_t j = 0; j < limits.size(); ++j) {
+    if (limits[j].is_equation || std::abs(multipliers[j]) > kPushes) {
+      pushing.push_back(&limits[j]);
+    } else if (limits[j].margin <= kMet) {
+      met.push_back(&limits[j]);
+    }
+  }
+  return {gradients(point.layout, pushing), gradients(point.layout, met)};
+}
+
 constexpr double kNegative = 1e-6;  // of the largest second derivative
 
-bool dense_test(const Eigen::MatrixXd& H, const Eigen::MatrixXd& A) {
-  Eigen::MatrixXd reduced = H;
-  if (A.cols() > 0) {
-    Eigen::FullPivHouseholderQR<Eigen::MatrixXd> qr(A);
-    qr.setThreshold(1e-10);
-    const Eigen::Index free = H.rows() - qr.rank();
-    if (free == 0) return true;
-    const Eigen::MatrixXd Q = qr.matrixQ();
-    const Eigen::MatrixXd N = Q.rightCols(free);
-    reduced = N.transpose() * H * N;
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(reduced, Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues().minCoeff() >= -kNegative * H.cwiseAbs().maxCoeff();
+/// Columns that span what is orthogonal to all columns of A.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
+  if (A.cols() == 0) return Eigen::MatrixXd::Identity(A.rows(), A.rows());
+  Eigen::FullPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  qr.setThreshold(1e-10);
+  const Eigen::MatrixXd Q = qr.matrixQ();
+  return Q.rightCols(A.rows() - qr.rank());
 }
+
+/// The quadratic form on a cone, by eigenvectors: the cone P^T d = 0, W^T d <= 0.
+class ConeTest {
+ public:
+  ConeTest(const Eigen::MatrixXd& H, const Eigen::MatrixXd& P, const Eigen::MatrixXd& W)
+      : H_(H), P_(P), W_(W), negative_(kNegative * (H.size() == 0 ? 0 : H.cwiseAbs().maxCoeff())) {}
+
+  SecondOrder run() {
+    const bool whole = look(P_, true);  // with every limit that does not push left alone
+    return {whole || (W_.cols() > 0 && holds_on_faces()), std::move(flat_)};
+  }
+
+ private:
+  /// Directions in the null space of A: whether none with a negative value lies in the cone. Where
+  /// `everywhere`, none at all; and those of value zero are kept.
+  bool look(const Eigen::MatrixXd& A, bool everywhere) {
+    const Eigen::MatrixXd N = null_space(A);
+    if (N.cols() == 0) return true;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(N.transpose() * H_ * N);
+    const auto& values = eigen.eigenvalues();
+    if (everywhere) {
+      for (Eigen::Index k = 0; k < values.size(); ++k) {
+        if (std::abs(values[k]) <= negative_) flat_.push_back(N * eigen.eigenvectors().col(k));
+      }
+      return values[0] >= -negative_;
+    }
+    for (Eigen::Index k = 0; k < values.size() && values[k] < -negative_; ++k) {
+      // Of equal values every combination is one: they are not searched, and count against.
+      const bool twin = k + 1 < values.size() && values[k + 1] - values[k] <= negative_;
+      if (twin || in_cone(N * eigen.eigenvectors().col(k))) return false;
+    }
+    return true;
+  }
+
+  bool in_cone(const Eigen::VectorXd& d) const {
+    constexpr double kSlack = 1e-9;
+    const Eigen::VectorXd slopes = W_.transpose() * d;
+    return slopes.maxCoeff() <= kSlack || slopes.minCoeff() >= -kSlack;
+  }
+
+  /// On the cone's part of the unit sphere the form is least at an eigenvector of the face in whose
+  /// inside it lies. Faces: any of W held. Too many are not looked at: then it is not shown.
+  bool holds_on_faces() {
+    constexpr double kMostWork = 1e9;
+    const double n = static_cast<double>(H_.rows());
+    if (std::ldexp(n * n * n, static_cast<int>(W_.cols())) > kMostWork) return false;
+    for (unsigned face = 0; face < (1U << W_.cols()); ++face) {
+      Eigen::MatrixXd A(P_.rows(), P_.cols() + W_.cols());
+      Eigen::Index columns = P_.cols();
+      A.leftCols(columns) = P_;
+      for (Eigen::Index j = 0; j < W_.cols(); ++j) {
+        if ((face >> j & 1U) != 0) A.col(columns++) = W_.col(j);
+      }
+      if (!look(A.leftCols(columns), false)) return false;
+    }
+    return true;
+  }
+
+  const Eigen::MatrixXd &H_, &P_, &W_;
+  double negative_;
+  std::vector<Eigen::VectorXd> flat_;
+};
 
 /// Finsler: H is positive along the null space of A^T where H + rho A A^T is positive for some rho.
 bool sparse_test(const Eigen::SparseMatrix<double>& H, const Eigen::SparseMatrix<double>& A) {
@@ -130,15 +199,15 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
   return H;
 }
 
-bool second_order_holds(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
-                        const std::vector<double>& multipliers) {
+SecondOrder second_order(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
+                         const std::vector<double>& multipliers) {
   constexpr int kDense = 300;
-  if (point.layout.rows == 0) return true;
+  if (point.layout.rows == 0) return {true, {}};
   const auto H = lagrangian_hessian(point, limits, multipliers);
-  const auto A = held(point, limits, multipliers);
-  if (H.nonZeros() == 0) return true;
-  if (point.layout.rows <= kDense) return dense_test(H, A);
-  return sparse_test(H, A);
+  const auto [P, W] = held(point, limits, multipliers);
+  if (point.layout.rows > kDense) return {sparse_test(H, P), {}};
+  const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;
+  return ConeTest(dense_H, dense_P, dense_W).run();
 }
 
 }  // namespace camlaw::optim

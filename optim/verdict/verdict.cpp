@@ -84,7 +84,7 @@ std::string doubt(const Problem& problem, const Assessment& a) {
     return "a peak stands at a joint of the law that moves with the design: how it changes is not "
            "known";
   }
-  if (!a.second_order) return "a direction along the active limits improves to second order";
+  if (!a.second_order) return "a direction along the active limits may improve to second order";
   return {};
 }
 

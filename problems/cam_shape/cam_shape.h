@@ -9,10 +9,10 @@
 /// The COPS cam-shape problem: the valve cam of largest mean radius among the convex ones whose
 /// radius changes slowly.
 ///
-///   maximise  (pi / n) sum r_i  over  1 <= r_i <= 2,  i = 1 .. n,  where, with d = 2 pi / (5 n +
-///   5) 2 r_{i-1} r_{i+1} cos d <= r_i (r_{i-1} + r_{i+1}),  i = 0 .. n + 1    (convexity) |r_{i+1}
-///   - r_i| <= 1.5 d,                            i = 0 .. n        (slope) r_{-1} = r_0 = 1,
-///   r_{n+1} = 2,  r_{n+2} = r_n
+/// - maximise (pi / n) sum r_i over 1 <= r_i <= 2, i = 1 .. n, where, with d = 2 pi / (5 n + 5),
+/// - 2 r_{i-1} r_{i+1} cos d <= r_i (r_{i-1} + r_{i+1}) for i = 0 .. n + 1 (convexity),
+/// - |r_{i+1} - r_i| <= 1.5 d for i = 0 .. n (slope),
+/// - r_{-1} = r_0 = 1, r_{n+1} = 2, r_{n+2} = r_n.
 ///
 /// Sources: M. Anitescu, R. Serban, A Sparse Superlinearly Convergent SQP with Applications to
 /// Two-Dimensional Shape Optimization, Argonne National Laboratory, 1998; E. D. Dolan, J. J. More,

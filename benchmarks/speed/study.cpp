@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "problems/spine_cutter/study.h"
+
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +13,6 @@
 #include <string>
 
 #include "benchmarks/timing.h"
-#include "problems/spine_cutter/study.h"
 
 /// The spine-cutter study: the computation alone, and the whole program with its files.
 namespace camlaw::benchmarks {

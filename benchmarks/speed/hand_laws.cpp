@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmarks/hand_laws.h"
+#include "benchmarks/speed/hand_laws.h"
 
 #include <cmath>
 #include <numbers>

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "benchmarks/hand_laws.h"
+#include "benchmarks/speed/hand_laws.h"
 #include "benchmarks/timing.h"
 #include "kinematics/catalogue.h"
 

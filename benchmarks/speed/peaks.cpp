@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "kinematics/peaks.h"
+
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -8,7 +10,6 @@
 
 #include "benchmarks/timing.h"
 #include "kinematics/catalogue.h"
-#include "kinematics/peaks.h"
 
 /// Exact peaks of every law of the catalogue at its standard arguments, as numbers and proved.
 namespace camlaw::benchmarks {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "optim/cycle/watched.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace camlaw::optim {
+namespace {
+
+class WatchedTrace final : public Trace {
+ public:
+  WatchedTrace(std::unique_ptr<Trace> trace, const std::vector<double>& angles)
+      : trace_(std::move(trace)), breaks_(trace_->breaks()) {
+    constexpr double kSame = 1e-12;
+    const double first = breaks_.front(), last = breaks_.back();
+    for (const double angle : angles) {
+      const bool stands = std::any_of(breaks_.begin(), breaks_.end(), [&](double known) {
+        return std::abs(known - angle) <= kSame * (last - first);
+      });
+      if (!stands && angle > first && angle < last) breaks_.push_back(angle);
+    }
+    std::sort(breaks_.begin(), breaks_.end());
+  }
+
+  std::vector<double> breaks() const override { return breaks_; }
+  std::array<double, 3> at(Place place) const override { return trace_->at(place); }
+  Bounds enclose(double from, double to) const override { return trace_->enclose(from, to); }
+
+ private:
+  std::unique_ptr<Trace> trace_;
+  std::vector<double> breaks_;
+};
+
+class WatchedCurve final : public Curve {
+ public:
+  WatchedCurve(std::shared_ptr<const Curve> curve, std::vector<double> angles)
+      : curve_(std::move(curve)), angles_(std::move(angles)) {}
+
+  Function at(Place place) const override { return curve_->at(place); }
+  std::vector<double> slope_gradient(Place place, Design x) const override {
+    return curve_->slope_gradient(place, x);
+  }
+  bool breaks_move() const override { return curve_->breaks_move(); }
+  std::unique_ptr<Trace> trace(Design x) const override {
+    return std::make_unique<WatchedTrace>(curve_->trace(x), angles_);
+  }
+  Shape shape() const override { return curve_->shape(); }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+  std::vector<double> angles_;
+};
+
+}  // namespace
+
+Response watched(const Response& response, std::vector<double> angles) {
+  auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
+  return {response.name, response.unit,
+          std::make_shared<WatchedCurve>(std::move(curve), std::move(angles))};
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/deadline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace camlaw::optim {
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Deadline::Deadline(std::optional<double> limit, const std::atomic<bool>* stop)
+    : limit_(limit), stop_(stop), began_(now()) {}
+
+std::optional<double> Deadline::left() const {
+  if (!limit_) return {};
+  return std::max(1e-3, *limit_ - (now() - began_));
+}
+
+bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
+
+bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }
+
+std::string Deadline::reason() const {
+  return stopped() ? "stopped" : fmt::format("the time limit of {:g} s was reached", *limit_);
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optim/problem/problem.h"
+#include "optim/solvers/solver.h"
+
+namespace camlaw::optim {
+
+/// The methods to try in turn, and why.
+struct Plan {
+  std::vector<const Solver*> solvers;
+  std::string why;
+};
+
+/// `wanted` is a name of solver_names() or "auto": up to 30 variables and limits slsqp, then ipopt
+/// where the conditions of optimality do not hold; beyond, ipopt.
+Plan plan(const Problem& problem, const std::string& wanted);
+
+/// For the design of least violation: small problems are done at once by the first; where that does
+/// not convince, by the second.
+std::vector<const Solver*> least_violation_plan(const Problem& problem);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/optim/search/search_problems.h"
+
+namespace camlaw::optim {
+
+using namespace search_tests;
+
+TEST_CASE("an optimum near a region without numbers is found", "[optimise]") {
+  // x - log(x) / 100 is undefined for x <= 0 and least at 0.01.
+  Problem problem;
+  problem.variables = {variable("x", -1, 5, 3)};
+  problem.objective = least(function({0}, [](const auto& u) { return u[0] - 0.01 * log(u[0]); }));
+  const Found found = optimise(problem).found;
+  CHECK(found.assessment.verdict == Verdict::Certified);
+  CHECK(found.x[0] == Approx(0.01).epsilon(1e-4));
+}
+
+TEST_CASE("an optimum on the edge of a region without numbers is come close to", "[optimise]") {
+  // Least -x, undefined for x > 1.
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, -2)};
+  problem.objective =
+      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }));
+  const Found found = optimise(problem).found;
+  REQUIRE(found.x.size() == 1);
+  CHECK(found.assessment.verdict == Verdict::Feasible);
+  CHECK(found.x[0] <= 1);
+  CHECK(found.x[0] > 0.99);
+}
+
+TEST_CASE("a start without numbers: alone it fails, among others it does no harm", "[optimise]") {
+  // (x - 2)^2 + sqrt(x) from x = -3.
+  Problem problem;
+  problem.variables = {variable("x", -4, 4, -3)};
+  problem.objective =
+      least(function({0}, [](const auto& u) { return square(u[0] - 2.0) + 0.0 * sqrt(u[0]); }));
+  const Found alone = optimise(problem, {.starts = 1}).found;
+  CHECK(alone.assessment.verdict == Verdict::Failed);
+  CHECK(alone.status == Status::NonFiniteStart);
+  CHECK(alone.assessment.reason == "the model gives no number at the start");
+  const Found found = optimise(problem).found;
+  CHECK(found.assessment.verdict == Verdict::Certified);
+  CHECK(found.x[0] == Approx(2).epsilon(1e-6));
+  CHECK(found.starts == 8);
+  // And where no number is anywhere.
+  problem.objective = least(function({0}, [](const auto& u) { return sqrt(-9.0 - u[0] * u[0]); }));
+  CHECK(optimise(problem).found.assessment.verdict == Verdict::Failed);
+}
+
+TEST_CASE("what the model throws is a failed assessment with its words", "[optimise]") {
+  const auto always = [](std::span<const double>) { throw std::runtime_error("no such follower"); };
+  for (const std::string solver : {"auto", "ipopt", "slsqp", "cobyla", "crs2"}) {
+    INFO(solver);
+    const Found found =
+        optimise(valley_of(observed(rosenbrock(), always)), {.solver = solver}).found;
+    CHECK(found.assessment.verdict == Verdict::Failed);
+    CHECK(found.assessment.reason == "the model threw: no such follower");
+    CHECK(found.status == Status::Failed);
+  }
+  const auto odd = [](std::span<const double>) { throw 42; };
+  const Found found = optimise(valley_of(observed(rosenbrock(), odd))).found;
+  CHECK(found.assessment.verdict == Verdict::Failed);
+  CHECK(contains(found.assessment.reason, "the model threw"));
+}
+
+TEST_CASE("a model that throws on the way never throws out of optimise", "[optimise]") {
+  for (const long first : {2, 3, 5, 10, 20, 40}) {
+    for (const std::string solver : {"auto", "ipopt", "mma", "bobyqa", "direct-l"}) {
+      INFO(solver << " from evaluation " << first);
+      long count = 0;
+      const auto later = [&](std::span<const double>) {
+        if (++count >= first) throw std::runtime_error("worn out");
+      };
+      const Problem problem = valley_of(observed(rosenbrock(), later));
+      Found found;
+      REQUIRE_NOTHROW(found = optimise(problem, {.solver = solver}).found);
+      if (found.assessment.verdict == Verdict::Failed) {
+        CHECK(contains(found.assessment.reason, "worn out"));
+      }
+    }
+  }
+}
+
+TEST_CASE("a limit that throws, on a number or a curve, is a failed assessment", "[optimise]") {
+  Problem problem = bowl();
+  problem.constraints = {at_most(
+      "load", observed(sum(), [](auto) { throw std::runtime_error("no such roller"); }), 1)};
+  CHECK(contains(optimise(problem).found.assessment.reason, "no such roller"));
+  problem.constraints[0].response.measure =
+      curve({0, 1}, 0, 1, [](const auto& u, const auto& angle) {
+        if (angle > 0.3) throw std::runtime_error("no such angle");
+        return u[0] * angle + u[1];
+      });
+  const Found found = optimise(problem).found;
+  CHECK(found.assessment.verdict == Verdict::Failed);
+  CHECK(contains(found.assessment.reason, "no such angle"));
+}
+
+TEST_CASE("after the time limit the best design so far comes back soon", "[optimise]") {
+  const auto slow = [](std::span<const double>) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  for (const std::string solver : {"auto", "ipopt", "cobyla", "crs2"}) {
+    INFO(solver);
+    const Problem problem = valley_of(observed(rosenbrock(), slow));
+    const Optimum optimum = optimise(problem, {.solver = solver, .time_limit = 0.1});
+    CHECK(optimum.wall_s < 5);
+    CHECK(optimum.found.status == Status::TimeLimit);
+    CHECK(optimum.found.assessment.verdict == Verdict::Feasible);
+    CHECK(contains(optimum.found.assessment.reason, "the time limit of 0.1 s was reached"));
+    REQUIRE(optimum.found.x.size() == 2);
+    // No worse than the start: 100 (1 - 1.44)^2 + 2.2^2 = 24.2.
+    CHECK(optimum.found.assessment.objective.value <= 24.2 + 1e-9);
+    CHECK(optimum.found.assessment.objective.value == rosenbrock().value(optimum.found.x));
+  }
+}
+
+TEST_CASE("the stop flag ends the search with the best design so far", "[optimise]") {
+  for (const std::string solver : {"auto", "ipopt", "mma", "cobyla", "isres"}) {
+    INFO(solver);
+    std::atomic<bool> stop = false;
+    int count = 0;
+    const auto stopping = [&](std::span<const double>) { stop = ++count >= 12; };
+    const Problem problem = valley_of(observed(rosenbrock(), stopping));
+    const Found found = optimise(problem, {.solver = solver, .stop = &stop}).found;
+    CHECK(found.status == Status::Stopped);
+    CHECK(found.assessment.verdict == Verdict::Feasible);
+    CHECK(contains(found.assessment.reason, "stopped"));
+    CHECK(found.assessment.objective.value <= 24.2 + 1e-9);
+    CHECK(count < 200);
+  }
+}
+
+TEST_CASE("stopped before it began, a search hands back its start", "[optimise]") {
+  const std::atomic<bool> stop = true;
+  const Found found = optimise(valley_of(rosenbrock()), {.stop = &stop}).found;
+  CHECK(found.status == Status::Stopped);
+  CHECK(found.x == Point{-1.2, 1});
+  CHECK(found.assessment.verdict == Verdict::Feasible);
+}
+
+TEST_CASE("a limit of iterations is a status, and the design is feasible", "[optimise]") {
+  for (const std::string solver : {"ipopt", "slsqp", "lbfgs"}) {
+    INFO(solver);
+    const Found found =
+        optimise(valley_of(rosenbrock()), {.solver = solver, .starts = 1, .max_iterations = 1})
+            .found;
+    CHECK(found.status == Status::IterationLimit);
+    CHECK(found.assessment.verdict == Verdict::Feasible);
+    CHECK(contains(found.assessment.reason, "limit of"));
+    CHECK(found.assessment.objective.value <= 24.2 + 1e-9);
+  }
+}
+
+TEST_CASE("an objective without end is a failure that says so", "[optimise]") {
+  Problem problem;
+  problem.variables = {variable("x", -kInfinity, kInfinity), variable("y", 0, 1)};
+  const std::vector<Objective> endless{
+      least(linear({0, 1}, [](const auto& u) { return u[0] + u[1]; })),
+      most(function({0, 1}, [](const auto& u) { return u[0] * u[0] * u[0] + u[0] - u[1]; })),
+      least(function({0}, [](const auto& u) { return u[0] - u[0] * u[0]; }))};
+  for (const Objective& objective : endless) {
+    problem.objective = objective;
+    const Found found = optimise(problem).found;
+    CHECK(found.assessment.verdict == Verdict::Failed);
+    CHECK(found.status == Status::Unbounded);
+    CHECK(found.assessment.reason == "the objective improves without end: a limit is missing");
+  }
+}
+
+TEST_CASE("a search that ends against a region without numbers has stalled", "[optimise]") {
+  // Least -x where the model is undefined for x > 1.
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, -2)};
+  problem.objective =
+      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }));
+  for (const std::string solver : {"slsqp", "mma", "lbfgs", "cobyla"}) {
+    INFO(solver);
+    const Found found = optimise(problem, {.solver = solver}).found;
+    CHECK(found.status == Status::Stalled);
+    CHECK(found.assessment.verdict == Verdict::Feasible);
+  }
+}
+
+TEST_CASE("rows that rounding keeps from being met tightly are solved acceptably", "[optimise]") {
+  // (x + 1e10) - 1e10 takes multiples of 2^-19 = 1.9e-6 only: 0.3 is missed by 7.6e-7, which the
+  // tolerance allows. That is 7.6e-8 of the range of x, 10: more than the 1e-9 that methods aim at.
+  Problem problem;
+  problem.variables = {variable("x", -5, 5, -1.2), variable("y", -5, 5, 1)};
+  problem.objective =
+      least(convex({0, 1}, [](const auto& u) { return square(u[0] - 2.0) + square(u[1]); }));
+  problem.constraints = {
+      equal("coarse", function({0}, [](const auto& u) { return (u[0] + 1e10) - 1e10; }), 0.3)};
+  problem.constraints[0].tolerance = 2e-6;
+  const Found found = optimise(problem, {.solver = "slsqp", .starts = 1}).found;
+  CHECK(found.status == Status::Acceptable);
+  CHECK(found.assessment.verdict == Verdict::Certified);
+  CHECK(found.x[0] == Approx(0.3).margin(3e-6));
+}
+
+}  // namespace camlaw::optim
