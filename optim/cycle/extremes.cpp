@@ -73,9 +73,11 @@ Sample climbed(const Turned& curve, const Sample& from, double left, double righ
 /// Even samples of one smooth stretch, from its right and left ends.
 std::vector<Sample> samples_of(const Turned& curve, double from, double to, int count) {
   std::vector<Sample> result;
+  const auto values = curve.trace.even(from, to, count);
   for (int i = 0; i <= count; ++i) {
-    const Place place{i == count ? to : from + (to - from) * i / count, i == count};
-    result.push_back({place, curve(place)});
+    auto f = values[static_cast<std::size_t>(i)];
+    for (double& value : f) value *= curve.sign;
+    result.push_back({even_place(from, to, count, i), f});
   }
   return result;
 }

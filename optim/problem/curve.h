@@ -27,11 +27,26 @@ class Trace {
   virtual std::vector<double> breaks() const = 0;
   /// Value, first and second derivative by the angle.
   virtual std::array<double, 3> at(Place place) const = 0;
+  /// at() at the count + 1 places that divide [from, to] evenly, the last from the left; from and
+  /// to lie between the same two breaks.
+  virtual std::vector<std::array<double, 3>> even(double from, double to, int count) const;
   /// Numbers that every value over [from, to] is proved to lie between; from and to lie between the
   /// same two breaks. The bounds close on the values as the stretch shrinks. Infinite where nothing
   /// is proved.
   virtual Bounds enclose(double from, double to) const = 0;
 };
+
+/// The i-th of the count + 1 places that divide [from, to] evenly.
+inline Place even_place(double from, double to, int count, int i) {
+  return {i == count ? to : from + (to - from) * i / count, i == count};
+}
+
+inline std::vector<std::array<double, 3>> Trace::even(double from, double to, int count) const {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(static_cast<std::size_t>(count) + 1);
+  for (int i = 0; i <= count; ++i) result.push_back(at(even_place(from, to, count, i)));
+  return result;
+}
 
 /// A response over the cycle.
 class Curve {

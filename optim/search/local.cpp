@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/cycle/remembered.h"
 #include "optim/cycle/watched.h"
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
@@ -29,11 +30,12 @@ class Search {
   Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
          bool prove)
       : original_(problem),
-        problem_(problem),
+        problem_(remembered(problem)),
         options_(options),
         deadline_(deadline),
         prove_(prove),
         convex_(why_convex(problem).has_value()),
+        convex_set_(convex_set(problem)),
         plan_(plan(problem, options.solver)) {
     found_.why_solver = plan_.why;
     found_.solver = plan_.solvers.front()->name();
@@ -138,7 +140,16 @@ class Search {
         continue;
       }
       if (settled(latest_)) return;
+      look_for_emptiness();
+      if (settled(latest_) || found_.assessment.verdict == Verdict::Infeasible) return;
     }
+  }
+
+  /// Where the set of designs is convex, the design of least violation tells at once whether there
+  /// are any: then no other method, and no other start, needs to try.
+  void look_for_emptiness() {
+    if (!convex_set_ || found_.x.empty() || is_feasible(found_.assessment)) return;
+    if (!deadline_.passed()) find_feasible();
   }
 
   void search_starts() {
@@ -152,6 +163,7 @@ class Search {
       search_from(start);
       objectives_.push_back(is_feasible(from_start_) ? from_start_.objective.value : kInfinity);
       if (convex_ && settled(found_.assessment)) break;
+      if (found_.assessment.verdict == Verdict::Infeasible) break;
     }
   }
 
@@ -170,7 +182,7 @@ class Search {
       std::vector<double>& angles = watched_[index];
       if (std::find(angles.begin(), angles.end(), angle) != angles.end()) return;
       angles.push_back(angle);
-      response = watched(original, angles);
+      response = remembered(watched(original, angles));
       any = true;
     };
     const Assessment& a = found_.assessment;
@@ -203,6 +215,7 @@ class Search {
   void prove_best() {
     constexpr int kRounds = 10;
     for (int round = 0; true; ++round) {
+      if (found_.assessment.verdict == Verdict::Infeasible) return;
       if (!is_feasible(found_.assessment) && !deadline_.passed()) find_feasible();
       if (!is_feasible(found_.assessment) || !prove_) return;
       found_.assessment = assess(problem_, sizes_, found_.x, true);
@@ -276,10 +289,10 @@ class Search {
   }
 
   const Problem& original_;
-  Problem problem_;  ///< the original with its curves watched where proofs found something
+  Problem problem_;  ///< its curves remembered, and watched where proofs found something
   const OptimiseOptions& options_;
   const Deadline& deadline_;
-  bool prove_, convex_;
+  bool prove_, convex_, convex_set_;
   Plan plan_;
   Sizes sizes_{};
   Found found_;

@@ -48,14 +48,16 @@ class Collector {
 
   void add_objective() {
     const Objective& objective = problem_.objective;
-    const double value = objective_value(objective, x_);
+    const auto trace = objective.response.curve().trace(x_);
     const double reach = std::max(width_ * sizes_.objective, 2 * sizes_.objective_tolerance);
-    const auto add = [&](double sign) {
-      const bool turned = objective.part == Part::Magnitude && sign < 0;
-      add_curve(objective.response, {sign, turned ? -value : value, sizes_.objective, reach}, {});
-    };
-    if (objective.part != Part::Lowest) add(1);
-    if (objective.part != Part::Highest) add(-1);
+    std::vector<Extreme> up, down;
+    if (objective.part != Part::Lowest) up = local_maxima(*trace, 1);
+    if (objective.part != Part::Highest) down = local_maxima(*trace, -1);
+    double peak = -kInfinity;
+    for (const Extreme& e : up) peak = std::max(peak, e.value);
+    for (const Extreme& e : down) peak = std::max(peak, -e.value);
+    add_peaks(objective.response, *trace, up, {1, peak, sizes_.objective, reach}, {});
+    add_peaks(objective.response, *trace, down, {-1, -peak, sizes_.objective, reach}, {});
   }
 
   void add_constraint(std::size_t i) {
@@ -88,19 +90,24 @@ class Collector {
 
   void add_curve(const Response& response, const Level& level,
                  std::optional<std::size_t> constraint) {
+    const auto trace = response.curve().trace(x_);
+    add_peaks(response, *trace, local_maxima(*trace, level.sign), level, constraint);
+  }
+
+  void add_peaks(const Response& response, const Trace& trace, const std::vector<Extreme>& peaks,
+                 const Level& level, std::optional<std::size_t> constraint) {
     const Curve& curve = response.curve();
-    const auto trace = curve.trace(x_);
-    const auto breaks = trace->breaks();
-    for (const Extreme& peak : local_maxima(*trace, level.sign)) {
+    const auto breaks = trace.breaks();
+    for (const Extreme& peak : peaks) {
       if (level.sign * (level.bound - peak.value) > level.reach) continue;
       ActiveLimit limit = gradient_of(curve.at(peak.place), level);
       limit.constraint = constraint;
       if (!constraint || optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
-      if (is_smooth_at(*trace, peak.place, breaks)) {
+      if (is_smooth_at(trace, peak.place, breaks)) {
         limit.slope_gradient = curve.slope_gradient(peak.place, x_);
-        limit.curvature = trace->at(peak.place)[2];
+        limit.curvature = trace.at(peak.place)[2];
       } else if (curve.breaks_move()) {
-        limit.at_moving_break = slopes_at_break(*trace, peak.place, breaks, level);
+        limit.at_moving_break = slopes_at_break(trace, peak.place, breaks, level);
       }
       if (!is_twin(limit)) limits_.push_back(std::move(limit));
     }

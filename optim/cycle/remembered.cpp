@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "optim/cycle/remembered.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace camlaw::optim {
+namespace {
+
+using Values = std::vector<std::array<double, 3>>;
+
+/// One design's trace and the samples taken of it.
+struct Memory {
+  struct Stretch {
+    double from, to;
+    int count;
+    Values values;
+  };
+  std::vector<double> x;
+  std::unique_ptr<Trace> trace;
+  std::vector<double> breaks;
+  std::vector<Stretch> stretches;
+};
+
+class RememberedTrace final : public Trace {
+ public:
+  explicit RememberedTrace(std::shared_ptr<Memory> memory) : memory_(std::move(memory)) {}
+
+  std::vector<double> breaks() const override { return memory_->breaks; }
+  std::array<double, 3> at(Place place) const override { return memory_->trace->at(place); }
+  Bounds enclose(double from, double to) const override {
+    return memory_->trace->enclose(from, to);
+  }
+  Values even(double from, double to, int count) const override {
+    auto& known = memory_->stretches;
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Memory::Stretch& s) {
+      return s.from == from && s.to == to && s.count == count;
+    });
+    if (found != known.end()) return found->values;
+    known.push_back({from, to, count, memory_->trace->even(from, to, count)});
+    return known.back().values;
+  }
+
+ private:
+  std::shared_ptr<Memory> memory_;
+};
+
+class RememberedCurve final : public Curve {
+ public:
+  explicit RememberedCurve(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
+
+  Function at(Place place) const override { return curve_->at(place); }
+  std::vector<double> slope_gradient(Place place, Design x) const override {
+    return curve_->slope_gradient(place, x);
+  }
+  bool breaks_move() const override { return curve_->breaks_move(); }
+  std::unique_ptr<Trace> trace(Design x) const override {
+    if (!latest_ || !std::equal(x.begin(), x.end(), latest_->x.begin(), latest_->x.end())) {
+      auto fresh = std::make_shared<Memory>();
+      fresh->x.assign(x.begin(), x.end());
+      fresh->trace = curve_->trace(x);
+      fresh->breaks = fresh->trace->breaks();
+      latest_ = std::move(fresh);
+    }
+    return std::make_unique<RememberedTrace>(latest_);
+  }
+  Shape shape() const override { return curve_->shape(); }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+  mutable std::shared_ptr<Memory> latest_;
+};
+
+}  // namespace
+
+Response remembered(const Response& response) {
+  if (!response.is_curve()) return response;
+  auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
+  return {response.name, response.unit, std::make_shared<RememberedCurve>(std::move(curve))};
+}
+
+Problem remembered(Problem problem) {
+  problem.objective.response = remembered(problem.objective.response);
+  for (Constraint& c : problem.constraints) c.response = remembered(c.response);
+  return problem;
+}
+
+}  // namespace camlaw::optim
