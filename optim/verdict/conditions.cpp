@@ -9,10 +9,13 @@
 namespace camlaw::optim {
 namespace {
 
-/// The limits' gradients as columns of length one, and the lengths.
+/// The limits' gradients as columns of length one, and the lengths. Below them a row for each limit
+/// with a margin: what its multiplier leaves open.
 Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limits,
                                             const Layout& layout, std::vector<double>& lengths) {
+  constexpr double kOpen = 1e-12;  // less is rounding
   std::vector<Eigen::Triplet<double>> entries;
+  int rows = layout.rows;
   for (std::size_t j = 0; j < limits.size(); ++j) {
     double square = limits[j].auxiliary * limits[j].auxiliary;
     for (const auto& [variable, slope] : limits[j].gradient) {
@@ -27,8 +30,11 @@ Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limi
     if (limits[j].auxiliary != 0) {
       entries.emplace_back(layout.auxiliary, column, limits[j].auxiliary / lengths.back());
     }
+    if (!limits[j].is_equation && limits[j].margin > kOpen) {
+      entries.emplace_back(rows++, column, limits[j].margin / lengths.back());
+    }
   }
-  Eigen::SparseMatrix<double> A(layout.rows, static_cast<Eigen::Index>(limits.size()));
+  Eigen::SparseMatrix<double> A(rows, static_cast<Eigen::Index>(limits.size()));
   A.setFromTriplets(entries.begin(), entries.end());
   return A;
 }
@@ -85,7 +91,9 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     result.residual = 0;
     return result;
   }
-  const auto solved = bounded_least_squares(A, objective_gradient(problem, sizes, x, layout), free);
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(A.rows());
+  target.head(layout.rows) = objective_gradient(problem, sizes, x, layout);
+  const auto solved = bounded_least_squares(A, target, free);
   result.multipliers = solved.multipliers;
   result.condition = solved.condition;
   double open = 0;

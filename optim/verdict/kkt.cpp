@@ -90,7 +90,7 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
   // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
   // slack times multiplier counts against them.
   constexpr double kGood = 1e-8;
-  constexpr double kWidths[] = {0, 1e-6, 1e-4};
+  constexpr double kWidths[] = {0, 1e-4};
   const Layout layout = lay_out(problem, optimality);
   Weighed best;
   for (const double width : kWidths) {
