@@ -27,10 +27,24 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
-/// One solve; the attempt takes what came of it.
-double solve_program(const Program& program, const Solver& solver, const SolverOptions& options,
-                     std::size_t variables, Attempt& attempt) {
-  const Solution solution = solver.solve(program, options);
+/// Point and multipliers of one solve as the start of the next, whose groups of rows have grown at
+/// their ends; new rows begin without a multiplier.
+WarmStart carried_over(const Solution& last, const std::vector<std::size_t>& before,
+                       const std::vector<std::size_t>& now) {
+  WarmStart warm{last.y, {}, last.lower, last.upper};
+  auto next = last.rows.begin();
+  for (std::size_t g = 0; g < now.size(); ++g) {
+    const auto end = next + static_cast<std::ptrdiff_t>(before[g]);
+    warm.rows.insert(warm.rows.end(), next, end);
+    warm.rows.resize(warm.rows.size() + now[g] - before[g], 0.0);
+    next = end;
+  }
+  return warm;
+}
+
+/// What came of one solve: the attempt takes it; the auxiliary variable's value comes back.
+double take(const Program& program, const Solution& solution, std::size_t variables,
+            Attempt& attempt) {
   ++attempt.rounds;
   attempt.iterations += solution.iterations;
   attempt.evaluations += solution.evaluations;
@@ -55,9 +69,12 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   working.begin_at(attempt.x);
   SolverOptions left = tightened(problem, sizes, options);
   const std::size_t variables = problem.variables.size();
+  std::optional<WarmStart> warm;
   while (true) {
-    const double auxiliary =
-        solve_program(working.program(attempt.x), solver, left, variables, attempt);
+    const Program program = working.program(attempt.x);
+    const auto groups = working.row_groups();
+    const Solution solution = solver.solve(program, left, warm ? &*warm : nullptr);
+    const double auxiliary = take(program, solution, variables, attempt);
     const bool usable = went_well(attempt.status) || attempt.status == Status::Stalled ||
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
@@ -75,6 +92,8 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
       attempt.message = "limit of exchange rounds";
       return;
     }
+    // Without multipliers the design alone is the start.
+    if (!solution.rows.empty()) warm = carried_over(solution, groups, working.row_groups());
     if (options.time_limit) {
       const std::chrono::duration<double> spent = Clock::now() - began;
       left.time_limit = std::max(1e-3, *options.time_limit - spent.count());

@@ -63,7 +63,7 @@ std::optional<std::vector<double>> polished(const Problem& problem, const Sizes&
   std::vector<double> best, x(start.begin(), start.end());
   double residual = kInfinity;
   for (int step = 0; step < kSteps; ++step) {
-    const Weighed weighed = weigh(problem, sizes, x, Optimality::Objective, layout, width);
+    const Weighed weighed = weigh(problem, sizes, x, Optimality::Objective, layout, {width});
     const double violation = worst_violation(limit_reports(problem, sizes, x, false));
     if (violation <= kMet && weighed.residual < residual) best = x, residual = weighed.residual;
     if (residual <= kDone) break;

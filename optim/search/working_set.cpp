@@ -127,6 +127,18 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
   }
 }
 
+std::vector<std::size_t> WorkingSet::row_groups() const {
+  std::size_t numbers = 0;
+  for (const Constraint& c : problem_.constraints) {
+    if (c.response.is_curve()) continue;
+    const bool both = aim_ == Aim::LeastViolation && c.lower && c.upper;
+    numbers += both ? 2 : 1;
+  }
+  std::vector<std::size_t> groups{numbers};
+  for (const CurveSide& side : sides_) groups.push_back(side.places.size());
+  return groups;
+}
+
 double WorkingSet::auxiliary_start(Design x) const {
   const Objective& objective = problem_.objective;
   if (aim_ == Aim::Optimum) {

@@ -35,6 +35,10 @@ class WorkingSet {
   /// `auxiliary` is the program's variable for the peak or the violation. The number added.
   std::size_t add_violated(Design x, double auxiliary);
 
+  /// The program's rows by groups that new places are added at the end of: those of numbers, then
+  /// those of each side of a curve.
+  std::vector<std::size_t> row_groups() const;
+
   /// The program, to be searched from a design on.
   Program program(Design start) const;
 

@@ -12,9 +12,8 @@ namespace {
 /// Collects the limits of one design.
 class Collector {
  public:
-  Collector(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-            double width)
-      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), width_(width) {}
+  Collector(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality, Net net)
+      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), net_(net) {}
 
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
@@ -49,21 +48,25 @@ class Collector {
   void add_objective() {
     const Objective& objective = problem_.objective;
     const auto trace = objective.response.curve().trace(x_);
-    const double reach = std::max(width_ * sizes_.objective, 2 * sizes_.objective_tolerance);
+    const double reach = std::max(net_.width * sizes_.objective, 2 * sizes_.objective_tolerance);
     std::vector<Extreme> up, down;
     if (objective.part != Part::Lowest) up = local_maxima(*trace, 1);
     if (objective.part != Part::Highest) down = local_maxima(*trace, -1);
     double peak = -kInfinity;
     for (const Extreme& e : up) peak = std::max(peak, e.value);
     for (const Extreme& e : down) peak = std::max(peak, -e.value);
-    add_peaks(objective.response, *trace, up, {1, peak, sizes_.objective, reach}, {});
-    add_peaks(objective.response, *trace, down, {-1, -peak, sizes_.objective, reach}, {});
+    const auto add = [&](double sign, const std::vector<Extreme>& peaks) {
+      const Level level{sign, sign * peak, sizes_.objective, reach};
+      add_places({objective.response, *trace, trace->breaks(), level, {}}, peaks);
+    };
+    if (objective.part != Part::Lowest) add(1, up);
+    if (objective.part != Part::Highest) add(-1, down);
   }
 
   void add_constraint(std::size_t i) {
     const Constraint& c = problem_.constraints[i];
     const ConstraintSize& size = sizes_.constraints[i];
-    const double reach = std::max(width_ * size.size, 2 * size.tolerance);
+    const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
     const bool equation = c.lower && c.upper && *c.lower == *c.upper;
     const double eased = violation_ * size.size;
     const auto add = [&](double sign, double bound) {
@@ -91,37 +94,65 @@ class Collector {
   void add_curve(const Response& response, const Level& level,
                  std::optional<std::size_t> constraint) {
     const auto trace = response.curve().trace(x_);
-    add_peaks(response, *trace, local_maxima(*trace, level.sign), level, constraint);
+    add_places({response, *trace, trace->breaks(), level, constraint},
+               local_maxima(*trace, level.sign));
   }
 
-  void add_peaks(const Response& response, const Trace& trace, const std::vector<Extreme>& peaks,
-                 const Level& level, std::optional<std::size_t> constraint) {
-    const Curve& curve = response.curve();
-    const auto breaks = trace.breaks();
+  /// One side of a curve at this design.
+  struct CurveLevel {
+    const Response& response;
+    const Trace& trace;
+    std::vector<double> breaks;
+    Level level;
+    std::optional<std::size_t> constraint;
+  };
+
+  /// Local maxima that stand at the level, and other places that do: where a curve runs along its
+  /// bound, as near as a solver leaves it, its highest place alone does not hold it.
+  void add_places(const CurveLevel& side, const std::vector<Extreme>& peaks) {
     for (const Extreme& peak : peaks) {
-      if (level.sign * (level.bound - peak.value) > level.reach) continue;
-      ActiveLimit limit = gradient_of(curve.at(peak.place), level);
-      limit.constraint = constraint;
-      if (!constraint || optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
-      if (is_smooth_at(trace, peak.place, breaks)) {
-        limit.slope_gradient = curve.slope_gradient(peak.place, x_);
-        limit.curvature = trace.at(peak.place)[2];
-      } else if (curve.breaks_move()) {
-        limit.at_moving_break = slopes_at_break(trace, peak.place, breaks, level);
+      add_place(side, peak, true);
+      if (std::isnan(peak.value)) return;
+    }
+    const int places = net_.between ? 8 : 1;
+    for (std::size_t k = 0; k + 1 < side.breaks.size(); ++k) {
+      const double from = side.breaks[k], to = side.breaks[k + 1];
+      for (int i = 0; i <= places; ++i) {
+        const Place place = even_place(from, to, places, i);
+        const bool known = std::any_of(peaks.begin(), peaks.end(),
+                                       [&](const Extreme& peak) { return peak.place == place; });
+        if (!known) add_place(side, {place, side.trace.at(place)[0]}, false);
       }
-      if (!is_twin(limit)) limits_.push_back(std::move(limit));
     }
   }
 
+  void add_place(const CurveLevel& side, const Extreme& at, bool is_peak) {
+    const Level& level = side.level;
+    if (level.sign * (level.bound - at.value) > level.reach) return;
+    const Curve& curve = side.response.curve();
+    ActiveLimit limit = gradient_of(curve.at(at.place), level);
+    limit.constraint = side.constraint;
+    const bool eased = optimality_ == Optimality::LeastViolation;
+    if (!side.constraint || eased) limit.auxiliary = -1;
+    if (is_smooth_at(side, at.place)) {
+      if (is_peak) limit.slope_gradient = curve.slope_gradient(at.place, x_);
+      limit.curvature = side.trace.at(at.place)[2];
+    } else if (curve.breaks_move()) {
+      limit.at_moving_break = slopes_at_break(side, at.place);
+    }
+    if (!is_twin(limit)) limits_.push_back(std::move(limit));
+  }
+
   /// Whether a place is no break, or one at which nothing breaks (see watched()).
-  static bool is_smooth_at(const Trace& trace, Place place, const std::vector<double>& breaks) {
+  static bool is_smooth_at(const CurveLevel& side, Place place) {
+    const std::vector<double>& breaks = side.breaks;
     const double cycle = breaks.back() - breaks.front();
     const bool inside = std::none_of(breaks.begin(), breaks.end(), [&](double angle) {
       return std::abs(angle - place.angle) <= 1e-12 * cycle;
     });
     if (inside) return true;
     if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
-    return trace.at({place.angle, true}) == trace.at({place.angle, false});
+    return side.trace.at({place.angle, true}) == side.trace.at({place.angle, false});
   }
 
   /// Whether a limit of the same constraint has the same gradient, as rise and return of a
@@ -139,12 +170,11 @@ class Collector {
   }
 
   /// Whether a peak stands at a break inside the cycle, with a slope that a shift of it would show.
-  static bool slopes_at_break(const Trace& trace, Place place, const std::vector<double>& breaks,
-                              const Level& level) {
+  static bool slopes_at_break(const CurveLevel& side, Place place) {
     constexpr double kSlope = 1e-6;
-    if (place.angle == breaks.front() || place.angle == breaks.back()) return false;
-    const double cycle = breaks.back() - breaks.front();
-    return std::abs(trace.at(place)[1]) * cycle > kSlope * level.size;
+    const double first = side.breaks.front(), last = side.breaks.back();
+    if (place.angle == first || place.angle == last) return false;
+    return std::abs(side.trace.at(place)[1]) * (last - first) > kSlope * side.level.size;
   }
 
   ActiveLimit gradient_of(const Function& f, const Level& level) const {
@@ -168,7 +198,7 @@ class Collector {
     if (v.lower == v.upper) return;
     const auto add = [&](double sign, double bound) {
       const double margin = sign * (bound - x_[i]) / sizes_.variables[i];
-      if (!(margin <= std::max(width_, 1e-7))) return;
+      if (!(margin <= std::max(net_.width, 1e-7))) return;
       ActiveLimit limit;
       limit.gradient = {{i, sign}};
       limit.margin = margin;
@@ -185,7 +215,7 @@ class Collector {
   const Sizes& sizes_;
   Design x_;
   Optimality optimality_;
-  double width_;
+  Net net_;
   double violation_ = 0;
   std::vector<ActiveLimit> limits_;
 };
@@ -193,8 +223,8 @@ class Collector {
 }  // namespace
 
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
-                                       Optimality optimality, double width) {
-  return Collector(problem, sizes, x, optimality, width).collect();
+                                       Optimality optimality, Net net) {
+  return Collector(problem, sizes, x, optimality, net).collect();
 }
 
 }  // namespace camlaw::optim

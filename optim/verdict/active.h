@@ -29,8 +29,15 @@ struct ActiveLimit {
   bool at_moving_break = false;
 };
 
-/// The limits whose margin is at most `width`, a share of their size, or twice their tolerance.
+/// How wide the net is cast for limits that hold a design.
+struct Net {
+  double width;          ///< the largest margin, a share of the limit's size
+  bool between = false;  ///< of curves also even places between the ends of smooth stretches
+};
+
+/// The limits whose margin is at most the net's width or twice their tolerance: numbers, variables'
+/// bounds, and of curves the local maxima and the ends of smooth stretches.
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
-                                       Optimality optimality, double width);
+                                       Optimality optimality, Net net);
 
 }  // namespace camlaw::optim

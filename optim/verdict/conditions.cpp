@@ -79,9 +79,9 @@ Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, D
 }
 
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, double width) {
+              const Layout& layout, Net net) {
   Weighed result;
-  result.limits = active_limits(problem, sizes, x, optimality, width);
+  result.limits = active_limits(problem, sizes, x, optimality, net);
   std::vector<double> lengths;
   const auto A = limit_gradients(result.limits, layout, lengths);
   std::vector<bool> free;

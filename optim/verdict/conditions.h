@@ -30,8 +30,8 @@ struct Weighed {
   double condition = 1;
 };
 
-/// Of the limits within `width` (as of active_limits).
+/// Of the limits in the net.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-              const Layout& layout, double width);
+              const Layout& layout, Net net);
 
 }  // namespace camlaw::optim

@@ -90,12 +90,12 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
   // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
   // slack times multiplier counts against them.
   constexpr double kGood = 1e-8;
-  constexpr double kWidths[] = {0, 1e-4};
+  constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, true}};
   const Layout layout = lay_out(problem, optimality);
   Weighed best;
-  for (const double width : kWidths) {
-    Weighed weighed = weigh(problem, sizes, x, optimality, layout, width);
-    if (weighed.residual < best.residual || width == 0) best = std::move(weighed);
+  for (const Net& net : kNets) {
+    Weighed weighed = weigh(problem, sizes, x, optimality, layout, net);
+    if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
     if (best.residual <= kGood) break;
   }
   const bool least_violation = optimality == Optimality::LeastViolation;
