@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -121,10 +122,25 @@ struct Family {
 /// Every law, in the order of the listing.
 const std::vector<Family>& catalogue();
 
+/// A family that a member belongs to: one of the catalogue, or one that is the member's own and
+/// lives as long as it does.
+class FamilyOf {
+ public:
+  FamilyOf(const Family* listed)  // NOLINT: an address of the catalogue is meant to become one
+      : family_(std::shared_ptr<void>(), listed) {}
+  FamilyOf(std::shared_ptr<const Family> own) : family_(std::move(own)) {}  // NOLINT
+  const Family* operator->() const { return family_.get(); }
+  const Family& operator*() const { return *family_; }
+  friend bool operator==(const FamilyOf& a, const FamilyOf& b) { return a.family_ == b.family_; }
+
+ private:
+  std::shared_ptr<const Family> family_;
+};
+
 /// A law asked for by name, with its arguments: "modified-sine", "polynomial-5 alpha=-3",
 /// "fourier a=0.1,-0.05". Aliases count as names; case does not matter.
 struct Member {
-  const Family* family;
+  FamilyOf family;
   Arguments<double> arguments;
 
   /// Family name and arguments, as find_law reads them; a crossover left where it is goes without

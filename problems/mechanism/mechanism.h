@@ -60,11 +60,19 @@ struct NamedPeak {
   std::string meaning;
 };
 
+/// What a mechanism's follower takes its motion from.
+enum class MovedBy {
+  Law,      ///< a law, run once in each stretch of the mechanism's own cycle
+  Program,  ///< a motion program over the whole cycle
+  Nothing,  ///< it moves as its geometry makes it; x is the driving side's uniform progress
+};
+
 struct Mechanism {
   std::string name, title, source;
   std::vector<MechanismParameter> parameters;
   std::vector<MechanismResponse> responses;
   std::vector<NamedPeak> peaks;
+  MovedBy moved_by = MovedBy::Law;
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;

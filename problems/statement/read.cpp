@@ -78,7 +78,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"title", "mechanism", "constants", "law", "variables", "objective",
+  check_keys(file, {"title", "mechanism", "constants", "law", "program", "variables", "objective",
                     "constraints", "solver"});
   ProblemStatement problem;
   if (const Entry* title = find(file, "title")) problem.title = text_of(*title);

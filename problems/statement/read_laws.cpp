@@ -1,47 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
-#include "problems/units.h"
 
 namespace camlaw::problems {
 namespace {
 
 using Kind = Entry::Kind;
-
-double read_value(std::string_view text, const Parameter& parameter, const std::string& what) {
-  return parse_quantity(text, parameter.unit, parameter.unit, what);
-}
-
-/// "polynomial-5 alpha=-3" is an entry of the catalogue in its own right, which has no alpha that
-/// could vary; the same law as a member of polynomial-5 has one.
-Member as_family_member(const Member& law) {
-  const std::string& name = law.family->name;
-  const std::size_t space = name.find(' ');
-  if (space == std::string::npos || name.find('=') == std::string::npos) return law;
-  const Family& family = find_family(name.substr(0, space));
-  Member result{&family, family.standard()};
-  set_argument(result, name.substr(space + 1));
-  return result;
-}
-
-void check_accepted(const Entry& entry, const NamedParameter& parameter, double value) {
-  if (const auto why = refusal(parameter, value)) refuse(entry, *why);
-}
-
-/// The parameters that a law's name gives: those before an equals sign.
-std::set<std::string> given_in(std::string_view name, const Family& family) {
-  std::set<std::string> given;
-  for (std::size_t equals = name.find('='); equals != std::string_view::npos;
-       equals = name.find('=', equals + 1)) {
-    const std::size_t end = name.find_last_not_of(' ', equals - 1) + 1;
-    const std::size_t start = name.rfind(' ', end - 1) + 1;
-    given.insert(family.parameters[family.parameter(name.substr(start, end - start))].name);
-  }
-  return given;
-}
 
 /// Laws as their names tell, and what the names give.
 struct NamedLaws {
@@ -50,18 +18,9 @@ struct NamedLaws {
 };
 
 void read_law(const Entry& name, NamedLaws& result) {
-  const std::string& text = text_of(name);
-  const Member found = located(name, [&] { return find_law(text, read_value); });
-  const Member law = as_family_member(found);
-  for (std::size_t i = 0; i < law.arguments.size(); ++i) {
-    for (const double value : law.arguments.list(i)) {
-      check_accepted(name, named(law.family->parameters[i]), value);
-    }
-  }
-  // An entry of the catalogue with parameters in its name may have been found by another name.
-  const std::string& told = law.family == found.family ? text : found.family->name;
-  result.given.merge(given_in(told, *law.family));
-  result.laws.push_back(law);
+  NamedLaw law = read_law_name(name);
+  result.given.merge(law.given);
+  result.laws.push_back(std::move(law.law));
 }
 
 NamedLaws read_names(const Entry& name) {
@@ -126,7 +85,36 @@ const Entry& name_entry(const Entry& law) {
 
 }  // namespace
 
+namespace {
+
+/// The table that a mechanism of this kind does without.
+void refuse_table(const Entry& file, const Mechanism& mechanism, const char* key) {
+  const Entry* table = find(file, key);
+  if (table == nullptr) return;
+  const char* wanted = mechanism.moved_by == MovedBy::Program ? "; it wants [program]"
+                       : mechanism.moved_by == MovedBy::Law   ? "; it wants [law]"
+                                                              : "";
+  refuse(*table, fmt::format("{} takes no {}{}", mechanism.name, key, wanted));
+}
+
+}  // namespace
+
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) {
+  const Mechanism& mechanism = *problem.mechanism;
+  if (mechanism.moved_by != MovedBy::Law) refuse_table(file, mechanism, "law");
+  if (mechanism.moved_by != MovedBy::Program) refuse_table(file, mechanism, "program");
+  if (mechanism.moved_by == MovedBy::Nothing) {
+    problem.laws = {find_law("constant-velocity")};
+    return;
+  }
+  if (mechanism.moved_by == MovedBy::Program) {
+    const Entry* program = find(file, "program");
+    if (program == nullptr) {
+      refuse(file, "program is missing; write [program] and [[program.segments]]");
+    }
+    problem.laws = read_program(*program);
+    return;
+  }
   const Entry& law = law_entry(file);
   const NamedLaws named_laws = read_names(name_entry(law));
   problem.laws = named_laws.laws;
@@ -151,7 +139,10 @@ void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fi
 }
 
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem) {
-  const Entry& name = name_entry(law_entry(file));
+  const MovedBy moved_by = problem.mechanism->moved_by;
+  if (moved_by == MovedBy::Nothing) return;
+  const Entry& name =
+      moved_by == MovedBy::Program ? *find(file, "program") : name_entry(law_entry(file));
   located(name, [&] { check_laws(problem); });
   std::set<std::string> seen;
   for (const Member& law : problem.laws) {

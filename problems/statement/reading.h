@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
 #include "problems/statement/toml_entry.h"
 
@@ -13,6 +14,9 @@ namespace camlaw::problems {
 
 /// Parameters that the file fixes, by NamedParameter::name; they may not vary as well.
 using FixedNames = std::set<std::string>;
+
+/// Refuses an entry with a value that the parameter does not accept.
+void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
 
 void read_mechanism(const Entry& file, ProblemStatement& problem);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);

@@ -90,6 +90,14 @@ std::string law_text(const ProblemStatement& problem, const Member& law) {
 
 std::string laws_sentence(const ProblemStatement& problem) {
   std::vector<std::string> laws;
+  if (problem.mechanism->moved_by == MovedBy::Nothing) return "";
+  if (problem.mechanism->moved_by == MovedBy::Program) {
+    if (problem.laws.size() > 1) {
+      return fmt::format("Choose among {} motion programs, the first of them {}.\n",
+                         problem.laws.size(), problem.laws.front().family->formula);
+    }
+    return fmt::format("The motion program is {}.\n", problem.laws.front().family->formula);
+  }
   for (const Member& law : problem.laws) laws.push_back(law_text(problem, law));
   if (laws.size() == 1) return fmt::format("The motion law is {}.\n", laws.front());
   return fmt::format("Choose the motion law among {}.\n", listed(laws));

@@ -14,19 +14,12 @@
 #include "kinematics/interval.h"
 #include "optim/problem/automatic_curve.h"
 #include "optim/search/optimise.h"
+#include "tests/optim/small_problems.h"
 
 /// Small problems with known answers, and words for stating more.
 namespace camlaw::optim::search_tests {
 
-inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-using Point = std::vector<double>;
-using Names = std::vector<std::string>;
-
-/// Of intervals Boost's own, which is narrower, is found by the argument.
-template <class T>
-T square(const T& x) {
-  return x * x;
-}
+using namespace small_problems;
 
 inline Variable variable(const std::string& name, double lower, double upper, double start = 0) {
   return {.name = name, .lower = lower, .upper = upper, .start = start};
@@ -35,11 +28,6 @@ inline Variable variable(const std::string& name, double lower, double upper, do
 inline Variable whole(const std::string& name, double lower, double upper, double start = 0) {
   return {.name = name, .lower = lower, .upper = upper, .start = start, .integer = true};
 }
-
-inline Objective least(Function f) {
-  return {{"cost", "N", std::move(f)}, Sense::Minimize, {}, {}};
-}
-inline Objective most(Function f) { return {{"gain", "N", std::move(f)}, Sense::Maximize, {}, {}}; }
 
 template <class F>
 inline Function convex(std::vector<std::size_t> inputs, F f) {

@@ -11,30 +11,19 @@
 #include "kinematics/interval.h"
 #include "optim/problem/automatic_curve.h"
 #include "optim/verdict/verdict.h"
+#include "tests/optim/small_problems.h"
 
 /// Small problems with known answers, for the verdict.
 namespace camlaw::optim::verdict_tests {
 
-inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-using Point = std::vector<double>;
-using Names = std::vector<std::string>;
+using namespace small_problems;
 
-/// Of intervals Boost's own, which is narrower, is found by the argument.
-template <class T>
-T square(const T& x) {
-  return x * x;
-}
+inline constexpr double kPi = std::numbers::pi;
 
 /// Judged with the sizes at the problem's own start.
 inline Assessment judge(const Problem& problem, const Point& x, bool prove = true) {
   return assess(problem, sizes(problem, problem.start()), x, prove);
 }
-
-inline Objective least(Function f) {
-  return {{"cost", "N", std::move(f)}, Sense::Minimize, {}, {}};
-}
-inline Objective most(Function f) { return {{"gain", "N", std::move(f)}, Sense::Maximize, {}, {}}; }
 
 /// Least (x - 2)^2 + (y - 1)^2 in [0, 10]^2 where x + y <= 2, "sum". The nearest point of the line
 /// to (2, 1) is (1.5, 0.5); there the gradient (-1, -1) is -1 times the limit's.

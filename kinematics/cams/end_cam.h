@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/cams/cam_motion.h"
+
+namespace camlaw {
+
+/// An end (face) or barrel cam with a roller that moves along the cam's axis (docs/theory.md, "End
+/// and barrel cams"), developed at the mean radius of the roller's track. Fields in SI units.
+template <class T>
+struct EndCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(0);                   ///< c, N/m
+  T spring_preload = number<T>(0);                ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+
+  bool is_possible() const { return value_of(radius) > 0; }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// (C16) Pressure angle, rad: tan alpha = s' / R.
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    return atan(f.ds / radius);
+  }
+  /// (C17) Curvature of the developed pitch curve, 1/m, positive where it is hollow seen from the
+  /// follower: k = s'' / R^2 / (1 + (s' / R)^2)^(3/2).
+  template <class X>
+  X pitch_curvature(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X slope = f.ds / radius;
+    const X square = slope * slope + number<T>(1);
+    return f.dds / (radius * radius) / (square * sqrt(square));
+  }
+  /// Share of the pitch curve's radius that the roller takes, r_r |k|, signed as the curvature: a
+  /// track on either side is undercut where it reaches 1 or -1.
+  template <class X>
+  X undercut(const FollowerMotion<X>& f) const {
+    return roller_radius * pitch_curvature(f);
+  }
+  /// (C18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X slope = f.ds / radius;
+    return follower().force(f) * sqrt(slope * slope + number<T>(1));
+  }
+};
+
+}  // namespace camlaw

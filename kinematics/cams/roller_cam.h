@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/cams/cam_motion.h"
+#include "kinematics/contact/hertz.h"
+
+namespace camlaw {
+
+/// A disc cam with a translating roller follower, offset or in line (docs/theory.md, "Roller on a
+/// disc cam"). Fields in SI units; T is double, Dual or Interval, X joins it with the motion's
+/// scalar. The follower moves along y at x = offset; the cam turns so that a positive offset lowers
+/// the pressure angle of the rise.
+///
+/// Valid while |offset| is less than the prime radius, base_radius + roller_radius.
+template <class T>
+struct RollerCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T base_radius = number<T>(0.040);               ///< r_b, m, least radius of the cam's profile
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T offset = number<T>(0);                        ///< e, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(5000);                ///< c, N/m
+  T spring_preload = number<T>(50);               ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of the contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+
+  bool is_possible() const {
+    const double e = value_of(offset), prime = value_of(prime_radius());
+    return prime > 0 && e * e < prime * prime;
+  }
+  T prime_radius() const { return base_radius + roller_radius; }
+  /// (C5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
+  T lowest_height() const {
+    using std::sqrt;
+    return sqrt(prime_radius() * prime_radius() - offset * offset);
+  }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// The roller's centre, on the pitch curve: w = e + i y, w1 = y + i (s' - e), w2 = 2 s' - e +
+  /// i (s'' - y) with y = y_0 + s.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    const X y = f.s + lowest_height();
+    return {X(number<X>(0) + offset), y, y, f.ds - offset, number<T>(2) * f.ds - offset, f.dds - y};
+  }
+  /// (C6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s).
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    return atan((f.ds - offset) / (f.s + lowest_height()));
+  }
+  /// (C7) Share of the pitch curve's radius that the roller takes, r_r k: the profile is undercut
+  /// where it reaches 1.
+  template <class X>
+  X undercut(const FollowerMotion<X>& f) const {
+    return roller_radius * pitch_curve(f).curvature();
+  }
+  /// (C8) Curvature of the profile, 1/m: k_c = k / (1 - r_r k); of a groove's or hollow part
+  /// negative.
+  template <class X>
+  X profile_curvature(const FollowerMotion<X>& f) const {
+    const X k = pitch_curve(f).curvature();
+    return k / (number<T>(1) - roller_radius * k);
+  }
+  /// Share of a hollow's radius that the tool takes, -r_c k_c: above 1 the tool does not fit.
+  template <class X>
+  X tool_fit(const FollowerMotion<X>& f) const {
+    return -(cutter_radius * profile_curvature(f));
+  }
+  /// (C9) Force between roller and cam, N: N = F / cos alpha, the guide without friction.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    const CamCurve<X> w = pitch_curve(f);
+    return follower().force(f) * w.speed() / w.y;
+  }
+  /// (C10) Sum of the curvatures of profile and roller, k_c + 1 / r_r = 1 / (r_r (1 - r_r k)).
+  template <class X>
+  X contact_curvature(const FollowerMotion<X>& f) const {
+    const T one = number<T>(1);
+    return number<X>(1) / (roller_radius * (one - undercut(f)));
+  }
+  template <class X>
+  X contact_stress(const FollowerMotion<X>& f) const {
+    return contact().pressure(contact_force(f) / face_width, contact_curvature(f));
+  }
+  template <class X>
+  X contact_half_width(const FollowerMotion<X>& f) const {
+    return contact().half_width(contact_force(f) / face_width, contact_curvature(f));
+  }
+};
+
+}  // namespace camlaw

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/catalogue.h"
+#include "kinematics/transform.h"
+
+/// Motion programs: a whole cycle of dwells, rises and returns (docs/theory.md, "Motion programs").
+/// A program is a law like any other, s(x) over the cycle x from 0 to 1 in parts of the stroke; so
+/// peaks, enclosures, derivatives by parameters and everything else hold for it too.
+namespace camlaw {
+
+/// A stretch of the cycle.
+template <class T>
+struct Segment {
+  T share;     ///< of the cycle
+  T from, to;  ///< displacement at its ends, in parts of the stroke
+  /// How it moves; none: it rests where from = to, else it joins its neighbours in velocity and
+  /// acceleration by a polynomial of degree 5.
+  std::optional<Law<T>> law;
+};
+
+/// s, v, a at the ends of a segment's neighbours, by the cycle's x.
+template <class T>
+using EndMotion = std::array<T, 3>;
+
+/// The polynomial of degree 5 of share `d` that begins and ends as given:
+///   s(t) = sum c[k] (t / d)^k, c from s, d v, d^2 a at both ends.
+template <class T>
+std::vector<T> joining_polynomial(const EndMotion<T>& begin, const EndMotion<T>& end, const T& d) {
+  const auto n = [](double x) { return number<T>(x); };
+  const T v0 = d * begin[1], a0 = d * d * begin[2], v1 = d * end[1], a1 = d * d * end[2];
+  const T rise = end[0] - begin[0];
+  return {begin[0],
+          v0,
+          n(0.5) * a0,
+          n(10) * rise - n(6) * v0 - n(4) * v1 - n(1.5) * a0 + n(0.5) * a1,
+          n(-15) * rise + n(8) * v0 + n(7) * v1 + n(1.5) * a0 - a1,
+          n(6) * rise - n(3) * (v0 + v1) - n(0.5) * (a0 - a1)};
+}
+
+namespace detail {
+
+/// The pieces of a segment that has a law or rests, from cycle place `begin` on.
+template <class T>
+std::vector<Piece<T>> segment_pieces(const Segment<T>& segment, const T& begin) {
+  const T zero = number<T>(0), one = number<T>(1);
+  if (!segment.law) return {{begin, begin + segment.share, begin, {segment.from}, {}, {}}};
+  std::vector<Piece<T>> pieces;
+  const T slope = one / segment.share;
+  for (const Piece<T>& piece : segment.law->pieces()) {
+    pieces.push_back(
+        map_piece(piece, slope, zero - begin * slope, segment.to - segment.from, segment.from));
+  }
+  return pieces;
+}
+
+template <class T>
+bool joins(const Segment<T>& segment) {
+  return !segment.law && value_of(segment.from) != value_of(segment.to);
+}
+
+}  // namespace detail
+
+/// The program of segments that fill the cycle one after another; the last ends at 1 whatever its
+/// share. Throws std::invalid_argument where two segments that join follow one another, and what
+/// Law's constructor throws.
+template <class T>
+Law<T> program_law(const std::vector<Segment<T>>& segments) {
+  std::vector<std::vector<Piece<T>>> parts(segments.size());
+  std::vector<T> begins;
+  T begin = number<T>(0);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    begins.push_back(begin);
+    if (!detail::joins(segments[i])) parts[i] = detail::segment_pieces(segments[i], begin);
+    begin = begin + segments[i].share;
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!detail::joins(segments[i])) continue;
+    const auto& before = parts[(i + segments.size() - 1) % segments.size()];
+    const auto& after = parts[(i + 1) % segments.size()];
+    if (before.empty() || after.empty()) {
+      throw std::invalid_argument("a segment that joins its neighbours needs laws or rests there");
+    }
+    const auto from = derivatives<3>(before.back(), before.back().end);
+    const auto to = derivatives<3>(after.front(), after.front().begin);
+    const T& d = segments[i].share;
+    auto c = joining_polynomial<T>(from, to, d);
+    T power = number<T>(1);
+    for (T& coefficient : c) {
+      coefficient = coefficient / power;
+      power = power * d;
+    }
+    parts[i] = {{begins[i], begins[i] + d, begins[i], std::move(c), {}, {}}};
+  }
+  std::vector<Piece<T>> pieces;
+  for (auto& part : parts) {
+    for (auto& piece : part) pieces.push_back(std::move(piece));
+  }
+  if (!pieces.empty()) pieces.back().end = number<T>(1);
+  return Law<T>(std::move(pieces), {End::Motion, End::Motion});
+}
+
+/// A segment as a person states it.
+struct ProgramSegment {
+  std::string name;  ///< "rise": parameters are called by it, "rise_angle", "rise_alpha"
+  double angle;      ///< of the cycle's 360 deg
+  double to;         ///< displacement at its end, in parts of the stroke
+  bool rests = false;
+  std::optional<Member> law = {};  ///< none, and it does not rest: it joins its neighbours
+};
+
+/// What must be continuous where segments meet.
+enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
+
+/// The program as a member of a family of its own, "program", whose parameters are the angles of
+/// all segments but the last (NAME_angle, deg), the displacements at the ends of those that move
+/// but the last such (NAME_to) and every parameter of their laws (NAME_alpha). Displacement begins
+/// where the last segment leaves it.
+///
+/// Throws std::invalid_argument: names that are none or not different, angles that are not above 0
+/// or do not add up to 360, and where segments do not meet as `matched` asks: "motion program:
+/// where 'rise' meets 'dwell', at 120 deg, the acceleration jumps from -59.2 to 0 strokes per
+/// cycle^2". Parameters at which they do not meet make no law.
+Member motion_program(std::vector<ProgramSegment> segments, Matched matched);
+
+}  // namespace camlaw

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/cams/flat_cam.h"
+
+#include "problems/cams/cams.h"
+#include "problems/cams/follower_responses.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<FlatCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{&FlatCam<T>::stroke,         &FlatCam<T>::base_radius,
+                                     &FlatCam<T>::angular_speed,  &FlatCam<T>::mass,
+                                     &FlatCam<T>::spring_rate,    &FlatCam<T>::spring_preload,
+                                     &FlatCam<T>::load,           &FlatCam<T>::face_width,
+                                     &FlatCam<T>::youngs_modulus, &FlatCam<T>::poisson_ratio};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-06, 100000.0},
+      {"base_radius", "r_b", "mm", "m", "least radius of the profile", 40, 0.001, 100000.0},
+      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 0.001, 1000000.0},
+      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1000000.0},
+      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", 5, 0,
+       1000000.0},
+      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 50,
+       -1000000000.0, 1000000000.0},
+      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1000000000.0, 1000000000.0},
+      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 15, 0.001,
+       10000.0},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 0.001,
+       10000.0},
+      {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+enum class Curve { ContactOffset, ProfileRadius, ContactStress, ContactHalfWidth };
+
+MechanismResponse curve(Curve which, ResponseAbout about) {
+  return listed_curve<FlatCam>(std::move(about), turn_of_the_cam(), which,
+                               [](const auto& cam, Curve wanted, const auto& motion) {
+                                 const auto f = cam.over_angle(motion);
+                                 switch (wanted) {
+                                   case Curve::ContactOffset:
+                                     return cam.contact_offset(f);
+                                   case Curve::ProfileRadius:
+                                     return cam.profile_radius(f);
+                                   case Curve::ContactStress:
+                                     return cam.contact_stress(f);
+                                   case Curve::ContactHalfWidth:
+                                     break;
+                                 }
+                                 return cam.contact_half_width(f);
+                               });
+}
+
+}  // namespace
+
+Mechanism flat_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
+  responses.push_back(
+      curve(Curve::ContactOffset, {"contact_offset",
+                                   "mm",
+                                   "m",
+                                   "where the face touches, from the follower's axis",
+                                   {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}}));
+  responses.push_back(
+      curve(Curve::ProfileRadius,
+            {"profile_radius",
+             "mm",
+             "m",
+             "radius of curvature of the profile; the cam can be made while it is above 0",
+             {{{"law", "base_radius"}, S::Linear}, {{"stroke", "base_radius"}, S::Linear}}}));
+  responses.push_back(
+      curve(Curve::ContactStress,
+            {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"}));
+  responses.push_back(curve(Curve::ContactHalfWidth,
+                            {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  return {.name = "disc-cam-flat",
+          .title = "disc cam with a translating flat-faced follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<FlatCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                     "least radius of curvature of the profile"},
+                    {"face_half_width", "contact_offset", Part::Magnitude,
+                     "how far the face must reach"},
+                    {"least_force", "follower_force", Part::Lowest,
+                     "least force along the follower's way; above 0 the spring keeps contact"},
+                    {"peak_force", "follower_force", Part::Magnitude,
+                     "greatest force along the follower's way"},
+                    {"peak_torque", "drive_torque", Part::Magnitude, "greatest drive torque"},
+                    {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/law_names.h"
+
+#include "problems/statement/parameters.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+#include "problems/units.h"
+
+namespace camlaw::problems {
+namespace {
+
+double read_value(std::string_view text, const Parameter& parameter, const std::string& what) {
+  return parse_quantity(text, parameter.unit, parameter.unit, what);
+}
+
+/// "polynomial-5 alpha=-3" is an entry of the catalogue in its own right, which has no alpha that
+/// could vary; the same law as a member of polynomial-5 has one.
+Member as_family_member(const Member& law) {
+  const std::string& name = law.family->name;
+  const std::size_t space = name.find(' ');
+  if (space == std::string::npos || name.find('=') == std::string::npos) return law;
+  const Family& family = find_family(name.substr(0, space));
+  Member result{&family, family.standard()};
+  set_argument(result, name.substr(space + 1));
+  return result;
+}
+
+/// The parameters that a law's name gives: those before an equals sign.
+std::set<std::string> given_in(std::string_view name, const Family& family) {
+  std::set<std::string> given;
+  for (std::size_t equals = name.find('='); equals != std::string_view::npos;
+       equals = name.find('=', equals + 1)) {
+    const std::size_t end = name.find_last_not_of(' ', equals - 1) + 1;
+    const std::size_t start = name.rfind(' ', end - 1) + 1;
+    given.insert(family.parameters[family.parameter(name.substr(start, end - start))].name);
+  }
+  return given;
+}
+
+}  // namespace
+
+void check_accepted(const Entry& entry, const NamedParameter& parameter, double value) {
+  if (const auto why = refusal(parameter, value)) refuse(entry, *why);
+}
+
+NamedLaw read_law_name(const Entry& name) {
+  const std::string& text = text_of(name);
+  const Member found = located(name, [&] { return find_law(text, read_value); });
+  const Member law = as_family_member(found);
+  for (std::size_t i = 0; i < law.arguments.size(); ++i) {
+    for (const double value : law.arguments.list(i)) {
+      check_accepted(name, named(law.family->parameters[i]), value);
+    }
+  }
+  // An entry of the catalogue with parameters in its name may have been found by another name.
+  const std::string& told = law.family == found.family ? text : found.family->name;
+  return {law, given_in(told, *law.family)};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "kinematics/catalogue.h"
+#include "problems/statement/toml_entry.h"
+
+/// Laws as a problem file names them.
+namespace camlaw::problems {
+
+/// A law by its name and the parameters that the name gives.
+struct NamedLaw {
+  Member law;
+  std::set<std::string> given;
+};
+
+/// Reads "cosine", "polynomial-5 alpha=-3"; an entry of the catalogue with a parameter in its name
+/// as the member of its family. Refuses the entry for names and values that are not accepted.
+NamedLaw read_law_name(const Entry& name);
+
+/// The programs of a file's table [program], one for each combination of its segments' laws.
+std::vector<Member> read_program(const Entry& program);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "kinematics/program/program.h"
+#include "problems/statement/law_names.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Kind = Entry::Kind;
+
+constexpr double kCycle = 360;  // deg
+constexpr const char* kJoining = "joining";
+
+/// A segment as the file states it, with a choice of laws.
+struct StatedSegment {
+  const Entry* entry;
+  ProgramSegment segment;
+  std::vector<Member> laws;  ///< empty: it rests or joins
+};
+
+Matched read_matched(const Entry& program) {
+  const Entry* entry = find(program, "matched");
+  if (entry == nullptr) return Matched::Acceleration;
+  const std::string& text = text_of(*entry);
+  if (text == "displacement") return Matched::Displacement;
+  if (text == "velocity") return Matched::Velocity;
+  if (text == "acceleration") return Matched::Acceleration;
+  refuse(*entry,
+         fmt::format("'{}' is not known; accepted are displacement, velocity, acceleration", text));
+}
+
+/// Degrees of the cycle, stated as an angle or as a time; none: what is left.
+std::optional<double> read_angle(const Entry& segment, std::optional<double> cycle_time) {
+  const Entry* angle = find(segment, "angle");
+  const Entry* time = find(segment, "time");
+  if (angle != nullptr && time != nullptr) {
+    refuse(*time, "the segment has an angle already; give one of the two");
+  }
+  if (angle != nullptr) return positive_of(*angle, "deg");
+  if (time == nullptr) return {};
+  if (!cycle_time) {
+    refuse(*time, "times need the cycle's own; write cycle_time = \"0.2 s\" in [program]");
+  }
+  return positive_of(*time, "s") / *cycle_time * kCycle;
+}
+
+std::vector<Member> read_segment_laws(const Entry& law) {
+  std::vector<Member> laws;
+  if (law.kind == Kind::List) {
+    if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
+    for (const Entry& item : law.items) laws.push_back(read_law_name(item).law);
+  } else {
+    expect(law, Kind::Text, "a law's name in quotes, or a list of names");
+    if (law.text != kJoining) laws.push_back(read_law_name(law).law);
+  }
+  return laws;
+}
+
+StatedSegment read_segment(const Entry& entry, std::size_t index, double level,
+                           std::optional<double> cycle_time) {
+  expect(entry, Kind::Table, "a table with name, angle and, where it moves, law and to");
+  check_keys(entry, {"name", "angle", "time", "law", "to"});
+  StatedSegment result{&entry, {}, {}};
+  ProgramSegment& segment = result.segment;
+  const Entry* name = find(entry, "name");
+  segment.name = name != nullptr ? text_of(*name) : fmt::format("segment{}", index + 1);
+  segment.angle = read_angle(entry, cycle_time).value_or(0);
+  const Entry* law = find(entry, "law");
+  segment.rests = law == nullptr;
+  const Entry* to = find(entry, "to");
+  if (to != nullptr && segment.rests) {
+    refuse(*to, "a segment that goes somewhere needs a law, or law = \"joining\"");
+  }
+  segment.to = segment.rests ? level : level == 0 ? 1 : 0;
+  if (to != nullptr) segment.to = quantity_of(*to, "1");
+  if (law != nullptr) result.laws = read_segment_laws(*law);
+  return result;
+}
+
+/// The last segment may leave its angle open.
+void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
+  double sum = 0;
+  for (StatedSegment& s : segments) {
+    if (&s == &segments.back() && s.segment.angle == 0) s.segment.angle = kCycle - sum;
+    if (s.segment.angle == 0) {
+      refuse(*s.entry, "angle is missing; the last segment alone may do without");
+    }
+    sum += s.segment.angle;
+  }
+  if (!(segments.back().segment.angle > 0)) {
+    refuse(list, fmt::format("the angles before the last segment add up to {:g} deg already",
+                             sum - segments.back().segment.angle));
+  }
+}
+
+/// Every combination of the segments' laws, the last segment's fastest.
+std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSegment>& stated) {
+  std::vector<std::vector<ProgramSegment>> all{{}};
+  for (const StatedSegment& s : stated) {
+    std::vector<std::vector<ProgramSegment>> longer;
+    for (const auto& before : all) {
+      const std::size_t count = std::max<std::size_t>(1, s.laws.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        longer.push_back(before);
+        longer.back().push_back(s.segment);
+        if (!s.laws.empty()) longer.back().back().law = s.laws[i];
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Member> read_program(const Entry& program) {
+  expect(program, Kind::Table, "a table, [program] with [[program.segments]]");
+  check_keys(program, {"matched", "cycle_time", "segments"});
+  const Matched matched = read_matched(program);
+  const auto cycle_time = find_positive(program, "cycle_time", "s");
+  const Entry* list = find(program, "segments");
+  if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
+  expect(*list, Kind::List, "a list of tables, [[program.segments]]");
+  std::vector<StatedSegment> stated;
+  double level = 0;
+  for (const Entry& entry : list->items) {
+    stated.push_back(read_segment(entry, stated.size(), level, cycle_time));
+    level = stated.back().segment.to;
+  }
+  if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");
+  fill_last_angle(*list, stated);
+  std::vector<Member> programs;
+  for (auto& segments : combinations(stated)) {
+    programs.push_back(located(*list, [&] { return motion_program(segments, matched); }));
+  }
+  return programs;
+}
+
+}  // namespace camlaw::problems
