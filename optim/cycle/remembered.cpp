@@ -58,7 +58,7 @@ class RememberedCurve final : public Curve {
     if (!latest_ || !std::equal(x.begin(), x.end(), latest_->x.begin(), latest_->x.end())) {
       auto fresh = std::make_shared<Memory>();
       fresh->x.assign(x.begin(), x.end());
-      fresh->trace = curve_->trace(x);
+      fresh->trace = curve_->trace(fresh->x);
       fresh->breaks = fresh->trace->breaks();
       latest_ = std::move(fresh);
     }

@@ -88,6 +88,7 @@ struct Choice {
   std::string unit;                  ///< of the values; "" where there are none
   std::vector<std::string> options;  ///< in words
   std::vector<double> values = {};   ///< the number behind each option, where there is one
+  std::size_t start = 0;             ///< the option that the search begins with
 };
 
 /// A problem for each combination of choices; without choices, one problem.

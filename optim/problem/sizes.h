@@ -18,16 +18,21 @@ struct Sizes {
   std::vector<double> variables;  ///< typical changes (variable_scales)
   double objective;               ///< the objective's size
   double objective_tolerance;
-  double objective_value;  ///< at the design that the sizes are about
+  double objective_typical;  ///< change of the objective by typical changes, over the whole box
   std::vector<ConstraintSize> constraints;
 };
 
 /// The objective: of a curve its peak, found by search.
 double objective_value(const Objective& objective, Design x);
 
+/// The largest violation of a constraint at x, over its size; below 0 where all have room.
+double largest_violation(const Problem& problem, const Sizes& sizes, Design x);
+
 /// Sizes about a design. A response's size is the largest change that one variable's typical change
 /// makes, to first order, but no less than 1e-3 of the bound; the tolerance by default 1e-6 of the
-/// larger of bound (the size, where the bound is zero).
+/// larger of bound (the size, where the bound is zero). A design may be unlike all others (a
+/// stationary point, a pole nearby): the change is kept within a hundredth and a hundred times the
+/// median of eight designs that fill the box.
 Sizes sizes(const Problem& problem, Design about);
 
 /// Largest |df/dx_i| * scale_i, of a curve over some places of the cycle; zero where it is not a

@@ -53,6 +53,10 @@ class Whole {
     } else {
       branch_and_bound();
     }
+    // A tree has solved nodes that have designs, and still no whole one may be left.
+    const bool none_left = !is_feasible(result_.found.assessment) && result_.complete;
+    result_.all_infeasible =
+        result_.enumerated ? result_.complete && result_.infeasible == result_.solved : none_left;
     return std::move(result_);
   }
 
@@ -62,6 +66,8 @@ class Whole {
   Found solve(const Problem& continuous) {
     Found found = search_continuous(continuous, options_, deadline_, false);
     ++result_.solved;
+    const bool none = found.assessment.verdict == Verdict::Infeasible;
+    result_.infeasible += none;
     const bool nothing_yet = result_.found.why_solver.empty();
     const bool says_why = !is_feasible(found.assessment) && nothing_yet;
     if (says_why || ((!found.x.empty() || continuous.variables.empty()) && are_whole(found.x)))
@@ -96,16 +102,30 @@ class Whole {
       }
       const Found found = solve(fixed);
       result_.complete = result_.complete && is_settled(found);
-      result_.bounds_hold = result_.bounds_hold && found.assessment.verdict != Verdict::Failed &&
-                            (why_convex(fixed) || continuous_rest(fixed) == 0);
+      result_.bounds_hold = result_.bounds_hold && holds_everywhere(fixed, found);
       return;
     }
     Variable& v = fixed.variables[whole_[depth]];
     const WholeRange range = range_of(problem_.variables[whole_[depth]]);
-    for (double value = range.low; value <= range.high; ++value) {
-      v.lower = v.upper = v.start = value;
-      enumerate(fixed, depth + 1);
+    const double start =
+        std::clamp(std::round(problem_.variables[whole_[depth]].start), range.low, range.high);
+    const double steps = std::max(start - range.low, range.high - start);
+    for (double step = 0; step <= steps; ++step) {  // from the start outwards
+      for (const double value : {start + step, start - step}) {
+        if (value < range.low || value > range.high || (step == 0 && value != start)) continue;
+        v.lower = v.upper = v.start = value;
+        enumerate(fixed, depth + 1);
+        if (step == 0) break;
+      }
     }
+  }
+
+  /// Whether what was found of a combination is so wherever one looks: the best there is, or that
+  /// there is none.
+  static bool holds_everywhere(const Problem& fixed, const Found& found) {
+    const Assessment& a = found.assessment;
+    if (continuous_rest(fixed) == 0) return a.verdict != Verdict::Failed;
+    return a.verdict == Verdict::Infeasible ? a.global.has_value() : a.is_global;
   }
 
   static std::ptrdiff_t continuous_rest(const Problem& problem) {
@@ -154,16 +174,15 @@ class Whole {
 
   std::vector<Node> divide(const Node& node) {
     const Found relaxed = solve(node.problem);
-    const bool convex = why_convex(node.problem).has_value();
     if (relaxed.assessment.verdict == Verdict::Infeasible) {
-      result_.bounds_hold = result_.bounds_hold && convex_set(node.problem);
+      result_.bounds_hold = result_.bounds_hold && relaxed.assessment.global.has_value();
       return {};
     }
     if (!is_settled(relaxed)) {
       result_.complete = false;
       return {};
     }
-    result_.bounds_hold = result_.bounds_hold && convex;
+    result_.bounds_hold = result_.bounds_hold && relaxed.assessment.is_global;
     const double bound = sign_ * relaxed.assessment.objective.value;
     const std::size_t at = most_broken(relaxed.x);
     if (at == problem_.variables.size() || bound >= best_value()) return {};

@@ -12,6 +12,8 @@ struct WholeSearch {
   std::size_t combinations = 1;  ///< as a double would overflow, at most 1e18
   std::size_t solved = 0;        ///< continuous problems
   bool complete = true;          ///< every combination was solved or excluded
+  std::size_t infeasible = 0;    ///< combinations, or nodes, found to have no design
+  bool all_infeasible = true;    ///< every one that was looked at had none
   bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
   bool enumerated = true;
 };

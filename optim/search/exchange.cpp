@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "optim/cycle/peak_function.h"
 #include "optim/search/polish.h"
 #include "optim/search/working_set.h"
 
@@ -61,6 +62,24 @@ double take(const Program& program, const Solution& solution, std::size_t variab
   return auxiliary;
 }
 
+/// Whether a polished design may take the solver's place: Newton's method goes to saddles as well.
+/// What the solver left may pass limits by a little, and look better by what that is worth.
+bool is_no_worse(const Problem& problem, const Sizes& sizes, Design polished, Design solved,
+                 Aim aim, bool settled) {
+  constexpr double kShare = 1e-6;
+  if (aim == Aim::LeastViolation) {
+    const double before = largest_violation(problem, sizes, solved);
+    return largest_violation(problem, sizes, polished) <= before * (1 + kShare);
+  }
+  const Objective& objective = problem.objective;
+  const double sign = objective.sense == Sense::Minimize ? 1 : -1;
+  const double before = objective_value(objective, solved);
+  const double slack = kShare * std::max(std::abs(before), sizes.objective);
+  const bool worse = sign * objective_value(objective, polished) > sign * before + slack;
+  if (settled && worse) return false;
+  return kkt(problem, sizes, polished).second_order;
+}
+
 void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
@@ -79,8 +98,10 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     const bool settled = working.add_violated(attempt.x, auxiliary) == 0;
-    if (aim == Aim::Optimum && (settled || attempt.rounds > 1)) {
-      if (auto better = polished(problem, sizes, attempt.x)) {
+    if (settled || attempt.rounds > 1) {
+      const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
+      auto better = polished(problem, sizes, attempt.x, wanted);
+      if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {
         attempt.x = std::move(*better);
         attempt.status = Status::Solved;
         return;
@@ -101,6 +122,25 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   }
 }
 
+/// A problem whose peaks are numbers has other constraints: their sizes.
+Sizes sizes_of_numbers(const Problem& problem, const Sizes& sizes) {
+  Sizes result = sizes;
+  result.constraints.clear();
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const Constraint& c = problem.constraints[i];
+    const bool two = c.response.is_curve() && c.lower && c.upper;
+    result.constraints.insert(result.constraints.end(), two ? 2 : 1, sizes.constraints[i]);
+  }
+  return result;
+}
+
+/// A method that searches the whole box wants no rows more than there are: peaks as numbers.
+void run_whole(const Problem& problem, const Sizes& sizes, const Solver& solver,
+               const SolverOptions& options, Aim aim, Attempt& attempt) {
+  const Problem numbers = with_peaks_as_numbers(problem);
+  run(numbers, sizes_of_numbers(problem, sizes), solver, options, aim, attempt);
+}
+
 }  // namespace
 
 Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const Solver& solver,
@@ -112,7 +152,11 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
     attempt.x[i] = std::clamp(attempt.x[i], v.lower, v.upper);
   }
   try {
-    run(problem, sizes, solver, options, aim, attempt);
+    if (solver.is_global()) {
+      run_whole(problem, sizes, solver, options, aim, attempt);
+    } else {
+      run(problem, sizes, solver, options, aim, attempt);
+    }
   } catch (...) {  // what the model throws between solves
     attempt.status = Status::Failed;
     attempt.message = "the model threw";
@@ -123,9 +167,15 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
 
 std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,
                                    const Solver& solver) {
-  WorkingSet working(problem, sizes, Aim::Optimum);
+  const Problem numbers = solver.is_global() ? with_peaks_as_numbers(problem) : problem;
+  const Sizes its = solver.is_global() ? sizes_of_numbers(problem, sizes) : sizes;
+  WorkingSet working(numbers, its, Aim::Optimum);
   working.begin_at(start);
-  return solver.refusal(working.program(start));
+  auto why = solver.refusal(working.program(start));
+  if (why && problem.objective.response.is_curve() && !solver.is_global()) {
+    *why += "; a peak that is sought takes a limit at each of many angles";
+  }
+  return why;
 }
 
 }  // namespace camlaw::optim

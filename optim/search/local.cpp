@@ -49,6 +49,7 @@ class Search {
               optim::refusal(problem_, sizes_, problem_.start(), *plan_.solvers.front())) {
         return fail(*why);
       }
+      if (judge_constants()) return std::move(found_);
       search_starts();
       finish();
     } catch (...) {
@@ -71,6 +72,36 @@ class Search {
     const Assessment blame = assess_least_violation(problem_, sizes_, {});
     if (blame.verdict == Verdict::Infeasible) found_.assessment = blame;
     return std::move(found_);
+  }
+
+  /// A limit that nothing moves which varies needs no search: where it is passed, that is all.
+  bool judge_constants() {
+    const std::vector<double> start = problem_.start();
+    for (const Constraint& c : problem_.constraints) {
+      if (c.response.is_curve() || !is_constant(c.response.function())) continue;
+      const double value = c.response.function().value(start);
+      const double tolerance =
+          sizes_.constraints[static_cast<std::size_t>(&c - problem_.constraints.data())].tolerance;
+      const bool met = value >= c.lower.value_or(-kInfinity) - tolerance &&
+                       value <= c.upper.value_or(kInfinity) + tolerance;
+      if (met || std::isnan(value)) continue;
+      found_.x = start;
+      found_.starts = found_.agreed = found_.planned_starts = 1;
+      found_.assessment = assess(problem_, sizes_, start, false);
+      found_.assessment.verdict = Verdict::Infeasible;
+      found_.assessment.blamed = {c.response.name};
+      found_.assessment.reason =
+          fmt::format("{} cannot be met: nothing that varies moves it", c.response.name);
+      found_.assessment.global = fmt::format("{} is the same for every design", c.response.name);
+      return true;
+    }
+    return false;
+  }
+
+  bool is_constant(const Function& f) const {
+    return std::all_of(f.inputs().begin(), f.inputs().end(), [&](std::size_t i) {
+      return problem_.variables[i].lower == problem_.variables[i].upper;
+    });
   }
 
   Found fail(const std::string& why) {
@@ -155,15 +186,20 @@ class Search {
   void search_starts() {
     constexpr int kStarts = 8;
     const bool global = plan_.solvers.front()->is_global();
-    const int count = options_.starts.value_or(convex_ || global ? 1 : kStarts);
+    const bool one_is_enough = convex_ && !needs_slope(problem_);
+    const int count = options_.starts.value_or(one_is_enough || global ? 1 : kStarts);
+    found_.planned_starts = count;
     for (const auto& start : starts(problem_, count, options_.seed)) {
       if (found_.starts > 0 && deadline_.passed()) break;
       ++found_.starts;
       from_start_ = {};
       search_from(start);
       objectives_.push_back(is_feasible(from_start_) ? from_start_.objective.value : kInfinity);
-      if (convex_ && settled(found_.assessment)) break;
-      if (found_.assessment.verdict == Verdict::Infeasible) break;
+      const bool best_of_all = settled(found_.assessment) && found_.assessment.is_global;
+      if (best_of_all || found_.assessment.verdict == Verdict::Infeasible) {
+        found_.planned_starts = found_.starts;
+        break;
+      }
     }
   }
 
@@ -232,7 +268,7 @@ class Search {
       fail_in_place("the model gives no number at the start");
       return;
     }
-    if (found_.status == Status::Unbounded && is_feasible(found_.assessment)) {
+    if (found_.status == Status::Unbounded && is_feasible(best) && !settled(best)) {
       fail_in_place("the objective improves without end: a limit is missing");
       return;
     }
@@ -279,7 +315,10 @@ class Search {
       found_.agreed += std::abs(value - best) <= 1e-6 * std::max(std::abs(best), sizes_.objective);
     }
     Assessment& a = found_.assessment;
-    if (deadline_.passed() && a.verdict != Verdict::Certified) {
+    if (found_.starts < found_.planned_starts) {
+      a.reason = fmt::format("{} after {} of {} starts; {}", deadline_.reason(), found_.starts,
+                             found_.planned_starts, a.reason);
+    } else if (deadline_.passed() && a.verdict != Verdict::Certified) {
       a.reason = fmt::format("{}; {}", deadline_.reason(), a.reason);
     } else if (a.verdict == Verdict::Failed) {
       a.reason = fmt::format("{} ({}: {})", a.reason, found_.solver, message_);

@@ -32,6 +32,7 @@ struct Found {
   std::string solver;              ///< that led to it, "slsqp"
   std::string why_solver;          ///< where auto chose it
   int starts = 0;                  ///< searched from
+  int planned_starts = 0;          ///< what it would have been, had nothing stopped it
   int agreed = 0;                  ///< ended at designs as good as the best (1e-6)
   int iterations = 0;
   long evaluations = 0;

@@ -28,11 +28,19 @@ std::size_t combinations_of(const std::vector<Choice>& choices) {
   return product;
 }
 
-/// Options as digits of a counter, the last fastest.
+/// The n-th option of a choice, counted from the one it starts with outwards: 5, 6, 4, 7, 3, ...
+std::size_t nth_option(const Choice& choice, std::size_t n) {
+  const std::size_t count = choice.options.size(), start = std::min(choice.start, count - 1);
+  const std::size_t both = std::min(start, count - 1 - start);  // so far there are two sides
+  if (n > 2 * both) return start > both ? count - 1 - n : n;
+  return n % 2 == 1 ? start + (n + 1) / 2 : start - n / 2;
+}
+
+/// Options as digits of a counter, the last fastest; the first combination is the start's.
 std::vector<std::size_t> options_at(const std::vector<Choice>& choices, std::size_t count) {
   std::vector<std::size_t> result(choices.size());
   for (std::size_t i = choices.size(); i-- > 0;) {
-    result[i] = count % choices[i].options.size();
+    result[i] = nth_option(choices[i], count % choices[i].options.size());
     count /= choices[i].options.size();
   }
   return result;
@@ -40,8 +48,9 @@ std::vector<std::size_t> options_at(const std::vector<Choice>& choices, std::siz
 
 /// How the combinations went, for the words of the verdict.
 struct Tally {
-  std::size_t combinations = 0, solved = 0, infeasible = 0;
-  bool complete = true, bounds_hold = true, enumerated = true;
+  std::size_t combinations = 0, solved = 0;
+  bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
+  std::string stopped = {};  ///< why the search ended early, where it did
 };
 
 /// What a search over combinations adds to the verdict of the best one.
@@ -54,6 +63,7 @@ void judge_combinations(const Tally& tally, Assessment& a) {
   if (!tally.complete && a.verdict == Verdict::Certified) {
     a.verdict = Verdict::Feasible;
     a.reason = fmt::format("not every one of the {} combinations was settled", tally.combinations);
+    if (!tally.stopped.empty()) a.reason = tally.stopped + "; " + a.reason;
     a.global.reset();
     return;
   }
@@ -64,15 +74,20 @@ void judge_combinations(const Tally& tally, Assessment& a) {
     return;
   }
   if (a.verdict == Verdict::Infeasible) {
-    if (tally.infeasible < tally.combinations && tally.enumerated) {
+    if (!tally.all_infeasible || !tally.complete) {
       a.verdict = Verdict::Failed;
       a.reason = "no combination was solved, and not every one is infeasible";
+      if (!tally.stopped.empty()) {
+        a.reason = fmt::format("{} after {} of {} combinations, none of which can be met",
+                               tally.stopped, tally.solved, tally.combinations);
+      }
     } else {
       a.reason = fmt::format("{}, in the combination of least violation; none of {} can be met",
                              a.reason, tally.combinations);
     }
     a.global.reset();
-    if (tally.bounds_hold) a.global = how + ", each leaves a convex set, and all are empty";
+    if (tally.bounds_hold && a.verdict == Verdict::Infeasible)
+      a.global = how + ", each leaves a convex set, and all are empty";
     return;
   }
   if (a.verdict != Verdict::Certified) return;
@@ -118,9 +133,7 @@ class Optimiser {
     tally_.complete = tally_.complete && search.complete;
     tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
     tally_.enumerated = tally_.enumerated && search.enumerated;
-    if (search.found.assessment.verdict == Verdict::Infeasible) {
-      tally_.infeasible += search.combinations;
-    }
+    tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
     add_counts(search.found);
     if (!started_ || better(problem, search.found.assessment, best_.found.assessment)) {
       best_.options = std::move(options);
@@ -144,6 +157,7 @@ class Optimiser {
   /// The winner, solved once more with its whole variables fixed, and proved.
   void settle() {
     best_.combinations = tally_.combinations;
+    if (deadline_.passed()) tally_.stopped = deadline_.reason();
     best_.solved = tally_.solved;
     if (!started_) return;
     Found& found = best_.found;
@@ -155,7 +169,7 @@ class Optimiser {
       OptimiseOptions once = options_;
       once.starts = 1;
       Found proved = search_continuous(fixed, once, deadline_, true);
-      if (is_feasible(proved.assessment)) {
+      if (is_feasible(proved.assessment) && proved.assessment.verdict != Verdict::Failed) {
         proved.starts = found.starts;
         proved.agreed = found.agreed;
         found = std::move(proved);

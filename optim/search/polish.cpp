@@ -57,15 +57,17 @@ std::vector<double> moved(const SecondOrderPoint& point, const Eigen::VectorXd& 
 
 /// Steps with the limits of one width until the conditions hold to rounding or cease to improve.
 std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes,
-                                            Design start, const Layout& layout, double width) {
+                                            Design start, Optimality optimality, double width) {
   constexpr int kSteps = 8;
   constexpr double kDone = 1e-11, kGood = 1e-8, kMet = 0.1;
+  const Layout layout = lay_out(problem, optimality);
+  const bool free = optimality == Optimality::LeastViolation;
   std::vector<double> best, x(start.begin(), start.end());
   double residual = kInfinity;
   for (int step = 0; step < kSteps; ++step) {
-    const Weighed weighed = weigh(problem, sizes, x, Optimality::Objective, layout, {width});
-    const double violation = worst_violation(limit_reports(problem, sizes, x, false));
-    if (violation <= kMet && weighed.residual < residual) best = x, residual = weighed.residual;
+    const Weighed weighed = weigh(problem, sizes, x, optimality, layout, {width});
+    const bool met = free || worst_violation(limit_reports(problem, sizes, x, false)) <= kMet;
+    if (met && weighed.residual < residual) best = x, residual = weighed.residual;
     if (residual <= kDone) break;
     const SecondOrderPoint point{problem, sizes, x, layout};
     const auto delta = newton_step(point, weighed);
@@ -78,12 +80,13 @@ std::optional<std::vector<double>> polished(const Problem& problem, const Sizes&
 
 }  // namespace
 
-std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes, Design x) {
+std::optional<std::vector<double>> polished(const Problem& problem, const Sizes& sizes, Design x,
+                                            Optimality optimality) {
   constexpr double kWidths[] = {1e-6, 1e-3};
-  const Layout layout = lay_out(problem, Optimality::Objective);
-  if (layout.rows > kMostVariables || layout.rows == 0) return {};
+  const int rows = lay_out(problem, optimality).rows;
+  if (rows > kMostVariables || rows == 0) return {};
   for (const double width : kWidths) {
-    if (auto found = polished(problem, sizes, x, layout, width)) return found;
+    if (auto found = polished(problem, sizes, x, optimality, width)) return found;
   }
   return {};
 }

@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kTenth = 0.1;  // of a tolerance: what the exchange still goes after
 
-/// Highest value of sign * number or curve at a design.
-double peak_of(const Response& response, double sign, Design x) {
-  if (!response.is_curve()) return sign * response.function().value(x);
-  return sign * highest(*response.curve().trace(x), sign).value;
-}
-
 /// Whether a place is in the set but for rounding: asking again would not move the solver.
 bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
@@ -140,23 +134,8 @@ std::vector<std::size_t> WorkingSet::row_groups() const {
 }
 
 double WorkingSet::auxiliary_start(Design x) const {
-  const Objective& objective = problem_.objective;
-  if (aim_ == Aim::Optimum) {
-    double peak = -kInfinity;
-    if (objective.part == Part::Lowest) return -peak_of(objective.response, -1, x);
-    peak = peak_of(objective.response, 1, x);
-    if (objective.part == Part::Magnitude)
-      peak = std::max(peak, peak_of(objective.response, -1, x));
-    return peak;
-  }
-  double violation = 0;
-  for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
-    const Constraint& c = problem_.constraints[i];
-    const double size = sizes_.constraints[i].size;
-    if (c.upper) violation = std::max(violation, (peak_of(c.response, 1, x) - *c.upper) / size);
-    if (c.lower) violation = std::max(violation, (peak_of(c.response, -1, x) + *c.lower) / size);
-  }
-  return violation;
+  if (aim_ == Aim::Optimum) return objective_value(problem_.objective, x);
+  return std::max(0.0, largest_violation(problem_, sizes_, x));
 }
 
 Program WorkingSet::program(Design start) const {

@@ -56,6 +56,7 @@ class Evaluator {
   void watch_limits();
   void remember();
   void compare_with_best();
+  bool is_far_out() const;
   template <class Work>
   bool guarded(Work work);
 

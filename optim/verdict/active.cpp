@@ -17,7 +17,7 @@ class Collector {
 
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
-    if (least_violation) violation_ = largest_violation();
+    if (least_violation) violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
     if (!least_violation && problem_.objective.response.is_curve()) add_objective();
     for (std::size_t i = 0; i < problem_.constraints.size(); ++i) add_constraint(i);
     for (std::size_t i = 0; i < problem_.variables.size(); ++i) add_bounds(i);
@@ -28,22 +28,6 @@ class Collector {
   struct Level {
     double sign, bound, size, reach;  ///< reach: the largest margin that counts as active
   };
-
-  double largest_violation() const {
-    double worst = 0;
-    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
-      const Constraint& c = problem_.constraints[i];
-      const double size = sizes_.constraints[i].size;
-      if (c.upper) worst = std::max(worst, (peak(c.response, 1) - *c.upper) / size);
-      if (c.lower) worst = std::max(worst, (peak(c.response, -1) + *c.lower) / size);
-    }
-    return worst;
-  }
-
-  double peak(const Response& response, double sign) const {
-    if (!response.is_curve()) return sign * response.function().value(x_);
-    return sign * highest(*response.curve().trace(x_), sign).value;
-  }
 
   void add_objective() {
     const Objective& objective = problem_.objective;
@@ -159,12 +143,16 @@ class Collector {
   /// symmetric cycle have: the two would share a multiplier in any proportion.
   bool is_twin(const ActiveLimit& limit) const {
     static constexpr double kSame = 1e-9;
+    double length = 0;
+    for (const auto& entry : limit.gradient) length = std::max(length, std::abs(entry.second));
     return std::any_of(limits_.begin(), limits_.end(), [&](const ActiveLimit& other) {
       if (other.constraint != limit.constraint || other.variable || !other.function) return false;
+      if (other.at_moving_break != limit.at_moving_break) return false;
       if (std::abs(other.margin - limit.margin) > kSame) return false;
       return std::equal(limit.gradient.begin(), limit.gradient.end(), other.gradient.begin(),
-                        other.gradient.end(), [](const auto& a, const auto& b) {
-                          return a.first == b.first && std::abs(a.second - b.second) <= kSame;
+                        other.gradient.end(), [&](const auto& a, const auto& b) {
+                          return a.first == b.first &&
+                                 std::abs(a.second - b.second) <= kSame * length;
                         });
     });
   }

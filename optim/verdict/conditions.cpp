@@ -39,12 +39,27 @@ Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limi
   return A;
 }
 
-/// What one typical change of the objective is: the unit that the residual is measured in.
-double objective_measure(const Problem& problem, const Sizes& sizes, Design x) {
+/// What residuals are measured by: the objective, over its size; or the largest violation.
+double measure(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality) {
+  if (optimality == Optimality::LeastViolation) return largest_violation(problem, sizes, x);
+  constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
   const double value = objective_value(problem.objective, x);
-  const double moved = std::abs(sizes.objective_value - value);
-  return std::max({std::abs(value), std::isfinite(moved) ? moved : 0.0,
-                   typical_change(problem.objective.response, x, sizes.variables)});
+  const double here = typical_change(problem.objective.response, x, sizes.variables);
+  return std::max({std::abs(value), here, kShare * sizes.objective_typical}) / sizes.objective;
+}
+
+/// How far a variable may be expected to move, in typical changes: without a bound, as far as it
+/// has come.
+std::vector<double> reaches(const Problem& problem, const Sizes& sizes, Design x,
+                            const Layout& layout) {
+  std::vector<double> result(static_cast<std::size_t>(layout.rows), 1.0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    if (layout.row[i] < 0 || (std::isfinite(v.lower) && std::isfinite(v.upper))) continue;
+    result[static_cast<std::size_t>(layout.row[i])] =
+        std::max(1.0, std::abs(x[i]) / sizes.variables[i]);
+  }
+  return result;
 }
 
 }  // namespace
@@ -101,11 +116,18 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     result.multipliers[j] /= lengths[j];
     open += std::abs(result.multipliers[j] * result.limits[j].margin);
   }
-  const double measure =
-      optimality == Optimality::LeastViolation ? 1 : objective_measure(problem, sizes, x);
-  const double unit = optimality == Optimality::LeastViolation ? 1 : sizes.objective;
-  result.residual = std::max(solved.residual_max, open) * (measure > 0 ? unit / measure : 1);
-  if (std::isnan(result.residual)) result.residual = kInfinity;
+  const auto reach = reaches(problem, sizes, x, layout);
+  double largest = 0, sum = 0;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const double left = std::abs(solved.left[static_cast<Eigen::Index>(i)]) * reach[i];
+    largest = std::max(largest, left);
+    sum += left;
+  }
+  // By the sum a least violation is bounded from below (docs/optimisation.md, (N3)).
+  const bool least = optimality == Optimality::LeastViolation;
+  result.residual =
+      (least ? sum + open : std::max(largest, open)) / measure(problem, sizes, x, optimality);
+  if (!(result.residual >= 0)) result.residual = kInfinity;
   return result;
 }
 

@@ -42,8 +42,6 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   return result;
 }
 
-constexpr double kFlat = 1e-8;  // of a typical slope
-
 /// The objective's slope, of a peak the weighed sum of its places' slopes: the longest entry.
 double objective_slope(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
                        const Weighed& weighed) {
@@ -64,16 +62,18 @@ double objective_slope(const Problem& problem, const Sizes& sizes, Design x, con
   return largest;
 }
 
-/// Whether a limit that pushes has no slope, though it is not known to be convex: such a point may
-/// be a saddle of the violation rather than its least.
-bool has_flat_push(const Problem& problem, const Weighed& weighed) {
+/// Whether a limit that pushes has no slope to speak of, beside the violation, though it is not
+/// known to be convex: such a point may be a saddle of the violation, or lie on a plateau.
+bool has_flat_push(const Problem& problem, const Weighed& weighed, double violation) {
+  constexpr double kFlat = 1e-3;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     if (!limit.constraint || weighed.multipliers[j] < kPushes) continue;
     const Shape shape = problem.constraints[*limit.constraint].response.shape();
     if (limit.sign > 0 ? is_convex(shape) : is_concave(shape)) continue;
-    const bool flat = std::all_of(limit.gradient.begin(), limit.gradient.end(),
-                                  [](const auto& entry) { return std::abs(entry.second) < kFlat; });
+    const bool flat =
+        std::all_of(limit.gradient.begin(), limit.gradient.end(),
+                    [&](const auto& entry) { return std::abs(entry.second) < kFlat * violation; });
     if (flat) return true;
   }
   return false;
@@ -101,7 +101,7 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
   const bool least_violation = optimality == Optimality::LeastViolation;
   Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);
   if (least_violation) {
-    result.flat = has_flat_push(problem, best);
+    result.flat = has_flat_push(problem, best, largest_violation(problem, sizes, x));
     result.second_order = true;
     return result;
   }

@@ -36,7 +36,9 @@ LeastSquaresResult zero(const Matrix& A, const VectorXd& b, bool is_finite) {
   result.multipliers.assign(static_cast<std::size_t>(A.cols()), 0.0);
   result.columns.assign(result.multipliers.size(), ColumnState::Dependent);
   if (A.cols() > 0) result.condition = std::numeric_limits<double>::infinity();
-  if (b.size() > 0) result.residual_max = b.cwiseAbs().maxCoeff();
+  result.left = b;
+  if (!is_finite) result.left.setConstant(std::numeric_limits<double>::quiet_NaN());
+  if (b.size() > 0) result.residual_max = result.left.cwiseAbs().maxCoeff();
   if (!is_finite) result.residual_max = std::numeric_limits<double>::quiet_NaN();
   return result;
 }
@@ -54,7 +56,8 @@ LeastSquaresResult solve(Matrix A, VectorXd b, const std::vector<bool>& free, Fa
   b /= unit;
   LeastSquaresResult result = bounded_search(BoundedProblem(A, b, free), factorize);
   const Eigen::Map<VectorXd> m(result.multipliers.data(), A.cols());
-  result.residual_max = (A * m + b).cwiseAbs().maxCoeff() * unit;
+  result.left = (A * m + b) * unit;
+  result.residual_max = result.left.cwiseAbs().maxCoeff();
   for (Index j = 0; j < A.cols(); ++j) {
     result.multipliers[static_cast<std::size_t>(j)] *= unit / lengths[j];
   }

@@ -17,7 +17,8 @@ enum class ColumnState {
 struct LeastSquaresResult {
   std::vector<double> multipliers;
   std::vector<ColumnState> columns;
-  double residual_max = 0;  ///< largest |entry| of A m + b
+  Eigen::VectorXd left;     ///< A m + b
+  double residual_max = 0;  ///< its largest |entry|
   /// Largest over least singular value of all columns given, each scaled to a length near one:
   /// infinite where they depend on each other to working precision, so that m need not be unique.
   /// Of many columns an estimate from below by inverse iteration, commonly within a few percent.

@@ -69,13 +69,14 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bo
   return result;
 }
 
-/// A little more than a peak that the search has found.
-double above(double value) { return value + 1e-9 * std::abs(value); }
+/// A little more than a peak that the search has found; `least` where that is near zero.
+double above(double value, double least) { return value + std::max(1e-9 * std::abs(value), least); }
 
 /// Proves one side of the objective's peak, `value` times `sign` the highest that the search found.
 /// Where the proof finds more, the report takes it.
-double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, double value) {
-  const double limit = above(sign * value);
+double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, double value,
+                  double least) {
+  const double limit = above(sign * value, least);
   const CycleProof proof = prove_below(trace, sign, limit);
   if (proof.proved) return limit;
   if (proof.broken) {
@@ -98,7 +99,7 @@ std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& size
   return result;
 }
 
-ObjectiveReport objective_report(const Problem& problem, Design x, bool prove) {
+ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
   const Objective& objective = problem.objective;
   ObjectiveReport result;
   if (!objective.response.is_curve()) {
@@ -119,11 +120,13 @@ ObjectiveReport objective_report(const Problem& problem, Design x, bool prove) {
   result.sign = from_below ? -1 : 1;
   if (prove) {
     const double found = result.value;
-    const double one = prove_peak(*trace, result.sign, result, found);
-    const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found) : one;
+    const double least = 1e-2 * sizes.objective_tolerance;
+    const double one = prove_peak(*trace, result.sign, result, found, least);
+    const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);
-    result.proved = lowest ? Bounds{-most, above(found)} : Bounds{-above(-std::abs(found)), most};
-    if (!lowest && !magnitude) result.proved.lower = -above(-found);
+    result.proved =
+        lowest ? Bounds{-most, above(found, least)} : Bounds{-above(-std::abs(found), least), most};
+    if (!lowest && !magnitude) result.proved.lower = -above(-found, least);
   }
   if (magnitude) result.value = std::abs(result.value);
   return result;

@@ -42,7 +42,7 @@ struct ObjectiveReport {
   double sign = 1;  ///< -1 where the peak is one of the negative curve
   Bounds proved;    ///< the exact value lies between; infinite where there is no enclosure
 };
-ObjectiveReport objective_report(const Problem& problem, Design x, bool prove);
+ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove);
 
 /// Largest violation over its tolerance: at most 1 for a design that meets every limit; infinite
 /// where something is not a number.

@@ -83,7 +83,7 @@ Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
   return {gradients(point.layout, pushing), gradients(point.layout, met)};
 }
 
-constexpr double kNegative = 1e-6;  // of the largest second derivative
+constexpr double kNegative = 1e-6;  // of the terms that a curvature is the sum of
 
 /// Columns that span what is orthogonal to all columns of A.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
@@ -97,8 +97,10 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
 /// The quadratic form on a cone, by eigenvectors: the cone P^T d = 0, W^T d <= 0.
 class ConeTest {
  public:
-  ConeTest(const Eigen::MatrixXd& H, const Eigen::MatrixXd& P, const Eigen::MatrixXd& W)
-      : H_(H), P_(P), W_(W), negative_(kNegative * (H.size() == 0 ? 0 : H.cwiseAbs().maxCoeff())) {}
+  /// `floor`: what counts as no curvature at all.
+  ConeTest(const Eigen::MatrixXd& H, const Eigen::MatrixXd& P, const Eigen::MatrixXd& W,
+           double floor)
+      : H_(H), P_(P), W_(W), floor_(floor) {}
 
   SecondOrder run() {
     const bool whole = look(P_, true);  // with every limit that does not push left alone
@@ -106,29 +108,38 @@ class ConeTest {
   }
 
  private:
+  /// What counts as no curvature along d: rounding in the terms that d^T H d is the sum of.
+  double nothing(const Eigen::VectorXd& d) const {
+    return kNegative * d.cwiseAbs().dot(H_.cwiseAbs() * d.cwiseAbs()) + floor_;
+  }
+
   /// Directions in the null space of A: whether none with a negative value lies in the cone. Where
-  /// `everywhere`, none at all; and those of value zero are kept.
+  /// `everywhere`, none at all. Those of value zero in the cone are kept.
   bool look(const Eigen::MatrixXd& A, bool everywhere) {
     const Eigen::MatrixXd N = null_space(A);
     if (N.cols() == 0) return true;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(N.transpose() * H_ * N);
     const auto& values = eigen.eigenvalues();
-    if (everywhere) {
-      for (Eigen::Index k = 0; k < values.size(); ++k) {
-        if (std::abs(values[k]) <= negative_) flat_.push_back(N * eigen.eigenvectors().col(k));
+    bool holds = true;
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      const Eigen::VectorXd d = N * eigen.eigenvectors().col(k);
+      const double none = nothing(d);
+      if (values[k] > none) continue;
+      const bool inside = in_cone(d);
+      if (values[k] >= -none) {
+        if (inside) flat_.push_back(d);
+        continue;
       }
-      return values[0] >= -negative_;
-    }
-    for (Eigen::Index k = 0; k < values.size() && values[k] < -negative_; ++k) {
       // Of equal values every combination is one: they are not searched, and count against.
-      const bool twin = k + 1 < values.size() && values[k + 1] - values[k] <= negative_;
-      if (twin || in_cone(N * eigen.eigenvectors().col(k))) return false;
+      const bool twin = k + 1 < values.size() && values[k + 1] - values[k] <= none;
+      holds = holds && !(everywhere || inside || twin);
     }
-    return true;
+    return holds;
   }
 
   bool in_cone(const Eigen::VectorXd& d) const {
     constexpr double kSlack = 1e-9;
+    if (W_.cols() == 0) return true;
     const Eigen::VectorXd slopes = W_.transpose() * d;
     return slopes.maxCoeff() <= kSlack || slopes.minCoeff() >= -kSlack;
   }
@@ -152,25 +163,27 @@ class ConeTest {
   }
 
   const Eigen::MatrixXd &H_, &P_, &W_;
-  double negative_;
+  double floor_;
   std::vector<Eigen::VectorXd> flat_;
 };
 
 /// Finsler: H is positive along the null space of A^T where H + rho A A^T is positive for some rho.
 bool sparse_test(const Eigen::SparseMatrix<double>& H, const Eigen::SparseMatrix<double>& A) {
-  double largest = 0;
+  // Row by row what counts as no curvature: then d^T D d is that of nothing(), or more.
+  Eigen::VectorXd nothing = Eigen::VectorXd::Zero(H.rows());
   for (int k = 0; k < H.outerSize(); ++k) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(H, k); entry; ++entry) {
-      largest = std::max(largest, std::abs(entry.value()));
+      nothing[entry.row()] += kNegative * std::abs(entry.value());
     }
   }
+  const double largest = nothing.maxCoeff() / kNegative;
   if (largest == 0) return true;
-  Eigen::SparseMatrix<double> identity(H.rows(), H.cols());
-  identity.setIdentity();
+  Eigen::SparseMatrix<double> D(H.rows(), H.cols());
+  D.setIdentity();
+  D.diagonal() = nothing.array() + 1e-9;
   const Eigen::SparseMatrix<double> outer = A * A.transpose();
   for (const double rho : {1e2, 1e5, 1e8}) {
-    const Eigen::SparseMatrix<double> sum =
-        H + (rho * largest) * outer + (kNegative * largest) * identity;
+    const Eigen::SparseMatrix<double> sum = H + (rho * largest) * outer + D;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(sum);
     if (factors.info() == Eigen::Success && factors.vectorD().minCoeff() > 0) return true;
   }
@@ -207,7 +220,10 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   const auto [P, W] = held(point, limits, multipliers);
   if (point.layout.rows > kDense) return {sparse_test(H, P), {}};
   const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;
-  return ConeTest(dense_H, dense_P, dense_W).run();
+  // Rounding in a response of this size.
+  const double value = objective_value(point.problem.objective, point.x);
+  const double floor = 1e-9 * std::max(1.0, std::abs(value) / point.sizes.objective);
+  return ConeTest(dense_H, dense_P, dense_W, floor).run();
 }
 
 }  // namespace camlaw::optim

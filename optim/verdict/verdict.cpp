@@ -75,7 +75,9 @@ std::string doubt(const Problem& problem, const Assessment& a) {
   }
   const Bounds& peak = a.objective.proved;
   if (problem.objective.response.is_curve() && !(std::isfinite(peak.lower + peak.upper))) {
-    return fmt::format("{} is not proved to have no higher peak", problem.objective.response.name);
+    const bool lowest = problem.objective.part == Part::Lowest;
+    return fmt::format("{} is not proved to be nowhere {}", problem.objective.response.name,
+                       lowest ? "lower" : "higher");
   }
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
@@ -119,7 +121,7 @@ std::string_view to_string(Verdict verdict) {
 Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
   Assessment result;
   result.variables = variable_reports(problem, x);
-  result.objective = objective_report(problem, x, prove);
+  result.objective = objective_report(problem, sizes, x, prove);
   result.limits = limit_reports(problem, sizes, x, prove);
   if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
     result.reason = "the model gives no number at the answer";
@@ -142,7 +144,7 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
 Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x) {
   Assessment result;
   result.variables = variable_reports(problem, x);
-  result.objective = objective_report(problem, x, false);
+  result.objective = objective_report(problem, sizes, x, false);
   result.limits = limit_reports(problem, sizes, x, false);
   if (std::isinf(worst_violation(result.limits))) {
     result.reason = "the model gives no number at the design of least violation";
@@ -152,7 +154,10 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
   take_conditions(problem, sizes, conditions, result);
   constexpr double kPushes = 1e-4;
   result.blamed = active_names(problem, sizes, conditions, kPushes);
-  if (!(result.kkt_residual <= kKktTolerance) || result.blamed.empty()) {
+  // Where the limits make a convex set, less than all of the violation is enough.
+  constexpr double kHalf = 0.5, kStationary = 1e-3;
+  const bool convex = convex_set(problem) && !conditions.flat;
+  if (!(result.kkt_residual <= (convex ? kHalf : kStationary)) || result.blamed.empty()) {
     result.reason = fmt::format("no design was found that meets {}", violated_names(result));
     return result;
   }
@@ -161,8 +166,14 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
   if (result.blamed.size() == 1) {
     result.reason = fmt::format("{} cannot be met", result.blamed.front());
   }
-  if (convex_set(problem) && !conditions.flat)
+  const bool boxed = std::all_of(
+      problem.variables.begin(), problem.variables.end(),
+      [](const Variable& v) { return std::isfinite(v.lower) && std::isfinite(v.upper); });
+  // Without a box a slope that is left could lead far.
+  constexpr double kNoSlope = 1e-8;
+  if (convex && (boxed || result.kkt_residual <= kNoSlope)) {
     result.global = "the set that the limits leave is convex: it is empty";
+  }
   return result;
 }
 

@@ -16,11 +16,16 @@ using optim::Part;
 constexpr double kTried = 5000;
 
 optim::Choice choice_of(const VariableStatement& v) {
-  optim::Choice choice{v.name, v.unit, {}, v.values};
+  optim::Choice choice{v.name, v.unit, {}, v.values, 0};
   for (double value = std::ceil(v.lower); v.values.empty() && value <= v.upper; ++value) {
     choice.values.push_back(value);
   }
-  for (const double value : choice.values) choice.options.push_back(fmt::format("{:.10g}", value));
+  for (const double value : choice.values) {
+    if (std::abs(value - v.start) < std::abs(choice.values[choice.start] - v.start)) {
+      choice.start = choice.options.size();
+    }
+    choice.options.push_back(fmt::format("{:.10g}", value));
+  }
   return choice;
 }
 
@@ -61,7 +66,7 @@ BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(st
     throw std::invalid_argument("the problem has no variables: nothing can be optimised");
   }
   if (statement_.laws.size() > 1) {
-    optim::Choice choice{"law", "", {}, {}};
+    optim::Choice choice{"law", "", {}, {}, 0};
     for (const Member& member : statement_.laws) choice.options.push_back(member.label());
     choices_.push_back(std::move(choice));
   }

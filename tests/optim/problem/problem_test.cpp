@@ -297,7 +297,7 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
   CHECK(s.variables == Point{2, 1});
   CHECK(s.objective == 6);  // of 3 * 2 and 4 * 1 the larger
   CHECK(s.objective_tolerance == Approx(6e-7));
-  CHECK(s.objective_value == 7);
+  CHECK(s.objective_typical == 6);
   REQUIRE(s.constraints.size() == 5);
   CHECK(s.constraints[0].size == 30);
   CHECK(s.constraints[0].tolerance == Approx(5e-6));
@@ -310,12 +310,33 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
   CHECK(s.constraints[4].size == 1);
 }
 
+TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise]") {
+  Problem problem;
+  problem.variables = {{.name = "r", .lower = 1e-4, .upper = 10, .start = 1e-4}};
+  problem.objective.response = {
+      "steep", "N", function({0}, [](const auto& u) { return 1.0 / (u[0] * u[0] * u[0]); })};
+  const Sizes steep = sizes(problem, problem.start());  // the slope at the start: 3e17
+  CHECK(steep.objective <= 100 * steep.objective_typical);
+  CHECK(steep.objective_typical < 1000);
+  problem.variables = {{.name = "x", .lower = -1, .upper = 3, .start = 1}};
+  problem.objective.response = {
+      "level", "N", function({0}, [](const auto& u) { return (u[0] - 1.0) * (u[0] - 1.0); })};
+  const Sizes level = sizes(problem, problem.start());  // the slope at the start: 0
+  CHECK(level.objective > 0.1);
+  // What is fixed does not count.
+  problem.variables.push_back({.name = "load", .lower = 5, .upper = 5, .start = 5});
+  problem.objective.response.measure = function(
+      {0, 1}, [](const auto& u) { return 3.0 * u[0] + 1e9 * u[1]; }, Shape::Linear);
+  CHECK(sizes(problem, problem.start()).objective == 12);
+}
+
 TEST_CASE("sizes are finite where derivatives are not", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0}};
   problem.objective.response = {"root", "1",
                                 function({0}, [](const auto& u) { return sqrt(u[0]); })};
-  CHECK(sizes(problem, problem.start()).objective == 1);
+  // 1 / (2 sqrt(x)) at eight places of [0, 1].
+  CHECK(sizes(problem, problem.start()).objective == Approx(0.75).margin(0.25));
   problem.objective.response.measure = function({0}, [](const auto& u) { return log(u[0] - 2.0); });
   CHECK(std::isfinite(sizes(problem, problem.start()).objective));
 }

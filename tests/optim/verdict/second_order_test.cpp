@@ -133,6 +133,27 @@ TEST_CASE("a limit that is met without pushing closes the way to one side only",
   }
 }
 
+TEST_CASE("one stiff direction does not hide that others curve down", "[verdict]") {
+  for (const std::size_t soft : {std::size_t{5}, std::size_t{320}}) {
+    INFO(soft);
+    Problem problem;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i <= soft; ++i) {
+      problem.variables.push_back({.name = "x", .lower = -1, .upper = 1, .start = 0.5});
+      all.push_back(i);
+    }
+    const auto f = [soft](const auto& u) {
+      auto sum = 1e7 * u[0] * u[0];
+      for (std::size_t i = 1; i <= soft; ++i) sum = sum - u[i] * u[i];
+      return sum;
+    };
+    problem.objective = least(function(all, f));
+    const Assessment a = judge(problem, Point(soft + 1, 0.0));
+    CHECK_FALSE(a.second_order);
+    CHECK(a.verdict == Verdict::Feasible);
+  }
+}
+
 TEST_CASE("where nothing curves, a few steps tell a minimum from a maximum", "[verdict]") {
   for (const double sign : {1.0, -1.0}) {
     const auto quartic = [sign](const auto& u) {

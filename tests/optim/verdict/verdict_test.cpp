@@ -246,7 +246,8 @@ TEST_CASE("an objective over the cycle comes with its angle and proved bounds", 
   const auto measure = problem.constraints[0].response.measure;
   const auto at = [&](Part part, Sense sense) {
     problem.objective = {{"cost", "N", measure}, sense, part, {}};
-    return objective_report(problem, Point{1.5, -0.5}, true);  // between -2 and 1
+    return objective_report(problem, sizes(problem, problem.start()), Point{1.5, -0.5},
+                            true);  // between -2 and 1
   };
   const ObjectiveReport highest = at(Part::Highest, Sense::Minimize);
   CHECK(highest.value == Approx(1).epsilon(1e-15));

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/problem/problem.h"
+
+namespace camlaw::optim {
+
+/// The highest value of a curve over the cycle (Lowest: the lowest, Magnitude: the highest |value|)
+/// as a function of the design. It is not smooth where one peak overtakes another: for methods
+/// that search the whole box. The gradient is that at the highest place. Inputs are all of the
+/// design's `variables`.
+Function peak_function(const Response& response, Part part, std::size_t variables);
+
+/// The problem with each peak and each limit on a curve as a number of the design.
+Problem with_peaks_as_numbers(const Problem& problem);
+
+}  // namespace camlaw::optim
