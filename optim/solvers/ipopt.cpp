@@ -123,7 +123,10 @@ class Adapter final : public Ipopt::TNLP {
                              Ipopt::IpoptCalculatedQuantities*) override {
     solution.iterations = iteration;
     if (options_.progress) {
-      options_.progress({iteration, program_.unscaled_objective(objective), violation});
+      guarded([&] {
+        options_.progress({iteration, program_.unscaled_objective(objective), violation});
+        return true;
+      });
     }
     stopped = options_.stop != nullptr && options_.stop->load();
     const std::chrono::duration<double> spent = Clock::now() - began_;
