@@ -15,7 +15,7 @@ struct FollowerMotion {
   X s, ds, dds, ddds;
 };
 
-/// (C1) From the motion of a whole cycle, x = phi / (2 pi), and the stroke.
+/// (M1) From the motion of a whole cycle, x = phi / (2 pi), and the stroke.
 template <class T, class X>
 FollowerMotion<X> follower_over_angle(const T& stroke, const Motion<X>& motion) {
   const T turn = number<T>(1) / (number<T>(2) * pi<T>());
@@ -32,14 +32,14 @@ struct FollowerLoad {
   T load;            ///< F_L, N, constant, against the rise
   T angular_speed;   ///< omega, rad/s, of the cam
 
-  /// (C2) Force that the cam must give along the follower's way: F = m omega^2 s'' + c s + F_0 +
+  /// (M2) Force that the cam must give along the follower's way: F = m omega^2 s'' + c s + F_0 +
   /// F_L. Below 0 a cam closed by its spring loses its follower.
   template <class X>
   X force(const FollowerMotion<X>& y) const {
     const T inertia = mass * angular_speed * angular_speed;
     return inertia * y.dds + spring_rate * y.s + (spring_preload + load);
   }
-  /// (C3) Torque on the cam's shaft without friction: M = F s', from M omega = F s' omega.
+  /// (M3) Torque on the cam's shaft without friction: M = F s', from M omega = F s' omega.
   template <class X>
   X torque(const FollowerMotion<X>& y) const {
     return force(y) * y.ds;
@@ -58,7 +58,7 @@ struct CamCurve {
     using std::sqrt;
     return sqrt(x1 * x1 + y1 * y1);
   }
-  /// (C4) Curvature, 1/m, positive where the cam is convex: Im(conj(w2) w1) / |w1|^3.
+  /// (M4) Curvature, 1/m, positive where the cam is convex: Im(conj(w2) w1) / |w1|^3.
   X curvature() const {
     const X length = speed();
     return (y1 * x2 - x1 * y2) / (length * length * length);

@@ -26,13 +26,13 @@ struct EndCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
   }
-  /// (C16) Pressure angle, rad: tan alpha = s' / R.
+  /// (M16) Pressure angle, rad: tan alpha = s' / R.
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     using std::atan;
     return atan(f.ds / radius);
   }
-  /// (C17) Curvature of the developed pitch curve, 1/m, positive where it is hollow seen from the
+  /// (M17) Curvature of the developed pitch curve, 1/m, positive where it is hollow seen from the
   /// follower: k = s'' / R^2 / (1 + (s' / R)^2)^(3/2).
   template <class X>
   X pitch_curvature(const FollowerMotion<X>& f) const {
@@ -47,7 +47,7 @@ struct EndCam {
   X undercut(const FollowerMotion<X>& f) const {
     return roller_radius * pitch_curvature(f);
   }
-  /// (C18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
+  /// (M18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     using std::sqrt;

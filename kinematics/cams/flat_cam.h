@@ -32,12 +32,12 @@ struct FlatCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
   }
-  /// (C11) Where the face touches, m from the follower's axis: s'. The face must reach so far.
+  /// (M11) Where the face touches, m from the follower's axis: s'. The face must reach so far.
   template <class X>
   X contact_offset(const FollowerMotion<X>& f) const {
     return f.ds;
   }
-  /// (C12) Radius of curvature of the profile, m: r_b + s + s''. The cam can be made while it is
+  /// (M12) Radius of curvature of the profile, m: r_b + s + s''. The cam can be made while it is
   /// above 0; a flat face touches no hollow.
   template <class X>
   X profile_radius(const FollowerMotion<X>& f) const {

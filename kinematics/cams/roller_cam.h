@@ -33,7 +33,7 @@ struct RollerCam {
     return prime > 0 && e * e < prime * prime;
   }
   T prime_radius() const { return base_radius + roller_radius; }
-  /// (C5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
+  /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
   T lowest_height() const {
     using std::sqrt;
     return sqrt(prime_radius() * prime_radius() - offset * offset);
@@ -54,19 +54,19 @@ struct RollerCam {
     const X y = f.s + lowest_height();
     return {X(number<X>(0) + offset), y, y, f.ds - offset, number<T>(2) * f.ds - offset, f.dds - y};
   }
-  /// (C6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s).
+  /// (M6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s).
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     using std::atan;
     return atan((f.ds - offset) / (f.s + lowest_height()));
   }
-  /// (C7) Share of the pitch curve's radius that the roller takes, r_r k: the profile is undercut
+  /// (M7) Share of the pitch curve's radius that the roller takes, r_r k: the profile is undercut
   /// where it reaches 1.
   template <class X>
   X undercut(const FollowerMotion<X>& f) const {
     return roller_radius * pitch_curve(f).curvature();
   }
-  /// (C8) Curvature of the profile, 1/m: k_c = k / (1 - r_r k); of a groove's or hollow part
+  /// (M8) Curvature of the profile, 1/m: k_c = k / (1 - r_r k); of a groove's or hollow part
   /// negative.
   template <class X>
   X profile_curvature(const FollowerMotion<X>& f) const {
@@ -78,13 +78,13 @@ struct RollerCam {
   X tool_fit(const FollowerMotion<X>& f) const {
     return -(cutter_radius * profile_curvature(f));
   }
-  /// (C9) Force between roller and cam, N: N = F / cos alpha, the guide without friction.
+  /// (M9) Force between roller and cam, N: N = F / cos alpha, the guide without friction.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     const CamCurve<X> w = pitch_curve(f);
     return follower().force(f) * w.speed() / w.y;
   }
-  /// (C10) Sum of the curvatures of profile and roller, k_c + 1 / r_r = 1 / (r_r (1 - r_r k)).
+  /// (M10) Sum of the curvatures of profile and roller, k_c + 1 / r_r = 1 / (r_r (1 - r_r k)).
   template <class X>
   X contact_curvature(const FollowerMotion<X>& f) const {
     const T one = number<T>(1);

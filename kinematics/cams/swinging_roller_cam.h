@@ -30,7 +30,7 @@ struct SwingingRollerCam {
   T cutter_radius = number<T>(0.010);             ///< r_c, m
 
   T prime_radius() const { return base_radius + roller_radius; }
-  /// (C13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).
+  /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).
   T cos_lowest() const {
     const T rp = prime_radius();
     return (arm_length * arm_length + pivot_distance * pivot_distance - rp * rp) /
@@ -68,7 +68,7 @@ struct SwingingRollerCam {
             square * c + f.dds * s - pivot_distance,
             f.dds * c - square * s};
   }
-  /// (C14) Pressure angle, rad, between the normal and the way of the roller's centre:
+  /// (M14) Pressure angle, rad, between the normal and the way of the roller's centre:
   /// tan alpha = (l (1 + psi') - d cos psi) / (d sin psi).
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
@@ -90,7 +90,7 @@ struct SwingingRollerCam {
   X tool_fit(const FollowerMotion<X>& f) const {
     return -(cutter_radius * profile_curvature(f));
   }
-  /// (C15) Force between roller and cam, N: N = M / (l cos alpha).
+  /// (M15) Force between roller and cam, N: N = M / (l cos alpha).
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     using std::cos;

@@ -14,12 +14,12 @@ struct LineContact {
   T youngs_modulus;  ///< E, Pa
   T poisson_ratio;   ///< nu
 
-  /// (H1) E' = E / (1 - nu^2), of one body, Pa.
+  /// (K1) E' = E / (1 - nu^2), of one body, Pa.
   T plane_modulus() const {
     return youngs_modulus / (number<T>(1) - poisson_ratio * poisson_ratio);
   }
 
-  /// (H2) Greatest pressure, Pa, from the line load w, N/m, and the sum of the curvatures, 1/m:
+  /// (K2) Greatest pressure, Pa, from the line load w, N/m, and the sum of the curvatures, 1/m:
   /// sigma = sqrt(w k E' / (2 pi)); 0.418 sqrt(w k E) for nu = 0.3. NaN for a load below 0.
   template <class X>
   X pressure(const X& line_load, const X& curvature) const {
@@ -27,7 +27,7 @@ struct LineContact {
     return sqrt(plane_modulus() / (number<T>(2) * pi<T>()) * (line_load * curvature));
   }
 
-  /// (H3) Half the contact's width, m: a = sqrt(8 w / (pi k E')); 1.52 sqrt(w / (k E)) for nu =
+  /// (K3) Half the contact's width, m: a = sqrt(8 w / (pi k E')); 1.52 sqrt(w / (k E)) for nu =
   /// 0.3.
   template <class X>
   X half_width(const X& line_load, const X& curvature) const {
