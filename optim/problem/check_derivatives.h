@@ -16,7 +16,8 @@ struct DerivativeEntry {
   std::optional<double> angle;   ///< of a curve
   std::string variable, second;  ///< second is empty for a first derivative
   double exact = 0, difference = 0;
-  double error = 0;  ///< |exact - difference| over the largest derivative of its order, by scales
+  /// |exact - difference| over the largest derivative there, by scales, or 1e-6 of the value.
+  double error = 0;
 };
 
 struct DerivativeCheck {

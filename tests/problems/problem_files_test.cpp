@@ -18,17 +18,28 @@ namespace {
 using optim::Optimum;
 using optim::Verdict;
 
+/// "least_radius.toml" of the spine cutter, or "cams/flat_least_base.toml".
 BoundProblem shipped(const std::string& name) {
+  const std::string folder = name.find('/') == std::string::npos ? "spine_cutter/" : "";
   return BoundProblem(
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/" + name));
+      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + folder + name));
 }
+
+const std::vector<const char*> kShipped = {"least_radius.toml",
+                                           "least_force.toml",
+                                           "least_force_legendre.toml",
+                                           "least_moment.toml",
+                                           "cutter.toml",
+                                           "cams/roller_least_base.toml",
+                                           "cams/flat_least_base.toml",
+                                           "cams/end_rise_share.toml",
+                                           "cams/swinging_least_peak_angle.toml"};
 
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};
 
 TEST_CASE("every problem file is certified by our own verdict", "[problem-files]") {
-  for (const char* name : {"least_radius.toml", "least_force.toml", "least_force_legendre.toml",
-                           "least_moment.toml", "cutter.toml"}) {
+  for (const char* name : kShipped) {
     INFO(name);
     const Optimum optimum = optim::optimise(shipped(name).space());
     const optim::Assessment& a = optimum.found.assessment;
@@ -39,8 +50,7 @@ TEST_CASE("every problem file is certified by our own verdict", "[problem-files]
 }
 
 TEST_CASE("derivatives and shapes of every problem file hold", "[problem-files]") {
-  for (const char* name : {"least_radius.toml", "least_force.toml", "least_force_legendre.toml",
-                           "least_moment.toml", "cutter.toml"}) {
+  for (const char* name : kShipped) {
     INFO(name);
     const auto space = shipped(name).space();
     const auto problem = space.problem(std::vector<std::size_t>(space.choices.size(), 0));
