@@ -32,8 +32,8 @@ struct FollowerTrain {
   /// (U1) Amplitude of the free vibration that begins in a state, in parts of the stroke:
   /// sqrt(z^2 + ((z' + zeta W z) / (W sqrt(1 - zeta^2)))^2).
   T amplitude(const TrainState<T>& state) const;
-  /// (U2) Greatest |z'' + s''| of that vibration over the law's own peak C would be the dynamic
-  /// amplification of what follows; here W^2 times the amplitude, by x.
+  /// Greatest acceleration of the mass after a stretch that began at rest, by x: W^2 times the
+  /// amplitude. Over the law's peak C it is the amplification that is left.
   T residual_acceleration(const Law<T>& law) const;
 };
 
