@@ -60,7 +60,8 @@ Data data_of(const Panel& panel) {
 PlannedAxis plan_axis(const Axis& axis, std::optional<Range> data, double length) {
   PlannedAxis planned;
   planned.range = axis_range(axis.label, data, axis.lower, axis.upper);
-  planned.ticks = nice_ticks(planned.range.lower, planned.range.upper);
+  const auto ticks = axis.unit == "deg" ? degree_ticks : nice_ticks;
+  planned.ticks = ticks(planned.range.lower, planned.range.upper);
   planned.labels = tick_labels(planned.ticks);
   const std::string title = axis.unit.empty() ? axis.label : axis.label + ", " + axis.unit;
   planned.title = wrap_text(title, size::kTextFont, length);

@@ -64,6 +64,20 @@ double nice_step(double lower, double upper) {
   }
 }
 
+/// All multiples of the step in [lower, upper].
+std::vector<double> ticks_by(double step, double lower, double upper) {
+  const auto [first, last] = multiples(lower, upper, step);
+  // A step below 1 is divided by its inverse: 3 / 10 is 0.3 exactly rounded, 3 * 0.1 is not.
+  const double inverse = std::round(1 / step);
+  const bool divides = step < 1 && std::abs(inverse * step - 1) < 1e-12;
+  std::vector<double> ticks;
+  for (int k = 0; k <= static_cast<int>(last - first); ++k) {
+    const double i = first + k;
+    ticks.push_back(i == 0 ? 0.0 : (divides ? i / inverse : i * step));
+  }
+  return ticks;
+}
+
 /// Decimals after which a step (1, 2, 2.5, 5 times a power of ten, roughly) has no more digits.
 int decimals_of(double step) {
   int decimals = 0;
@@ -141,17 +155,16 @@ std::vector<double> nice_ticks(double lower, double upper) {
   check_bounds("ticks", {lower, upper});
   const double size = std::max(std::abs(lower), std::abs(upper));
   if (upper - lower < std::max(1e-12 * size, kSmallest)) return {lower, upper};
-  const double step = nice_step(lower, upper);
-  const auto [first, last] = multiples(lower, upper, step);
-  // A step below 1 is divided by its inverse: 3 / 10 is 0.3 exactly rounded, 3 * 0.1 is not.
-  const double inverse = std::round(1 / step);
-  const bool divides = step < 1 && std::abs(inverse * step - 1) < 1e-12;
-  std::vector<double> ticks;
-  for (int k = 0; k <= static_cast<int>(last - first); ++k) {
-    const double i = first + k;
-    ticks.push_back(i == 0 ? 0.0 : (divides ? i / inverse : i * step));
+  return ticks_by(nice_step(lower, upper), lower, upper);
+}
+
+std::vector<double> degree_ticks(double lower, double upper) {
+  check_bounds("ticks", {lower, upper});
+  for (const double step : {30.0, 45.0, 60.0, 90.0, 180.0}) {
+    const double ticks = count(lower, upper, step);
+    if (upper - lower >= 180 && ticks >= 4 && ticks <= 8) return ticks_by(step, lower, upper);
   }
-  return ticks;
+  return nice_ticks(lower, upper);
 }
 
 std::vector<std::string> tick_labels(std::span<const double> ticks) {

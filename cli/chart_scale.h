@@ -38,6 +38,10 @@ Range axis_range(const std::string& name, std::optional<Range> data, std::option
 /// Throws std::invalid_argument if a bound is not drawable or lower is not below upper.
 std::vector<double> nice_ticks(double lower, double upper);
 
+/// The same for an axis in degrees: over half a turn or more multiples of 30, 45, 60, 90 or 180,
+/// where those give 4 to 8 ticks.
+std::vector<double> degree_ticks(double lower, double upper);
+
 /// The ticks as text with equally many decimals; beyond 1e6 and below 1e-3 with the exponent of the
 /// largest one, as in 0.5e6, 1.0e6, 1.5e6.
 std::vector<std::string> tick_labels(std::span<const double> ticks);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/optimum_output.h"
@@ -36,30 +37,41 @@ bool check_problem(const optim::Problem& problem, const std::string& label) {
   return result.agrees && result.shapes.empty();
 }
 
+/// The first combination with each law: laws differ in their formulas, other choices only in
+/// numbers.
+class Variants {
+ public:
+  explicit Variants(optim::ProblemSpace space) : space_(std::move(space)) {}
+
+  std::size_t size() const { return has_laws() ? laws().size() : 1; }
+  std::string label(std::size_t i) const { return has_laws() ? "law " + laws()[i] : ""; }
+  optim::Problem problem(std::size_t i) const {
+    std::vector<std::size_t> chosen(space_.choices.size(), 0);
+    if (has_laws()) chosen.front() = i;
+    return space_.problem(chosen);
+  }
+
+ private:
+  bool has_laws() const { return !space_.choices.empty() && space_.choices.front().name == "law"; }
+  const std::vector<std::string>& laws() const { return space_.choices.front().options; }
+
+  optim::ProblemSpace space_;
+};
+
 void run_check(const CheckOptions& options, int& status) {
   const auto statement = problems::read_problem_file(options.file);
-  fmt::print("{}", problems::in_words(statement));
-  if (!statement.objective) {
-    if (options.derivatives || options.scaling) problems::BoundProblem{statement};  // says why not
-    return;
+  std::optional<Variants> variants;
+  if (statement.objective || options.derivatives || options.scaling) {
+    variants.emplace(problems::BoundProblem(statement).space());  // or says why not
+    for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
-  const problems::BoundProblem bound(statement);
-  const optim::ProblemSpace space = bound.space();
-  const std::vector<std::size_t> first(space.choices.size(), 0);
-  const optim::Problem problem = space.problem(first);
-  problem.check();
-  if (options.scaling) fmt::print("\n{}", scaling_text(problem));
+  fmt::print("{}", problems::in_words(statement));
+  if (options.scaling) fmt::print("\n{}", scaling_text(variants->problem(0)));
   if (!options.derivatives) return;
   fmt::print("\n");
-  // Laws differ in their formulas; other choices only in numbers.
-  const bool laws = !space.choices.empty() && space.choices.front().name == "law";
-  const std::size_t variants = laws ? space.choices.front().options.size() : 1;
   bool agrees = true;
-  for (std::size_t i = 0; i < variants; ++i) {
-    std::vector<std::size_t> chosen = first;
-    if (laws) chosen.front() = i;
-    const std::string label = laws ? "law " + space.choices.front().options[i] : "";
-    agrees = check_problem(space.problem(chosen), label) && agrees;
+  for (std::size_t i = 0; i < variants->size(); ++i) {
+    agrees = check_problem(variants->problem(i), variants->label(i)) && agrees;
   }
   if (!agrees) status = kFailed;
 }
@@ -70,9 +82,10 @@ void add_check_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("check", "Check a problem file and say it in words");
   const auto options = std::make_shared<CheckOptions>();
   command->add_option("FILE", options->file, "the problem file (TOML)")->required();
-  command->add_flag("--derivatives", options->derivatives,
-                    "compare every derivative with differences");
-  command->add_flag("--scaling", options->scaling, "show what variables and limits are divided by");
+  add_switch(*command, "--derivatives", options->derivatives,
+             "compare every derivative with differences");
+  add_switch(*command, "--scaling", options->scaling,
+             "show what variables and limits are divided by");
   command->callback([options, &status] { run_check(*options, status); });
 }
 

@@ -25,6 +25,10 @@ void add_check_command(CLI::App& app, int& status);
 void add_evaluate_command(CLI::App& app);
 void add_optimize_command(CLI::App& app, int& status);
 
+/// An option that is there or not, and takes no value: "--json=3" is an error.
+CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
+                        const std::string& help);
+
 /// Runs the program; an ExitStatus.
 int run(int argc, const char* const* argv);
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
 #include "cli/law_json.h"
+#include "cli/limit_text.h"
 #include "cli/text_table.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 namespace {
@@ -20,9 +25,7 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-void print_text(const ProblemStatement& statement,
-                const std::vector<EvaluatedResponse>& responses) {
-  fmt::print("{}\nlaw {}\n\n", statement.title, statement.laws.front().label());
+TextTable response_table(const std::vector<EvaluatedResponse>& responses) {
   TextTable table({{"response", TextTable::Align::Left},
                    {"value"},
                    {"lowest"},
@@ -32,23 +35,33 @@ void print_text(const ProblemStatement& statement,
                    {"unit", TextTable::Align::Left},
                    {"meaning", TextTable::Align::Left}});
   for (const EvaluatedResponse& r : responses) {
-    const auto shown = [](double value) { return fmt::format("{:.7g}", value); };
-    const auto place = [](double value) { return fmt::format("{:.4g}", value); };
+    const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
+    const auto place = [&](double value) {
+      return with_unit(fmt::format("{:.4g}", value + 0.0), r.along);
+    };
     if (r.is_curve) {
-      table.add({r.name, "", shown(r.lowest), place(r.lowest_at), shown(r.highest),
-                 place(r.highest_at), r.unit, r.meaning});
+      table.add({r.name, "", significant(r.lowest, size), place(r.lowest_at),
+                 significant(r.highest, size), place(r.highest_at), r.unit, r.meaning});
     } else {
-      table.add({r.name, shown(r.value), "", "", "", "", r.unit, r.meaning});
+      table.add(
+          {r.name, significant(r.value, std::abs(r.value)), "", "", "", "", r.unit, r.meaning});
     }
   }
-  fmt::print("{}", table.text());
+  return table;
+}
+
+void print_text(const ProblemStatement& statement,
+                const std::vector<EvaluatedResponse>& responses) {
+  if (!statement.title.empty()) fmt::print("{}\n", statement.title);
+  fmt::print("law {}\n\n", statement.laws.front().label());
+  fmt::print("{}", response_table(responses).text());
   const auto limits = problems::standing(statement);
-  if (limits.empty()) return;
-  fmt::print("\n");
-  for (const auto& limit : limits) {
-    fmt::print("{} {}: {:.7g} {} {:.7g} {}{}\n", limit.met ? "met" : "NOT met", limit.name,
-               limit.value, limit.is_upper ? "<=" : ">=", limit.bound, limit.unit,
-               limit.worst_angle ? fmt::format(" (worst at {:.4g})", *limit.worst_angle) : "");
+  if (!limits.empty()) fmt::print("\n");
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const LimitText text = limit_text(limits[i], statement.constraints[i]);
+    fmt::print("{} {} = {} {}{}\n", limits[i].met ? "met" : "NOT met", limits[i].name, text.value,
+               with_unit(text.bound, limits[i].unit),
+               text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
   }
 }
 
@@ -78,6 +91,7 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
         {{"name", limit.name},
          {"value", cli::to_json(limit.value)},
          {"bound", limit.bound},
+         {"side", limit.is_upper ? "upper" : "lower"},
          {"margin", cli::to_json(limit.margin)},
          {"unit", limit.unit},
          {"worst_angle_deg", limit.worst_angle ? cli::to_json(*limit.worst_angle) : Json(nullptr)},
@@ -91,10 +105,28 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
           {"constraints", std::move(constraints)}};
 }
 
+/// Refuses values that leave no number at all: there is no such machine.
+void check_possible(const std::string& file, const ProblemStatement& statement,
+                    const std::vector<EvaluatedResponse>& responses) {
+  const bool possible = std::any_of(responses.begin(), responses.end(), [](const auto& r) {
+    return !std::isnan(r.is_curve ? r.highest : r.value);
+  });
+  if (possible) return;
+  std::vector<std::string> values;
+  const auto& parameters = statement.mechanism->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    values.push_back(fmt::format("{} = {}", parameters[i].name,
+                                 problems::with_unit(statement.constants[i], parameters[i].unit)));
+  }
+  throw std::invalid_argument(fmt::format("{}: {} is not possible with these values: {}", file,
+                                          statement.mechanism->name, fmt::join(values, ", ")));
+}
+
 void run_evaluate(const EvaluateOptions& options) {
   ProblemStatement statement = problems::read_problem_file(options.file);
   for (const std::string& setting : options.settings) problems::set_value(statement, setting);
   const auto responses = problems::evaluate(statement);
+  check_possible(options.file, statement, responses);
   if (options.json) {
     fmt::print("{}\n", to_json(statement, responses).dump(2));
   } else {
@@ -113,7 +145,7 @@ void add_evaluate_command(CLI::App& app) {
       ->add_option("--set", options->settings,
                    "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
       ->allow_extra_args(false);
-  command->add_flag("--json", options->json, "print JSON");
+  add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { run_evaluate(*options); });
 }
 

@@ -117,6 +117,14 @@ std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
   return result;
 }
 
+/// Writes a file beside its place; the cleaner takes it away again.
+void write_temporary(const Pending& p, Cleaner& cleaner) {
+  make_folder(p.target.parent_path(), p.file->path, cleaner);
+  cleaner.file(p.temporary);
+  announce_temporary(p.temporary.string());
+  write_stream(p.temporary, *p.file);
+}
+
 }  // namespace
 
 void write_files(const std::vector<OutputFile>& files) {
@@ -124,10 +132,7 @@ void write_files(const std::vector<OutputFile>& files) {
   Cleaner cleaner;
   for (const Pending& p : pending) {
     if (p.temporary.empty()) continue;
-    make_folder(p.target.parent_path(), p.file->path, cleaner);
-    cleaner.file(p.temporary);
-    announce_temporary(p.temporary.string());
-    write_stream(p.temporary, *p.file);
+    write_temporary(p, cleaner);
     std::error_code ignored;
     const auto status = fs::status(p.target, ignored);
     if (fs::exists(status)) fs::permissions(p.temporary, status.permissions(), ignored);
@@ -143,6 +148,34 @@ void write_files(const std::vector<OutputFile>& files) {
   }
   temporary_in_work[0] = 0;
   cleaner.done();
+}
+
+void check_writable(const std::vector<fs::path>& paths) {
+  std::vector<OutputFile> files;
+  for (const fs::path& path : paths) files.push_back({path, ""});
+  Cleaner cleaner;
+  for (const Pending& p : locate_all(files)) {
+    if (!p.temporary.empty()) {
+      write_temporary(p, cleaner);
+    } else if (!fs::exists(p.target) && !fs::is_directory(p.target.parent_path())) {
+      fail(p.file->path, std::strerror(ENOTDIR));
+    }
+  }
+  temporary_in_work[0] = 0;
+}
+
+std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> removed;
+  for (const fs::path& path : paths) {
+    std::error_code error;
+    if (!fs::is_regular_file(fs::symlink_status(path, error))) continue;
+    if (!fs::remove(path, error)) {
+      throw std::runtime_error(
+          fmt::format("cannot remove '{}': {}", path.string(), error.message()));
+    }
+    removed.push_back(path);
+  }
+  return removed;
 }
 
 }  // namespace camlaw::cli

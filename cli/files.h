@@ -21,4 +21,12 @@ struct OutputFile {
 /// and no new folder is left behind then, nor when the program is interrupted.
 void write_files(const std::vector<OutputFile>& files);
 
+/// That write_files can begin to write these files, before long work is done for them: throws as it
+/// does, and leaves nothing behind.
+void check_writable(const std::vector<std::filesystem::path>& paths);
+
+/// Removes files that an earlier run may have left; folders and what is no file stay. Those that
+/// were there come back. Throws std::runtime_error where one cannot be removed.
+std::vector<std::filesystem::path> remove_files(const std::vector<std::filesystem::path>& paths);
+
 }  // namespace camlaw::cli

@@ -139,7 +139,7 @@ void add_law_command(CLI::App& app) {
       ->check(CLI::Range(2, 1000000));
   command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here");
   command->add_option("--svg", options->svg, "draw s, v, a, j here");
-  command->add_flag("--json", options->json, "print JSON");
+  add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { show_law(*options); });
 }
 

@@ -106,8 +106,8 @@ void print_json() {
 void add_laws_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("laws", "List the motion laws with their constants");
   const auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
-  CLI::Option* as_json = command->add_flag("--json", *json, "print JSON");
-  command->add_flag("--markdown", *markdown, "print the page docs/laws.md")->excludes(as_json);
+  CLI::Option* as_json = add_switch(*command, "--json", *json, "print JSON");
+  add_switch(*command, "--markdown", *markdown, "print the page docs/laws.md")->excludes(as_json);
   command->callback([json, markdown] {
     *json ? print_json() : *markdown ? print_markdown() : print_catalogue();
   });

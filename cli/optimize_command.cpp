@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -11,27 +12,43 @@
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
 #include "cli/optimum_output.h"
+#include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
 namespace {
 
 struct OptimizeOptions {
   std::string file;
-  std::optional<std::string> solver, out;
-  std::optional<int> starts;
-  std::optional<std::uint64_t> seed;
-  std::optional<double> time_limit;
+  std::optional<std::string> solver, out, starts, seed, time_limit;
   bool json = false;
 };
 
+/// What the command line says of solving.
+problems::SolverStatement stated_options(const OptimizeOptions& options) {
+  problems::SolverStatement result;
+  if (options.solver) result.name = problems::find_solver_name(*options.solver);
+  if (options.starts) {
+    result.starts = static_cast<int>(
+        problems::parse_whole(*options.starts, 1, problems::kMostStarts, "--starts"));
+  }
+  if (options.seed) {
+    result.seed = static_cast<std::uint64_t>(
+        problems::parse_whole(*options.seed, 0, problems::kMostSeed, "--seed"));
+  }
+  if (options.time_limit) {
+    result.time_limit = problems::parse_time_limit(*options.time_limit, "--time-limit");
+  }
+  return result;
+}
+
 /// What the command line says, else what the file says.
-optim::OptimiseOptions search_options(const OptimizeOptions& options,
+optim::OptimiseOptions search_options(const problems::SolverStatement& line,
                                       const problems::SolverStatement& file) {
   optim::OptimiseOptions result;
-  result.solver = options.solver.value_or(file.name.value_or("auto"));
-  result.starts = options.starts ? options.starts : file.starts;
-  result.seed = options.seed.value_or(file.seed.value_or(result.seed));
-  result.time_limit = options.time_limit ? options.time_limit : file.time_limit;
+  result.solver = line.name.value_or(file.name.value_or("auto"));
+  result.starts = line.starts ? line.starts : file.starts;
+  result.seed = line.seed.value_or(file.seed.value_or(result.seed));
+  result.time_limit = line.time_limit ? line.time_limit : file.time_limit;
   return result;
 }
 
@@ -69,10 +86,28 @@ int exit_status(optim::Verdict verdict) {
   return kNotSolved;
 }
 
-std::vector<OutputFile> result_files(const Answer& answer, const std::optional<Member>& law,
+constexpr const char* kFileNames[] = {"result.json", "law.csv", "law.svg", "cycle.svg"};
+
+/// All files that --out may make.
+std::vector<std::filesystem::path> possible_files(const std::filesystem::path& out) {
+  std::vector<std::filesystem::path> paths;
+  for (const char* name : kFileNames) paths.push_back(out / name);
+  return paths;
+}
+
+/// Those of an earlier run that this one does not write: they must not stay beside its own.
+std::vector<std::filesystem::path> remove_stale(const std::filesystem::path& out,
+                                                const std::vector<OutputFile>& written) {
+  std::vector<std::filesystem::path> stale = possible_files(out);
+  for (const OutputFile& file : written) std::erase(stale, file.path);
+  return remove_files(stale);
+}
+
+std::vector<OutputFile> result_files(const Answer& answer, const std::string& json,
                                      const std::filesystem::path& out) {
   constexpr int kSamples = 361;
-  std::vector<OutputFile> files{{out / "result.json", answer_json(answer).dump(2) + "\n"}};
+  std::vector<OutputFile> files{{out / "result.json", json}};
+  const std::optional<Member> law = answer.law();
   if (!law) return files;
   const Law<double> shape = law->law();
   files.push_back({out / "law.csv", motion_csv(shape, kSamples)});
@@ -83,13 +118,25 @@ std::vector<OutputFile> result_files(const Answer& answer, const std::optional<M
   return files;
 }
 
+/// Writes the files of --out, and says so unless only JSON is wanted.
+void write_out(const std::filesystem::path& out, const std::vector<OutputFile>& files, bool says) {
+  std::fflush(stdout);
+  write_files(files);
+  const auto removed = remove_stale(out, files);
+  if (!says) return;
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  for (const auto& path : removed) fmt::print("removed {}, of an earlier run\n", path.string());
+}
+
 void run_optimize(const OptimizeOptions& options, int& status) {
   if (options.out && options.out->empty()) {
     throw std::invalid_argument("--out: a folder's name is wanted");
   }
+  const problems::SolverStatement stated = stated_options(options);
   const problems::BoundProblem bound(problems::read_problem_file(options.file));
   const optim::ProblemSpace space = bound.space();
-  auto search = search_options(options, bound.statement().solver);
+  auto search = search_options(stated, bound.statement().solver);
+  if (options.out) check_writable(possible_files(*options.out));
   optim::Optimum optimum;
   {
     const Interruptible interruptible;
@@ -98,21 +145,12 @@ void run_optimize(const OptimizeOptions& options, int& status) {
     search.progress = [&line](const optim::Progress& progress) { line(progress); };
     optimum = optim::optimise(space, search);
   }
-  const Answer answer{bound, space, optimum};
-  Json json = answer_json(answer);
-  json["seed"] = search.seed;
-  std::optional<Member> law;  // none where the model gave no design
-  if (optimum.found.x.size() == optimum.problem.variables.size()) {
-    law = bound.at(optimum.options, optimum.found.x).laws.front();
-  }
-  json["law"] = law ? Json(law->name()) : Json(nullptr);
-  std::vector<OutputFile> files;
-  if (options.out) files = result_files(answer, law, *options.out);
-  if (!files.empty()) files.front().content = json.dump(2) + "\n";
-  write_files(files);
-  fmt::print("{}", options.json ? json.dump(2) + "\n" : answer_text(answer));
-  for (const OutputFile& file : files) {
-    if (!options.json) fmt::print("wrote {}\n", file.path.string());
+  const Answer answer{bound, space, optimum, search.solver, search.seed};
+  const std::string json = answer_json(answer).dump(2) + "\n";
+  // Printed first: the search is not lost where a file cannot be written after all.
+  fmt::print("{}", options.json ? json : answer_text(answer));
+  if (options.out) {
+    write_out(*options.out, result_files(answer, json, *options.out), !options.json);
   }
   status = exit_status(optimum.found.assessment.verdict);
 }
@@ -125,11 +163,14 @@ void add_optimize_command(CLI::App& app, int& status) {
   command->add_option("FILE", options->file, "the problem file (TOML)")->required();
   command->add_option("--solver", options->solver,
                       fmt::format("auto, {}", fmt::join(optim::solver_names(), ", ")));
-  command->add_option("--starts", options->starts, "how many places to search from")
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", options->seed, "for starts and for methods that draw numbers");
-  command->add_option("--time-limit", options->time_limit, "seconds")->check(CLI::PositiveNumber);
-  command->add_flag("--json", options->json, "print JSON");
+  command->add_option("--starts", options->starts,
+                      fmt::format("how many places to search from, 1 to {}; by default 1 where "
+                                  "the problem is convex or the solver global, else 8",
+                                  problems::kMostStarts));
+  command->add_option("--seed", options->seed,
+                      "for starts and for methods that draw numbers; a whole number from 0");
+  command->add_option("--time-limit", options->time_limit, "such as 30, \"30 s\" or \"1 min\"");
+  add_switch(*command, "--json", options->json, "print JSON");
   command->add_option("--out", options->out,
                       "folder for result.json, law.csv, law.svg and cycle.svg");
   command->callback([options, &status] { run_optimize(*options, status); });

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/limit_text.h"
 #include "cli/text_table.h"
 
 namespace camlaw::cli {
@@ -18,10 +19,6 @@ using optim::VariableReport;
 
 std::string number(double value) { return fmt::format("{:.7g}", value); }
 
-std::string with_unit(const std::string& text, const std::string& unit) {
-  return unit == "1" || unit.empty() ? text : text + " " + unit;
-}
-
 const Assessment& assessment(const Answer& answer) { return answer.optimum.found.assessment; }
 
 std::string objective_name(const Answer& answer) {
@@ -32,23 +29,30 @@ const std::string& objective_unit(const Answer& answer) {
   return answer.optimum.problem.objective.response.unit;
 }
 
-std::string limit_table(const Assessment& a) {
-  if (a.limits.empty()) return {};
+/// Multipliers are prices of the objective where every limit is met; else they only weigh the
+/// limits that contradict one another.
+bool has_prices(const Assessment& a) {
+  return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
+}
+
+std::string limit_table(const Answer& answer) {
+  const std::vector<LimitReport> limits = answer.limits();
+  if (limits.empty()) return {};
+  const bool priced = has_prices(assessment(answer));
   TextTable table({{"limit", TextTable::Align::Left},
                    {"value"},
                    {"bound"},
                    {"margin"},
                    {"unit", TextTable::Align::Left},
-                   {"at", TextTable::Align::Right},
+                   {"at"},
                    {"proved", TextTable::Align::Left},
-                   {"price", TextTable::Align::Right}});
-  for (const LimitReport& limit : a.limits) {
-    table.add({limit.name, number(limit.value),
-               (limit.is_upper ? "<= " : ">= ") + number(limit.bound),
-               fmt::format("{:.3g}", limit.margin), limit.unit,
-               limit.worst_angle ? fmt::format("{:.2f}", *limit.worst_angle) : "",
-               limit.proved ? "yes" : "no",
-               limit.multiplier == 0 ? "" : fmt::format("{:.4g}", limit.multiplier)});
+                   {priced ? "price" : ""}});
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const LimitReport& limit = limits[i];
+    const LimitText text = limit_text(limit, answer.bound.statement().constraints[i]);
+    const bool price = priced && limit.multiplier != 0;
+    table.add({limit.name, text.value, text.bound, text.margin, limit.unit, text.place,
+               limit.proved ? "yes" : "no", price ? fmt::format("{:.4g}", limit.multiplier) : ""});
   }
   return table.text();
 }
@@ -77,17 +81,42 @@ std::string prices(const Answer& answer) {
   return text.empty() ? "" : "what limits cost, to first order\n" + text;
 }
 
+/// The solver asked for, and the one that ended the search where that is another: what a global
+/// method finds a local one polishes.
+std::string solver_words(const Answer& answer) {
+  const optim::Found& found = answer.optimum.found;
+  const bool another = answer.asked != "auto" && answer.asked != found.solver;
+  return fmt::format(
+      "solver {} ({})",
+      another ? fmt::format("{}, then {}", answer.asked, found.solver) : found.solver,
+      found.why_solver);
+}
+
 std::string how(const Answer& answer) {
   const optim::Found& found = answer.optimum.found;
-  std::string text = fmt::format(
-      "{} evaluations in {} solves, {} s; solver {} ({})", found.evaluations, found.solves,
-      fmt::format("{:.3g}", answer.optimum.wall_s), found.solver, found.why_solver);
+  std::string text = fmt::format("{} evaluations in {} solves, {:.3g} s; {}", found.evaluations,
+                                 found.solves, answer.optimum.wall_s, solver_words(answer));
   if (found.starts > 1) {
     text += fmt::format("\n{} of {} starts ended at this objective", found.agreed, found.starts);
   }
   if (answer.optimum.combinations > 1) {
     text += fmt::format("\n{} combinations, {} problems solved", answer.optimum.combinations,
                         answer.optimum.solved);
+  }
+  return text;
+}
+
+/// The objective and the variables, where there is a design.
+std::string design_text(const Answer& answer) {
+  const optim::ObjectiveReport& objective = assessment(answer).objective;
+  const problems::ResponseName& response = answer.bound.statement().objective->response;
+  if (std::isnan(objective.value)) return "no design was found\n";
+  std::string text = fmt::format(
+      "{} = {}{}\n\n", objective_name(answer),
+      with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
+      objective.angle ? fmt::format("  (at {})", place_text(*objective.angle, response)) : "");
+  for (const Answer::Value& value : answer.values()) {
+    text += fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit));
   }
   return text;
 }
@@ -99,31 +128,41 @@ std::vector<Answer::Value> Answer::values() const {
   for (std::size_t i = 0; i < space.choices.size() && i < optimum.options.size(); ++i) {
     const optim::Choice& choice = space.choices[i];
     const std::size_t option = optimum.options[i];
-    result.push_back({choice.name, choice.unit, choice.options[option],
+    // Of a law not the option's words, which have the starts of what varies.
+    const auto chosen = choice.values.empty() ? law() : std::nullopt;
+    result.push_back({choice.name, choice.unit, chosen ? chosen->label() : choice.options[option],
                       choice.values.empty() ? std::nan("") : choice.values[option]});
   }
   for (const VariableReport& v : optimum.found.assessment.variables) {
-    result.push_back({v.name, v.unit, fmt::format("{:.10g}", v.value), v.value});
+    const double size = std::max({std::abs(v.value), std::abs(v.lower), std::abs(v.upper)});
+    const bool noise = std::abs(v.value) < 1e-12 * size;
+    result.push_back({v.name, v.unit, fmt::format("{:.10g}", noise ? 0 : v.value), v.value});
   }
   return result;
 }
 
+std::optional<Member> Answer::law() const {
+  if (optimum.found.x.size() != optimum.problem.variables.size()) return {};
+  return bound.at(optimum.options, optimum.found.x).laws.front();
+}
+
+std::vector<LimitReport> Answer::limits() const {
+  return problems::as_stated(bound.statement(), optimum.found.assessment.limits);
+}
+
 std::string answer_text(const Answer& answer) {
   const Assessment& a = assessment(answer);
-  std::string text =
-      fmt::format("{}\n{}: {}\n", answer.bound.statement().title, to_string(a.verdict), a.reason);
+  const std::string& title = answer.bound.statement().title;
+  std::string text = title.empty() ? "" : title + "\n";
+  text += fmt::format("{}: {}\n", to_string(a.verdict), a.reason);
   if (a.global) text += fmt::format("global: {}\n", *a.global);
-  text += fmt::format("\n{} = {}{}\n\n", objective_name(answer),
-                      with_unit(fmt::format("{:.10g}", a.objective.value), objective_unit(answer)),
-                      a.objective.angle ? fmt::format("  (at {:.4g})", *a.objective.angle) : "");
-  for (const Answer::Value& value : answer.values()) {
-    text += fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit));
-  }
-  if (!a.limits.empty()) text += "\n" + limit_table(a);
+  text += "\n" + design_text(answer);
+  if (!a.limits.empty()) text += "\n" + limit_table(answer);
   if (!a.active.empty()) text += fmt::format("\nactive: {}\n", fmt::join(a.active, ", "));
   if (const std::string costs = prices(answer); !costs.empty()) text += "\n" + costs;
   if (std::isfinite(a.kkt_residual)) {
-    text += fmt::format("\nconditions of optimality to {:.1e}; condition of the active limits {}\n",
+    text += fmt::format("\nconditions of {} to {:.1e}; condition of the active limits {}\n",
+                        a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality",
                         a.kkt_residual,
                         std::isinf(a.condition) ? "infinite: their multipliers are not unique"
                                                 : fmt::format("{:.2g}", a.condition));
@@ -134,13 +173,14 @@ std::string answer_text(const Answer& answer) {
 Json answer_json(const Answer& answer) {
   const Assessment& a = assessment(answer);
   const optim::Found& found = answer.optimum.found;
+  const std::optional<Member> law = answer.law();
   Json variables = Json::object(), units = Json::object();
   for (const Answer::Value& value : answer.values()) {
     variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
     if (!value.unit.empty()) units[value.name] = value.unit;
   }
   Json constraints = Json::array();
-  for (const LimitReport& limit : a.limits) {
+  for (const LimitReport& limit : answer.limits()) {
     constraints.push_back(
         {{"name", limit.name},
          {"value", to_json(limit.value)},
@@ -188,7 +228,10 @@ Json answer_json(const Answer& answer) {
       {"solves", found.solves},
       {"wall_s", answer.optimum.wall_s},
       {"solver", found.solver},
-      {"why_solver", found.why_solver}};
+      {"solver_asked", answer.asked},
+      {"why_solver", found.why_solver},
+      {"seed", answer.seed},
+      {"law", law ? Json(law->name()) : Json(nullptr)}};
 }
 
 namespace {
@@ -231,13 +274,16 @@ Figure cycle_figure(const Answer& answer) {
       with_unit(fmt::format("{:.6g}", assessment(answer).objective.value), objective_unit(answer)));
   figure.panel_height = 190;
   const optim::Problem& problem = answer.optimum.problem;
+  const problems::ProblemStatement& statement = answer.bound.statement();
   const auto& x = answer.optimum.found.x;
-  const auto add = [&](const optim::Response& response, std::vector<double> levels) {
+  const auto add = [&](const optim::Response& response, const problems::ResponseName& stated,
+                       std::vector<double> levels) {
     if (!response.is_curve() || x.empty()) return;
     const auto trace = response.curve().trace(x);
+    const std::string& curve = stated.response->name;  // X of "peak X"
     Panel* panel = nullptr;
     for (Panel& known : figure.panels) {
-      if (known.y.label == response.name) panel = &known;
+      if (known.y.label == curve) panel = &known;
     }
     if (panel == nullptr) {
       Panel fresh;
@@ -246,7 +292,7 @@ Figure cycle_figure(const Answer& answer) {
                  .unit = breaks.back() > 1 ? "deg" : "",
                  .lower = breaks.front(),
                  .upper = breaks.back()};
-      fresh.y = {.label = response.name, .unit = response.unit == "1" ? "" : response.unit};
+      fresh.y = {.label = curve, .unit = response.unit == "1" ? "" : response.unit};
       fresh.lines.push_back(curve_line(*trace));
       fresh.lines.back().colour = "#0072b2";
       figure.panels.push_back(std::move(fresh));
@@ -254,12 +300,13 @@ Figure cycle_figure(const Answer& answer) {
     }
     for (const double value : levels) panel->lines.push_back(level(*trace, value));
   };
-  add(problem.objective.response, {});
-  for (const optim::Constraint& c : problem.constraints) {
+  add(problem.objective.response, statement.objective->response, {});
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const optim::Constraint& c = problem.constraints[i];
     std::vector<double> levels;
     if (c.upper) levels.push_back(*c.upper);
     if (c.lower) levels.push_back(*c.lower);
-    add(c.response, levels);
+    add(c.response, statement.constraints[i].response, levels);
   }
   return figure;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/chart.h"
@@ -16,6 +18,8 @@ struct Answer {
   const problems::BoundProblem& bound;
   const optim::ProblemSpace& space;
   const optim::Optimum& optimum;
+  std::string asked;  ///< the solver asked for, or "auto"
+  std::uint64_t seed;
 
   /// Option or variable by name, with units: the design.
   struct Value {
@@ -23,6 +27,10 @@ struct Answer {
     double number;  ///< NaN for a choice in words
   };
   std::vector<Value> values() const;
+  /// The law of the design with all its parameters; none where the model gave no design.
+  std::optional<Member> law() const;
+  /// The limits, turned as they were stated.
+  std::vector<optim::LimitReport> limits() const;
 };
 
 std::string answer_text(const Answer& answer);

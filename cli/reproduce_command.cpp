@@ -159,7 +159,7 @@ void add_reproduce_command(CLI::App& app) {
   const auto json = std::make_shared<bool>(false);
   const auto n = std::make_shared<std::optional<int>>();
   command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)");
-  command->add_flag("--json", *json, "print JSON");
+  add_switch(*command, "--json", *json, "print JSON");
   command->add_option("--n", *n, "cam-shape: solve it for this many radii instead");
   command->callback([names, json, n] { run_reproduce(*names, *json, *n); });
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "kinematics/catalogue.h"
@@ -15,8 +19,19 @@ namespace {
 int complain(std::string message, int status) {
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  fmt::print(stderr, "camlaw: {}\n", message);
+  const std::string line = fmt::format("camlaw: {}\n", message);
+  std::fputs(line.c_str(), stderr);  // unlike fmt::print silent where there is nobody to read it
   return status;
+}
+
+/// Standard streams that are closed stay so for all that is printed, and the files that the program
+/// opens do not take their numbers.
+void reserve_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    // Opened the wrong way round, so that reading or writing fails as it should.
+    open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
 }
 
 /// What to say of an unknown word: the commands that are near.
@@ -39,7 +54,12 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
     return complain(fmt::format("no option '{}'; 'camlaw --help' shows the usage", word),
                     kBadInput);
   }
-  return complain(fmt::format("{}; 'camlaw --help' shows the usage", error.what()), kBadInput);
+  std::string what = error.what();
+  constexpr std::string_view kOverride = " was given a disallowed flag override";
+  if (what.ends_with(kOverride)) {
+    what = fmt::format("--{} takes no value", what.substr(0, what.size() - kOverride.size()));
+  }
+  return complain(fmt::format("{}; 'camlaw --help' shows the usage", what), kBadInput);
 }
 
 /// What was printed must have arrived: a full disk behind standard output is a failure too.
@@ -50,7 +70,13 @@ int finish(int status) {
 
 }  // namespace
 
+CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
+                        const std::string& help) {
+  return command.add_flag(name, on, help)->disable_flag_override();
+}
+
 int run(int argc, const char* const* argv) {
+  reserve_standard_streams();
   CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
   app.set_version_flag("--version", "camlaw 0.1.0");
   app.require_subcommand(1);

@@ -53,7 +53,7 @@ void add_study_command(CLI::App& app) {
   command
       ->add_option("--set", options->settings, "set a given: name=value, such as --set 'h=0.8 mm'")
       ->allow_extra_args(false);
-  command->add_flag("--json", options->json, "print JSON");
+  add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { run_study(*options); });
 }
 

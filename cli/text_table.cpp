@@ -78,6 +78,25 @@ std::string shown(double value, int decimals) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+std::string significant(double value, double size, int digits) {
+  if (!std::isfinite(value)) return shown(value, 0);
+  constexpr double kLeast = 1e-290;  // smaller ones have no quantum
+  if (size > kLeast && std::isfinite(size)) {
+    const double quantum = std::pow(10, std::floor(std::log10(size)) - 6);
+    if (std::abs(value) < 0.5 * quantum) value = 0;
+    // Above, as many digits as reach down to the quantum.
+    if (value != 0) {
+      const double own = std::floor(std::log10(std::abs(value)) - std::log10(quantum)) + 1;
+      digits = std::clamp(static_cast<int>(own), 1, digits);
+    }
+  }
+  return fmt::format("{:.{}g}", value + 0.0, digits);
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit == "1" || unit.empty() ? text : text + " " + unit;
+}
+
 std::string exact(double value) { return std::isnan(value) ? "nan" : fmt::format("{}", value); }
 
 }  // namespace camlaw::cli

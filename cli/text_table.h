@@ -31,6 +31,11 @@ std::string to_csv(const std::vector<std::vector<std::string>>& rows);
 
 /// A number for people: `decimals` places, "inf", "-inf" or "-" for NaN, never "-0.00".
 std::string shown(double value, int decimals);
+/// A number for people: as many digits as 7 of `size`, that of the numbers it stands beside, so
+/// that their rounding is not shown; `digits` of its own at most; never "-0".
+std::string significant(double value, double size, int digits = 7);
+/// "40 mm", of a plain number "40".
+std::string with_unit(const std::string& text, const std::string& unit);
 /// A number for programs: as many digits as bring the same double back; "inf", "-inf", "nan".
 std::string exact(double value);
 

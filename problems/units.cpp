@@ -95,6 +95,26 @@ bool is_unit_text(std::string_view text) {
   }
 }
 
+/// ", such as 1 mm"; of a plain number nothing.
+std::string example(const std::string& listed) {
+  return listed == "1" ? "" : fmt::format(", such as 1 {}", listed);
+}
+
+/// Why a text does not begin with a number.
+std::string number_refusal(std::string_view text, std::errc error, const std::string& listed) {
+  if (error == std::errc::result_out_of_range) {
+    return fmt::format("'{}' is beyond the numbers that can be counted with", text);
+  }
+  return fmt::format("'{}' is not a number{}", text,
+                     listed == "1" ? "" : " with a unit" + example(listed));
+}
+
+/// What a person did who wrote 4,0.
+bool has_decimal_comma(std::string_view rest) {
+  return rest.size() > 1 && rest[0] == ',' &&
+         std::isdigit(static_cast<unsigned char>(rest[1])) != 0;
+}
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -119,22 +139,23 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{}) {
-    throw std::invalid_argument(
-        fmt::format("{}: '{}' is not a number{}", what, text,
-                    listed == "1" ? "" : fmt::format(" with a unit, such as 1 {}", listed)));
+    throw std::invalid_argument(fmt::format("{}: {}", what, number_refusal(text, error, listed)));
   }
   const std::string given(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
   if (given.empty()) return convert_unit(value, listed, unit);
+  if (has_decimal_comma(given)) {
+    throw std::invalid_argument(
+        fmt::format("{}: '{}' has a comma; use a point for the decimals", what, text));
+  }
   const Unit target = find_unit(unit);
   const Unit source = is_unit_text(given) ? find_unit(given) : Unit(nullptr, &ut_free);
   if (!source) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted, such as 1 {}",
-                                            what, given, kind_of(target), listed));
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted{}", what, given,
+                                            kind_of(target), example(listed)));
   }
   if (!same_kind(source, target)) {
-    throw std::invalid_argument(
-        fmt::format("{}: '{}' is {}; {} is wanted{}", what, text, kind_of(source), kind_of(target),
-                    listed == "1" ? "" : fmt::format(", such as 1 {}", listed)));
+    throw std::invalid_argument(fmt::format("{}: '{}' is {}; {} is wanted{}", what, text,
+                                            kind_of(source), kind_of(target), example(listed)));
   }
   const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
   return cv_convert_double(converter.get(), value);

@@ -17,14 +17,15 @@ namespace {
 
 using optim::Part;
 
-/// Refuses a name, with the near ones and all known.
+/// Refuses a name, with the near ones and where all are listed, or with all.
 [[noreturn]] void refuse(const std::string& what, std::string_view name,
-                         const std::vector<std::string>& known) {
+                         const std::vector<std::string>& known, const std::string& list = "") {
   const auto near = near_names(name, known);
+  const bool all = near.empty() || list.empty();
   throw std::invalid_argument(
-      fmt::format("{} '{}'{}; known are {}", what, name,
+      fmt::format("{} '{}'{}; {}", what, name,
                   near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
-                  fmt::join(known, ", ")));
+                  all ? fmt::format("known are {}", fmt::join(known, ", ")) : list));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -129,8 +130,8 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
             .unit = parameter->unit};
   }
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
-  refuse(fmt::format("{}: no response is called", mechanism.name), name,
-         known_responses(mechanism));
+  refuse(fmt::format("{}: no response is called", mechanism.name), name, known_responses(mechanism),
+         "'camlaw evaluate FILE' lists all, for a file without this name");
 }
 
 }  // namespace camlaw::problems

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+
+#include "problems/statement/choices.h"
 
 namespace camlaw::problems {
 namespace {
@@ -14,6 +17,28 @@ using optim::Part;
 
 /// Whole variables are tried one by one while there are no more combinations than this.
 constexpr double kTried = 5000;
+
+[[noreturn]] void refuse(const ProblemStatement& statement, const std::string& why) {
+  throw std::invalid_argument(
+      statement.source.empty() ? why : fmt::format("{}: {}", statement.source, why));
+}
+
+/// Refuses more combinations of choices than a search takes.
+void check_combinations(const ProblemStatement& statement,
+                        const std::vector<optim::Choice>& choices) {
+  double product = 1;
+  std::string factors;
+  for (const optim::Choice& choice : choices) {
+    product *= static_cast<double>(choice.options.size());
+    factors +=
+        fmt::format("{}{} of {}", factors.empty() ? "" : ", ", choice.options.size(), choice.name);
+  }
+  if (product > kMostCombinations) {
+    refuse(statement, fmt::format("there are {:.6g} combinations to choose from ({}); at most {} "
+                                  "are tried",
+                                  product, factors, kMostCombinations));
+  }
+}
 
 optim::Choice choice_of(const VariableStatement& v) {
   optim::Choice choice{v.name, v.unit, {}, v.values, 0};
@@ -59,11 +84,10 @@ struct BoundProblem::Slot {
 
 BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(statement)) {
   if (!statement_.objective) {
-    throw std::invalid_argument(
-        "the problem has no objective; write [objective] minimize = \"...\"");
+    refuse(statement_, "the problem has no objective; write [objective] minimize = \"...\"");
   }
   if (statement_.variables.empty() && statement_.laws.size() < 2) {
-    throw std::invalid_argument("the problem has no variables: nothing can be optimised");
+    refuse(statement_, "the problem has no variables: nothing can be optimised");
   }
   if (statement_.laws.size() > 1) {
     optim::Choice choice{"law", "", {}, {}, 0};
@@ -80,6 +104,7 @@ BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(st
     choices_.push_back(choice_of(v));
     chosen_.push_back(i);
   }
+  check_combinations(statement_, choices_);
 }
 
 optim::ProblemSpace BoundProblem::space() const {
@@ -176,8 +201,11 @@ ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim
 std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
                                               const Binding& binding) {
   std::vector<optim::Constraint> result;
+  std::map<std::string, int> seen;
   for (const ConstraintStatement& c : statement.constraints) {
     result.push_back(limit_on(*statement.mechanism, c, binding));
+    const int number = ++seen[c.response.name];
+    if (number > 1) result.back().response.name += fmt::format(" ({})", number);
   }
   return result;
 }

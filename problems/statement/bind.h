@@ -11,7 +11,8 @@ namespace camlaw::problems {
 /// variables with listed values, and whole variables with few enough values to try each.
 class BoundProblem {
  public:
-  /// Throws std::invalid_argument where there is no objective or nothing varies.
+  /// Throws std::invalid_argument where there is no objective, nothing varies, or there are more
+  /// than kMostCombinations of choices.
   explicit BoundProblem(ProblemStatement statement);
 
   const ProblemStatement& statement() const { return statement_; }
@@ -47,10 +48,16 @@ struct EvaluatedResponse {
 /// Every response of the mechanism, named peaks last, at the statement's starts.
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement);
 
-/// Each constraint at the statement's starts, proved over the cycle.
+/// Each constraint at the statement's starts, proved over the cycle, as_stated.
 std::vector<optim::LimitReport> standing(const ProblemStatement& statement);
 
-/// The statement's constraints as functions of a binding's variables.
+/// The reports on a statement's constraints, turned to the side that was written: a bound on the
+/// largest size of a curve is one from above, whichever side of the curve comes near it.
+std::vector<optim::LimitReport> as_stated(const ProblemStatement& statement,
+                                          std::vector<optim::LimitReport> limits);
+
+/// The statement's constraints as functions of a binding's variables. Of several on one response
+/// the names are numbered from the second on, "inertia_force (2)".
 std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
                                               const Binding& binding);
 

@@ -2,7 +2,6 @@
 #include "problems/statement/choices.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +21,8 @@ std::optional<double> find_choice(const std::vector<double>& values, double want
 std::optional<std::string> why_not(const VariableStatement& variable, double value) {
   if (!variable.values.empty()) {
     if (find_choice(variable.values, value)) return {};
-    return fmt::format("{} is none of {:.6g}{}{}", with_unit(value, variable.unit),
-                       fmt::join(variable.values, ", "), variable.unit == "1" ? "" : " ",
-                       variable.unit == "1" ? "" : variable.unit);
+    return fmt::format("{} is none of {}", with_unit(value, variable.unit),
+                       values_text(variable.values, variable.unit));
   }
   const double meant = onto_range(value, variable.lower, variable.upper);
   if (!(meant >= variable.lower && meant <= variable.upper)) {

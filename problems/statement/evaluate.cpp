@@ -67,7 +67,20 @@ std::vector<optim::LimitReport> standing(const ProblemStatement& statement) {
   problem.name = statement.title;
   problem.constraints = constraints_of(statement, fixed(statement));
   problem.check();
-  return optim::limit_reports(problem, optim::sizes(problem, {}), {}, true);
+  return as_stated(statement, optim::limit_reports(problem, optim::sizes(problem, {}), {}, true));
+}
+
+std::vector<optim::LimitReport> as_stated(const ProblemStatement& statement,
+                                          std::vector<optim::LimitReport> limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    optim::LimitReport& limit = limits[i];
+    if (statement.constraints[i].response.part != optim::Part::Magnitude || limit.is_upper)
+      continue;
+    limit.value = -limit.value;
+    limit.bound = -limit.bound;
+    limit.is_upper = true;
+  }
+  return limits;
 }
 
 }  // namespace camlaw::problems

@@ -103,6 +103,23 @@ std::string with_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
 
+std::string listed(const std::vector<std::string>& parts) {
+  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
+  return fmt::format("{} and {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
+}
+
+std::string values_text(const std::vector<double>& values, const std::string& unit) {
+  constexpr std::size_t kShown = 12;
+  if (values.size() > kShown) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return fmt::format("{} values from {:.6g} to {}", values.size(), *least,
+                       with_unit(*most, unit));
+  }
+  std::vector<std::string> parts;
+  for (const double value : values) parts.push_back(fmt::format("{:.6g}", value));
+  return listed(parts) + (unit == "1" ? "" : " " + unit);
+}
+
 std::string range_text(double low, double high, const std::string& unit) {
   return fmt::format("{:.6g} .. {}", low, with_unit(high, unit));
 }

@@ -70,6 +70,10 @@ std::string law_names(const ProblemStatement& problem);
 
 /// "40 mm", "17".
 std::string with_unit(double value, const std::string& unit);
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& parts);
+/// "40, 50 and 63 mm"; of many "400 values from 1 to 400 mm".
+std::string values_text(const std::vector<double>& values, const std::string& unit);
 /// "-10 .. 0", "10 .. 60 mm".
 std::string range_text(double low, double high, const std::string& unit);
 

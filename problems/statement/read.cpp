@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <limits>
 
-#include "optim/solvers/solver.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -23,20 +21,49 @@ std::string known_mechanisms() {
   return names;
 }
 
+/// More than any problem file has; what is longer is something else, such as /dev/zero.
+constexpr std::size_t kMostBytes = 16U << 20U;
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", path, why));
+}
+
 std::string contents(const std::string& path) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw std::invalid_argument(
-        fmt::format("{}: it is a directory; a problem file is wanted", path));
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) refuse_file(path, "it is a directory; a problem file is wanted");
+  if (fs::is_block_file(status) || fs::is_socket(status)) {
+    refuse_file(path, "it is no file of text; a problem file is wanted");
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  std::string text;
+  std::array<char, 1U << 16U> block;
+  while (file && text.size() <= kMostBytes) {
+    file.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (!file.is_open() || file.bad()) {
-    throw std::invalid_argument(fmt::format("{}: it cannot be read: {}", path,
-                                            errno != 0 ? std::strerror(errno) : "unknown cause"));
+    refuse_file(path, fmt::format("it cannot be read: {}",
+                                  errno != 0 ? std::strerror(errno) : "unknown cause"));
+  }
+  if (text.size() > kMostBytes) {
+    refuse_file(path, fmt::format("it is larger than {} MiB, the most that a problem file may have",
+                                  kMostBytes >> 20U));
   }
   return text;
+}
+
+/// Refuses what would do things to a terminal or break a line.
+void check_printable(const Entry& entry) {
+  for (std::size_t i = 0; i < entry.text.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(entry.text[k]); };
+    const bool c1 = byte(i) == 0xC2 && i + 1 < entry.text.size() && byte(i + 1) < 0xA0;
+    if (byte(i) >= 0x20 && byte(i) != 0x7F && !c1) continue;
+    refuse(entry, fmt::format("it has a control character, U+{:04X}; a title is one line of text",
+                              c1 ? byte(i + 1) : byte(i)));
+  }
 }
 
 }  // namespace
@@ -53,26 +80,6 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
   }
 }
 
-void read_solver(const Entry& file, ProblemStatement& problem) {
-  const Entry* solver = find(file, "solver");
-  if (solver == nullptr) return;
-  expect(*solver, Entry::Kind::Table, "a table, [solver]");
-  check_keys(*solver, {"name", "starts", "seed", "time_limit"});
-  if (const Entry* name = find(*solver, "name")) {
-    problem.solver.name = text_of(*name);
-    located(*name, [&] { optim::find_solver(name->text); });
-  }
-  constexpr int kMostStarts = 1'000'000;
-  if (const Entry* starts = find(*solver, "starts")) {
-    problem.solver.starts = static_cast<int>(whole_of(*starts, 1, kMostStarts));
-  }
-  if (const Entry* seed = find(*solver, "seed")) {
-    const auto most = std::numeric_limits<std::int64_t>::max();
-    problem.solver.seed = static_cast<std::uint64_t>(whole_of(*seed, 0, most));
-  }
-  problem.solver.time_limit = find_positive(*solver, "time_limit", "s");
-}
-
 ProblemStatement read_problem(std::string_view toml, const std::string& source) {
   const Entry file = parse_toml(toml, source);
   if (file.items.empty()) {
@@ -81,7 +88,11 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   check_keys(file, {"title", "mechanism", "constants", "law", "program", "variables", "objective",
                     "constraints", "solver"});
   ProblemStatement problem;
-  if (const Entry* title = find(file, "title")) problem.title = text_of(*title);
+  problem.source = source;
+  if (const Entry* title = find(file, "title")) {
+    problem.title = text_of(*title);
+    check_printable(*title);
+  }
   FixedNames fixed;
   read_mechanism(file, problem);
   read_laws(file, problem, fixed);

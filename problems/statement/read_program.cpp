@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "kinematics/program/program.h"
+#include "problems/statement/choices.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -96,6 +99,16 @@ void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
   }
 }
 
+/// Refuses more combinations of laws than a search goes through.
+void check_count(const Entry& list, const std::vector<StatedSegment>& stated) {
+  double count = 1;
+  for (const StatedSegment& s : stated) count *= std::max(1.0, static_cast<double>(s.laws.size()));
+  if (count > kMostCombinations) {
+    refuse(list, fmt::format("the segments' laws make {:.6g} programs; at most {} are tried", count,
+                             kMostCombinations));
+  }
+}
+
 /// Every combination of the segments' laws, the last segment's fastest.
 std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSegment>& stated) {
   std::vector<std::vector<ProgramSegment>> all{{}};
@@ -132,6 +145,7 @@ std::vector<Member> read_program(const Entry& program) {
   }
   if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");
   fill_last_angle(*list, stated);
+  check_count(*list, stated);
   std::vector<Member> programs;
   for (auto& segments : combinations(stated)) {
     programs.push_back(located(*list, [&] { return motion_program(segments, matched); }));

@@ -11,9 +11,28 @@ namespace {
 using Kind = Entry::Kind;
 using optim::Part, optim::Sense;
 
+/// Refuses a parameter of the law, where it is asked for as a response.
+void refuse_law_parameter(const std::string& name, const ProblemStatement& problem) {
+  const std::string bare = name.substr(0, name.find('['));
+  for (const Member& law : problem.laws) {
+    if (!index_in(*law.family, bare)) continue;
+    throw std::invalid_argument(fmt::format(
+        "{} is a parameter of the law, which is no response: it can vary between bounds, "
+        "[variables.{}], but not be an objective or a constraint",
+        name, bare));
+  }
+}
+
 ResponseName read_response(const Entry& entry, const ProblemStatement& problem) {
   const std::string& name = text_of(entry);
-  return located(entry, [&] { return find_response(*problem.mechanism, name); });
+  return located(entry, [&] {
+    try {
+      return find_response(*problem.mechanism, name);
+    } catch (const std::invalid_argument&) {
+      refuse_law_parameter(name, problem);
+      throw;
+    }
+  });
 }
 
 /// The curve that a response is, or is a part of; empty for a number.
@@ -87,6 +106,16 @@ void check_limits(const Limits& limits, const ResponseName& name) {
   }
 }
 
+/// Refuses an upper bound that the largest size of a curve passes whatever the design.
+void check_size_limit(const Limits& limits, const ConstraintStatement& constraint) {
+  if (constraint.response.part != Part::Magnitude || *constraint.upper > 0) return;
+  refuse(*limits.upper,
+         fmt::format("{} is the largest size of the curve {}, which is not below zero; give an "
+                     "upper bound above zero instead of {}, or limit the curve itself",
+                     constraint.response.name, curve_of(constraint.response),
+                     with_unit(*constraint.upper, constraint.response.unit)));
+}
+
 std::optional<double> read_limit(const Entry* entry, const std::string& unit) {
   return entry == nullptr ? std::nullopt : std::optional(quantity_of(*entry, unit));
 }
@@ -119,6 +148,7 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   constraint.lower = read_limit(limits.equals != nullptr ? limits.equals : limits.lower, unit);
   constraint.upper = read_limit(limits.equals != nullptr ? limits.equals : limits.upper, unit);
   check_order(table, limits, constraint);
+  check_size_limit(limits, constraint);
   constraint.tolerance = find_positive(table, "tolerance", unit);
   return constraint;
 }

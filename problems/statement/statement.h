@@ -59,13 +59,14 @@ struct ProblemStatement {
   std::optional<ObjectiveStatement> objective;  ///< `evaluate` does without
   std::vector<ConstraintStatement> constraints;
   SolverStatement solver;
+  std::string source = {};  ///< the file, for what is found out about the problem as a whole
 };
 
 /// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.
 /// Throws std::invalid_argument with the line, the key and what is accepted:
 /// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20".
 ProblemStatement read_problem(std::string_view toml, const std::string& source);
-/// Reads a file. Throws std::invalid_argument too where it cannot be read.
+/// Reads a file of at most 16 MiB. Throws std::invalid_argument too where it cannot be read.
 ProblemStatement read_problem_file(const std::string& path);
 
 /// Sets a variable's start, a constant or a law's fixed parameter: "blades=21", "stroke=30 mm",

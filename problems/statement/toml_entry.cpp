@@ -97,9 +97,16 @@ std::string explained(std::string_view description) {
   if (description.find("utf-8") != std::string_view::npos) {
     return "it is not UTF-8; save the file as UTF-8 text";
   }
-  const bool runs_on = description.find("a comment or whitespace") != std::string_view::npos;
-  return fmt::format("it is not TOML: {}{}", description,
-                     runs_on ? "; a number with a unit stands in quotes, such as \"40 mm\"" : "");
+  const auto says = [&](std::string_view words) {
+    return description.find(words) != std::string_view::npos;
+  };
+  const char* remedy = says("saw ','") ? "; use a point for the decimals, such as 4.5"
+                       : says("a comment or whitespace")
+                           ? "; a number with a unit stands in quotes, such as \"40 mm\""
+                       : says("could not determine value type")
+                           ? "; a name stands in quotes, such as \"cosine\""
+                           : "";
+  return fmt::format("it is not TOML: {}{}", description, remedy);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "kinematics/catalogue.h"
+#include "problems/statement/parameters.h"
 #include "problems/units.h"
 
 namespace camlaw::problems {
@@ -75,7 +76,7 @@ double quantity_of(const Entry& entry, const std::string& unit) {
 
 double positive_of(const Entry& entry, const std::string& unit) {
   const double value = quantity_of(entry, unit);
-  if (!(value > 0)) refuse(entry, fmt::format("{:.6g} is not above zero", value));
+  if (!(value > 0)) refuse(entry, fmt::format("{} is not above zero", with_unit(value, unit)));
   return value;
 }
 

@@ -12,12 +12,6 @@ namespace {
 
 using optim::Sense;
 
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& parts) {
-  if (parts.size() < 2) return parts.empty() ? "" : parts.front();
-  return fmt::format("{} and {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
-}
-
 /// " (tolerance 0.01 mm)", where there is one.
 std::string tolerance_note(const std::optional<double>& tolerance, const std::string& unit) {
   return tolerance ? fmt::format(" (tolerance {})", with_unit(*tolerance, unit)) : "";
@@ -117,10 +111,8 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
   const std::string name = v.name + owner_note(problem, v);
   const std::string start = with_unit(v.start, v.unit);
   if (!v.values.empty()) {
-    std::vector<std::string> values;
-    for (const double value : v.values) values.push_back(fmt::format("{:.6g}", value));
-    return fmt::format("Choose {} among {}{}, starting at {}.\n", name, listed(values),
-                       v.unit == "1" ? "" : " " + v.unit, start);
+    return fmt::format("Choose {} among {}, starting at {}.\n", name, values_text(v.values, v.unit),
+                       start);
   }
   return fmt::format("Vary {} {} {:.6g} and {}, starting at {}.\n", name,
                      v.integer ? "in whole steps between" : "between", v.lower,

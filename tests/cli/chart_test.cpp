@@ -146,6 +146,15 @@ TEST_CASE("chart: ticks of known ranges are the numbers one would choose") {
   CHECK_FALSE(std::signbit(nice_ticks(-1, 1)[2]));
 }
 
+TEST_CASE("chart: ticks of a turn are parts of it that one counts in") {
+  CHECK(degree_ticks(0, 360) == std::vector<double>{0, 60, 120, 180, 240, 300, 360});
+  CHECK(degree_ticks(0, 180) == std::vector<double>{0, 30, 60, 90, 120, 150, 180});
+  CHECK(degree_ticks(-180, 180).front() == -180);
+  CHECK(degree_ticks(0, 720) == std::vector<double>{0, 180, 360, 540, 720});
+  CHECK(degree_ticks(-32, 32) == nice_ticks(-32, 32));
+  CHECK(degree_ticks(0, 1e4) == nice_ticks(0, 1e4));
+}
+
 TEST_CASE("chart: ticks are 4 to 8 even steps within the range, for all sizes of ranges") {
   std::mt19937 random(1);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };

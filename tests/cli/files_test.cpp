@@ -175,4 +175,24 @@ TEST_CASE("what is no regular file is not replaced by one", "[files]") {
   CHECK(fs::is_socket(path));
 }
 
+TEST_CASE("whether files can be written is found out without leaving anything", "[files]") {
+  const Folder folder;
+  write(folder / "kept", "as it was");
+  check_writable({folder / "kept", folder / "new/deep/file"});
+  CHECK(folder.content() == Names{"kept"});
+  CHECK(read(folder / "kept") == "as it was");
+  CHECK_THROWS_WITH(check_writable({folder / "a", folder / "kept/b"}), Contains("kept/b"));
+  CHECK_THROWS_WITH(check_writable({"/dev/null/x"}), Contains("/dev/null/x"));
+  CHECK(folder.content() == Names{"kept"});
+}
+
+TEST_CASE("files of an earlier run are removed, nothing else", "[files]") {
+  const Folder folder;
+  write(folder / "old", "x");
+  fs::create_directory(folder / "dir");
+  const auto removed = remove_files({folder / "old", folder / "dir", folder / "none"});
+  CHECK(removed == std::vector<fs::path>{folder / "old"});
+  CHECK(folder.content() == Names{"dir"});
+}
+
 }  // namespace camlaw::cli

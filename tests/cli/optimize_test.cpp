@@ -88,6 +88,86 @@ TEST_CASE("optimize ends with 4 where there is no answer", "[program]") {
   CHECK_THAT(outcome.out, Contains("failed") && Contains("lbfgs"));
 }
 
+TEST_CASE("a folder that cannot be written to is found out before the search", "[program]") {
+  const Folder folder;
+  std::ofstream(folder / "plain") << "not a folder";
+  CHECK_THAT(failed({"optimize", shipped("least_radius.toml"), "--out", folder / "plain/x"}, 1),
+             Contains("cannot write") && Contains("plain/x"));
+  CHECK(folder.content() == std::set<std::string>{"plain"});
+}
+
+TEST_CASE("a file that fails after the search does not take the answer with it", "[program]") {
+  const Folder folder;
+  fs::create_symlink("/dev/full", folder / "law.csv");
+  Words words{"optimize", shipped("least_radius.toml"), "--out", folder / ""};
+  const Outcome text = run(words);
+  CHECK(text.status == 1);
+  CHECK_THAT(text.out, Contains("certified optimum"));
+  CHECK_THAT(text.err, Contains("law.csv"));
+  words.push_back("--json");
+  CHECK(Json::parse(run(words).out)["verdict"] == "certified optimum");
+}
+
+TEST_CASE("files of an earlier answer do not stay beside a new one", "[program]") {
+  const Folder folder;
+  const std::string path = written(folder, force_and_radius("500 N", "300 mm"));
+  done({"optimize", path, "--out", folder / "out"});
+  REQUIRE(folder.content().contains("out/cycle.svg"));
+  std::ofstream(folder / "out/notes.txt") << "the user's own";
+  const Outcome outcome = run({"optimize", path, "--solver", "lbfgs", "--out", folder / "out"});
+  CHECK(outcome.status == 4);
+  CHECK_THAT(outcome.out, Contains("removed " + (folder / "out/cycle.svg")));
+  CHECK(folder.content() ==
+        std::set<std::string>{"out", "out/notes.txt", "out/result.json", "problem.toml"});
+}
+
+TEST_CASE("optimize's settings are read as the file's are", "[program]") {
+  const auto refused = [](const char* option, const char* value) {
+    return failed({"optimize", shipped("least_radius.toml"), option, value}, 2);
+  };
+  CHECK_THAT(refused("--seed", "-5"), Contains("--seed: -5 is out of range") && Contains("from 0"));
+  CHECK_THAT(refused("--seed", "9223372036854775808"), Contains("to 9223372036854775807"));
+  CHECK_THAT(refused("--seed", "1.5"), Contains("'1.5' is no whole number"));
+  CHECK_THAT(refused("--starts", "0"), Contains("from 1 to 1000000"));
+  CHECK_THAT(refused("--starts", "1000001"), Contains("from 1 to 1000000"));
+  CHECK_THAT(refused("--time-limit", "nan"), Contains("--time-limit: nan"));
+  CHECK_THAT(refused("--time-limit", "-1"), Contains("-1 s is no time above zero"));
+  CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is wanted"));
+  CHECK_THAT(refused("--solver", "ipot"), Contains("near: ipopt") && Contains("auto, ipopt"));
+  failed({"optimize", shipped("least_radius.toml"), "--json=3"}, 2);
+  const Json answer =
+      json_of({"optimize", shipped("least_radius.toml"), "--json", "--solver", "IPOPT",
+               "--time-limit", "1 min", "--starts", "1000000", "--seed", "9223372036854775807"});
+  CHECK(answer["solver_asked"] == "ipopt");
+  CHECK(answer["seed"] == 9223372036854775807);
+}
+
+TEST_CASE("text tells units, sides and solvers, and no rounding", "[program]") {
+  const std::string text =
+      done({"optimize", shipped("least_radius.toml"), "--solver", "isres", "--seed", "2"});
+  CHECK_THAT(text, Contains("solver isres, then slsqp"));
+  CHECK_THAT(text, Contains(" deg  yes") && !Contains("e-15") && !Contains("-0 "));
+}
+
+TEST_CASE("an infeasible answer shows no prices, and tells equal limits apart", "[program]") {
+  const Folder folder;
+  const std::string text =
+      force_and_radius("5 N", "30 mm") +
+      "[[constraints]]\nresponse = \"peak_inertia_force\"\nupper = \"400 N\"\n";
+  const Outcome outcome = run({"optimize", written(folder, text)});
+  CHECK(outcome.status == 3);
+  CHECK_THAT(outcome.out, !Contains("price") && Contains("conditions of least violation"));
+  CHECK_THAT(outcome.out, Contains("peak_inertia_force (2)"));
+}
+
+TEST_CASE("the picture of a cycle counts in parts of a turn and names its curves", "[program]") {
+  const Folder folder;
+  done({"optimize", shipped("least_radius.toml"), "--out", folder / "out"});
+  const std::string svg = read(folder / "out/cycle.svg");
+  CHECK_THAT(svg, Contains(">60<") && Contains(">300<") && !Contains(">50<"));
+  CHECK_THAT(svg, Contains(">cam_pressure_angle, deg<") && !Contains(">peak cam_pressure_angle"));
+}
+
 TEST_CASE("the same problem and seed give the same answer", "[program]") {
   const auto answer = [](const char* seed) {
     Json result = json_of({"optimize", shipped("least_moment.toml"), "--json", "--seed", seed});
@@ -115,6 +195,37 @@ TEST_CASE("evaluate computes every response at the values that are set", "[progr
         Approx(33.08).epsilon(1e-3));
   CHECK(all["constraints"][0]["met"] == true);
   CHECK_THAT(done({"evaluate", shipped("least_force.toml")}), Contains("inertia_force"));
+}
+
+TEST_CASE("evaluate tells limits from the side that was written", "[program]") {
+  const std::string text = done({"evaluate", shipped("least_radius.toml")});
+  CHECK_THAT(text, Contains("met peak cam_pressure_angle = 27.17028 <= 30 deg (worst at 270 deg)"));
+  const Json all = json_of({"evaluate", shipped("least_radius.toml"), "--json"});
+  CHECK(all["constraints"][0]["side"] == "upper");
+}
+
+TEST_CASE("a machine that is not possible is bad input", "[program]") {
+  const Words words{"evaluate", shipped("least_radius.toml"), "--set", "depth=60 mm"};
+  CHECK_THAT(failed(words, 2), Contains("spine-cutter is not possible with these values") &&
+                                   Contains("depth = 60 mm"));
+}
+
+TEST_CASE("check refuses what optimize refuses, and says nothing else", "[program]") {
+  const Folder folder;
+  const std::string head =
+      "mechanism = \"spine-cutter\"\nlaw.name = \"cubic\"\n"
+      "[objective]\nminimize = \"peak_inertia_force\"\n";
+  std::string values = "values = [1";
+  for (int i = 2; i <= 400; ++i) values.append(",").append(std::to_string(i));
+  values += "]\n";
+  const std::string many = "[variables.stroke]\n" + values + "[variables.mass]\n" + values;
+  for (const std::string& rest : {std::string(), many}) {
+    const std::string path = written(folder, head + rest);
+    const std::string error = failed({"check", path}, 2);
+    CHECK_THAT(error, Contains(path + ": "));
+    CHECK(error == failed({"optimize", path}, 2));
+  }
+  CHECK_THAT(failed({"check", "/dev/zero"}, 2), Contains("/dev/zero: it is larger than 16 MiB"));
 }
 
 TEST_CASE("a bad problem file is one line with its place and what is accepted", "[program]") {

@@ -30,6 +30,7 @@ TEST_CASE("bad input ends with status 2 and one line that says what is accepted"
       {{}, "subcommand", "--help"},
       {{"laws", "--jsn"}, "--jsn", "--help"},
       {{"laws", "cubic"}, "cubic", "--help"},
+      {{"laws", "--json=3"}, "--json takes no value", "--help"},
       {{"law"}, "NAME", "--help"},
       {{"law", "modified-sin"}, "modified-sin", "modified-sine"},
       {{"law", "zzzzzz"}, "zzzzzz", "camlaw laws"},
@@ -90,6 +91,25 @@ TEST_CASE("output that cannot be written is a failure", "[program]") {
   const std::string command = std::string(CAMLAW_PROGRAM) + " laws --json >/dev/full 2>/dev/null";
   const int status = std::system(command.c_str());
   CHECK(WEXITSTATUS(status) == 1);
+}
+
+TEST_CASE("without standard error the exit status still tells", "[program]") {
+  const auto status_of = [](const std::string& words) {
+    const std::string command = std::string(CAMLAW_PROGRAM) + " " + words;
+    return WEXITSTATUS(std::system(command.c_str()));
+  };
+  CHECK(status_of("lwas 2>&-") == 2);
+  CHECK(status_of("law nothing 2>&-") == 2);
+  CHECK(status_of("law cubic --csv /dev/null/x 2>&-") == 1);
+  CHECK(status_of("laws --json >&- 2>&-") == 1);
+}
+
+TEST_CASE("a file does not take the place of a closed stream", "[program]") {
+  const Folder folder;
+  const std::string command = std::string(CAMLAW_PROGRAM) + " law cubic --csv " +
+                              (folder / "cubic.csv") + " --samples 2 >&- 2>&-";
+  CHECK(WEXITSTATUS(std::system(command.c_str())) == 1);
+  CHECK(read(folder / "cubic.csv") == "x,s,v,a,j\n0,0,0,6,-12\n1,1,0,-6,-12\n");
 }
 
 TEST_CASE("laws --json lists every law of the catalogue and of the reference table", "[program]") {

@@ -142,4 +142,20 @@ TEST_CASE("exact is short where a short number says it, and has words for the re
   CHECK(exact(-kNan) == "nan");
 }
 
+TEST_CASE("a number is shown to 7 digits of what it stands beside", "[text_table]") {
+  CHECK(significant(33.07973373, 33) == "33.07973");
+  CHECK(significant(3.55e-15, 30, 3) == "0");
+  CHECK(significant(-1e-16, 30, 3) == "0");
+  CHECK(significant(-0.0, 0) == "0");
+  CHECK(significant(-0.7475812, 4.6, 3) == "-0.748");
+  CHECK(significant(4.2e-5, 30, 3) == "4e-05");
+  CHECK(significant(1e-12, 1e-12) == "1e-12");
+  CHECK(significant(std::nan(""), 1) == "-");
+}
+
+TEST_CASE("a plain number has no unit", "[text_table]") {
+  CHECK(with_unit("3", "1") == "3");
+  CHECK(with_unit("3", "mm") == "3 mm");
+}
+
 }  // namespace camlaw::cli

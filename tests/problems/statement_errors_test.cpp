@@ -59,6 +59,8 @@ TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
       {"a = 1\na = 2\n", ":2: ", {"cannot redefine"}},
       {"title = 'x'\n[law\n", ":2: ", {"expected ']'"}},
       {"[constants]\nstroke = 40 mm\n", ":2: ", {"stands in quotes, such as \"40 mm\""}},
+      {"mechanism = law\n", ":1: ", {"a name stands in quotes"}},
+      {"[constants]\nstroke = 4,5\n", ":2: ", {"use a point for the decimals"}},
       {"title = 'x'\nmechanism = '\xff'\n", ":2: ", {"not UTF-8", "save the file as UTF-8"}},
       {"# größe\nname = косинус\n", ":2: ", {"not TOML", "stand in quotes"}},
       {"title = \"\"\"\né\\\"\"\"\"\"\"\" # 'é\nü = 3\n", ":3: ", {"stand in quotes"}},
@@ -77,6 +79,9 @@ TEST_CASE("a file's mechanism must be there and known", "[statement]") {
       {"mechanism = 3", ":1: mechanism: ", {"a number is given", "a text in quotes is wanted"}},
       {"mechanism = ' '", ":1: mechanism: ", {"empty"}},
       {"title = 3", ":1: title: a number is given", {}},
+      {"title = \"a\\nb\"", ":1: title: it has a control character, U+000A", {"one line"}},
+      {"title = \"a\\u001b[31m\"", ":1: title: it has a control character, U+001B", {}},
+      {"title = \"a\\u0085\"", ":1: title: it has a control character, U+0085", {}},
   });
 }
 
@@ -123,6 +128,7 @@ TEST_CASE("constants are known, of their kind, in range and given once", "[state
         ":5: constants.stroke: '30 deg' is an angle; a length is wanted",
         {"1 mm"}},
        {"[constants]\nstroke = '30 mn'", ":5: constants.stroke: ", {"'mn' is not a unit"}},
+       {"[constants]\nstroke = '4,0 cm'", ":5: constants.stroke: '4,0 cm' has a comma", {"point"}},
        {"[constants]\nstroke = -1",
         ":5: constants.stroke: -1 mm is outside",
         {"0.001 .. 10000 mm"}},
@@ -269,7 +275,7 @@ TEST_CASE("listed values are there, accepted, different and stand alone", "[stat
         ":6: variables.stroke.scale: values",
         {}},
        {variable("stroke", "values = [40, 50]\nstart = 45"),
-        ":6: variables.stroke.start: 45 mm is none of 40, 50 mm",
+        ":6: variables.stroke.start: 45 mm is none of 40 and 50 mm",
         {}}}));
 }
 
@@ -312,6 +318,9 @@ TEST_CASE("an objective is one number that can be improved", "[statement]") {
   check(after_law(
       kAlpha,
       {{objective("minimize = 'inertia_forc'"), ":5: objective.minimize: ", {"inertia_force"}},
+       {objective("minimize = 'alpha'"),
+        ":5: objective.minimize: alpha is a parameter of the law, which is no response",
+        {"[variables.alpha]"}},
        {objective("minimize = 3"), ":5: objective.minimize: a number is given", {"a text"}},
        {objective("minimize = 'peak contact_angle'"),
         ":5: objective.minimize: ",
@@ -328,7 +337,7 @@ TEST_CASE("an objective is one number that can be improved", "[statement]") {
        {objective("maximize = 'highest inertia_force'"), ":5: objective.maximize: ", {"minimized"}},
        {objective("minimize = 'lowest inertia_force'"), ":5: objective.minimize: ", {"maximized"}},
        {objective("minimize = 'contact_angle'\ntolerance = 0"),
-        ":6: objective.tolerance: 0 is not",
+        ":6: objective.tolerance: 0 deg is not",
         {"above zero"}},
        {objective("minimize = 'contact_angle'\ntolerance = '1 mm'"),
         ":6: objective.tolerance: ",
@@ -347,6 +356,7 @@ TEST_CASE("a constraint bounds what can be bounded", "[statement]") {
       {{constraint("contact_angl", "upper = 3"),
         ":5: constraints[1].response: ",
         {"contact_angle"}},
+       {constraint("alpha", "upper = 3"), ":5: constraints[1].response: alpha is a parameter", {}},
        {"[[constraints]]\nupper = 3", ":4: constraints[1]: response is missing", {}},
        {"constraints = [3]", ":4: law.constraints: ", {}},
        {constraint("contact_angle", "upper = 3\n") + "[[constraints]]\nupper = 3",
@@ -366,7 +376,7 @@ TEST_CASE("a constraint bounds what can be bounded", "[statement]") {
         ":6: constraints[1].upper: '3 mm' is a length",
         {"an angle is wanted"}},
        {constraint("contact_angle", "upper = 3\ntolerance = -1"),
-        ":7: constraints[1].tolerance: -1",
+        ":7: constraints[1].tolerance: -1 deg is not above zero",
         {"above zero"}},
        {constraint("inertia_force", "equals = 3"), ":6: constraints[1].equals: a curve cannot", {}},
        {constraint("inertia_force", "lower = 3\nupper = 3"),
@@ -379,6 +389,10 @@ TEST_CASE("a constraint bounds what can be bounded", "[statement]") {
        {constraint("minimum_cam_radius", "lower = 3"),
         ":6: constraints[1].lower: a peak",
         {"response = \"required_cam_radius\""}},
+       {constraint("peak inertia_force", "upper = -5"),
+        ":6: constraints[1].upper: peak inertia_force is the largest size of the curve",
+        {"above zero instead of -5 N"}},
+       {constraint("peak_inertia_force", "upper = 0"), ":6: constraints[1].upper: ", {"0 N"}},
        {constraint("highest inertia_force", "lower = 3"), ":6: constraints[1].lower: a peak", {}},
        {constraint("lowest inertia_force", "upper = 3"),
         ":6: constraints[1].upper: ",
@@ -388,11 +402,13 @@ TEST_CASE("a constraint bounds what can be bounded", "[statement]") {
 TEST_CASE("the solver's settings are known and of use", "[statement]") {
   check(after_law(
       kAlpha,
-      {{"[solver]\nname = 'ipot'", ":5: solver.name: ", {"'ipot'", "ipopt"}},
+      {{"[solver]\nname = 'ipot'",
+        ":5: solver.name: ",
+        {"'ipot'", "near: ipopt", "there are auto, "}},
        {"[solver]\nstarts = 0", ":5: solver.starts: 0 is outside 1 .. 1000000", {}},
        {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"a whole number"}},
        {"[solver]\nseed = -1", ":5: solver.seed: -1 is outside", {}},
-       {"[solver]\ntime_limit = 0", ":5: solver.time_limit: 0 is not above zero", {}},
+       {"[solver]\ntime_limit = 0", ":5: solver.time_limit: 0 s is not above zero", {}},
        {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is wanted"}}}));
 }
 

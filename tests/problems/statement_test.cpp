@@ -8,6 +8,9 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+
+#include "problems/statement/bind.h"
 
 namespace camlaw::problems {
 namespace {
@@ -274,17 +277,78 @@ TEST_CASE("a problem is read from a file, which its errors name", "[statement]")
   CHECK_THROWS_WITH(read_problem_file(bad.path()), StartsWith(bad.path() + ":2: law: "));
 }
 
-TEST_CASE("the example of docs/problem-files.md can be read", "[statement]") {
+TEST_CASE("the examples of docs/problem-files.md can be read", "[statement]") {
   std::ifstream file(CAMLAW_SOURCE_DIR "/docs/problem-files.md");
   const std::string page(std::istreambuf_iterator<char>(file), {});
   const std::string fence = "```toml\n";
-  const std::size_t start = page.find(fence);
-  REQUIRE(start != std::string::npos);
-  const std::size_t end = page.find("```", start + fence.size());
-  const ProblemStatement p =
-      read_problem(page.substr(start + fence.size(), end - start - fence.size()), "docs");
-  CHECK(p.variables.size() == 4);
-  CHECK(p.constraints.size() == 3);
+  std::vector<ProblemStatement> read;
+  for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at + 1)) {
+    const std::size_t start = at + fence.size();
+    const std::string example = page.substr(start, page.find("```", start) - start);
+    if (example.starts_with("title")) read.push_back(read_problem(example, "docs"));
+  }
+  REQUIRE(read.size() == 2);
+  CHECK(read[0].variables.size() == 4);
+  CHECK(read[0].constraints.size() == 3);
+  CHECK(read[1].laws.size() == 2);
+  CHECK(read[1].variables.front().law_parameter == "rise_angle");
+}
+
+TEST_CASE("a file that is too large is refused, not read", "[statement]") {
+  CHECK_THROWS_WITH(read_problem_file("/dev/zero"), Contains("larger than 16 MiB"));
+  const TemporaryFile large("#" + std::string(16U << 20U, 'x'));
+  CHECK_THROWS_WITH(read_problem_file(large.path()), StartsWith(large.path() + ": it is larger"));
+}
+
+TEST_CASE("a solver may be auto, in any case", "[statement]") {
+  CHECK(read("[solver]\nname = 'auto'").solver.name == "auto");
+  CHECK(read("[solver]\nname = 'SLSQP'").solver.name == "slsqp");
+}
+
+TEST_CASE("a problem without objective or with too many combinations is not bound", "[statement]") {
+  const auto refused = [](const ProblemStatement& problem) {
+    try {
+      const BoundProblem bound(problem);
+      return std::string("accepted");
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+  };
+  CHECK_THAT(refused(read("")), StartsWith("f.toml: ") && Contains("no objective"));
+  const std::string objective = "[objective]\nminimize = 'peak_inertia_force'\n";
+  CHECK_THAT(refused(read(objective)), StartsWith("f.toml: ") && Contains("no variables"));
+  std::string values = "values = [1";
+  for (int i = 2; i <= 400; ++i) values.append(",").append(std::to_string(i));
+  values += "]\n";
+  const std::string stroke = objective + "[variables.stroke]\n" + values;
+  CHECK(refused(read(stroke)) == "accepted");
+  const ProblemStatement both = read(stroke + "[variables.mass]\n" + values);
+  CHECK_THAT(refused(both), StartsWith("f.toml: ") && Contains("160000") && Contains("100000"));
+  CHECK_THAT(in_words(both), Contains("Choose stroke among 400 values from 1 to 400 mm, "));
+}
+
+TEST_CASE("limits on one response are told apart by a number", "[statement]") {
+  const ProblemStatement p = read(
+      "[[constraints]]\nresponse = 'peak inertia_force'\nupper = 20\n"
+      "[[constraints]]\nresponse = 'peak inertia_force'\nupper = 1");
+  const auto limits = standing(p);
+  REQUIRE(limits.size() == 2);
+  CHECK(limits[0].name == "peak inertia_force");
+  CHECK(limits[1].name == "peak inertia_force (2)");
+}
+
+TEST_CASE("a limit on a largest size is told from the side that was written", "[statement]") {
+  // Highest first: s'' of this law falls lower than it rises.
+  const ProblemStatement p = read_problem(
+      "mechanism = 'law'\nlaw.name = 'polynomial-5'\nlaw.alpha = -3\nlaw.crossover = 0.6\n"
+      "[[constraints]]\nresponse = 'C'\nupper = 3",
+      "f.toml");
+  const auto limits = standing(p);
+  REQUIRE(limits.size() == 1);
+  CHECK(limits[0].is_upper);
+  CHECK(limits[0].bound == 3);
+  CHECK(limits[0].value > 3);
+  CHECK_FALSE(limits[0].met);
 }
 
 TEST_CASE("what cannot be read as a file is named with the cause", "[statement]") {
@@ -328,7 +392,7 @@ TEST_CASE("set_value refuses what the problem does not allow", "[statement]") {
   const auto refused = [&](const char* assignment) { return complaint(p, assignment); };
   CHECK_THAT(refused("alpha=3"), Contains("alpha: 3 is outside the bounds -10 .. 0"));
   CHECK_THAT(refused("blades=17.5"), Contains("blades: 17.5 is not whole"));
-  CHECK_THAT(refused("cutter_diameter=45"), Contains("45 mm is none of 40, 50, 63 mm"));
+  CHECK_THAT(refused("cutter_diameter=45"), Contains("45 mm is none of 40, 50 and 63 mm"));
   CHECK_THAT(refused("stroke=-1"), Contains("stroke: -1 mm is outside 0.001 .. 10000 mm"));
   CHECK_THAT(refused("stroke=30 deg"), Contains("stroke") && Contains("a length is wanted"));
   CHECK_THAT(refused("mass=nan"), Contains("mass: nan kg is outside"));

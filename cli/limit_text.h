@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "optim/verdict/limits.h"
+#include "problems/statement/statement.h"
+
+namespace camlaw::cli {
+
+/// Where a design stands against a limit, for people: without what rounding leaves.
+struct LimitText {
+  std::string value;
+  std::string bound;  ///< "<= 30"
+  std::string margin;
+  std::string place;  ///< "342.2 deg", the worst of a curve; else empty
+};
+
+/// `stated` is the constraint behind the report.
+LimitText limit_text(const optim::LimitReport& report, const problems::ConstraintStatement& stated);
+
+/// A place of a curve over the cycle: "342.2 deg", along a normalised law "0.8912".
+std::string place_text(double place, const problems::ResponseName& curve);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "optim/solvers/solver.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/solver_settings.h"
+#include "problems/statement/toml_reader.h"
+#include "problems/units.h"
+
+namespace camlaw::problems {
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string find_solver_name(std::string_view typed) {
+  std::vector<std::string> known = optim::solver_names();
+  known.insert(known.begin(), "auto");
+  const std::string wanted = lower_case(typed);
+  if (std::find(known.begin(), known.end(), wanted) != known.end()) return wanted;
+  const auto near = near_names(wanted, known);
+  throw std::invalid_argument(
+      fmt::format("no solver is called '{}'{}; there are {}", typed,
+                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
+                  fmt::join(known, ", ")));
+}
+
+std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t high,
+                         const std::string& what) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const bool whole = rest == end && error != std::errc::invalid_argument;
+  if (!whole || error != std::errc{} || value < low || value > high) {
+    throw std::invalid_argument(fmt::format("{}: {}; a whole number from {} to {} is wanted", what,
+                                            whole ? fmt::format("{} is out of range", text)
+                                                  : fmt::format("'{}' is no whole number", text),
+                                            low, high));
+  }
+  return value;
+}
+
+double parse_time_limit(std::string_view text, const std::string& what) {
+  const double value = parse_quantity(text, "s", "s", what);
+  if (!(value > 0 && std::isfinite(value))) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} s is no time above zero, such as \"30 s\" or \"1 min\"", what, value));
+  }
+  return value;
+}
+
+void read_solver(const Entry& file, ProblemStatement& problem) {
+  const Entry* solver = find(file, "solver");
+  if (solver == nullptr) return;
+  expect(*solver, Entry::Kind::Table, "a table, [solver]");
+  check_keys(*solver, {"name", "starts", "seed", "time_limit"});
+  if (const Entry* name = find(*solver, "name")) {
+    const std::string& text = text_of(*name);
+    problem.solver.name = located(*name, [&] { return find_solver_name(text); });
+  }
+  if (const Entry* starts = find(*solver, "starts")) {
+    problem.solver.starts = static_cast<int>(whole_of(*starts, 1, kMostStarts));
+  }
+  if (const Entry* seed = find(*solver, "seed")) {
+    problem.solver.seed = static_cast<std::uint64_t>(whole_of(*seed, 0, kMostSeed));
+  }
+  problem.solver.time_limit = find_positive(*solver, "time_limit", "s");
+}
+
+}  // namespace camlaw::problems
