@@ -17,6 +17,7 @@ enum ExitStatus : int {
 };
 
 void add_laws_command(CLI::App& app);
+void add_mechanisms_command(CLI::App& app);
 void add_law_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_reproduce_command(CLI::App& app);

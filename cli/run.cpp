@@ -81,6 +81,7 @@ int run(int argc, const char* const* argv) {
   app.set_version_flag("--version", "camlaw 0.1.0");
   app.require_subcommand(1);
   add_laws_command(app);
+  add_mechanisms_command(app);
   add_law_command(app);
   add_study_command(app);
   add_reproduce_command(app);

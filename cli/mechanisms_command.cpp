@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/law_json.h"
+#include "cli/text_table.h"
+#include "problems/mechanism/mechanism.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::Mechanism;
+using problems::MovedBy;
+
+const char* words_of(MovedBy moved_by) {
+  switch (moved_by) {
+    case MovedBy::Law:
+      return "a law, [law]";
+    case MovedBy::Program:
+      return "a motion program, [program]";
+    case MovedBy::Nothing:
+      break;
+  }
+  return "its geometry";
+}
+
+const char* part_of(optim::Part part) {
+  switch (part) {
+    case optim::Part::Highest:
+      return "highest";
+    case optim::Part::Lowest:
+      return "lowest";
+    case optim::Part::Magnitude:
+      return "peak";
+    case optim::Part::Value:
+      break;
+  }
+  return "value";
+}
+
+std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+void print_mechanism(const Mechanism& mechanism) {
+  fmt::print("{}: {}\nsource {}; moved by {}\n\n", mechanism.name, mechanism.title,
+             mechanism.source, words_of(mechanism.moved_by));
+  if (!mechanism.parameters.empty()) {
+    TextTable parameters({{"parameter", TextTable::Align::Left},
+                          {"symbol", TextTable::Align::Left},
+                          {"standard"},
+                          {"accepted"},
+                          {"unit", TextTable::Align::Left},
+                          {"meaning", TextTable::Align::Left}});
+    for (const auto& p : mechanism.parameters) {
+      parameters.add({p.name, p.symbol, fmt::format("{:g}", p.standard),
+                      fmt::format("{:g} .. {:g}", p.low, p.high), unit_of(p.unit), p.meaning});
+    }
+    fmt::print("{}\n", parameters.text());
+  }
+  TextTable responses({{"response", TextTable::Align::Left},
+                       {"kind", TextTable::Align::Left},
+                       {"unit", TextTable::Align::Left},
+                       {"meaning", TextTable::Align::Left}});
+  for (const auto& r : mechanism.responses) {
+    responses.add({r.name, r.curve ? "curve" : "number", unit_of(r.unit), r.meaning});
+  }
+  for (const auto& p : mechanism.peaks) {
+    responses.add({p.name, fmt::format("{} {}", part_of(p.part), p.curve), "", p.meaning});
+  }
+  fmt::print("{}", responses.text());
+}
+
+Json json_of(const Mechanism& mechanism) {
+  Json parameters = Json::array(), responses = Json::array(), peaks = Json::array();
+  for (const auto& p : mechanism.parameters) {
+    parameters.push_back({{"name", p.name},
+                          {"symbol", p.symbol},
+                          {"unit", p.unit},
+                          {"standard", p.standard},
+                          {"lower", p.low},
+                          {"upper", p.high},
+                          {"whole", p.whole},
+                          {"meaning", p.meaning}});
+  }
+  for (const auto& r : mechanism.responses) {
+    Json response = {{"name", r.name},
+                     {"unit", r.unit},
+                     {"curve", static_cast<bool>(r.curve)},
+                     {"meaning", r.meaning}};
+    if (r.curve) response["along"] = r.along;
+    Json uses = Json::array();
+    for (const std::size_t i : r.uses) uses.push_back(mechanism.parameters[i].name);
+    response["uses"] = uses;
+    responses.push_back(response);
+  }
+  for (const auto& p : mechanism.peaks) {
+    peaks.push_back(
+        {{"name", p.name}, {"curve", p.curve}, {"part", part_of(p.part)}, {"meaning", p.meaning}});
+  }
+  const char* moved_by = mechanism.moved_by == MovedBy::Law       ? "law"
+                         : mechanism.moved_by == MovedBy::Program ? "program"
+                                                                  : "nothing";
+  return {{"name", mechanism.name}, {"title", mechanism.title}, {"source", mechanism.source},
+          {"moved_by", moved_by},   {"parameters", parameters}, {"responses", responses},
+          {"peaks", peaks}};
+}
+
+void print_all() {
+  TextTable table({{"mechanism", TextTable::Align::Left},
+                   {"moved by", TextTable::Align::Left},
+                   {"parameters"},
+                   {"responses"},
+                   {"title", TextTable::Align::Left}});
+  for (const Mechanism& m : problems::mechanisms()) {
+    table.add({m.name, words_of(m.moved_by), fmt::format("{}", m.parameters.size()),
+               fmt::format("{}", m.responses.size() + m.peaks.size()), m.title});
+  }
+  fmt::print("{}\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n",
+             table.text());
+}
+
+}  // namespace
+
+void add_mechanisms_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("mechanisms", "List the mechanisms of problem files");
+  const auto json = std::make_shared<bool>(false);
+  const auto name = std::make_shared<std::string>();
+  command->add_option("NAME", *name, "one mechanism, with its parameters and responses");
+  command->add_flag("--json", *json, "print JSON");
+  command->callback([json, name] {
+    if (*json) {
+      Json all = Json::array();
+      for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
+      const Json wanted = name->empty() ? all : json_of(problems::find_mechanism(*name));
+      fmt::print("{}\n", wanted.dump(2));
+    } else if (name->empty()) {
+      print_all();
+    } else {
+      print_mechanism(problems::find_mechanism(*name));
+    }
+  });
+}
+
+}  // namespace camlaw::cli
