@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "cli/chart.h"
 #include "cli/commands.h"
+#include "cli/cycle_figure.h"
+#include "cli/files.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
 #include "cli/text_table.h"
@@ -22,6 +26,7 @@ using problems::ProblemStatement;
 struct EvaluateOptions {
   std::string file;
   std::vector<std::string> settings;
+  std::optional<std::string> curves, svg;
   bool json = false;
 };
 
@@ -122,15 +127,30 @@ void check_possible(const std::string& file, const ProblemStatement& statement,
                                           statement.mechanism->name, fmt::join(values, ", ")));
 }
 
+/// Tables and pictures of the curves that were asked for.
+std::vector<OutputFile> curve_files(const EvaluateOptions& options,
+                                    const ProblemStatement& statement) {
+  constexpr int kSteps = 720;
+  std::vector<OutputFile> files;
+  if (options.curves) files.push_back({*options.curves, curves_csv(statement, kSteps)});
+  if (options.svg) files.push_back({*options.svg, to_svg(curves_figure(statement))});
+  return files;
+}
+
 void run_evaluate(const EvaluateOptions& options) {
   ProblemStatement statement = problems::read_problem_file(options.file);
   for (const std::string& setting : options.settings) problems::set_value(statement, setting);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
+  const auto files = curve_files(options, statement);
   if (options.json) {
     fmt::print("{}\n", to_json(statement, responses).dump(2));
   } else {
     print_text(statement, responses);
+  }
+  write_files(files);
+  for (const OutputFile& file : files) {
+    if (!options.json) fmt::print("wrote {}\n", file.path.string());
   }
 }
 
@@ -145,6 +165,8 @@ void add_evaluate_command(CLI::App& app) {
       ->add_option("--set", options->settings,
                    "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
       ->allow_extra_args(false);
+  command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV");
+  command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG");
   add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { run_evaluate(*options); });
 }

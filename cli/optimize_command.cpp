@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/cycle_figure.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"

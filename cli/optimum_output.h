@@ -36,9 +36,6 @@ struct Answer {
 std::string answer_text(const Answer& answer);
 Json answer_json(const Answer& answer);
 
-/// Every curve that the problem limits or seeks, over the cycle, with its limits.
-Figure cycle_figure(const Answer& answer);
-
 /// The sizes that variables and limits are divided by, and the tolerances.
 std::string scaling_text(const optim::Problem& problem);
 

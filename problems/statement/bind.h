@@ -48,6 +48,11 @@ struct EvaluatedResponse {
 /// Every response of the mechanism, named peaks last, at the statement's starts.
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement);
 
+/// Every curve of the mechanism at the statement's starts, a function of the place alone.
+std::vector<optim::Response> curves_of(const ProblemStatement& statement);
+/// What places along its curves are: "cam_angle [deg]", "x".
+std::string place_name(const ProblemStatement& statement);
+
 /// Each constraint at the statement's starts, proved over the cycle, as_stated.
 std::vector<optim::LimitReport> standing(const ProblemStatement& statement);
 

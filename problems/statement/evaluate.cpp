@@ -62,6 +62,24 @@ std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {
   return result;
 }
 
+std::vector<optim::Response> curves_of(const ProblemStatement& statement) {
+  const Binding binding = fixed(statement);
+  std::vector<optim::Response> curves;
+  for (const MechanismResponse& declared : statement.mechanism->responses) {
+    if (!declared.curve) continue;
+    const auto name = find_response(*statement.mechanism, declared.name);
+    curves.push_back(make_response(*statement.mechanism, name, binding));
+  }
+  return curves;
+}
+
+std::string place_name(const ProblemStatement& statement) {
+  for (const MechanismResponse& declared : statement.mechanism->responses) {
+    if (declared.curve && declared.along != "1") return "cam_angle [" + declared.along + "]";
+  }
+  return "x";
+}
+
 std::vector<optim::LimitReport> standing(const ProblemStatement& statement) {
   optim::Problem problem;
   problem.name = statement.title;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/optimum_output.h"
+
+/// Curves over the cycle as pictures and tables.
+namespace camlaw::cli {
+
+/// Every curve that the problem limits or seeks, over the cycle, with its limits.
+Figure cycle_figure(const Answer& answer);
+
+/// Every curve of the mechanism at the design that a statement begins with.
+Figure curves_figure(const problems::ProblemStatement& statement);
+
+/// The same as CSV: the place, then a column for each curve, "follower_force [N]"; `steps` + 1 even
+/// places of the cycle, where a curve jumps its value behind the jump.
+std::string curves_csv(const problems::ProblemStatement& statement, int steps);
+
+}  // namespace camlaw::cli

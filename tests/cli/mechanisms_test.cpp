@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The program's commands about mechanisms: listing, curves over the cycle, and stopping.
+#include <csignal>
+#include <thread>
+
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli {
+namespace {
+
+const std::string kCam = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+
+}  // namespace
+
+TEST_CASE("mechanisms are listed with what moves them", "[program]") {
+  const std::string all = done({"mechanisms"});
+  for (const char* name : {"spine-cutter", "disc-cam-roller", "disc-cam-flat",
+                           "disc-cam-swinging-roller", "end-cam", "law"}) {
+    CHECK_THAT(all, Contains(name));
+  }
+  const std::string one = done({"mechanisms", "disc-cam-flat"});
+  CHECK_THAT(one, Contains("base_radius") && Contains("profile_radius") && Contains("[program]"));
+  const Json json = json_of({"mechanisms", "--json"});
+  REQUIRE(json.size() >= 6);
+  for (const Json& mechanism : json) {
+    INFO(mechanism.at("name"));
+    CHECK(!mechanism.at("responses").empty());
+    for (const Json& parameter : mechanism.at("parameters")) {
+      CHECK(parameter.at("lower") <= parameter.at("standard"));
+      CHECK(parameter.at("standard") <= parameter.at("upper"));
+    }
+  }
+  CHECK(json_of({"mechanisms", "end-cam", "--json"}).at("moved_by") == "program");
+  CHECK_THAT(failed({"mechanisms", "disc-cam"}, 2), Contains("disc-cam-roller"));
+}
+
+TEST_CASE("evaluate writes every curve over the cycle", "[program]") {
+  const Folder folder;
+  const std::string csv = folder / "curves.csv", svg = folder / "curves.svg";
+  const std::string text = done({"evaluate", kCam, "--curves", csv, "--svg", svg});
+  CHECK_THAT(text, Contains("wrote " + csv) && Contains("wrote " + svg));
+  check_svg(svg);
+  const Table table = csv_of(read(csv));
+  REQUIRE(table.size() == 722);
+  CHECK(table[0][0] == "cam_angle [deg]");
+  CHECK(table[0][1] == "displacement [mm]");
+  CHECK(table[161][0] == "80");
+  CHECK(std::stod(table[161][1]) == Approx(30).epsilon(1e-12));  // the end of the rise
+  CHECK(std::stod(table[81][1]) == Approx(15).epsilon(1e-12));   // half way
+  CHECK(std::stod(table[721][1]) == Approx(0).margin(1e-12));
+  for (const Words& row : table) CHECK(row.size() == table[0].size());
+}
+
+TEST_CASE("a long search that is interrupted ends with the best verified design", "[program]") {
+  const Folder folder;
+  const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/least_moment.toml";
+  std::vector<std::string> words{"camlaw", "optimize", file, "--starts", "100000", "--json"};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const std::string out = folder / "out";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t child = 0;
+  REQUIRE(posix_spawn(&child, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ) == 0);
+  posix_spawn_file_actions_destroy(&actions);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  REQUIRE(kill(child, SIGINT) == 0);
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  const Json json = Json::parse(read(out));
+  CHECK(json.at("starts") < 100000);
+  CHECK_THAT(json.at("reason").get<std::string>(), Contains("stopped"));
+  CHECK(json.at("objective").get<double>() == Approx(0.05123141247890022).epsilon(1e-6));
+}
+
+}  // namespace camlaw::cli
