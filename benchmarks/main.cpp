@@ -20,15 +20,20 @@ int main(int argc, char* argv[]) {
   }
   if (all || wanted == "--search") measures::print_search_table();
   if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
+  if (all || wanted == "--cams") measures::print_cam_table();
   if (wanted == "--accuracy") {
     measures::print_hock_schittkowski_table();
     measures::print_cam_shape_accuracy();
   }
-  if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--accuracy") return 0;
+  if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
+      wanted == "--accuracy") {
+    return 0;
+  }
   measures::register_laws();
   measures::register_peaks();
   measures::register_study();
   measures::register_search();
+  measures::register_cams();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -32,11 +32,13 @@ void print_peak_table();
 void print_study_table();
 void print_search_table();
 void print_cam_shape_table();
+void print_cam_table();
 
 /// Adds the measures of a file to Google Benchmark's list.
 void register_laws();
 void register_peaks();
 void register_study();
 void register_search();
+void register_cams();
 
 }  // namespace camlaw::benchmarks

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinematics/cams/cam_motion.h"
-#include "kinematics/contact/hertz.h"
+#include "kinematics/cams/roller_contact.h"
 
 namespace camlaw {
 
@@ -41,7 +41,9 @@ struct RollerCam {
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
-  LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -60,43 +62,11 @@ struct RollerCam {
     using std::atan;
     return atan((f.ds - offset) / (f.s + lowest_height()));
   }
-  /// (M7) Share of the pitch curve's radius that the roller takes, r_r k: the profile is undercut
-  /// where it reaches 1.
-  template <class X>
-  X undercut(const FollowerMotion<X>& f) const {
-    return roller_radius * pitch_curve(f).curvature();
-  }
-  /// (M8) Curvature of the profile, 1/m: k_c = k / (1 - r_r k); of a groove's or hollow part
-  /// negative.
-  template <class X>
-  X profile_curvature(const FollowerMotion<X>& f) const {
-    const X k = pitch_curve(f).curvature();
-    return k / (number<T>(1) - roller_radius * k);
-  }
-  /// Share of a hollow's radius that the tool takes, -r_c k_c: above 1 the tool does not fit.
-  template <class X>
-  X tool_fit(const FollowerMotion<X>& f) const {
-    return -(cutter_radius * profile_curvature(f));
-  }
   /// (M9) Force between roller and cam, N: N = F / cos alpha, the guide without friction.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     const CamCurve<X> w = pitch_curve(f);
     return follower().force(f) * w.speed() / w.y;
-  }
-  /// (M10) Sum of the curvatures of profile and roller, k_c + 1 / r_r = 1 / (r_r (1 - r_r k)).
-  template <class X>
-  X contact_curvature(const FollowerMotion<X>& f) const {
-    const T one = number<T>(1);
-    return number<X>(1) / (roller_radius * (one - undercut(f)));
-  }
-  template <class X>
-  X contact_stress(const FollowerMotion<X>& f) const {
-    return contact().pressure(contact_force(f) / face_width, contact_curvature(f));
-  }
-  template <class X>
-  X contact_half_width(const FollowerMotion<X>& f) const {
-    return contact().half_width(contact_force(f) / face_width, contact_curvature(f));
   }
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinematics/cams/cam_motion.h"
-#include "kinematics/contact/hertz.h"
+#include "kinematics/cams/roller_contact.h"
 
 namespace camlaw {
 
@@ -48,7 +48,9 @@ struct SwingingRollerCam {
   FollowerLoad<T> follower() const {
     return {inertia, spring_rate, spring_preload, load, angular_speed};
   }
-  LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -77,36 +79,11 @@ struct SwingingRollerCam {
     const X along = arm_length * (f.ds + number<T>(1)) - pivot_distance * unit(c);
     return atan(along / (pivot_distance * unit(s)));
   }
-  template <class X>
-  X undercut(const FollowerMotion<X>& f) const {
-    return roller_radius * pitch_curve(f).curvature();
-  }
-  template <class X>
-  X profile_curvature(const FollowerMotion<X>& f) const {
-    const X k = pitch_curve(f).curvature();
-    return k / (number<T>(1) - roller_radius * k);
-  }
-  template <class X>
-  X tool_fit(const FollowerMotion<X>& f) const {
-    return -(cutter_radius * profile_curvature(f));
-  }
   /// (M15) Force between roller and cam, N: N = M / (l cos alpha).
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     using std::cos;
     return follower().force(f) / (arm_length * cos(pressure_angle(f)));
-  }
-  template <class X>
-  X contact_curvature(const FollowerMotion<X>& f) const {
-    return number<X>(1) / (roller_radius * (number<T>(1) - undercut(f)));
-  }
-  template <class X>
-  X contact_stress(const FollowerMotion<X>& f) const {
-    return contact().pressure(contact_force(f) / face_width, contact_curvature(f));
-  }
-  template <class X>
-  X contact_half_width(const FollowerMotion<X>& f) const {
-    return contact().half_width(contact_force(f) / face_width, contact_curvature(f));
   }
 
  private:

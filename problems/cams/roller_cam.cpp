@@ -3,6 +3,7 @@
 
 #include "problems/cams/cams.h"
 #include "problems/cams/follower_responses.h"
+#include "problems/cams/roller_responses.h"
 
 namespace camlaw::problems {
 
@@ -42,80 +43,17 @@ const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
   return all;
 }
 
-namespace {
-
-using optim::Part;
-using S = optim::Shape;
-
-enum class Curve {
-  PressureAngle,
-  Undercut,
-  PitchCurvature,
-  ProfileCurvature,
-  ToolFit,
-  ContactForce,
-  ContactStress,
-  ContactHalfWidth
-};
-
-MechanismResponse curve(Curve which, ResponseAbout about) {
-  return listed_curve<RollerCam>(std::move(about), turn_of_the_cam(), which,
-                                 [](const auto& cam, Curve wanted, const auto& motion) {
-                                   const auto f = cam.over_angle(motion);
-                                   switch (wanted) {
-                                     case Curve::PressureAngle:
-                                       return cam.pressure_angle(f);
-                                     case Curve::Undercut:
-                                       return cam.undercut(f);
-                                     case Curve::PitchCurvature:
-                                       return cam.pitch_curve(f).curvature();
-                                     case Curve::ProfileCurvature:
-                                       return cam.profile_curvature(f);
-                                     case Curve::ToolFit:
-                                       return cam.tool_fit(f);
-                                     case Curve::ContactForce:
-                                       return cam.contact_force(f);
-                                     case Curve::ContactStress:
-                                       return cam.contact_stress(f);
-                                     case Curve::ContactHalfWidth:
-                                       break;
-                                   }
-                                   return cam.contact_half_width(f);
-                                 });
-}
-
-}  // namespace
-
 Mechanism roller_cam_mechanism() {
+  using optim::Part;
+  using S = optim::Shape;
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
-  responses.push_back(curve(Curve::PressureAngle, {"pressure_angle",
-                                                   "deg",
-                                                   "rad",
-                                                   "pressure angle, signed as the slope",
-                                                   {{{"law"}, S::Quasilinear},
-                                                    {{"stroke"}, S::Quasilinear},
-                                                    {{"base_radius"}, S::Quasilinear},
-                                                    {{"roller_radius"}, S::Quasilinear}}}));
-  responses.push_back(curve(
-      Curve::Undercut,
-      {"undercut", "1", "1",
-       "share of the pitch curve's radius that the roller takes; at 1 the profile is undercut"}));
-  responses.push_back(curve(
-      Curve::PitchCurvature,
-      {"pitch_curvature", "1/mm", "1/m", "curvature of the pitch curve, positive where convex"}));
-  responses.push_back(curve(
-      Curve::ProfileCurvature,
-      {"profile_curvature", "1/mm", "1/m", "curvature of the profile, positive where convex"}));
-  responses.push_back(curve(
-      Curve::ToolFit, {"tool_fit", "1", "1",
-                       "share of a hollow's radius that the tool takes; above 1 it does not fit"}));
-  responses.push_back(
-      curve(Curve::ContactForce, {"contact_force", "N", "N", "force between roller and cam"}));
-  responses.push_back(
-      curve(Curve::ContactStress,
-            {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between roller and cam"}));
-  responses.push_back(curve(Curve::ContactHalfWidth,
-                            {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  for (MechanismResponse& response :
+       roller_responses<RollerCam>({{{"law"}, S::Quasilinear},
+                                    {{"stroke"}, S::Quasilinear},
+                                    {{"base_radius"}, S::Quasilinear},
+                                    {{"roller_radius"}, S::Quasilinear}})) {
+    responses.push_back(std::move(response));
+  }
   return {.name = "disc-cam-roller",
           .title = "disc cam with a translating roller follower",
           .source = "docs/theory.md, Cams",

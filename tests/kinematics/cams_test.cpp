@@ -57,7 +57,8 @@ Drawn drawn(const Cam& cam) {
     const auto [x, y] = w.inside(cam.roller_radius);
     result.centre.push_back(on_cam({w.x, w.y}, angle_of(i)));
     result.profile.push_back(on_cam({x, y}, angle_of(i)));
-    result.profile_curvature.push_back(cam.profile_curvature(f));
+    result.profile_curvature.push_back(
+        cam.roller().profile_curvature(cam.pitch_curve(f).curvature()));
   }
   return result;
 }
@@ -161,7 +162,8 @@ TEST_CASE("a roller on an eccentric circle sees a circle", "[cams]") {
       const auto d = derivatives(y);
       const FollowerMotion<double> f{d[0] - cam.lowest_height(), d[1], d[2], d[3]};
       CHECK(cam.pitch_curve(f).curvature() == Approx(1 / whole).epsilon(1e-12));
-      CHECK(cam.profile_curvature(f) == Approx(1 / rho).epsilon(1e-11));
+      CHECK(cam.roller().profile_curvature(cam.pitch_curve(f).curvature()) ==
+            Approx(1 / rho).epsilon(1e-11));
     }
   }
 }

@@ -99,7 +99,7 @@ TEST_CASE("no arm and pivot on a grid have a smaller pressure angle", "[cams]") 
       for (int i = 0; i < 360; ++i) {
         const auto f = cam.over_angle(law(i / 360.0));
         peak = std::max(peak, std::abs(cam.pressure_angle(f)));
-        if (cam.undercut(f) > 0.7) peak = 1e300;
+        if (cam.roller().undercut(cam.pitch_curve(f).curvature()) > 0.7) peak = 1e300;
       }
       least = std::min(least, peak);
     }
