@@ -44,8 +44,7 @@ double measure(const Problem& problem, const Sizes& sizes, Design x, Optimality 
   if (optimality == Optimality::LeastViolation) return largest_violation(problem, sizes, x);
   constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
   const double value = objective_value(problem.objective, x);
-  const double here = typical_change(problem.objective.response, x, sizes.variables);
-  return std::max({std::abs(value), here, kShare * sizes.objective_typical}) / sizes.objective;
+  return std::max(std::abs(value), kShare * sizes.objective_typical) / sizes.objective;
 }
 
 /// How far a variable may be expected to move, in typical changes: without a bound, as far as it
