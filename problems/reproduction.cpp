@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "problems/cam_shape/reproduction.h"
+#include "problems/die_press/reproduction.h"
 #include "problems/spine_cutter/reproduction.h"
 
 namespace camlaw::problems {
@@ -110,6 +111,7 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
 
 const std::vector<ReproducibleSystem>& reproducible_systems() {
   static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter},
+                                                       {"die-press", reproduce_die_press},
                                                        {"cam-shape", reproduce_cam_shape}};
   return systems;
 }
