@@ -53,6 +53,21 @@ void print_text(const SystemReproduction& result) {
   fmt::print("{}\n", counts(result));
 }
 
+/// One line for each of several systems.
+void print_counts(const std::vector<SystemReproduction>& results) {
+  TextTable table({{"system", TextTable::Align::Left},
+                   {"values"},
+                   {"reproduced"},
+                   {"explained"},
+                   {"unexplained"}});
+  for (const auto& result : results) {
+    table.add({result.system, fmt::format("{}", result.values.size()),
+               fmt::format("{}", result.reproduced), fmt::format("{}", result.explained),
+               fmt::format("{}", result.unexplained)});
+  }
+  fmt::print("{}", table.text());
+}
+
 Json to_json(const SystemReproduction& result) {
   Json values = Json::array();
   for (const auto& value : result.values) {
@@ -138,16 +153,22 @@ void run_reproduce(std::vector<std::string> names, bool json, std::optional<int>
   std::vector<const problems::ReproducibleSystem*> systems;
   for (const std::string& name : names) systems.push_back(&find_system(name));
   Json all = Json::array();
+  std::vector<SystemReproduction> results;
   for (const auto* system : systems) {
-    const SystemReproduction result = system->reproduce();
+    results.push_back(system->reproduce());
     if (json) {
-      all.push_back(to_json(result));
+      all.push_back(to_json(results.back()));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
     } else {
-      print_text(result);
+      print_text(results.back());
+      if (systems.size() > 1) fmt::print("\n");
     }
   }
-  if (json) fmt::print("{}\n", all.dump(2));
+  if (json) {
+    fmt::print("{}\n", all.dump(2));
+  } else if (systems.size() > 1) {
+    print_counts(results);
+  }
 }
 
 }  // namespace

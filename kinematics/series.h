@@ -197,6 +197,13 @@ Series<T, N> atan(const Series<T, N>& f) {
 }
 
 template <class T, std::size_t N>
+Series<T, N> log(const Series<T, N>& f) {
+  using std::log;
+  const Series<T, N> slope = Series<T, N>(number<T>(1)) / f;
+  return chained(f, log(f.c[0]), [&](const auto&) { return slope; });
+}
+
+template <class T, std::size_t N>
 Series<T, N> asin(const Series<T, N>& f) {
   using std::asin;
   const T one = number<T>(1);

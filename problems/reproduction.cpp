@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "problems/cam_shape/reproduction.h"
+#include "problems/die_press/reproduction.h"
+#include "problems/sheet_delivery/reproduction.h"
 #include "problems/spine_cutter/reproduction.h"
 
 namespace camlaw::problems {
@@ -110,6 +112,8 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
 
 const std::vector<ReproducibleSystem>& reproducible_systems() {
   static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter},
+                                                       {"die-press", reproduce_die_press},
+                                                       {"sheet-delivery", reproduce_sheet_delivery},
                                                        {"cam-shape", reproduce_cam_shape}};
   return systems;
 }

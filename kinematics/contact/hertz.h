@@ -34,6 +34,18 @@ struct LineContact {
     using std::sqrt;
     return sqrt(number<T>(8) / (pi<T>() * plane_modulus()) * (line_load / curvature));
   }
+
+  /// (K4) Approach of the axes of two solid cylinders, m, each held on the far side by an equal
+  /// load: delta = 2 w (ln(16 R1 R2 / a^2) - 1) / (pi E'), with (K3) 2 w (ln(2 pi (R1 + R2) E' / w)
+  /// - 1) / (pi E'). For a load above 0 and a much less than the radii.
+  template <class X>
+  X approach(const X& line_load, const T& radius, const T& other_radius) const {
+    using std::log;
+    const T modulus = pi<T>() * plane_modulus();
+    const T scale = number<T>(2) * modulus * (radius + other_radius);
+    return number<T>(2) / modulus *
+           (line_load * (log(number<X>(1) / line_load * scale) - number<T>(1)));
+  }
 };
 
 }  // namespace camlaw

@@ -9,7 +9,10 @@
 
 #include "kinematics/catalogue.h"
 #include "problems/cams/cams.h"
+#include "problems/die_press/mechanism.h"
 #include "problems/mechanism/normalised_law.h"
+#include "problems/sheet_delivery/mechanism.h"
+#include "problems/signature_feeder/mechanism.h"
 #include "problems/spine_cutter/mechanism.h"
 
 namespace camlaw::problems {
@@ -103,9 +106,10 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
 }
 
 const std::vector<Mechanism>& mechanisms() {
-  static const std::vector<Mechanism> all{spine_cutter_mechanism(), roller_cam_mechanism(),
-                                          flat_cam_mechanism(),     swinging_roller_cam_mechanism(),
-                                          end_cam_mechanism(),      normalised_law_mechanism()};
+  static const std::vector<Mechanism> all{
+      spine_cutter_mechanism(),        die_press_mechanism(),  sheet_delivery_mechanism(),
+      signature_feeder_mechanism(),    roller_cam_mechanism(), flat_cam_mechanism(),
+      swinging_roller_cam_mechanism(), end_cam_mechanism(),    normalised_law_mechanism()};
   return all;
 }
 

@@ -33,7 +33,10 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "cams/roller_least_base.toml",
                                            "cams/flat_least_base.toml",
                                            "cams/end_rise_share.toml",
-                                           "cams/swinging_least_peak_angle.toml"};
+                                           "cams/swinging_least_peak_angle.toml",
+                                           "die_press/least_approach.toml",
+                                           "sheet_delivery/greatest_least_efficiency.toml",
+                                           "signature_feeder/least_acceleration.toml"};
 
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/law.h"
+
+namespace camlaw {
+
+/// The drive of the delivery cylinder of a reversing signature feeder: a crank moves the end of a
+/// rack that slides in a guide rocking about O2, and the rack turns the pinion on the cylinder.
+///
+/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it; phi is the
+/// crank's angle, 0 where its pin is nearest to O2. Equations (Zn) are those of docs/theory.md,
+/// "Signature feeder"; source: O. V. Romanchenko, Z. M. Prystavskyi, "Synthesis of the
+/// coulisse-rack mechanism and determination of the kinematic characteristics of the delivery
+/// cylinders of the reversing signature feeder", NTUU KPI. It prints no speed: 60 rpm is ours.
+template <class T>
+struct SignatureFeeder {
+  T crank_radius = number<T>(0.092);               ///< r1, m
+  T centre_distance = number<T>(0.702);            ///< L, m, of crank and guide
+  T offset = number<T>(0.052);                     ///< e, m, from O2 to the rack's pitch line
+  T pinion_radius = number<T>(0.045);              ///< r_p, m, pitch radius
+  T crank_speed = number<T>(6.28318530717958648);  ///< omega_1, rad/s
+
+  /// Whether the rack stays in its guide all round, its pitch line also where it meshes with the
+  /// pinion: e and r_p less than the crank pin's least distance from O2.
+  bool is_possible() const {
+    const double nearest = value_of(centre_distance) - value_of(crank_radius);
+    const double aside = std::max(std::abs(value_of(offset)), value_of(pinion_radius));
+    return value_of(crank_radius) > 0 && value_of(pinion_radius) > 0 && aside < nearest;
+  }
+  /// The same drive with its rack meshing with a pinion on the guide's centre: e = r_p.
+  SignatureFeeder meshing() const {
+    SignatureFeeder result = *this;
+    result.offset = pinion_radius;
+    return result;
+  }
+
+  /// Quantities at a crank angle with their derivatives by it.
+  template <class X>
+  struct Turn {
+    X value, first, second;
+  };
+
+  /// (Z1) Distance of the crank pin from O2, squared, m^2: r1^2 + L^2 - 2 L r1 cos phi.
+  template <class X>
+  X pin_distance_squared(const X& phi) const {
+    using std::cos;
+    const T sum = crank_radius * crank_radius + centre_distance * centre_distance;
+    return sum - number<T>(2) * reach() * cos(phi);
+  }
+  /// (Z2) Guide length, m: l^2 = rho^2 - e^2; l' = L r1 sin phi / l, l'' = (L r1 cos phi - l'^2) /
+  /// l.
+  template <class X>
+  Turn<X> guide_length(const X& phi) const {
+    using std::cos, std::sin, std::sqrt;
+    const X l = sqrt(pin_distance_squared(phi) - offset * offset);
+    const X first = reach() * sin(phi) / l;
+    return {l, first, (reach() * cos(phi) - first * first) / l};
+  }
+  /// (Z3) Guide angle, rad, from its extreme position: arcsin((r1 - e) / L) - arcsin(r1 sin phi /
+  /// rho) + arcsin(e / rho); phi_2' = -(r1 (L cos phi - r1) + e l') / rho^2.
+  template <class X>
+  Turn<X> guide_angle(const X& phi) const {
+    using std::asin, std::cos, std::sin, std::sqrt;
+    const X square = pin_distance_squared(phi), rho = sqrt(square);
+    const Turn<X> l = guide_length(phi);
+    const X sine = sin(phi);
+    const X value =
+        extreme_angle() - asin(crank_radius * sine / rho) + asin(X(number<X>(0) + offset) / rho);
+    const X turning = reach() * cos(phi) - crank_radius * crank_radius + offset * l.first;
+    const X bent = offset * l.second - reach() * sine;
+    const X first = -turning / square;
+    return {value, first, -(bent + number<T>(2) * reach() * (sine * first)) / square};
+  }
+  /// (Z4) Travel of the rack over the pinion, m, 0 at phi = 0: S = l - l_min - e (phi_2(0) -
+  /// phi_2).
+  template <class X>
+  Turn<X> rack_travel(const X& phi) const {
+    const Turn<X> l = guide_length(phi), angle = guide_angle(phi);
+    return {l.value - least_guide_length() + offset * (angle.value - start_angle()),
+            l.first + offset * angle.first, l.second + offset * angle.second};
+  }
+  /// (Z5) Angle of pinion and cylinder, rad: phi_4 = S / r_p.
+  template <class X>
+  Turn<X> drum_angle(const X& phi) const {
+    const Turn<X> travel = rack_travel(phi);
+    return {travel.value / pinion_radius, travel.first / pinion_radius,
+            travel.second / pinion_radius};
+  }
+  /// (Z6) Angular velocity of the cylinder, rad/s: omega_1 phi_4'.
+  template <class X>
+  X drum_velocity(const X& phi) const {
+    return crank_speed * drum_angle(phi).first;
+  }
+  /// (Z7) Angular acceleration of the cylinder, rad/s^2: omega_1^2 phi_4''.
+  template <class X>
+  X drum_acceleration(const X& phi) const {
+    return crank_speed * crank_speed * drum_angle(phi).second;
+  }
+
+  /// (Z8) Swing of the cylinder between its two reversals, rad: 2 r1 / r_p, whatever e and L.
+  T drum_swing() const { return number<T>(2) * crank_radius / pinion_radius; }
+  /// (Z9) Swing of the guide, rad: arcsin((r1 - e) / L) + arcsin((r1 + e) / L).
+  T guide_swing() const {
+    using std::asin;
+    return extreme_angle() + asin((crank_radius + offset) / centre_distance);
+  }
+  /// Least and greatest guide length, m: l^2 = (L -+ r1)^2 - e^2.
+  T least_guide_length() const { return length_at(centre_distance - crank_radius); }
+  T greatest_guide_length() const { return length_at(centre_distance + crank_radius); }
+
+ private:
+  T reach() const { return centre_distance * crank_radius; }
+  T length_at(const T& rho) const {
+    using std::sqrt;
+    return sqrt((rho - offset) * (rho + offset));
+  }
+  T extreme_angle() const {
+    using std::asin;
+    return asin((crank_radius - offset) / centre_distance);
+  }
+  T start_angle() const {
+    using std::asin;
+    return extreme_angle() + asin(offset / (centre_distance - crank_radius));
+  }
+};
+
+}  // namespace camlaw
