@@ -58,7 +58,10 @@ TextTable response_table(const std::vector<EvaluatedResponse>& responses) {
 void print_text(const ProblemStatement& statement,
                 const std::vector<EvaluatedResponse>& responses) {
   if (!statement.title.empty()) fmt::print("{}\n", statement.title);
-  fmt::print("law {}\n\n", statement.laws.front().label());
+  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
+    fmt::print("law {}\n", statement.laws.front().label());
+  }
+  fmt::print("\n");
   fmt::print("{}", response_table(responses).text());
   const auto limits = problems::standing(statement);
   if (!limits.empty()) fmt::print("\n");
