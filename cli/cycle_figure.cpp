@@ -21,10 +21,9 @@ Line curve_line(const optim::Trace& trace) {
     const double share = (breaks[k + 1] - breaks[k]) / cycle;
     const int steps = std::max(4, static_cast<int>(kPoints * share));
     for (int i = 0; i <= steps; ++i) {
-      const double angle =
-          i == steps ? breaks[k + 1] : std::lerp(breaks[k], breaks[k + 1], i / double(steps));
-      line.x.push_back(angle);
-      line.y.push_back(trace.at({angle, i == steps})[0]);
+      const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], steps, i);
+      line.x.push_back(place.angle);
+      line.y.push_back(trace.at(place)[0]);
     }
   }
   return line;

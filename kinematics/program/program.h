@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/catalogue.h"
+#include "kinematics/laws/polynomial.h"
 #include "kinematics/transform.h"
 
 /// Motion programs: a whole cycle of dwells, rises and returns (docs/theory.md, "Motion programs").
@@ -23,25 +23,6 @@ struct Segment {
   /// acceleration by a polynomial of degree 5.
   std::optional<Law<T>> law;
 };
-
-/// s, v, a at the ends of a segment's neighbours, by the cycle's x.
-template <class T>
-using EndMotion = std::array<T, 3>;
-
-/// The polynomial of degree 5 of share `d` that begins and ends as given:
-///   s(t) = sum c[k] (t / d)^k, c from s, d v, d^2 a at both ends.
-template <class T>
-std::vector<T> joining_polynomial(const EndMotion<T>& begin, const EndMotion<T>& end, const T& d) {
-  const auto n = [](double x) { return number<T>(x); };
-  const T v0 = d * begin[1], a0 = d * d * begin[2], v1 = d * end[1], a1 = d * d * end[2];
-  const T rise = end[0] - begin[0];
-  return {begin[0],
-          v0,
-          n(0.5) * a0,
-          n(10) * rise - n(6) * v0 - n(4) * v1 - n(1.5) * a0 + n(0.5) * a1,
-          n(-15) * rise + n(8) * v0 + n(7) * v1 + n(1.5) * a0 - a1,
-          n(6) * rise - n(3) * (v0 + v1) - n(0.5) * (a0 - a1)};
-}
 
 namespace detail {
 
@@ -88,14 +69,11 @@ Law<T> program_law(const std::vector<Segment<T>>& segments) {
     }
     const auto from = derivatives<3>(before.back(), before.back().end);
     const auto to = derivatives<3>(after.front(), after.front().begin);
+    // In the segment's own x: a derivative by it is one by the cycle's, times the share.
     const T& d = segments[i].share;
-    auto c = joining_polynomial<T>(from, to, d);
-    T power = number<T>(1);
-    for (T& coefficient : c) {
-      coefficient = coefficient / power;
-      power = power * d;
-    }
-    parts[i] = {{begins[i], begins[i] + d, begins[i], std::move(c), {}, {}}};
+    const Law<T> joining = boundary_polynomial<T>({from[0], d * from[1], d * d * from[2]},
+                                                  {to[0], d * to[1], d * d * to[2]});
+    parts[i] = detail::segment_pieces<T>({d, number<T>(0), number<T>(1), joining}, begins[i]);
   }
   std::vector<Piece<T>> pieces;
   for (auto& part : parts) {

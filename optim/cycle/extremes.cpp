@@ -156,6 +156,14 @@ Extreme highest(const Trace& trace, double sign) {
   });
 }
 
+Extreme extreme_of(const Trace& trace, Part part) {
+  if (part == Part::Lowest) return highest(trace, -1);
+  const Extreme high = highest(trace, 1);
+  if (part != Part::Magnitude || std::isnan(high.value)) return high;
+  const Extreme low = highest(trace, -1);
+  return -low.value > high.value ? low : high;
+}
+
 namespace {
 
 struct Box {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optim/problem/curve.h"
+#include "optim/problem/problem.h"
 
 /// Where a curve is highest: by search in doubles, and by proof.
 namespace camlaw::optim {
@@ -23,6 +23,10 @@ std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples =
 
 /// The highest of sign * curve among local_maxima.
 Extreme highest(const Trace& trace, double sign);
+
+/// What a part of a curve is taken at: its highest place, its lowest, or of the two that of the
+/// larger |value| (Magnitude; the value keeps its sign).
+Extreme extreme_of(const Trace& trace, Part part);
 
 /// What can be said of sign * curve <= limit over the whole cycle.
 struct CycleProof {

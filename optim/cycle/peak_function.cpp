@@ -38,12 +38,7 @@ class PeakKernel final : public Kernel {
 
  private:
   Extreme find(std::span<const double> u) const {
-    const auto trace = response_.curve().trace(u);
-    if (part_ == Part::Highest) return highest(*trace, 1);
-    const Extreme low = highest(*trace, -1);
-    if (part_ == Part::Lowest) return low;
-    const Extreme high = highest(*trace, 1);
-    return high.value >= -low.value || std::isnan(high.value) ? high : low;
+    return extreme_of(*response_.curve().trace(u), part_);
   }
 
   Response response_;
@@ -58,35 +53,36 @@ Function peak_function(const Response& response, Part part, std::size_t variable
   return {std::move(all), std::make_shared<PeakKernel>(response, part)};
 }
 
-Problem with_peaks_as_numbers(const Problem& problem) {
+SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes) {
   const std::size_t n = problem.variables.size();
   const auto number = [&](const Response& curve, Part part) {
     return Response{curve.name, curve.unit, peak_function(curve, part, n)};
   };
-  Problem result = problem;
-  Objective& objective = result.objective;
+  SizedProblem result{problem, sizes};
+  Objective& objective = result.problem.objective;
   if (objective.response.is_curve()) {
     objective.response = number(objective.response, objective.part);
     objective.part = Part::Value;
   }
-  result.constraints.clear();
-  for (const Constraint& c : problem.constraints) {
+  result.problem.constraints.clear();
+  result.sizes.constraints.clear();
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const auto add = [&](Constraint side) {
+      result.problem.constraints.push_back(std::move(side));
+      result.sizes.constraints.push_back(sizes.constraints[i]);
+    };
+    const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) {
-      result.constraints.push_back(c);
+      add(c);
       continue;
     }
-    Constraint side = c;
-    if (c.upper) {
-      side.response = number(c.response, Part::Highest);
-      side.lower.reset();
-      result.constraints.push_back(side);
-    }
-    if (c.lower) {
-      side = c;
-      side.response = number(c.response, Part::Lowest);
-      side.upper.reset();
-      result.constraints.push_back(side);
-    }
+    Constraint upper = c, lower = c;
+    upper.response = number(c.response, Part::Highest);
+    lower.response = number(c.response, Part::Lowest);
+    upper.lower.reset();
+    lower.upper.reset();
+    if (c.upper) add(std::move(upper));
+    if (c.lower) add(std::move(lower));
   }
   return result;
 }

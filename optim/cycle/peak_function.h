@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/problem/problem.h"
+#include "optim/problem/sizes.h"
 
 namespace camlaw::optim {
 
@@ -11,7 +11,13 @@ namespace camlaw::optim {
 /// design's `variables`.
 Function peak_function(const Response& response, Part part, std::size_t variables);
 
-/// The problem with each peak and each limit on a curve as a number of the design.
-Problem with_peaks_as_numbers(const Problem& problem);
+struct SizedProblem {
+  Problem problem;
+  Sizes sizes;
+};
+
+/// The problem with each peak and each side of a limit on a curve as a number of the design, and
+/// the sizes of what it has then.
+SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes);
 
 }  // namespace camlaw::optim

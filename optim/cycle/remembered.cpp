@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "optim/cycle/forwarding_curve.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -45,38 +47,29 @@ class RememberedTrace final : public Trace {
   std::shared_ptr<Memory> memory_;
 };
 
-class RememberedCurve final : public Curve {
+class RememberedCurve final : public ForwardingCurve {
  public:
-  explicit RememberedCurve(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
+  using ForwardingCurve::ForwardingCurve;
 
-  Function at(Place place) const override { return curve_->at(place); }
-  std::vector<double> slope_gradient(Place place, Design x) const override {
-    return curve_->slope_gradient(place, x);
-  }
-  bool breaks_move() const override { return curve_->breaks_move(); }
   std::unique_ptr<Trace> trace(Design x) const override {
     if (!latest_ || !std::equal(x.begin(), x.end(), latest_->x.begin(), latest_->x.end())) {
       auto fresh = std::make_shared<Memory>();
       fresh->x.assign(x.begin(), x.end());
-      fresh->trace = curve_->trace(fresh->x);
+      fresh->trace = curve().trace(fresh->x);
       fresh->breaks = fresh->trace->breaks();
       latest_ = std::move(fresh);
     }
     return std::make_unique<RememberedTrace>(latest_);
   }
-  Shape shape() const override { return curve_->shape(); }
 
  private:
-  std::shared_ptr<const Curve> curve_;
   mutable std::shared_ptr<Memory> latest_;
 };
 
 }  // namespace
 
 Response remembered(const Response& response) {
-  if (!response.is_curve()) return response;
-  auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
-  return {response.name, response.unit, std::make_shared<RememberedCurve>(std::move(curve))};
+  return response.is_curve() ? with_curve<RememberedCurve>(response) : response;
 }
 
 Problem remembered(Problem problem) {

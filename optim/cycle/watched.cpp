@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "optim/cycle/forwarding_curve.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -32,32 +34,23 @@ class WatchedTrace final : public Trace {
   std::vector<double> breaks_;
 };
 
-class WatchedCurve final : public Curve {
+class WatchedCurve final : public ForwardingCurve {
  public:
   WatchedCurve(std::shared_ptr<const Curve> curve, std::vector<double> angles)
-      : curve_(std::move(curve)), angles_(std::move(angles)) {}
+      : ForwardingCurve(std::move(curve)), angles_(std::move(angles)) {}
 
-  Function at(Place place) const override { return curve_->at(place); }
-  std::vector<double> slope_gradient(Place place, Design x) const override {
-    return curve_->slope_gradient(place, x);
-  }
-  bool breaks_move() const override { return curve_->breaks_move(); }
   std::unique_ptr<Trace> trace(Design x) const override {
-    return std::make_unique<WatchedTrace>(curve_->trace(x), angles_);
+    return std::make_unique<WatchedTrace>(curve().trace(x), angles_);
   }
-  Shape shape() const override { return curve_->shape(); }
 
  private:
-  std::shared_ptr<const Curve> curve_;
   std::vector<double> angles_;
 };
 
 }  // namespace
 
 Response watched(const Response& response, std::vector<double> angles) {
-  auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
-  return {response.name, response.unit,
-          std::make_shared<WatchedCurve>(std::move(curve), std::move(angles))};
+  return with_curve<WatchedCurve>(response, std::move(angles));
 }
 
 }  // namespace camlaw::optim

@@ -91,6 +91,9 @@ struct Choice {
   std::size_t start = 0;             ///< the option that the search begins with
 };
 
+/// Combinations of choices that a search goes through at most.
+inline constexpr std::size_t kMostCombinations = 100000;
+
 /// A problem for each combination of choices; without choices, one problem.
 struct ProblemSpace {
   std::vector<Choice> choices;

@@ -101,18 +101,8 @@ double typical_change(const Response& response, Design x, const std::vector<doub
 
 double objective_value(const Objective& objective, Design x) {
   if (!objective.response.is_curve()) return objective.response.function().value(x);
-  const auto trace = objective.response.curve().trace(x);
-  const double up = highest(*trace, 1).value, down = highest(*trace, -1).value;
-  switch (objective.part) {
-    case Part::Lowest:
-      return down;
-    case Part::Magnitude:
-      return std::max(up, -down);
-    case Part::Value:
-    case Part::Highest:
-      break;
-  }
-  return up;
+  const double value = extreme_of(*objective.response.curve().trace(x), objective.part).value;
+  return objective.part == Part::Magnitude ? std::abs(value) : value;
 }
 
 double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {

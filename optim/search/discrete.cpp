@@ -26,10 +26,8 @@ struct WholeRange {
 WholeRange range_of(const Variable& v) { return {std::ceil(v.lower), std::floor(v.upper)}; }
 
 /// Whether a solved continuous problem settles its combination: an optimum, or no design at all.
-bool is_settled(const Found& found) {
-  const Assessment& a = found.assessment;
-  return a.verdict == Verdict::Infeasible ||
-         (is_feasible(a) && a.kkt_residual <= kKktTolerance && a.second_order);
+bool settles(const Found& found) {
+  return found.assessment.verdict == Verdict::Infeasible || is_settled(found.assessment);
 }
 
 class Whole {
@@ -101,7 +99,7 @@ class Whole {
         return;
       }
       const Found found = solve(fixed);
-      result_.complete = result_.complete && is_settled(found);
+      result_.complete = result_.complete && settles(found);
       result_.bounds_hold = result_.bounds_hold && holds_everywhere(fixed, found);
       return;
     }
@@ -178,7 +176,7 @@ class Whole {
       result_.bounds_hold = result_.bounds_hold && relaxed.assessment.global.has_value();
       return {};
     }
-    if (!is_settled(relaxed)) {
+    if (!settles(relaxed)) {
       result_.complete = false;
       return {};
     }

@@ -122,23 +122,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   }
 }
 
-/// A problem whose peaks are numbers has other constraints: their sizes.
-Sizes sizes_of_numbers(const Problem& problem, const Sizes& sizes) {
-  Sizes result = sizes;
-  result.constraints.clear();
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    const Constraint& c = problem.constraints[i];
-    const bool two = c.response.is_curve() && c.lower && c.upper;
-    result.constraints.insert(result.constraints.end(), two ? 2 : 1, sizes.constraints[i]);
-  }
-  return result;
-}
-
-/// A method that searches the whole box wants no rows more than there are: peaks as numbers.
-void run_whole(const Problem& problem, const Sizes& sizes, const Solver& solver,
-               const SolverOptions& options, Aim aim, Attempt& attempt) {
-  const Problem numbers = with_peaks_as_numbers(problem);
-  run(numbers, sizes_of_numbers(problem, sizes), solver, options, aim, attempt);
+/// Does work(problem, sizes) with the problem as a method takes it: one that searches the whole box
+/// wants no rows more than there are limits, and no smoothness; it gets peaks as numbers.
+template <class Work>
+auto as_taken(const Problem& problem, const Sizes& sizes, const Solver& solver, Work work) {
+  if (!solver.is_global()) return work(problem, sizes);
+  const SizedProblem numbers = with_peaks_as_numbers(problem, sizes);
+  return work(numbers.problem, numbers.sizes);
 }
 
 }  // namespace
@@ -152,11 +142,9 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
     attempt.x[i] = std::clamp(attempt.x[i], v.lower, v.upper);
   }
   try {
-    if (solver.is_global()) {
-      run_whole(problem, sizes, solver, options, aim, attempt);
-    } else {
-      run(problem, sizes, solver, options, aim, attempt);
-    }
+    as_taken(problem, sizes, solver, [&](const Problem& taken, const Sizes& its_sizes) {
+      run(taken, its_sizes, solver, options, aim, attempt);
+    });
   } catch (...) {  // what the model throws between solves
     attempt.status = Status::Failed;
     attempt.message = "the model threw";
@@ -167,11 +155,11 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
 
 std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, Design start,
                                    const Solver& solver) {
-  const Problem numbers = solver.is_global() ? with_peaks_as_numbers(problem) : problem;
-  const Sizes its = solver.is_global() ? sizes_of_numbers(problem, sizes) : sizes;
-  WorkingSet working(numbers, its, Aim::Optimum);
-  working.begin_at(start);
-  auto why = solver.refusal(working.program(start));
+  auto why = as_taken(problem, sizes, solver, [&](const Problem& taken, const Sizes& its_sizes) {
+    WorkingSet working(taken, its_sizes, Aim::Optimum);
+    working.begin_at(start);
+    return solver.refusal(working.program(start));
+  });
   if (why && problem.objective.response.is_curve() && !solver.is_global()) {
     *why += "; a peak that is sought takes a limit at each of many angles";
   }

@@ -77,11 +77,11 @@ class Search {
   /// A limit that nothing moves which varies needs no search: where it is passed, that is all.
   bool judge_constants() {
     const std::vector<double> start = problem_.start();
-    for (const Constraint& c : problem_.constraints) {
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      const Constraint& c = problem_.constraints[i];
       if (c.response.is_curve() || !is_constant(c.response.function())) continue;
       const double value = c.response.function().value(start);
-      const double tolerance =
-          sizes_.constraints[static_cast<std::size_t>(&c - problem_.constraints.data())].tolerance;
+      const double tolerance = sizes_.constraints[i].tolerance;
       const bool met = value >= c.lower.value_or(-kInfinity) - tolerance &&
                        value <= c.upper.value_or(kInfinity) + tolerance;
       if (met || std::isnan(value)) continue;
@@ -145,17 +145,13 @@ class Search {
     message_ = tried.message;
   }
 
-  static bool settled(const Assessment& a) {
-    return is_feasible(a) && a.kkt_residual <= kKktTolerance && a.second_order;
-  }
-
   /// Better, or as good to 1e-6 (by passing limits within their tolerance a design may look better
   /// than the optimum) and the conditions of optimality hold where they did not.
   bool improves(const Assessment& fresh, const Assessment& old) const {
     const double a = fresh.objective.value, b = old.objective.value;
     const bool alike = is_feasible(fresh) && is_feasible(old) &&
                        std::abs(a - b) <= 1e-6 * std::max(std::abs(b), sizes_.objective);
-    if (alike && settled(fresh) != settled(old)) return settled(fresh);
+    if (alike && is_settled(fresh) != is_settled(old)) return is_settled(fresh);
     return better(problem_, fresh, old);
   }
 
@@ -170,9 +166,9 @@ class Search {
         x = tried.x;  // polished by the next
         continue;
       }
-      if (settled(latest_)) return;
+      if (is_settled(latest_)) return;
       look_for_emptiness();
-      if (settled(latest_) || found_.assessment.verdict == Verdict::Infeasible) return;
+      if (is_settled(latest_) || found_.assessment.verdict == Verdict::Infeasible) return;
     }
   }
 
@@ -195,7 +191,7 @@ class Search {
       from_start_ = {};
       search_from(start);
       objectives_.push_back(is_feasible(from_start_) ? from_start_.objective.value : kInfinity);
-      const bool best_of_all = settled(found_.assessment) && found_.assessment.is_global;
+      const bool best_of_all = is_settled(found_.assessment) && found_.assessment.is_global;
       if (best_of_all || found_.assessment.verdict == Verdict::Infeasible) {
         found_.planned_starts = found_.starts;
         break;
@@ -268,7 +264,7 @@ class Search {
       fail_in_place("the model gives no number at the start");
       return;
     }
-    if (found_.status == Status::Unbounded && is_feasible(best) && !settled(best)) {
+    if (found_.status == Status::Unbounded && is_feasible(best) && !is_settled(best)) {
       fail_in_place("the objective improves without end: a limit is missing");
       return;
     }
@@ -299,7 +295,7 @@ class Search {
     consider(least, ipopt);
     found_.assessment.kkt_residual = kInfinity;
     for (const Solver* solver : {&find_solver("slsqp"), &ipopt}) {
-      if (!settled(found_.assessment)) consider(attempt(least.x, *solver), *solver);
+      if (!is_settled(found_.assessment)) consider(attempt(least.x, *solver), *solver);
     }
   }
 

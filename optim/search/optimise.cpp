@@ -13,16 +13,15 @@ namespace camlaw::optim {
 namespace {
 
 std::size_t combinations_of(const std::vector<Choice>& choices) {
-  constexpr std::size_t kMost = 100000;
   std::size_t product = 1;
   for (const Choice& choice : choices) {
     if (choice.options.empty()) {
       throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
     }
     product *= choice.options.size();
-    if (product > kMost) {
+    if (product > kMostCombinations) {
       throw std::invalid_argument(
-          fmt::format("choice '{}': more than {} combinations", choice.name, kMost));
+          fmt::format("choice '{}': more than {} combinations", choice.name, kMostCombinations));
     }
   }
   return product;

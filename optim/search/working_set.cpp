@@ -55,10 +55,7 @@ void WorkingSet::begin_at(Design x) {
     const int steps = breaks.size() <= kFewStretches ? 8 : 2;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       for (int i = 0; i <= steps; ++i) {
-        const double share = static_cast<double>(i) / steps;
-        const double angle =
-            i == steps ? breaks[k + 1] : std::lerp(breaks[k], breaks[k + 1], share);
-        side.places.push_back({angle, i == steps});
+        side.places.push_back(even_place(breaks[k], breaks[k + 1], steps, i));
       }
     }
   }

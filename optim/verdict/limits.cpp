@@ -109,15 +109,13 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
     return result;
   }
   const auto trace = objective.response.curve().trace(x);
-  const Extreme up = highest(*trace, 1), down = highest(*trace, -1);
   const bool lowest = objective.part == Part::Lowest;
   const bool magnitude = objective.part == Part::Magnitude;
-  const bool from_below = lowest || (magnitude && -down.value > up.value);
-  const Extreme& peak = from_below ? down : up;
+  const Extreme peak = extreme_of(*trace, objective.part);
   result.value = peak.value;
   result.angle = peak.place.angle;
   result.from_left = peak.place.from_left;
-  result.sign = from_below ? -1 : 1;
+  result.sign = lowest || (magnitude && peak.value < 0) ? -1 : 1;
   if (prove) {
     const double found = result.value;
     const double least = 1e-2 * sizes.objective_tolerance;

@@ -182,6 +182,10 @@ bool is_feasible(const Assessment& a) {
          inside_bounds(a.variables);
 }
 
+bool is_settled(const Assessment& a) {
+  return is_feasible(a) && a.kkt_residual <= kKktTolerance && a.second_order;
+}
+
 bool better(const Problem& problem, const Assessment& a, const Assessment& b) {
   const bool a_meets = is_feasible(a), b_meets = is_feasible(b);
   if (a_meets != b_meets) return a_meets;

@@ -59,6 +59,9 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
 /// Whether a design meets every limit of an assessment, and its objective is a number.
 bool is_feasible(const Assessment& assessment);
 
+/// Whether a design meets every limit and the conditions of optimality hold there.
+bool is_settled(const Assessment& assessment);
+
 /// Strict weak order: a feasible design before others, among those the better objective; of others
 /// the smaller violation (what is no number counts as infinite).
 bool better(const Problem& problem, const Assessment& a, const Assessment& b);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/cams/end_cam.h"
 
+#include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/follower_responses.h"
 
@@ -17,23 +18,17 @@ struct MachineTraits<EndCam> {
 };
 
 const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-06, 100000.0},
-      {"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 0.001, 100000.0},
-      {"roller_radius", "r_r", "mm", "m", "radius of the roller", 10, 0.001, 100000.0},
-      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 0.001, 1000000.0},
-      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1000000.0},
-      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", 0, 0,
-       1000000.0},
-      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 0,
-       -1000000000.0, 1000000000.0},
-      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1000000000.0, 1000000000.0}};
+  static const Parameters all =
+      joined({stroke_parameter(),
+              {{"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 1e-3, 1e5}},
+              roller_parameter(),
+              speed_parameter(),
+              sliding_load(0, 0)});
   return all;
 }
 
 namespace {
 
-using optim::Part;
 using S = optim::Shape;
 
 enum class Curve { PressureAngle, PitchCurvature, Undercut, ContactForce };
@@ -79,13 +74,7 @@ Mechanism end_cam_mechanism() {
           .source = "docs/theory.md, Cams",
           .parameters = MachineTraits<EndCam>::parameters(),
           .responses = std::move(responses),
-          .peaks = {{"peak_pressure_angle", "pressure_angle", Part::Magnitude,
-                     "greatest pressure angle"},
-                    {"least_force", "follower_force", Part::Lowest,
-                     "least force along the follower's way; above 0 the spring keeps contact"},
-                    {"peak_force", "follower_force", Part::Magnitude,
-                     "greatest force along the follower's way"},
-                    {"peak_torque", "drive_torque", Part::Magnitude, "greatest drive torque"}},
+          .peaks = {peak_pressure_angle(), least_force(), peak_force(), peak_torque()},
           .moved_by = MovedBy::Program};
 }
 

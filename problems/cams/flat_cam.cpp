@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/cams/flat_cam.h"
 
+#include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/follower_responses.h"
 
@@ -18,21 +19,8 @@ struct MachineTraits<FlatCam> {
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
-  static const std::vector<MechanismParameter> all{
-      {"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-06, 100000.0},
-      {"base_radius", "r_b", "mm", "m", "least radius of the profile", 40, 0.001, 100000.0},
-      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 0.001, 1000000.0},
-      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1000000.0},
-      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", 5, 0,
-       1000000.0},
-      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 50,
-       -1000000000.0, 1000000000.0},
-      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1000000000.0, 1000000000.0},
-      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 15, 0.001,
-       10000.0},
-      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 0.001,
-       10000.0},
-      {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
+  static const Parameters all = joined({stroke_parameter(), base_parameter(), speed_parameter(),
+                                        sliding_load(5, 50), contact_parameters()});
   return all;
 }
 
@@ -92,12 +80,10 @@ Mechanism flat_cam_mechanism() {
                      "least radius of curvature of the profile"},
                     {"face_half_width", "contact_offset", Part::Magnitude,
                      "how far the face must reach"},
-                    {"least_force", "follower_force", Part::Lowest,
-                     "least force along the follower's way; above 0 the spring keeps contact"},
-                    {"peak_force", "follower_force", Part::Magnitude,
-                     "greatest force along the follower's way"},
-                    {"peak_torque", "drive_torque", Part::Magnitude, "greatest drive torque"},
-                    {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
+                    least_force(),
+                    peak_force(),
+                    peak_torque(),
+                    peak_stress()},
           .moved_by = MovedBy::Program};
 }
 

@@ -33,10 +33,10 @@ void check_combinations(const ProblemStatement& statement,
     factors +=
         fmt::format("{}{} of {}", factors.empty() ? "" : ", ", choice.options.size(), choice.name);
   }
-  if (product > kMostCombinations) {
+  if (product > optim::kMostCombinations) {
     refuse(statement, fmt::format("there are {:.6g} combinations to choose from ({}); at most {} "
                                   "are tried",
-                                  product, factors, kMostCombinations));
+                                  product, factors, optim::kMostCombinations));
   }
 }
 

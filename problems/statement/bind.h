@@ -12,7 +12,7 @@ namespace camlaw::problems {
 class BoundProblem {
  public:
   /// Throws std::invalid_argument where there is no objective, nothing varies, or there are more
-  /// than kMostCombinations of choices.
+  /// than optim::kMostCombinations of choices.
   explicit BoundProblem(ProblemStatement statement);
 
   const ProblemStatement& statement() const { return statement_; }

@@ -9,10 +9,6 @@
 /// What values a variable may take.
 namespace camlaw::problems {
 
-/// Combinations of laws and listed or whole values that a search goes through at most (the limit of
-/// optim::optimise).
-inline constexpr int kMostCombinations = 100'000;
-
 /// The value of a list that is meant: a change of units leaves rounding.
 std::optional<double> find_choice(const std::vector<double>& values, double wanted);
 

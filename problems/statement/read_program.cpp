@@ -103,9 +103,9 @@ void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
 void check_count(const Entry& list, const std::vector<StatedSegment>& stated) {
   double count = 1;
   for (const StatedSegment& s : stated) count *= std::max(1.0, static_cast<double>(s.laws.size()));
-  if (count > kMostCombinations) {
+  if (count > optim::kMostCombinations) {
     refuse(list, fmt::format("the segments' laws make {:.6g} programs; at most {} are tried", count,
-                             kMostCombinations));
+                             optim::kMostCombinations));
   }
 }
 

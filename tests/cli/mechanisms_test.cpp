@@ -52,26 +52,13 @@ TEST_CASE("evaluate writes every curve over the cycle", "[program]") {
 }
 
 TEST_CASE("a long search that is interrupted ends with the best verified design", "[program]") {
-  const Folder folder;
   const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/least_moment.toml";
-  std::vector<std::string> words{"camlaw", "optimize", file, "--starts", "100000", "--json"};
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const std::string out = folder / "out";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  pid_t child = 0;
-  REQUIRE(posix_spawn(&child, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ) == 0);
-  posix_spawn_file_actions_destroy(&actions);
+  const Running running({"optimize", file, "--starts", "100000", "--json"});
   std::this_thread::sleep_for(std::chrono::seconds(2));
-  REQUIRE(kill(child, SIGINT) == 0);
-  int status = 0;
-  waitpid(child, &status, 0);
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 0);
-  const Json json = Json::parse(read(out));
+  REQUIRE(kill(running.id(), SIGINT) == 0);
+  const Outcome outcome = running.wait();
+  CHECK(outcome.status == 0);
+  const Json json = Json::parse(outcome.out);
   CHECK(json.at("starts") < 100000);
   CHECK_THAT(json.at("reason").get<std::string>(), Contains("stopped"));
   CHECK(json.at("objective").get<double>() == Approx(0.05123141247890022).epsilon(1e-6));

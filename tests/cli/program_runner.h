@@ -61,27 +61,39 @@ struct Outcome {
   std::string out, err;
 };
 
-inline Outcome run(Words words) {
-  const Folder folder;
-  const std::string out = folder / "out", err = folder / "err";
-  words.insert(words.begin(), "camlaw");
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), flags, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), flags, 0600);
-  pid_t child = 0;
-  const int failed =
-      posix_spawn(&child, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error("cannot start " CAMLAW_PROGRAM);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
-}
+/// The program as a process of its own, its output in files of a folder that is gone afterwards.
+class Running {
+ public:
+  explicit Running(Words words) {
+    words.insert(words.begin(), "camlaw");
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), flags, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), flags, 0600);
+    const int failed =
+        posix_spawn(&child_, CAMLAW_PROGRAM, &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed != 0) throw std::runtime_error("cannot start " CAMLAW_PROGRAM);
+  }
+
+  pid_t id() const { return child_; }
+  Outcome wait() const {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out_), read(err_)};
+  }
+
+ private:
+  Folder folder_;
+  std::string out_ = folder_ / "out", err_ = folder_ / "err";
+  pid_t child_ = 0;
+};
+
+inline Outcome run(Words words) { return Running(std::move(words)).wait(); }
 
 /// What a run that is done prints.
 inline std::string done(const Words& words) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "optim/problem/problem.h"
+
+namespace camlaw::optim {
+
+/// A curve that is another one, but for its trace.
+class ForwardingCurve : public Curve {
+ public:
+  explicit ForwardingCurve(std::shared_ptr<const Curve> curve) : curve_(std::move(curve)) {}
+
+  Function at(Place place) const override { return curve_->at(place); }
+  std::vector<double> slope_gradient(Place place, Design x) const override {
+    return curve_->slope_gradient(place, x);
+  }
+  bool breaks_move() const override { return curve_->breaks_move(); }
+  Shape shape() const override { return curve_->shape(); }
+
+ protected:
+  const Curve& curve() const { return *curve_; }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+};
+
+/// A response that is a curve, with that curve made into a C(curve, more...).
+template <class C, class... More>
+Response with_curve(const Response& response, More&&... more) {
+  auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
+  return {response.name, response.unit,
+          std::make_shared<C>(std::move(curve), std::forward<More>(more)...)};
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "problems/cams/cam_tables.h"
+
+namespace camlaw::problems {
+
+using optim::Part;
+
+Parameters stroke_parameter() {
+  return {{"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-6, 1e5}};
+}
+
+Parameters base_parameter() {
+  return {{"base_radius", "r_b", "mm", "m", "least radius of the profile", 40, 1e-3, 1e5}};
+}
+
+Parameters roller_parameter() {
+  return {{"roller_radius", "r_r", "mm", "m", "radius of the roller", 10, 1e-3, 1e5}};
+}
+
+Parameters speed_parameter() {
+  return {{"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6}};
+}
+
+Parameters sliding_load(double rate, double preload) {
+  return {
+      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1e6},
+      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", rate, 0, 1e6},
+      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", preload, -1e9,
+       1e9},
+      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
+}
+
+Parameters contact_parameters() {
+  return {
+      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 15, 1e-3, 1e4},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4},
+      {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
+}
+
+Parameters cutter_parameter() {
+  return {{"cutter_radius", "r_c", "mm", "m", "radius of the tool that cuts the profile", 10, 1e-3,
+           1e4}};
+}
+
+Parameters joined(const std::vector<Parameters>& lists) {
+  Parameters all;
+  for (const Parameters& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+NamedPeak peak_pressure_angle() {
+  return {"peak_pressure_angle", "pressure_angle", Part::Magnitude, "greatest pressure angle"};
+}
+
+NamedPeak peak_undercut() {
+  return {"peak_undercut", "undercut", Part::Highest,
+          "greatest share of the pitch curve's radius that the roller takes"};
+}
+
+NamedPeak peak_torque() {
+  return {"peak_torque", "drive_torque", Part::Magnitude, "greatest drive torque"};
+}
+
+NamedPeak peak_stress() {
+  return {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"};
+}
+
+NamedPeak least_force() {
+  return {"least_force", "follower_force", Part::Lowest,
+          "least force along the follower's way; above 0 the spring keeps contact"};
+}
+
+NamedPeak peak_force() {
+  return {"peak_force", "follower_force", Part::Magnitude,
+          "greatest force along the follower's way"};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "problems/mechanism/mechanism.h"
+
+/// Parameters and named peaks that several cams have alike.
+namespace camlaw::problems {
+
+using Parameters = std::vector<MechanismParameter>;
+
+Parameters stroke_parameter();
+Parameters base_parameter();
+Parameters roller_parameter();
+Parameters speed_parameter();
+/// Mass, spring and load of a follower that slides, its spring's standard rate and preload.
+Parameters sliding_load(double rate, double preload);
+/// Width and material of the contact.
+Parameters contact_parameters();
+Parameters cutter_parameter();
+
+/// One list after another.
+Parameters joined(const std::vector<Parameters>& lists);
+
+NamedPeak peak_pressure_angle();
+NamedPeak peak_undercut();
+NamedPeak peak_torque();
+NamedPeak peak_stress();
+NamedPeak least_force();
+NamedPeak peak_force();
+
+}  // namespace camlaw::problems
