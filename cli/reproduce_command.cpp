@@ -39,7 +39,7 @@ void print_text(const SystemReproduction& result) {
                std::string(problems::to_string(value.verdict)),
                fmt::format("{}", fmt::join(value.causes, "; "))});
   }
-  fmt::print("{}\n", table.text());
+  if (!result.values.empty()) fmt::print("{}\n", table.text());
   if (!result.departures.empty()) {
     fmt::print(
         "the smallest set of departures that explains the most digits ({} sets looked at):\n",
@@ -49,7 +49,10 @@ void print_text(const SystemReproduction& result) {
   for (const auto& other : result.equals) {
     fmt::print("another set explains as many: {}\n", fmt::join(other, "; "));
   }
-  if (result.equals.empty()) fmt::print("no other set as small explains as many\n");
+  if (!result.departures.empty() && result.equals.empty()) {
+    fmt::print("no other set as small explains as many\n");
+  }
+  for (const std::string& note : result.notes) fmt::print("{}\n", note);
   fmt::print("{}\n", counts(result));
 }
 
@@ -88,6 +91,7 @@ Json to_json(const SystemReproduction& result) {
           {"source", result.source},         {"reproduced", result.reproduced},
           {"explained", result.explained},   {"unexplained", result.unexplained},
           {"departures", result.departures}, {"equal_sets", result.equals},
+          {"notes", result.notes},           {"worsened", problems::worsened(result)},
           {"values", std::move(values)}};
 }
 
@@ -138,7 +142,17 @@ void run_cam_shape(int n, bool json) {
       solved.wall_s);
 }
 
-void run_reproduce(std::vector<std::string> names, bool json, std::optional<int> n) {
+/// What used to reproduce and no longer does.
+void print_worsened(const std::vector<SystemReproduction>& results, int& status) {
+  for (const SystemReproduction& result : results) {
+    for (const std::string& text : problems::worsened(result)) {
+      status = kFailed;
+      fmt::print(stderr, "camlaw: {}\n", text);
+    }
+  }
+}
+
+void run_reproduce(std::vector<std::string> names, bool json, std::optional<int> n, int& status) {
   if (n) {
     if (names.size() != 1 || names.front() != "cam-shape") {
       throw std::invalid_argument(
@@ -169,11 +183,12 @@ void run_reproduce(std::vector<std::string> names, bool json, std::optional<int>
   } else if (systems.size() > 1) {
     print_counts(results);
   }
+  print_worsened(results, status);
 }
 
 }  // namespace
 
-void add_reproduce_command(CLI::App& app) {
+void add_reproduce_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
   const auto names = std::make_shared<std::vector<std::string>>();
@@ -182,7 +197,7 @@ void add_reproduce_command(CLI::App& app) {
   command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)");
   add_switch(*command, "--json", *json, "print JSON");
   command->add_option("--n", *n, "cam-shape: solve it for this many radii instead");
-  command->callback([names, json, n] { run_reproduce(*names, *json, *n); });
+  command->callback([names, json, n, &status] { run_reproduce(*names, *json, *n, status); });
 }
 
 }  // namespace camlaw::cli

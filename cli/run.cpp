@@ -84,8 +84,8 @@ int run(int argc, const char* const* argv) {
   add_mechanisms_command(app);
   add_law_command(app);
   add_study_command(app);
-  add_reproduce_command(app);
   int status = kDone;
+  add_reproduce_command(app, status);
   add_check_command(app, status);
   add_evaluate_command(app);
   add_optimize_command(app, status);

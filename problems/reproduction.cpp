@@ -6,12 +6,16 @@
 #define CSV_IO_NO_THREAD
 #include <csv.h>
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
+#include "problems/balancing_cam/reproduction.h"
+#include "problems/baseline.csv.h"
 #include "problems/cam_shape/reproduction.h"
 #include "problems/die_press/reproduction.h"
 #include "problems/sheet_delivery/reproduction.h"
+#include "problems/signature_feeder/reproduction.h"
 #include "problems/spine_cutter/reproduction.h"
 
 namespace camlaw::problems {
@@ -111,11 +115,59 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
 }
 
 const std::vector<ReproducibleSystem>& reproducible_systems() {
-  static const std::vector<ReproducibleSystem> systems{{"spine-cutter", reproduce_spine_cutter},
-                                                       {"die-press", reproduce_die_press},
-                                                       {"sheet-delivery", reproduce_sheet_delivery},
-                                                       {"cam-shape", reproduce_cam_shape}};
+  static const std::vector<ReproducibleSystem> systems{
+      {"spine-cutter", reproduce_spine_cutter},
+      {"balancing-cam", reproduce_balancing_cam},
+      {"die-press", reproduce_die_press},
+      {"sheet-delivery", reproduce_sheet_delivery},
+      {"signature-feeder", reproduce_signature_feeder},
+      {"cam-shape", reproduce_cam_shape}};
   return systems;
+}
+
+namespace {
+
+optim::Finding read_finding(const std::string& text) {
+  using optim::Finding;
+  for (const Finding verdict : {Finding::Reproduced, Finding::Explained, Finding::Unexplained}) {
+    if (text == to_string(verdict)) return verdict;
+  }
+  throw std::invalid_argument("baseline.csv: there is no verdict '" + text + "'");
+}
+
+struct Expected {
+  std::string system, id;
+  optim::Finding verdict;
+};
+
+std::vector<Expected> read_baseline() {
+  io::CSVReader<3> reader("baseline.csv", data::baseline.data(),
+                          data::baseline.data() + data::baseline.size());
+  reader.read_header(io::ignore_no_column, "system", "id", "verdict");
+  std::vector<Expected> result;
+  std::string system, id, verdict;
+  while (reader.read_row(system, id, verdict)) {
+    result.push_back({system, id, read_finding(verdict)});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> worsened(const SystemReproduction& result) {
+  static const std::vector<Expected> baseline = read_baseline();
+  std::vector<std::string> worse;
+  for (const Expected& expected : baseline) {
+    if (expected.system != result.system) continue;
+    const auto found =
+        std::find_if(result.values.begin(), result.values.end(),
+                     [&](const ReproducedValue& v) { return v.printed.id == expected.id; });
+    if (found != result.values.end() && found->verdict <= expected.verdict) continue;
+    worse.push_back(fmt::format("{}: {} was {} and is {}", expected.system, expected.id,
+                                to_string(expected.verdict),
+                                found == result.values.end() ? "gone" : to_string(found->verdict)));
+  }
+  return worse;
 }
 
 std::string_view to_string(optim::Finding verdict) {

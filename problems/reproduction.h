@@ -40,6 +40,7 @@ struct SystemReproduction {
       departures;  ///< the smallest set of changes that explains the most digits
   std::vector<std::vector<std::string>> equals;  ///< other sets as small that explain as many
   std::size_t tried = 0;
+  std::vector<std::string> notes = {};  ///< what else there is to say
 };
 
 /// Runs the hypothesis search for a system. `table` is in the order of `printed`.
@@ -52,6 +53,10 @@ struct ReproducibleSystem {
   SystemReproduction (*reproduce)();
 };
 const std::vector<ReproducibleSystem>& reproducible_systems();
+
+/// Values whose verdict is worse than the one in problems/baseline.csv, each with both; also where
+/// a value of the baseline is gone. None as long as nothing that used to reproduce has ceased to.
+std::vector<std::string> worsened(const SystemReproduction& result);
 
 /// "reproduced", "explained", "unexplained".
 std::string_view to_string(optim::Finding verdict);

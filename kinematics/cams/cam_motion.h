@@ -71,4 +71,13 @@ struct CamCurve {
   }
 };
 
+/// A point of the frame as it lies in the cam, which has turned by phi: (x + i y) exp(-i phi).
+template <class X, class Phi>
+std::pair<X, X> turned_back(const std::pair<X, X>& point, const Phi& phi) {
+  using std::cos;
+  using std::sin;
+  const auto c = cos(phi), s = sin(phi);
+  return {point.first * c + point.second * s, point.second * c - point.first * s};
+}
+
 }  // namespace camlaw

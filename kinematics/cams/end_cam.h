@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/cams/cam_motion.h"
+#include "kinematics/cams/roller_contact.h"
 
 namespace camlaw {
 
@@ -17,14 +18,28 @@ struct EndCam {
   T spring_rate = number<T>(0);                   ///< c, N/m
   T spring_preload = number<T>(0);                ///< F_0, N
   T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of the contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the track
 
   bool is_possible() const { return value_of(radius) > 0; }
   FollowerLoad<T> follower() const {
     return {mass, spring_rate, spring_preload, load, angular_speed};
   }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
+  }
+  /// The roller's centre on the developed cam: w = i s, w1 = R + i s', w2 = i s''. Its curvature
+  /// (M4) is that of (M17) with the other sign, positive where the cam is convex.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    const X none = number<X>(0);
+    return {none, f.s, none + radius, f.ds, none, f.dds};
   }
   /// (M16) Pressure angle, rad: tan alpha = s' / R.
   template <class X>

@@ -9,7 +9,8 @@ namespace camlaw {
 /// A disc cam with an oscillating roller follower (docs/theory.md, "Roller on an arm"). The arm of
 /// length l turns about a pivot at the distance d from the cam's centre; psi is its angle to the
 /// line of centres, psi_0 at the lowest place, psi_0 + Psi s at displacement s. Fields in SI units.
-/// The cam turns so that the roller's centre moves as the arm does in the rise.
+/// A trailing arm: the cam turns so that the roller's centre moves as the arm does in the rise;
+/// LeadingRollerCam turns the other way.
 ///
 /// Valid while arm, distance and prime radius make a triangle.
 template <class T>

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "optim/cycle/extremes.h"
 
 namespace camlaw::optim {
 namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class PeakKernel final : public Kernel {
  public:
@@ -24,19 +27,67 @@ class PeakKernel final : public Kernel {
     const Function f = response_.curve().at(peak.place);
     std::vector<double> slopes(f.inputs().size());
     f.gradient(u, slopes);
-    const double sign = part_ == Part::Magnitude && peak.value < 0 ? -1 : 1;
+    const double sign = sign_of(peak);
     std::fill(g.begin(), g.end(), 0.0);
     for (std::size_t k = 0; k < slopes.size(); ++k) g[f.inputs()[k]] = sign * slopes[k];
     return sign * peak.value;
   }
 
+  /// Of the peak at the place p: f_uu, less f_up f_up^T / f_pp where p lies inside a smooth
+  /// stretch and so moves with u (docs/optimisation.md, "Second order").
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
-    std::fill(h.begin(), h.end(), std::numeric_limits<double>::quiet_NaN());
-    return gradient(u, g);
+    const double result = gradient(u, g);
+    const auto trace = response_.curve().trace(u);
+    const Extreme peak = extreme_of(*trace, part_);
+    const double sign = sign_of(peak);
+    const Function f = response_.curve().at(peak.place);
+    const std::vector<std::size_t>& inputs = f.inputs();
+    std::vector<double> slopes(inputs.size()), second(packed_size(inputs.size()));
+    f.hessian(u, slopes, second);
+    std::fill(h.begin(), h.end(), 0.0);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) {
+        h[packed(inputs[i], inputs[k])] = sign * second[packed(i, k)];
+      }
+    }
+    const std::vector<double> breaks = trace->breaks();
+    if (std::binary_search(breaks.begin(), breaks.end(), peak.place.angle)) return result;
+    const std::vector<double> moved = response_.curve().slope_gradient(peak.place, u);
+    const double bend = trace->at(peak.place)[2];
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) {
+        h[packed(i, k)] -= moved.empty() ? kNaN : sign * moved[i] * moved[k] / bend;
+      }
+    }
+    return result;
+  }
+
+  /// Between the peak found and the least bound above it that intervals prove.
+  Bounds enclose(std::span<const double> u) const override {
+    const auto trace = response_.curve().trace(u);
+    const Extreme peak = extreme_of(*trace, part_);
+    const double slack = 1e-9 * std::abs(peak.value);
+    const auto proved = [&](double sign) {
+      return prove_below(*trace, sign, sign * peak.value + slack).proved;
+    };
+    const Bounds here = trace->enclose(peak.place.angle, peak.place.angle);
+    if (part_ == Part::Lowest) {
+      return proved(-1) ? Bounds{peak.value - slack, here.upper} : Bounds{-kInfinity, here.upper};
+    }
+    if (part_ == Part::Highest) {
+      return proved(1) ? Bounds{here.lower, peak.value + slack} : Bounds{here.lower, kInfinity};
+    }
+    const double most = std::abs(peak.value) + slack;
+    const bool both = prove_below(*trace, 1, most).proved && prove_below(*trace, -1, most).proved;
+    const double least = peak.value < 0 ? -here.upper : here.lower;
+    return {std::max(least, 0.0), both ? most : kInfinity};
   }
 
  private:
+  double sign_of(const Extreme& peak) const {
+    return part_ == Part::Magnitude && peak.value < 0 ? -1 : 1;
+  }
   Extreme find(std::span<const double> u) const {
     return extreme_of(*response_.curve().trace(u), part_);
   }

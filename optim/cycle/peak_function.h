@@ -6,8 +6,8 @@
 namespace camlaw::optim {
 
 /// The highest value of a curve over the cycle (Lowest: the lowest, Magnitude: the highest |value|)
-/// as a function of the design. It is not smooth where one peak overtakes another: for methods
-/// that search the whole box. The gradient is that at the highest place. Inputs are all of the
+/// as a function of the design. It is not smooth where one peak overtakes another: there the
+/// derivatives are those of the highest place found. Inputs are all of the
 /// design's `variables`.
 Function peak_function(const Response& response, Part part, std::size_t variables);
 

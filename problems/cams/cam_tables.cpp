@@ -9,12 +9,22 @@ Parameters stroke_parameter() {
   return {{"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-6, 1e5}};
 }
 
+Parameters swing_parameter() {
+  return {{"swing", "Psi", "deg", "rad", "swing of the arm, at displacement 1", 20, 1e-6, 179}};
+}
+
 Parameters base_parameter() {
   return {{"base_radius", "r_b", "mm", "m", "least radius of the profile", 40, 1e-3, 1e5}};
 }
 
 Parameters roller_parameter() {
   return {{"roller_radius", "r_r", "mm", "m", "radius of the roller", 10, 1e-3, 1e5}};
+}
+
+Parameters offset_parameter() {
+  return {{"offset", "e", "mm", "m",
+           "distance of the follower's way from the cam's centre, above 0 where it eases the rise",
+           0, -1e5, 1e5}};
 }
 
 Parameters speed_parameter() {
@@ -28,6 +38,15 @@ Parameters sliding_load(double rate, double preload) {
       {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", preload, -1e9,
        1e9},
       {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
+}
+
+Parameters swinging_load(double rate, double preload) {
+  return {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that swings", 0.002, 0, 1e6},
+          {"spring_rate", "c", "N m/deg", "N m/rad", "rate of the spring about the pivot", rate, 0,
+           1e9},
+          {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest place",
+           preload, -1e9, 1e9},
+          {"load", "M_L", "N m", "N m", "constant torque against the rise", 0, -1e9, 1e9}};
 }
 
 Parameters contact_parameters() {
@@ -48,6 +67,10 @@ Parameters joined(const std::vector<Parameters>& lists) {
   return all;
 }
 
+void append(std::vector<MechanismResponse>& responses, std::vector<MechanismResponse> more) {
+  for (MechanismResponse& response : more) responses.push_back(std::move(response));
+}
+
 NamedPeak peak_pressure_angle() {
   return {"peak_pressure_angle", "pressure_angle", Part::Magnitude, "greatest pressure angle"};
 }
@@ -65,9 +88,23 @@ NamedPeak peak_stress() {
   return {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"};
 }
 
+NamedPeak peak_outer_undercut() {
+  return {"peak_outer_undercut", "outer_undercut", Part::Highest,
+          "greatest share of the pitch curve's radius that the roller takes of the outer flank"};
+}
+
+NamedPeak peak_groove_stress() {
+  return {"peak_groove_stress", "groove_stress", Part::Highest, "greatest stress in a groove"};
+}
+
 NamedPeak least_force() {
   return {"least_force", "follower_force", Part::Lowest,
           "least force along the follower's way; above 0 the spring keeps contact"};
+}
+
+NamedPeak least_torque() {
+  return {"least_torque", "follower_torque", Part::Lowest,
+          "least torque on the arm; above 0 the spring keeps contact"};
 }
 
 NamedPeak peak_force() {

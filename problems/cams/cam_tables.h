@@ -11,14 +11,21 @@ namespace camlaw::problems {
 using Parameters = std::vector<MechanismParameter>;
 
 Parameters stroke_parameter();
+Parameters swing_parameter();
 Parameters base_parameter();
 Parameters roller_parameter();
+Parameters offset_parameter();
 Parameters speed_parameter();
 /// Mass, spring and load of a follower that slides, its spring's standard rate and preload.
 Parameters sliding_load(double rate, double preload);
+/// Inertia, spring and load of an arm, its spring's standard rate in N m/deg and preload.
+Parameters swinging_load(double rate, double preload);
 /// Width and material of the contact.
 Parameters contact_parameters();
 Parameters cutter_parameter();
+
+/// Responses behind others.
+void append(std::vector<MechanismResponse>& responses, std::vector<MechanismResponse> more);
 
 /// One list after another.
 Parameters joined(const std::vector<Parameters>& lists);
@@ -27,7 +34,10 @@ NamedPeak peak_pressure_angle();
 NamedPeak peak_undercut();
 NamedPeak peak_torque();
 NamedPeak peak_stress();
+NamedPeak peak_outer_undercut();
+NamedPeak peak_groove_stress();
 NamedPeak least_force();
+NamedPeak least_torque();
 NamedPeak peak_force();
 
 }  // namespace camlaw::problems

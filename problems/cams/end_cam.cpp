@@ -4,6 +4,7 @@
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/follower_responses.h"
+#include "problems/cams/roller_responses.h"
 
 namespace camlaw::problems {
 
@@ -11,10 +12,11 @@ template <>
 struct MachineTraits<EndCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{&EndCam<T>::stroke,         &EndCam<T>::radius,
-                                     &EndCam<T>::roller_radius,  &EndCam<T>::angular_speed,
-                                     &EndCam<T>::mass,           &EndCam<T>::spring_rate,
-                                     &EndCam<T>::spring_preload, &EndCam<T>::load};
+  static constexpr std::array<T EndCam<T>::*, 11> fields{
+      &EndCam<T>::stroke,         &EndCam<T>::radius,       &EndCam<T>::roller_radius,
+      &EndCam<T>::angular_speed,  &EndCam<T>::mass,         &EndCam<T>::spring_rate,
+      &EndCam<T>::spring_preload, &EndCam<T>::load,         &EndCam<T>::face_width,
+      &EndCam<T>::youngs_modulus, &EndCam<T>::poisson_ratio};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
@@ -23,7 +25,8 @@ const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
               {{"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 1e-3, 1e5}},
               roller_parameter(),
               speed_parameter(),
-              sliding_load(0, 0)});
+              sliding_load(0, 0),
+              contact_parameters()});
   return all;
 }
 
@@ -69,12 +72,15 @@ Mechanism end_cam_mechanism() {
                                               "takes, signed; at 1 or -1 a track is undercut"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between roller and cam"}));
+  responses.push_back(roller_response<EndCam>(RollerCurve::OuterUndercut, outer_undercut_about()));
+  responses.push_back(roller_response<EndCam>(RollerCurve::GrooveStress, groove_stress_about()));
   return {.name = "end-cam",
           .title = "end or barrel cam with a roller that moves along its axis",
           .source = "docs/theory.md, Cams",
           .parameters = MachineTraits<EndCam>::parameters(),
           .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(), least_force(), peak_force(), peak_torque()},
+          .peaks = {peak_pressure_angle(), least_force(), peak_force(), peak_torque(),
+                    peak_outer_undercut(), peak_groove_stress()},
           .moved_by = MovedBy::Program};
 }
 

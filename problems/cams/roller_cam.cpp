@@ -22,35 +22,25 @@ struct MachineTraits<RollerCam> {
 
 const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
   static const Parameters all =
-      joined({stroke_parameter(),
-              base_parameter(),
-              roller_parameter(),
-              {{"offset", "e", "mm", "m", "distance of the follower's way from the cam's centre", 0,
-                -1e5, 1e5}},
-              speed_parameter(),
-              sliding_load(5, 50),
-              contact_parameters(),
-              cutter_parameter()});
+      joined({stroke_parameter(), base_parameter(), roller_parameter(), offset_parameter(),
+              speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter()});
   return all;
 }
 
 Mechanism roller_cam_mechanism() {
   using S = optim::Shape;
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
-  for (MechanismResponse& response :
-       roller_responses<RollerCam>({{{"law"}, S::Quasilinear},
-                                    {{"stroke"}, S::Quasilinear},
-                                    {{"base_radius"}, S::Quasilinear},
-                                    {{"roller_radius"}, S::Quasilinear}})) {
-    responses.push_back(std::move(response));
-  }
+  append(responses, roller_responses<RollerCam>({{{"law"}, S::Quasilinear},
+                                                 {{"stroke"}, S::Quasilinear},
+                                                 {{"base_radius"}, S::Quasilinear},
+                                                 {{"roller_radius"}, S::Quasilinear}}));
   return {.name = "disc-cam-roller",
           .title = "disc cam with a translating roller follower",
           .source = "docs/theory.md, Cams",
           .parameters = MachineTraits<RollerCam>::parameters(),
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
-                    peak_torque(), peak_stress()},
+                    peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
           .moved_by = MovedBy::Program};
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "kinematics/cams/bearing_side.h"
 #include "kinematics/cams/cam_motion.h"
 #include "problems/mechanism/listed_responses.h"
 
-/// What all roller followers of disc cams have in common.
+/// What all roller followers have in common, on a cam of one flank or in a groove.
 namespace camlaw::problems {
 
 enum class RollerCurve {
@@ -15,7 +16,9 @@ enum class RollerCurve {
   ToolFit,
   ContactForce,
   ContactStress,
-  ContactHalfWidth
+  ContactHalfWidth,
+  OuterUndercut,
+  GrooveStress
 };
 
 template <class Cam, class X>
@@ -35,22 +38,42 @@ X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
       return roller.stress(cam.contact_force(f), k);
     case RollerCurve::ContactHalfWidth:
       return roller.half_width(cam.contact_force(f), k);
+    case RollerCurve::OuterUndercut:
+      return outer_undercut(roller, k);
+    case RollerCurve::GrooveStress:
+      return groove_stress(roller, cam.contact_force(f), k);
     default:
       break;
   }
   return k;
 }
 
-/// The responses of a machine M with pitch_curve(), pressure_angle(), contact_force() and roller();
-/// `angle` are the shapes of the pressure angle.
+/// One of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller().
+template <template <class> class M>
+MechanismResponse roller_response(RollerCurve which, ResponseAbout about) {
+  return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                         [](const auto& cam, RollerCurve curve, const auto& motion) {
+                           return roller_curve(cam, curve, cam.over_angle(motion));
+                         });
+}
+
+inline ResponseAbout outer_undercut_about() {
+  return {"outer_undercut", "1", "1",
+          "share of the pitch curve's radius that the roller takes of a groove's outer flank; at 1 "
+          "that flank is undercut"};
+}
+
+inline ResponseAbout groove_stress_about() {
+  return {"groove_stress", "MPa", "Pa",
+          "greatest Hertz pressure in a groove, on the flank that bears the force"};
+}
+
+/// All of them; `angle` are the shapes of the pressure angle.
 template <template <class> class M>
 std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angle) {
   std::vector<MechanismResponse> all;
   const auto add = [&](RollerCurve which, ResponseAbout about) {
-    all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
-                                  [](const auto& cam, RollerCurve curve, const auto& motion) {
-                                    return roller_curve(cam, curve, cam.over_angle(motion));
-                                  }));
+    all.push_back(roller_response<M>(which, std::move(about)));
   };
   using C = RollerCurve;
   add(C::PressureAngle,
@@ -70,6 +93,8 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
   add(C::ContactStress,
       {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between roller and cam"});
   add(C::ContactHalfWidth, {"contact_half_width", "mm", "m", "half the width of the contact"});
+  add(C::OuterUndercut, outer_undercut_about());
+  add(C::GrooveStress, groove_stress_about());
   return all;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/cams/swinging_roller_cam.h"
-
+#include "kinematics/cams/leading_roller_cam.h"
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/follower_responses.h"
@@ -23,43 +22,61 @@ struct MachineTraits<SwingingRollerCam> {
 };
 
 const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::parameters() {
-  static const Parameters all = joined(
-      {{{"swing", "Psi", "deg", "rad", "swing of the arm, at displacement 1", 20, 1e-6, 179}},
-       base_parameter(),
-       roller_parameter(),
-       {{"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
-        {"pivot_distance", "d", "mm", "m", "distance of the arm's pivot from the cam's centre", 100,
-         1e-3, 1e5}},
-       speed_parameter(),
-       {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that swings", 0.002, 0, 1e6},
-        {"spring_rate", "c", "N m/deg", "N m/rad", "rate of the spring about the pivot", 0.2, 0,
-         1e9},
-        {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest place", 3, -1e9,
-         1e9},
-        {"load", "M_L", "N m", "N m", "constant torque against the rise", 0, -1e9, 1e9}},
-       contact_parameters(),
-       cutter_parameter()});
+  static const Parameters all =
+      joined({swing_parameter(),
+              base_parameter(),
+              roller_parameter(),
+              {{"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
+               {"pivot_distance", "d", "mm", "m",
+                "distance of the arm's pivot from the cam's centre", 100, 1e-3, 1e5}},
+              speed_parameter(),
+              swinging_load(0.2, 3),
+              contact_parameters(),
+              cutter_parameter()});
   return all;
 }
 
-Mechanism swinging_roller_cam_mechanism() {
-  using optim::Part;
-  std::vector<MechanismResponse> responses = follower_responses<SwingingRollerCam>(kSwinging);
-  for (MechanismResponse& response : roller_responses<SwingingRollerCam>({})) {
-    responses.push_back(std::move(response));
+/// The same fields, as members of the derived machine.
+template <>
+struct MachineTraits<LeadingRollerCam> {
+  static const std::vector<MechanismParameter>& parameters() {
+    return MachineTraits<SwingingRollerCam>::parameters();
   }
-  return {.name = "disc-cam-swinging-roller",
-          .title = "disc cam with an oscillating roller follower",
+  template <class T>
+  static constexpr auto fields = [] {
+    constexpr auto& base = MachineTraits<SwingingRollerCam>::fields<T>;
+    std::array<T LeadingRollerCam<T>::*, base.size()> all{};
+    for (std::size_t i = 0; i < base.size(); ++i) all[i] = base[i];
+    return all;
+  }();
+};
+
+namespace {
+
+template <template <class> class M>
+Mechanism swinging_mechanism(const char* name, const char* title) {
+  std::vector<MechanismResponse> responses = follower_responses<M>(kSwinging);
+  append(responses, roller_responses<M>({}));
+  return {.name = name,
+          .title = title,
           .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<SwingingRollerCam>::parameters(),
+          .parameters = MachineTraits<M>::parameters(),
           .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(),
-                    peak_undercut(),
-                    peak_torque(),
-                    peak_stress(),
-                    {"least_torque", "follower_torque", Part::Lowest,
-                     "least torque on the arm; above 0 the spring keeps contact"}},
+          .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                    least_torque(), peak_outer_undercut(), peak_groove_stress()},
           .moved_by = MovedBy::Program};
+}
+
+}  // namespace
+
+Mechanism swinging_roller_cam_mechanism() {
+  return swinging_mechanism<SwingingRollerCam>(
+      "disc-cam-swinging-roller", "disc cam with an oscillating roller follower, trailing");
+}
+
+Mechanism leading_roller_cam_mechanism() {
+  return swinging_mechanism<LeadingRollerCam>(
+      "disc-cam-leading-roller", "disc cam with an oscillating roller follower, leading");
 }
 
 }  // namespace camlaw::problems

@@ -44,7 +44,7 @@ Shape stated_shape(const Mechanism& mechanism, const MechanismResponse& response
                    const Binding& binding) {
   std::set<std::string> varying;
   for (const std::size_t i : binding.parameters) varying.insert(mechanism.parameters[i].name);
-  if (response.curve && !binding.law->variables().empty()) {
+  if (response.sees_law && !binding.law->variables().empty()) {
     if (!binding.law->is_linear()) return Shape::General;
     varying.insert("law");
   }

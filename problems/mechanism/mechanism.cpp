@@ -8,12 +8,15 @@
 #include <stdexcept>
 
 #include "kinematics/catalogue.h"
+#include "problems/balancing_cam/mechanism.h"
 #include "problems/cams/cams.h"
 #include "problems/die_press/mechanism.h"
+#include "problems/geneva/geneva.h"
 #include "problems/mechanism/normalised_law.h"
 #include "problems/sheet_delivery/mechanism.h"
 #include "problems/signature_feeder/mechanism.h"
 #include "problems/spine_cutter/mechanism.h"
+#include "problems/springs/springs.h"
 
 namespace camlaw::problems {
 namespace {
@@ -106,10 +109,27 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
 }
 
 const std::vector<Mechanism>& mechanisms() {
-  static const std::vector<Mechanism> all{
-      spine_cutter_mechanism(),        die_press_mechanism(),  sheet_delivery_mechanism(),
-      signature_feeder_mechanism(),    roller_cam_mechanism(), flat_cam_mechanism(),
-      swinging_roller_cam_mechanism(), end_cam_mechanism(),    normalised_law_mechanism()};
+  static const std::vector<Mechanism> all{spine_cutter_mechanism(),
+                                          planar_balancing_cam_mechanism(),
+                                          spherical_balancing_cam_mechanism(),
+                                          planar_geneva_mechanism(),
+                                          spherical_geneva_mechanism(),
+                                          die_press_mechanism(),
+                                          sheet_delivery_mechanism(),
+                                          signature_feeder_mechanism(),
+                                          roller_cam_mechanism(),
+                                          flat_cam_mechanism(),
+                                          knife_cam_mechanism(),
+                                          conjugate_cam_mechanism(),
+                                          swinging_roller_cam_mechanism(),
+                                          leading_roller_cam_mechanism(),
+                                          swinging_flat_cam_mechanism(),
+                                          end_cam_mechanism(),
+                                          swinging_end_cam_mechanism(),
+                                          linear_cam_mechanism(),
+                                          disc_springs_mechanism(),
+                                          helical_spring_mechanism(),
+                                          normalised_law_mechanism()};
   return all;
 }
 

@@ -48,6 +48,7 @@ struct MechanismResponse {
   std::vector<ShapeStatement> shapes;
   std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
   std::string along = {};              ///< of a curve: the unit of its places, "deg" of cam angle
+  bool sees_law = false;               ///< whether the law, or the program, matters to it
   /// One of the two makes the response for a binding, in which only what it uses varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};
   std::function<std::shared_ptr<const optim::Curve>(const Binding&, optim::Shape)> curve = {};

@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "problems/mechanism/enclosed.h"
+
 namespace camlaw::problems {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// Both hold; what is not a number says nothing.
-Interval both(const Interval& a, const Interval& b) {
-  const auto higher = [](double p, double q) { return p >= q || std::isnan(q) ? p : q; };
-  const auto lower = [](double p, double q) { return p <= q || std::isnan(q) ? p : q; };
-  Interval result;
-  result.assign(higher(a.lower(), b.lower()), lower(a.upper(), b.upper()));
-  return result;
-}
 
 }  // namespace
 
@@ -83,29 +76,16 @@ Interval MechanismTrace::value_at(const Section& section, double x) const {
   return (*formula_)(follower_motion(cycle_.stretches[section.stretch], motion)).c[0];
 }
 
-/// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius.
-Interval MechanismTrace::taylor_range(const Expansion& motion, const Stretch& stretch,
-                                      const Interval& second) const {
-  const auto f = (*formula_)(follower_motion(stretch, motion_series<2>(motion.at)));
-  const double r = motion.radius;
-  return f.c[0] + f.c[1] * Interval(-r, r) + second * Interval(0, step_up(r * r));
-}
-
 optim::Bounds MechanismTrace::enclose(double from, double to) const {
   if (expanders_.empty()) return {};
   const Section& section = section_at({std::midpoint(from, to)});
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);
   const Expansion motion = expanders_[section.piece](x);
-  const auto f = (*formula_)(follower_motion(stretch, motion_series<3>(motion.over)));
-  Interval range = both(Interval::whole(), f.c[0]);
-  if (f.c[1].lower() >= 0 || f.c[1].upper() <= 0) {
-    range = both(range,
-                 boost::numeric::hull(value_at(section, x.lower()), value_at(section, x.upper())));
-  } else {
-    range = both(range, taylor_range(motion, stretch, f.c[2]));
-  }
-  return {range.lower(), range.upper()};
+  return enclosed(
+      (*formula_)(follower_motion(stretch, motion_series<3>(motion.over))), motion.radius,
+      [&] { return value_at(section, x.lower()); }, [&] { return value_at(section, x.upper()); },
+      [&] { return (*formula_)(follower_motion(stretch, motion_series<2>(motion.at))); });
 }
 
 }  // namespace camlaw::problems

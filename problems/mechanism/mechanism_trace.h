@@ -35,8 +35,6 @@ class MechanismTrace final : public optim::Trace {
   const Section& section_at(optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
   Interval value_at(const Section& section, double x) const;
-  Interval taylor_range(const Expansion& motion, const Stretch& stretch,
-                        const Interval& second) const;
 
   Cycle cycle_;
   std::optional<Law<double>> law_;

@@ -160,6 +160,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described(std::move(about));
   response.along = cycle.unit;
+  response.sees_law = true;
   response.uses = detail::used_parameters<M>([&](const M<Dual>& machine) {
     return formula(machine)(detail::as_motion<Dual>(detail::some_motion<Dual>()));
   });

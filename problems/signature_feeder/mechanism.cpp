@@ -2,7 +2,7 @@
 #include "problems/signature_feeder/mechanism.h"
 
 #include "kinematics/mechanisms/signature_feeder.h"
-#include "problems/mechanism/listed_responses.h"
+#include "problems/mechanism/turn_responses.h"
 
 namespace camlaw::problems {
 
@@ -67,45 +67,55 @@ X at_angle(const Machine& drive, Quantity wanted, const X& phi) {
   return drive.drum_acceleration(phi);
 }
 
-/// The crank's angle from its uniform progress, 0 to 1.
-template <class T, class X>
-X crank_angle(const SignatureFeeder<T>&, const Motion<X>& motion) {
-  return number<T>(2) * pi<T>() * motion.s;
+/// Of the drive as printed, or of the same with e = r_p.
+enum class Rack { Printed, Meshing };
+
+MechanismResponse rack_curve(Rack rack, Quantity which, ResponseAbout about) {
+  return turn_response<SignatureFeeder>(std::move(about), which, [rack](const auto& drive) {
+    return
+        [used = rack == Rack::Meshing ? drive.meshing() : drive](
+            Quantity wanted, std::size_t, const auto& phi) { return at_angle(used, wanted, phi); };
+  });
 }
 
 MechanismResponse curve(Quantity which, ResponseAbout about) {
-  return listed_curve<SignatureFeeder>(std::move(about), turn_of_the_cam(), which,
-                                       [](const auto& drive, Quantity wanted, const auto& motion) {
-                                         return at_angle(drive, wanted, crank_angle(drive, motion));
-                                       });
+  return rack_curve(Rack::Printed, which, std::move(about));
 }
 
-/// The same with e = r_p.
 MechanismResponse meshing(Quantity which, ResponseAbout about) {
-  return listed_curve<SignatureFeeder>(std::move(about), turn_of_the_cam(), which,
-                                       [](const auto& drive, Quantity wanted, const auto& motion) {
-                                         return at_angle(drive.meshing(), wanted,
-                                                         crank_angle(drive, motion));
-                                       });
+  return rack_curve(Rack::Meshing, which, std::move(about));
+}
+
+enum class Size { DrumSwing, GuideSwing, LeastLength, GreatestLength };
+
+MechanismResponse number(Size which, ResponseAbout about) {
+  return number_response<SignatureFeeder>(std::move(about), [which](const auto& drive) {
+    switch (which) {
+      case Size::DrumSwing:
+        return drive.drum_swing();
+      case Size::GuideSwing:
+        return drive.guide_swing();
+      case Size::LeastLength:
+        return drive.least_guide_length();
+      case Size::GreatestLength:
+        break;
+    }
+    return drive.greatest_guide_length();
+  });
 }
 
 std::vector<MechanismResponse> numbers() {
-  return {number_response<SignatureFeeder>({"drum_swing",
-                                            "deg",
-                                            "rad",
-                                            "swing of the cylinder between its reversals",
-                                            {{{"crank_radius"}, S::Linear},
-                                             {{"crank_radius", "pinion_radius"}, S::Quasilinear}}},
-                                           [](const auto& drive) { return drive.drum_swing(); }),
-          number_response<SignatureFeeder>({"guide_swing", "deg", "rad", "swing of the guide"},
-                                           [](const auto& drive) { return drive.guide_swing(); }),
-          number_response<SignatureFeeder>(
-              {"least_guide_length", "mm", "m", "least distance of the crank pin along the guide"},
-              [](const auto& drive) { return drive.least_guide_length(); }),
-          number_response<SignatureFeeder>(
-              {"greatest_guide_length", "mm", "m",
-               "greatest distance of the crank pin along the guide"},
-              [](const auto& drive) { return drive.greatest_guide_length(); })};
+  return {number(Size::DrumSwing, {"drum_swing",
+                                   "deg",
+                                   "rad",
+                                   "swing of the cylinder between its reversals",
+                                   {{{"crank_radius"}, S::Linear},
+                                    {{"crank_radius", "pinion_radius"}, S::Quasilinear}}}),
+          number(Size::GuideSwing, {"guide_swing", "deg", "rad", "swing of the guide"}),
+          number(Size::LeastLength, {"least_guide_length", "mm", "m",
+                                     "least distance of the crank pin along the guide"}),
+          number(Size::GreatestLength, {"greatest_guide_length", "mm", "m",
+                                        "greatest distance of the crank pin along the guide"})};
 }
 
 std::vector<MechanismResponse> curves() {

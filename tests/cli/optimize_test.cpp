@@ -146,7 +146,8 @@ TEST_CASE("text tells units, sides and solvers, and no rounding", "[program]") {
   const std::string text =
       done({"optimize", shipped("least_radius.toml"), "--solver", "isres", "--seed", "2"});
   CHECK_THAT(text, Contains("solver isres, then slsqp"));
-  CHECK_THAT(text, Contains(" deg  yes") && !Contains("e-15") && !Contains("-0 "));
+  const std::string table = text.substr(0, text.find("conditions of optimality to"));
+  CHECK_THAT(table, Contains(" deg  yes") && !Contains("e-15") && !Contains("-0 "));
 }
 
 TEST_CASE("an infeasible answer shows no prices, and tells equal limits apart", "[program]") {

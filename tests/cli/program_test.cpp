@@ -250,11 +250,14 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program]") {
   const Json all = json_of({"reproduce", "spine-cutter", "--json"});
   const Json both = json_of({"reproduce", "--json"});
   REQUIRE(all.size() == 1);
-  REQUIRE(both.size() == 4);
+  const std::vector<const char*> systems{"spine-cutter",   "balancing-cam",    "die-press",
+                                         "sheet-delivery", "signature-feeder", "cam-shape"};
+  REQUIRE(both.size() == systems.size());
   CHECK(both[0] == all[0]);
-  CHECK(both[1]["system"] == "die-press");
-  CHECK(both[2]["system"] == "sheet-delivery");
-  CHECK(both[3]["system"] == "cam-shape");
+  for (std::size_t i = 0; i < systems.size(); ++i) {
+    CHECK(both[i]["system"] == systems[i]);
+    CHECK(both[i]["worsened"].empty());
+  }
   const Json& system = all[0];
   CHECK(system["system"] == "spine-cutter");
   CHECK(system["reproduced"] == 13);

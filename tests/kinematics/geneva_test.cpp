@@ -12,16 +12,17 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Velocity ratio and second derivative from the angle by Taylor arithmetic.
+/// Velocity ratio and higher derivatives from the angle by Taylor arithmetic.
 template <class Geneva>
 void check_derivatives(const Geneva& geneva) {
   const double half = geneva.half_engagement();
   for (double share = -0.99; share < 1; share += 0.11) {
     const double alpha = share * half;
-    const auto d = derivatives(geneva.at(Series<double, 3>::variable(alpha, 1)).angle);
+    const auto d = derivatives(geneva.at(Series<double, 4>::variable(alpha, 1)).angle);
     const auto exact = geneva.at(alpha);
     CHECK(exact.ratio == Approx(d[1]).epsilon(1e-12));
     CHECK(exact.second == Approx(d[2]).epsilon(1e-11).margin(1e-12));
+    CHECK(exact.third == Approx(d[3]).epsilon(1e-11).margin(1e-10));
   }
 }
 

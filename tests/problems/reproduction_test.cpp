@@ -343,4 +343,26 @@ TEST_CASE("systems are known by name and verdicts have words", "[reproduction]")
   CHECK(to_string(optim::Finding::Unexplained) == "unexplained");
 }
 
+TEST_CASE("what is reproduced is the baseline, and what is worse than it is named",
+          "[reproduction]") {
+  for (const ReproducibleSystem& system : reproducible_systems()) {
+    if (system.name == "cam-shape") continue;  // its own test; it takes seconds
+    INFO(system.name);
+    CHECK(worsened(system.reproduce()).empty());
+  }
+  SystemReproduction changed = spine_cutter();
+  for (ReproducedValue& value : changed.values) {
+    if (value.verdict == optim::Finding::Unexplained) continue;
+    const optim::Finding was = value.verdict;
+    value.verdict = optim::Finding::Unexplained;
+    REQUIRE(worsened(changed).size() == 1);
+    CHECK_THAT(worsened(changed).front(), Contains(value.printed.id));
+    value.verdict = was;
+  }
+  const std::string id = changed.values.front().printed.id;
+  changed.values.erase(changed.values.begin());
+  REQUIRE(worsened(changed).size() == 1);
+  CHECK_THAT(worsened(changed).front(), Contains(id) && Contains("gone"));
+}
+
 }  // namespace camlaw::problems
