@@ -42,7 +42,7 @@ Line level(const optim::Trace& trace, double value) {
 Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit) {
   Panel panel;
   const auto breaks = trace.breaks();
-  panel.x = {.label = breaks.back() > 1 ? "cam angle" : "x",
+  panel.x = {.label = breaks.back() > 1 ? "angle" : "x",
              .unit = breaks.back() > 1 ? "deg" : "",
              .lower = breaks.front(),
              .upper = breaks.back()};
@@ -95,8 +95,10 @@ Figure cycle_figure(const Answer& answer) {
 Figure curves_figure(const problems::ProblemStatement& statement) {
   Figure figure;
   figure.title = statement.title;
-  figure.subtitle =
-      fmt::format("{}, {}", statement.mechanism->name, statement.laws.front().label());
+  figure.subtitle = statement.mechanism->name;
+  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
+    figure.subtitle += ", " + statement.laws.front().label();
+  }
   figure.panel_height = 150;
   for (const optim::Response& response : problems::curves_of(statement)) {
     figure.panels.push_back(curve_panel(*response.curve().trace({}), response.name, response.unit));

@@ -107,7 +107,9 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
   }
   return {{"title", statement.title},
           {"mechanism", statement.mechanism->name},
-          {"law", statement.laws.front().name()},
+          {"law", statement.mechanism->moved_by == problems::MovedBy::Nothing
+                      ? Json(nullptr)
+                      : Json(statement.laws.front().name())},
           {"constants", std::move(constants)},
           {"responses", std::move(values)},
           {"constraints", std::move(constraints)}};

@@ -36,7 +36,7 @@ struct Cycle {
       const auto f = cam.over_angle(Motion<double>{s[i], v[i], a[i], j[i]});
       const auto w = cam.pitch_curve(f);
       const double k = w.curvature(), force = cam.contact_force(f);
-      const auto [px, py] = w.inside(cam.roller_radius);
+      const auto [px, py] = w.inside(cam.roller_radius).place();
       double* to = &out[20 * i];
       for (const double value :
            {f.s, cam.angular_speed * f.ds, cam.angular_speed * cam.angular_speed * f.dds, f.ddds,

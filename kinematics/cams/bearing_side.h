@@ -2,34 +2,12 @@
 #pragma once
 
 #include "kinematics/absolute.h"
+#include "kinematics/by_side.h"
 #include "kinematics/cams/roller_contact.h"
 
 /// Of two flanks or cams the one that bears the force between them (docs/theory.md, "Form
 /// closure").
 namespace camlaw {
-
-/// `pushing` where the force is 0 or above, `pulling` where it is below.
-template <class X>
-X by_side(const X& force, const X& pushing, const X& pulling) {
-  return value_of(force) < 0 ? pulling : pushing;
-}
-
-inline Interval by_side(const Interval& force, const Interval& pushing, const Interval& pulling) {
-  if (force.lower() >= 0) return pushing;
-  if (force.upper() < 0) return pulling;
-  return boost::numeric::hull(pushing, pulling);
-}
-
-/// Over a box in which the force may change its sign nothing is known of the derivatives.
-template <std::size_t N>
-Series<Interval, N> by_side(const Series<Interval, N>& force, const Series<Interval, N>& pushing,
-                            const Series<Interval, N>& pulling) {
-  if (force.c[0].lower() >= 0) return pushing;
-  if (force.c[0].upper() < 0) return pulling;
-  Series<Interval, N> result(by_side(force.c[0], pushing.c[0], pulling.c[0]));
-  for (std::size_t k = 1; k < N; ++k) result.c[k] = Interval::whole();
-  return result;
-}
 
 /// The stress under a force, without slope where the force is 0: nothing bears there, as in a dwell
 /// without a load, and the root of the force has no derivatives.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <utility>
 
 #include "kinematics/law.h"
@@ -36,14 +37,43 @@ struct FollowerLoad {
   /// F_L. Below 0 a cam closed by its spring loses its follower.
   template <class X>
   X force(const FollowerMotion<X>& y) const {
-    const T inertia = mass * angular_speed * angular_speed;
-    return inertia * y.dds + spring_rate * y.s + (spring_preload + load);
+    return inertia_force(y) + static_force(y);
+  }
+  /// What of it the masses ask for, m omega^2 s'', and what stands: c s + F_0 + F_L.
+  template <class X>
+  X inertia_force(const FollowerMotion<X>& y) const {
+    return mass * angular_speed * angular_speed * y.dds;
+  }
+  template <class X>
+  X static_force(const FollowerMotion<X>& y) const {
+    return spring_rate * y.s + (spring_preload + load);
+  }
+  /// (M33) Mass against what holds it, -m s'' / (c s + F_0 + F_L), s^2. Times omega^2 it is the
+  /// share of the standing force that inertia takes: the follower leaves the cam where that
+  /// reaches 1. NaN where nothing holds it.
+  template <class X>
+  X lift_ratio(const FollowerMotion<X>& y) const {
+    const X holding = static_force(y);
+    if (value_of(holding) <= 0) return number<X>(std::numeric_limits<double>::quiet_NaN());
+    return -(mass * y.dds) / holding;
   }
   /// (M3) Torque on the cam's shaft without friction: M = F s', from M omega = F s' omega.
   template <class X>
   X torque(const FollowerMotion<X>& y) const {
     return force(y) * y.ds;
   }
+};
+
+/// A point of a curve on the cam, turned as the frame sees it: p, and the curve's derivative p1.
+template <class X>
+struct CamPoint {
+  X x, y, x1, y1;
+
+  std::pair<X, X> place() const { return {x, y}; }
+  /// (M34) What the curve sweeps per radian: the area dA = cross(p1, p) / 2 and its polar moment
+  /// dI = |p|^2 cross(p1, p) / 4, positive for a curve that runs clockwise round the centre.
+  X area_rate() const { return number<X>(0.5) * (x1 * y - y1 * x); }
+  X moment_rate() const { return number<X>(0.5) * (x * x + y * y) * area_rate(); }
 };
 
 /// A point that moves with the cam angle, seen from the frame, with its derivatives in the cam: w
@@ -63,21 +93,42 @@ struct CamCurve {
     const X length = speed();
     return (y1 * x2 - x1 * y2) / (length * length * length);
   }
-  /// The point `distance` inside the curve, towards the cam: w - i d w1 / |w1|.
+  /// The point `distance` inside the curve, towards the cam: w - i d w1 / |w1|, and the derivative
+  /// of the curve that it draws, w1 (1 - d k).
   template <class T>
-  std::pair<X, X> inside(const T& distance) const {
+  CamPoint<X> inside(const T& distance) const {
     const X length = speed();
-    return {x + distance * (y1 / length), y - distance * (x1 / length)};
+    const X shorter = number<X>(1) - distance * curvature();
+    return {x + distance * (y1 / length), y - distance * (x1 / length), shorter * x1, shorter * y1};
   }
 };
 
 /// A point of the frame as it lies in the cam, which has turned by phi: (x + i y) exp(-i phi).
-template <class X, class Phi>
-std::pair<X, X> turned_back(const std::pair<X, X>& point, const Phi& phi) {
+template <class X>
+std::pair<X, X> turned_back(const CamPoint<X>& p, const X& phi) {
   using std::cos;
   using std::sin;
-  const auto c = cos(phi), s = sin(phi);
-  return {point.first * c + point.second * s, point.second * c - point.first * s};
+  const X c = cos(phi), s = sin(phi);
+  return {p.x * c + p.y * s, p.y * c - p.x * s};
 }
+
+/// What a disc cam is cut from. Fields in SI units.
+template <class T>
+struct CamBlank {
+  T density;      ///< rho, kg/m^3
+  T bore_radius;  ///< r_0, m
+  T width;        ///< b, m
+
+  /// (M35) Mass, kg, from the area inside the profile: rho b (A - pi r_0^2).
+  T mass(const T& area) const {
+    return density * width * (area - pi<T>() * bore_radius * bore_radius);
+  }
+  /// (M36) Moment of inertia about the shaft, kg m^2, from the polar moment of the area:
+  /// rho b (I - pi r_0^4 / 2).
+  T inertia(const T& moment) const {
+    const T square = bore_radius * bore_radius;
+    return density * width * (moment - pi<T>() * square * square / number<T>(2));
+  }
+};
 
 }  // namespace camlaw

@@ -59,6 +59,16 @@ struct ConjugateCam {
   FollowerMotion<X> second_motion(const FollowerMotion<X>& f) const {
     return {-f.s + stroke, -f.ds, -f.dds, -f.ddds};
   }
+  /// The profiles of the two cams, both seen from the frame of the main one.
+  template <class X>
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return main().pitch_curve(f).inside(roller_radius);
+  }
+  template <class X>
+  CamPoint<X> second_profile(const FollowerMotion<X>& f) const {
+    const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
+    return {-p.x, -p.y, -p.x1, -p.y1};
+  }
   /// (M31) Force between the cam that bears and its roller, N, above 0 where it is the main one:
   /// N = F / cos alpha.
   template <class X>

@@ -34,33 +34,23 @@ struct EndCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(stroke, motion);
   }
-  /// The roller's centre on the developed cam: w = i s, w1 = R + i s', w2 = i s''. Its curvature
-  /// (M4) is that of (M17) with the other sign, positive where the cam is convex.
+  /// (M17) The roller's centre on the developed cam: w = i s, w1 = R + i s', w2 = i s''. Its
+  /// curvature (M4) is k = -s'' / R^2 / (1 + (s' / R)^2)^(3/2), positive where the cam is convex.
   template <class X>
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
     const X none = number<X>(0);
     return {none, f.s, none + radius, f.ds, none, f.dds};
+  }
+  /// A point of a curve on the cam, developed: x along the circumference.
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return {p.x + radius * phi, p.y};
   }
   /// (M16) Pressure angle, rad: tan alpha = s' / R.
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     using std::atan;
     return atan(f.ds / radius);
-  }
-  /// (M17) Curvature of the developed pitch curve, 1/m, positive where it is hollow seen from the
-  /// follower: k = s'' / R^2 / (1 + (s' / R)^2)^(3/2).
-  template <class X>
-  X pitch_curvature(const FollowerMotion<X>& f) const {
-    using std::sqrt;
-    const X slope = f.ds / radius;
-    const X square = slope * slope + number<T>(1);
-    return f.dds / (radius * radius) / (square * sqrt(square));
-  }
-  /// Share of the pitch curve's radius that the roller takes, r_r |k|, signed as the curvature: a
-  /// track on either side is undercut where it reaches 1 or -1.
-  template <class X>
-  X undercut(const FollowerMotion<X>& f) const {
-    return roller_radius * pitch_curvature(f);
   }
   /// (M18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
   template <class X>

@@ -21,6 +21,8 @@ struct FlatCam {
   T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
 
   bool is_possible() const { return value_of(base_radius) > 0; }
   FollowerLoad<T> follower() const {
@@ -43,11 +45,12 @@ struct FlatCam {
   X profile_radius(const FollowerMotion<X>& f) const {
     return f.s + f.dds + base_radius;
   }
-  /// The profile: w = s' + i (r_b + s).
+  /// The profile: p = s' + i (r_b + s), p1 = r_b + s + s''.
   template <class X>
-  std::pair<X, X> profile(const FollowerMotion<X>& f) const {
-    return {f.ds, f.s + base_radius};
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return {f.ds, f.s + base_radius, profile_radius(f), number<X>(0)};
   }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
     return contact().pressure(follower().force(f) / face_width, number<X>(1) / profile_radius(f));

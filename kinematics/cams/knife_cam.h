@@ -21,6 +21,9 @@ struct KnifeCam {
   T spring_preload = number<T>(50);               ///< F_0, N
   T load = number<T>(0);                          ///< F_L, N
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  T face_width = number<T>(0.015);                ///< b, m, of the cam
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {
@@ -36,6 +39,7 @@ struct KnifeCam {
             .cutter_radius = cutter_radius};
   }
   bool is_possible() const { return edge().is_possible(); }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   FollowerLoad<T> follower() const { return edge().follower(); }
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -45,6 +49,15 @@ struct KnifeCam {
   template <class X>
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
     return edge().pitch_curve(f);
+  }
+  /// The profile, and the middle of the tool that cuts it.
+  template <class X>
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return pitch_curve(f).inside(number<T>(0));
+  }
+  template <class X>
+  CamPoint<X> cutter(const FollowerMotion<X>& f) const {
+    return pitch_curve(f).inside(-cutter_radius);
   }
   /// (M6) Pressure angle, rad.
   template <class X>

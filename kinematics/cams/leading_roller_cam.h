@@ -16,6 +16,10 @@ struct LeadingRollerCam : SwingingRollerCam<T> {
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
     return trailing().pitch_curve(backwards(f));
   }
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return turned_back(p, X(-phi));
+  }
   /// (M32) Pressure angle, rad: tan alpha = (l (psi' - 1) + d cos psi) / (d sin psi).
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {

@@ -45,6 +45,10 @@ struct LinearCam {
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
     return developed().pitch_curve(f);
   }
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return developed().placed(p, phi);
+  }
   /// (M16) Pressure angle, rad: tan alpha = s' / R.
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "kinematics/absolute.h"
+#include "kinematics/by_side.h"
 #include "kinematics/cams/cam_motion.h"
 #include "kinematics/cams/roller_contact.h"
 
@@ -27,6 +29,11 @@ struct RollerCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
 
   bool is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
@@ -44,6 +51,7 @@ struct RollerCam {
   RollerContact<T> roller() const {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -62,11 +70,39 @@ struct RollerCam {
     using std::atan;
     return atan((f.ds - offset) / (f.s + lowest_height()));
   }
-  /// (M9) Force between roller and cam, N: N = F / cos alpha, the guide without friction.
+  /// (M37) What friction in the guide takes of the force along the way, |tan alpha| mu
+  /// (2 a + l_g) / l_g with the overhang a - s, signed as the velocity. At 1 a rising follower
+  /// jams.
+  template <class X>
+  X guide_share(const FollowerMotion<X>& f) const {
+    const X slope = (f.ds - offset) / (f.s + lowest_height());
+    const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
+    return guide_friction * (number<T>(2) * ((overhang - f.s) / guide_length) + number<T>(1)) *
+           size;
+  }
+  /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
+  /// where F is above 0 and its negative below. NaN where the follower jams.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     const CamCurve<X> w = pitch_curve(f);
-    return follower().force(f) * w.speed() / w.y;
+    return driving_force(f) * w.speed() / w.y;
+  }
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return driving_force(f) * f.ds;
+  }
+
+ private:
+  /// N cos alpha: the force along the way with the guide's friction.
+  template <class X>
+  X driving_force(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    const X share = guide_share(f), one = number<X>(1);
+    const X left = by_side(force, X(one - share), X(one + share)), root = sqrt(left);
+    return force / (root * root);  // a root of what is below 0 is no number
   }
 };
 

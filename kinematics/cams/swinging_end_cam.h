@@ -63,6 +63,11 @@ struct SwingingEndCam {
     const X c = arm_length * cos(eta), s = arm_length * sin(eta);
     return {-c, s, f.ds * s + radius, f.ds * c, square * c + f.dds * s, f.dds * c - square * s};
   }
+  /// A point of a curve on the cam, developed: x along the circumference.
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return {p.x + radius * phi, p.y};
+  }
   /// (M24) Pressure angle, rad: tan alpha = tan eta + l eta' / (R cos eta).
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {

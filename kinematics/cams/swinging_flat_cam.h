@@ -30,6 +30,8 @@ struct SwingingFlatCam {
   T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
 
   /// (M19) sin psi_0 = (r_b + f) / d.
   T sin_lowest() const { return (base_radius + face_offset) / pivot_distance; }
@@ -71,15 +73,19 @@ struct SwingingFlatCam {
     const X straight = sin(psi) * (f.ds + turning) / square;
     return pivot_distance * (straight + bent) - face_offset;
   }
-  /// The profile, the pivot on the x axis: w = d - i f exp(-i psi) - lambda exp(-i psi).
+  /// The profile, the pivot on the x axis: p = d - i f exp(-i psi) - lambda exp(-i psi); it runs
+  /// along the face, p1 = rho (1 + psi') exp(-i psi).
   template <class X>
-  std::pair<X, X> profile(const FollowerMotion<X>& f) const {
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
     using std::cos;
     using std::sin;
     const X psi = f.s + lowest_angle(), lever = contact_lever(f);
     const X c = cos(psi), s = sin(psi);
-    return {pivot_distance - (face_offset * s + lever * c), lever * s - face_offset * c};
+    const X length = profile_radius(f) * rate(f);
+    return {pivot_distance - (face_offset * s + lever * c), lever * s - face_offset * c, length * c,
+            -(length * s)};
   }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
   /// (M22) Force between face and cam, N: N = M / lambda.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {

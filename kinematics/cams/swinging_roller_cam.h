@@ -29,6 +29,8 @@ struct SwingingRollerCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
 
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).
@@ -52,6 +54,7 @@ struct SwingingRollerCam {
   RollerContact<T> roller() const {
     return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
   }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {

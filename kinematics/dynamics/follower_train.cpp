@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace camlaw {
@@ -47,6 +48,19 @@ double size_of(const Complex<T>& z) {
   return std::hypot(value_of(z.re), value_of(z.im));
 }
 
+/// A sum with what is left out of it, no more than twice the last term: nothing in plain numbers.
+template <class T>
+Complex<T> with_remainder(const Complex<T>& sum, const Complex<T>& last) {
+  if constexpr (std::is_same_v<T, Interval>) {
+    const double most = 4 * std::max(magnitude(last.re), magnitude(last.im));
+    const Interval rest(-most, most);
+    return {sum.re + rest, sum.im + rest};
+  } else {
+    (void)last;
+    return sum;
+  }
+}
+
 /// phi_k(z) = integral of exp(z (1 - u)) u^(k-1) / (k-1)! du over [0, 1], phi_0 = exp; k from 0 to
 /// `count` - 1. By recurrence where z is large beside k, else by the series sum z^j / (j + k)!.
 template <class T>
@@ -55,21 +69,23 @@ std::vector<Complex<T>> phi(const Complex<T>& z, std::size_t count) {
   const double size = size_of(z);
   std::vector<Complex<T>> result{exponential(z)};
   double factorial = 1;  // k!
+  const auto over = [](double divisor) { return Complex<T>{ratio<T>(1, divisor), number<T>(0)}; };
   for (std::size_t k = 1; k < count; ++k) {
     const auto n = static_cast<double>(k);
     if (size > std::max(kSeries, n)) {
-      result.push_back((result.back() - real<T>(1 / factorial)) / z);
+      result.push_back((result.back() - over(factorial)) / z);
       factorial *= n;
       continue;
     }
     factorial *= n;
-    Complex<T> term = real<T>(1 / factorial), sum = term;
+    Complex<T> term = over(factorial), sum = term;
     for (int j = 1; j < 200; ++j) {
-      term = number<T>(1 / (n + j)) * (term * z);
+      term = ratio<T>(1, n + j) * (term * z);
       sum = sum + term;
-      if (size_of(term) <= 1e-18 * size_of(sum)) break;
+      // The terms behind fall at least by half each from there on.
+      if (n + j > 2 * size && size_of(term) <= 1e-18 * size_of(sum)) break;
     }
-    result.push_back(sum);
+    result.push_back(with_remainder(sum, term));
   }
   return result;
 }
@@ -167,5 +183,7 @@ T FollowerTrain<T>::residual_acceleration(const Law<T>& law) const {
 
 template struct FollowerTrain<double>;
 template struct FollowerTrain<Dual>;
+template struct FollowerTrain<Dual2>;
+template struct FollowerTrain<Interval>;
 
 }  // namespace camlaw

@@ -35,6 +35,8 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
   T moved_mass = number<T>(1);                   ///< m, kg, that goes with each roller
   T lift_off = number<T>(0);                     ///< delta, rad
 
+  static constexpr double kRounding = 1e-9;  ///< rad, of angles that are meant to be equal
+
   /// The rollers are off the cam, the wheel moves, the wheel is locked.
   enum Section : std::size_t { Lifted, Moving, Locked };
   static constexpr std::size_t kSections = 3;
@@ -43,7 +45,7 @@ struct BalancingCam : GenevaDrive<T, Wheel> {
 
   bool is_possible() const {
     return Drive::is_possible() && spring().is_possible() && value_of(preload_ratio) > 0 &&
-           value_of(springs) > 0 && value_of(lift_off) <= value_of(this->engagement());
+           value_of(springs) > 0 && value_of(lift_off) <= value_of(this->engagement()) + kRounding;
   }
   /// The drive at the speed that the cam is cut for.
   Drive designed() const { return {this->slots, design_speed, this->inertia, this->friction}; }
@@ -96,8 +98,7 @@ class BalancedTurn {
         designed_(machine.designed()),
         surplus_(surplus_of(designed_)),
         running_peak_(surplus_of(machine.drive()).peak_torque),
-        stroke_(machine.stroke(surplus_.range)),
-        flattened_(value_of(machine.deflection(surplus_.range)) > value_of(machine.cone_height)) {}
+        stroke_(machine.stroke(surplus_.range)) {}
 
   const BalancingCam<T, Wheel>& machine() const { return machine_; }
   const Surplus<T>& surplus() const { return surplus_; }
@@ -136,11 +137,10 @@ class BalancedTurn {
     const T each = stroke_ / machine_.cams;
     return {each * a.s, each * a.ds, each * a.dds, number<X>(0)};
   }
-  /// Force of the stack, N, by the springs' own characteristic, from the displacement; NaN where
-  /// they would be pressed further than flat.
+  /// Force of the stack, N, by the springs' own characteristic, from the displacement. It holds
+  /// while no spring is pressed further than flat.
   template <class X>
   X spring_force(const FollowerMotion<X>& a) const {
-    if (flattened_) return number<X>(std::numeric_limits<double>::quiet_NaN());
     return machine_.stack().force(stroke_ * (a.s + machine_.preload_ratio));
   }
   /// (G12) Force along a roller's way, N: that of the stack and m omega^2 y''. Below 0 the roller
@@ -172,7 +172,6 @@ class BalancedTurn {
   GenevaDrive<T, Wheel> designed_;
   Surplus<T> surplus_;
   T running_peak_, stroke_;
-  bool flattened_;
 };
 
 template <class T>

@@ -89,8 +89,13 @@ struct PlanarGenevaDrive : GenevaDrive<T, PlanarGeneva> {
   /// (V5) Room for the driver's shaft beside the wheel, m, a diameter: 2 (a - a cos(pi / n)). A
   /// thicker one, carried through, locks the drive.
   T driver_shaft_room() const { return number<T>(2) * (centre_distance - wheel_radius()); }
+  /// (V7) Least thickness of the wheel between two slots, m, at their inner ends: 2 ((a - a sin(pi
+  /// / n)) sin(pi / n) - r_p). Below 0 neighbouring slots run into one another.
+  T web() const {
+    return number<T>(2) *
+           ((centre_distance - crank_radius()) * this->geneva().crank() - pin_radius);
+  }
   /// (V6) Room for the wheel's shaft inside the slots, m, a diameter: 2 (a - a sin(pi / n) - r_p).
-  /// Below 0 the slots meet in the wheel's centre.
   T wheel_shaft_room() const {
     return number<T>(2) * (centre_distance - crank_radius() - pin_radius);
   }

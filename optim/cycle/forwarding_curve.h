@@ -18,6 +18,7 @@ class ForwardingCurve : public Curve {
     return curve_->slope_gradient(place, x);
   }
   bool breaks_move() const override { return curve_->breaks_move(); }
+  Place tied(Place place, Design x) const override { return curve_->tied(place, x); }
   Shape shape() const override { return curve_->shape(); }
 
  protected:

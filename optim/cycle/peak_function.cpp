@@ -24,7 +24,7 @@ class PeakKernel final : public Kernel {
 
   double gradient(std::span<const double> u, std::span<double> g) const override {
     const Extreme peak = find(u);
-    const Function f = response_.curve().at(peak.place);
+    const Function f = response_.curve().at(response_.curve().tied(peak.place, u));
     std::vector<double> slopes(f.inputs().size());
     f.gradient(u, slopes);
     const double sign = sign_of(peak);
@@ -41,7 +41,7 @@ class PeakKernel final : public Kernel {
     const auto trace = response_.curve().trace(u);
     const Extreme peak = extreme_of(*trace, part_);
     const double sign = sign_of(peak);
-    const Function f = response_.curve().at(peak.place);
+    const Function f = response_.curve().at(response_.curve().tied(peak.place, u));
     const std::vector<std::size_t>& inputs = f.inputs();
     std::vector<double> slopes(inputs.size()), second(packed_size(inputs.size()));
     f.hessian(u, slopes, second);
@@ -63,6 +63,7 @@ class PeakKernel final : public Kernel {
     return result;
   }
 
+  bool is_searched() const override { return true; }
   /// Between the peak found and the least bound above it that intervals prove.
   Bounds enclose(std::span<const double> u) const override {
     const auto trace = response_.curve().trace(u);

@@ -11,10 +11,12 @@
 namespace camlaw::optim {
 
 /// A place on the cycle: an angle (in the curve's own unit, degrees as a rule), and at a break the
-/// side from which it is looked at.
+/// side from which it is looked at. A joint is a break that moves with the design, counted as its
+/// curve does: a place that is tied to one stands wherever the break does, whatever its angle says.
 struct Place {
   double angle = 0;
   bool from_left = false;
+  int joint = -1;
   friend bool operator==(const Place&, const Place&) = default;
 };
 
@@ -60,6 +62,9 @@ class Curve {
   virtual std::vector<double> slope_gradient(Place, Design) const { return {}; }
   /// Whether places of trace(x).breaks() inside the cycle may move with the design.
   virtual bool breaks_move() const { return false; }
+  /// A place of trace(x), tied to the joint that it stands at; the place itself where there is
+  /// none, or the curve cannot tell how it moves.
+  virtual Place tied(Place place, Design) const { return place; }
   /// The response of one design, over the angle.
   virtual std::unique_ptr<Trace> trace(Design x) const = 0;
   /// The shape of at(place), the same for every place.

@@ -50,6 +50,9 @@ class Kernel {
   /// Numbers that the exact value at u is proved to lie between, rounding included. Infinite bounds
   /// where a formula comes without an enclosure.
   virtual Bounds enclose(std::span<const double> u) const;
+  /// Whether the value comes from a search that may miss something, such as a peak over the cycle:
+  /// then it holds as far as the enclosure proves it.
+  virtual bool is_searched() const { return false; }
 };
 
 /// Place of (i, j), j <= i, in the lower triangle of a symmetric matrix stored row by row.
@@ -75,6 +78,7 @@ class Function {
   /// The same, and second derivatives by the inputs, packed.
   double hessian(Design x, std::span<double> g, std::span<double> h) const;
   Bounds enclose(Design x) const;
+  bool is_searched() const { return kernel_->is_searched(); }
 
  private:
   std::vector<std::size_t> inputs_;

@@ -15,7 +15,8 @@ constexpr double kTenth = 0.1;  // of a tolerance: what the exchange still goes 
 bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
   return std::any_of(side.places.begin(), side.places.end(), [&](const Place& other) {
-    return other.from_left == place.from_left && std::abs(other.angle - place.angle) <= near;
+    return other.from_left == place.from_left && other.joint == place.joint &&
+           (place.joint >= 0 || std::abs(other.angle - place.angle) <= near);
   });
 }
 
@@ -50,12 +51,12 @@ void WorkingSet::begin_at(Design x) {
   // Few stretches get more places each: the first program should already be bounded.
   constexpr std::size_t kFewStretches = 16;
   for (CurveSide& side : sides_) {
-    const auto trace = side.response->curve().trace(x);
-    const auto breaks = trace->breaks();
+    const Curve& curve = side.response->curve();
+    const auto breaks = curve.trace(x)->breaks();
     const int steps = breaks.size() <= kFewStretches ? 8 : 2;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       for (int i = 0; i <= steps; ++i) {
-        side.places.push_back(even_place(breaks[k], breaks[k + 1], steps, i));
+        side.places.push_back(curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x));
       }
     }
   }
@@ -70,12 +71,14 @@ std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
     // a magnitude from both sides.
     const double limit =
         side.of_peak && problem_.objective.part == Part::Magnitude ? bound : side.sign * bound;
-    const auto trace = side.response->curve().trace(x);
+    const Curve& curve = side.response->curve();
+    const auto trace = curve.trace(x);
     for (const Extreme& peak : local_maxima(*trace, side.sign)) {
       const double above = side.sign * peak.value - limit - slack;
       if (!(above > kTenth * side.tolerance)) continue;
-      if (is_known(side, peak.place, trace->breaks())) continue;
-      side.places.push_back(peak.place);
+      const Place place = curve.tied(peak.place, x);
+      if (is_known(side, place, trace->breaks())) continue;
+      side.places.push_back(place);
       ++added;
     }
   }

@@ -114,14 +114,15 @@ class Collector {
     const Level& level = side.level;
     if (level.sign * (level.bound - at.value) > level.reach) return;
     const Curve& curve = side.response.curve();
-    ActiveLimit limit = gradient_of(curve.at(at.place), level);
+    const Place place = curve.tied(at.place, x_);
+    ActiveLimit limit = gradient_of(curve.at(place), level);
     limit.constraint = side.constraint;
     const bool eased = optimality_ == Optimality::LeastViolation;
     if (!side.constraint || eased) limit.auxiliary = -1;
     if (is_smooth_at(side, at.place)) {
       if (is_peak) limit.slope_gradient = curve.slope_gradient(at.place, x_);
       limit.curvature = side.trace.at(at.place)[2];
-    } else if (curve.breaks_move()) {
+    } else if (curve.breaks_move() && place.joint < 0) {
       limit.at_moving_break = slopes_at_break(side, at.place);
     }
     if (!is_twin(limit)) limits_.push_back(std::move(limit));

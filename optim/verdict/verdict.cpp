@@ -67,14 +67,20 @@ bool inside_bounds(const std::vector<VariableReport>& variables) {
 
 /// What keeps a design that meets every limit from being certified; empty where nothing does.
 std::string doubt(const Problem& problem, const Assessment& a) {
+  const auto needs_proof = [](const Response& response) {
+    return response.is_curve() || response.function().is_searched();
+  };
   for (std::size_t i = 0; i < a.limits.size(); ++i) {
-    if (problem.constraints[i].response.is_curve() && !a.limits[i].proved) {
+    if (needs_proof(problem.constraints[i].response) && !a.limits[i].proved) {
       return fmt::format("{} is met wherever it was looked at, but not proved over the whole cycle",
                          a.limits[i].name);
     }
   }
   const Bounds& peak = a.objective.proved;
-  if (problem.objective.response.is_curve() && !(std::isfinite(peak.lower + peak.upper))) {
+  if (needs_proof(problem.objective.response) && !(std::isfinite(peak.lower + peak.upper))) {
+    if (!problem.objective.response.is_curve()) {
+      return fmt::format("{} is not proved", problem.objective.response.name);
+    }
     const bool lowest = problem.objective.part == Part::Lowest;
     return fmt::format("{} is not proved to be nowhere {}", problem.objective.response.name,
                        lowest ? "lower" : "higher");
@@ -157,6 +163,13 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
   // Where the limits make a convex set, less than all of the violation is enough.
   constexpr double kHalf = 0.5, kStationary = 1e-3;
   const bool convex = convex_set(problem) && !conditions.flat;
+  if (conditions.at_moving_break) {
+    result.reason = fmt::format(
+        "no design was found that meets {}; a peak stands at a joint that moves with the design: "
+        "how it changes is not known",
+        violated_names(result));
+    return result;
+  }
   if (!(result.kkt_residual <= (convex ? kHalf : kStationary)) || result.blamed.empty()) {
     result.reason = fmt::format("no design was found that meets {}", violated_names(result));
     return result;

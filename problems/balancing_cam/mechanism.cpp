@@ -14,7 +14,7 @@ const std::vector<MechanismParameter>& balancing_parameters() {
     auto result = drive_parameters();
     const std::vector<MechanismParameter> own{
         {"design_speed", "n_c", "rpm", "rad/s", "speed that the cam is cut for", 60, 1e-3, 1e6},
-        {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 1e-3,
+        {"preload_ratio", "psi", "1", "1", "preload over working stroke of the stack", 1, 0.02,
          100},
         {"springs", "i", "1", "1", "packets of disc springs in a row", 44, 1, 10000, true},
         {"nested", "n_s", "1", "1", "springs in a packet, nested", 1, 1, 10, true},
@@ -145,9 +145,9 @@ constexpr Row kRows[] = {
     {Quantity::SpringForce, "spring_force", "N", "N",
      "force of the stack by its own characteristic"},
     {Quantity::RollerForce, "roller_force", "N", "N",
-     "force along a roller's way; below 0 the roller leaves the cam"},
+     "force along a roller's way, were it always on the cam; below 0 it leaves the cam"},
     {Quantity::BalancingTorque, "balancing_torque", "N m", "N m",
-     "what the rollers ask of the driver"},
+     "what the rollers ask of the driver, were they always on the cam"},
     {Quantity::Residual, "residual_torque", "N m", "N m", "what the balanced driver sees"},
     {Quantity::Touching, "touching_torque", "N m", "N m",
      "the same, were the rollers always on the cam"},
@@ -162,7 +162,7 @@ constexpr Row kRows[] = {
     {Quantity::Undercut, "undercut", "1", "1",
      "share of the pitch curve's radius that the roller takes; at 1 the profile is undercut"},
     {Quantity::ContactStress, "contact_stress", "MPa", "Pa",
-     "greatest Hertz pressure between roller and cam"},
+     "greatest Hertz pressure, were the roller always on the cam"},
     {Quantity::ProfileX, "profile_x", "mm", "m", "the profile in the cam, along its zero line"},
     {Quantity::ProfileY, "profile_y", "mm", "m", "the profile in the cam, across its zero line"}};
 
@@ -216,8 +216,10 @@ struct SizeRow {
 
 constexpr SizeRow kSizes[] = {
     {Size::Mean, "mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
-    {Size::Range, "surplus_range", "J", "J", "work that the springs store and return"},
-    {Size::Ideal, "ideal_balance", "1", "1", "greatest over mean torque: K of an ideal balance"},
+    {Size::Range, "surplus_range", "J", "J",
+     "work that the springs store and return, at the speed the cam is cut for"},
+    {Size::Ideal, "ideal_balance", "1", "1",
+     "greatest over mean torque at the speed the cam is cut for: K of an ideal balance"},
     {Size::Stroke, "spring_stroke", "mm", "m", "working stroke of the stack"},
     {Size::Deflection, "spring_deflection", "mm", "m", "greatest deflection of each spring"},
     {Size::Flattening, "flattening", "1", "1",
@@ -278,7 +280,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
                     {"peak_pressure_angle", "pressure_angle", Part::Magnitude,
                      "greatest pressure angle"},
                     {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .validity = {{"flattening", 1}}};
 }
 
 }  // namespace

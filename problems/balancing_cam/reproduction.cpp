@@ -67,17 +67,20 @@ SystemReproduction reproduce_balancing_cam() {
       std::move(printed), table);
   for (ReproducedValue& value : result.values) {
     const bool planar = value.printed.condition.starts_with("planar");
-    value.causes.push_back("the loads are not printed; an ideal balance needs J omega^2 / M_f of");
-    for (std::string& text : implications(value.printed.number.value, planar)) {
-      value.causes.push_back(std::move(text));
+    value.causes.push_back("the loads are not printed");
+    result.notes.push_back(
+        fmt::format("{} = {} with an ideal balance needs J omega^2 / M_f of", value.printed.id,
+                    optim::as_printed(value.printed.number.value, value.printed.number.decimals)));
+    for (const std::string& text : implications(value.printed.number.value, planar)) {
+      result.notes.push_back("  " + text);
     }
   }
-  result.notes = {
-      "with an ideal balance and equal loads the planar Geneva has the greater coefficient; the "
-      "print has it smaller, so that its loads differ or its balance is not ideal",
+  result.notes.push_back(
+      "with an ideal balance, equal loads and equal slots the planar Geneva has the greater "
+      "coefficient; the print has it smaller");
+  result.notes.push_back(
       "a roller off the cam up to the angle delta leaves the torque of delta alone: camlaw "
-      "evaluate "
-      "with lift_off"};
+      "evaluate with lift_off");
   return result;
 }
 

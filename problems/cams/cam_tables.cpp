@@ -56,6 +56,19 @@ Parameters contact_parameters() {
       {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
 }
 
+Parameters blank_parameters() {
+  return {{"density", "rho", "kg/m3", "kg/m3", "density of the cam", 7850, 1, 1e5},
+          {"bore_radius", "r_0", "mm", "m", "radius of the cam's bore", 10, 0, 1e5}};
+}
+
+Parameters guide_parameters() {
+  return {{"guide_friction", "mu", "1", "1", "coefficient of friction of the follower's guide", 0,
+           0, 1},
+          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
+          {"overhang", "a", "mm", "m", "distance of the roller from the guide at the lowest place",
+           40, 0, 1e5}};
+}
+
 Parameters cutter_parameter() {
   return {{"cutter_radius", "r_c", "mm", "m", "radius of the tool that cuts the profile", 10, 1e-3,
            1e4}};

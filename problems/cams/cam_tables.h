@@ -23,6 +23,10 @@ Parameters swinging_load(double rate, double preload);
 /// Width and material of the contact.
 Parameters contact_parameters();
 Parameters cutter_parameter();
+/// Density of the cam, radius of its bore.
+Parameters blank_parameters();
+/// Friction and sizes of the guide of a sliding follower.
+Parameters guide_parameters();
 
 /// Responses behind others.
 void append(std::vector<MechanismResponse>& responses, std::vector<MechanismResponse> more);

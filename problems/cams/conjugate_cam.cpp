@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
 
@@ -96,6 +97,19 @@ MechanismResponse bearing(Bearing which, ResponseAbout about) {
                                     });
 }
 
+enum class Axis { X, Y };
+
+MechanismResponse second_profile(Axis axis, const char* name) {
+  return listed_curve<ConjugateCam>(
+      {name, "mm", "m", "profile of the second cam, in the coordinates of the main one"},
+      turn_of_the_cam(), axis, [](const auto& cam, Axis wanted, const auto& motion, const auto& x) {
+        using X = std::decay_t<decltype(x)>;
+        const X phi = number<X>(2) * pi<X>() * x;
+        const auto place = turned_back(cam.second_profile(cam.over_angle(motion)), phi);
+        return wanted == Axis::X ? place.first : place.second;
+      });
+}
+
 std::vector<MechanismResponse> conjugate_responses() {
   std::vector<MechanismResponse> all = follower_responses<ConjugateCam>(kSliding);
   add_geometry(all, Of::Main);
@@ -106,8 +120,12 @@ std::vector<MechanismResponse> conjugate_responses() {
                          "the main one"}));
   all.push_back(bearing(Bearing::Stress, {"contact_stress", "MPa", "Pa",
                                           "greatest Hertz pressure on the cam that bears"}));
+  append(all, drawn_responses<ConjugateCam>(false));
+  all.push_back(second_profile(Axis::X, "second_profile_x"));
+  all.push_back(second_profile(Axis::Y, "second_profile_y"));
   all.push_back(number_response<ConjugateCam>(
-      {"second_base_radius", "mm", "m", "least radius of the second cam's profile"},
+      {"second_base_radius", "mm", "m",
+       "radius of the second cam's profile at displacement 1, its least for programs up to there"},
       [](const auto& cam) { return cam.second_base_radius(); }));
   return all;
 }

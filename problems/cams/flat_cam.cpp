@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 
 namespace camlaw::problems {
@@ -11,16 +12,17 @@ template <>
 struct MachineTraits<FlatCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{&FlatCam<T>::stroke,         &FlatCam<T>::base_radius,
-                                     &FlatCam<T>::angular_speed,  &FlatCam<T>::mass,
-                                     &FlatCam<T>::spring_rate,    &FlatCam<T>::spring_preload,
-                                     &FlatCam<T>::load,           &FlatCam<T>::face_width,
-                                     &FlatCam<T>::youngs_modulus, &FlatCam<T>::poisson_ratio};
+  static constexpr std::array fields{
+      &FlatCam<T>::stroke,        &FlatCam<T>::base_radius, &FlatCam<T>::angular_speed,
+      &FlatCam<T>::mass,          &FlatCam<T>::spring_rate, &FlatCam<T>::spring_preload,
+      &FlatCam<T>::load,          &FlatCam<T>::face_width,  &FlatCam<T>::youngs_modulus,
+      &FlatCam<T>::poisson_ratio, &FlatCam<T>::density,     &FlatCam<T>::bore_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
-  static const Parameters all = joined({stroke_parameter(), base_parameter(), speed_parameter(),
-                                        sliding_load(5, 50), contact_parameters()});
+  static const Parameters all =
+      joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
+              contact_parameters(), blank_parameters()});
   return all;
 }
 
@@ -71,6 +73,8 @@ Mechanism flat_cam_mechanism() {
             {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"}));
   responses.push_back(curve(Curve::ContactHalfWidth,
                             {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  append(responses, drawn_responses<FlatCam>(false));
+  append(responses, blank_responses<FlatCam>());
   return {.name = "disc-cam-flat",
           .title = "disc cam with a translating flat-faced follower",
           .source = "docs/theory.md, Cams",

@@ -2,12 +2,37 @@
 #pragma once
 
 #include "kinematics/cams/cam_motion.h"
+#include "problems/mechanism/cycle_mean.h"
+#include "problems/mechanism/law_number.h"
 #include "problems/mechanism/listed_responses.h"
+#include "problems/mechanism/peak_number.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
 
-enum class FollowerCurve { Displacement, Velocity, Acceleration, Jerk, Force, Torque, Power };
+enum class FollowerCurve {
+  Displacement,
+  Velocity,
+  Acceleration,
+  Jerk,
+  Force,
+  Torque,
+  StaticTorque,
+  DynamicTorque,
+  Power,
+  InertiaShare,
+  LiftRatio
+};
+
+/// The cam's own torque where friction makes it differ from the follower's.
+template <class Cam, class X>
+X drive_torque(const Cam& cam, const FollowerMotion<X>& f) {
+  if constexpr (requires { cam.drive_torque(f); }) {
+    return cam.drive_torque(f);
+  } else {
+    return cam.follower().torque(f);
+  }
+}
 
 template <class Cam, class X>
 X follower_curve(const Cam& cam, FollowerCurve which, const FollowerMotion<X>& f) {
@@ -24,11 +49,19 @@ X follower_curve(const Cam& cam, FollowerCurve which, const FollowerMotion<X>& f
     case FollowerCurve::Force:
       return cam.follower().force(f);
     case FollowerCurve::Torque:
-      return cam.follower().torque(f);
+      return drive_torque(cam, f);
+    case FollowerCurve::StaticTorque:
+      return cam.follower().static_force(f) * f.ds;
+    case FollowerCurve::DynamicTorque:
+      return cam.follower().inertia_force(f) * f.ds;
     case FollowerCurve::Power:
+      return omega * drive_torque(cam, f);
+    case FollowerCurve::InertiaShare:
+      return omega * omega * cam.follower().lift_ratio(f);
+    case FollowerCurve::LiftRatio:
       break;
   }
-  return omega * cam.follower().torque(f);
+  return cam.follower().lift_ratio(f);
 }
 
 /// Units and names of a follower's motion and load: millimetres and newtons, or degrees and
@@ -76,25 +109,66 @@ inline std::vector<MechanismResponse> follower_responses_of(
   force_shapes.push_back(speed);
   add(C::Force, w.force_name, w.force, w.force,
       "what the cam must give along the follower's way; below 0 a spring-closed follower leaves "
-      "the "
-      "cam",
+      "the cam",
       force_shapes);
-  add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft, without friction",
-      {{loads, Shape::Linear}, speed});
-  add(C::Power, "drive_power", "W", "W", "power into the cam, without friction",
-      {{loads, Shape::Linear}});
+  const std::vector<ShapeStatement> torque_shapes{{loads, Shape::Linear}, speed};
+  add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft", torque_shapes);
+  add(C::StaticTorque, "static_torque", "N m", "N m",
+      "what of it spring and load ask for, without friction",
+      {{{"spring_rate", "spring_preload", "load"}, Shape::Linear}});
+  add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
+      "what of it the moved masses ask for, without friction", {{{w.mass}, Shape::Linear}, speed});
+  add(C::Power, "drive_power", "W", "W", "power into the cam", {{loads, Shape::Linear}});
+  add(C::InertiaShare, "inertia_share", "1", "1",
+      "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam",
+      {});
   return all;
+}
+
+template <template <class> class M>
+MechanismResponse follower_response(ResponseAbout about, FollowerCurve which) {
+  return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                         [](const auto& cam, FollowerCurve curve, const auto& motion) {
+                           return follower_curve(cam, curve, cam.over_angle(motion));
+                         });
+}
+
+/// Root of the mean square of a curve over the turn.
+template <template <class> class M>
+MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
+  return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
+    using std::sqrt;
+    return sqrt(cycle_mean(law, [&](const auto& motion, const auto&) {
+      const auto value = follower_curve(cam, which, cam.over_angle(motion));
+      return value * value;
+    }));
+  });
+}
+
+/// Numbers of the whole cycle.
+template <template <class> class M>
+std::vector<MechanismResponse> follower_numbers() {
+  using C = FollowerCurve;
+  return {
+      follower_rms<M>({"torque_rms", "N m", "N m", "root of the torque's mean square"}, C::Torque),
+      follower_rms<M>({"power_rms", "W", "W", "root of the power's mean square"}, C::Power),
+      peak_number<M>(
+          {"contact_loss_speed", "rpm", "rad/s",
+           "speed from which on a spring-closed follower leaves the cam; no number where "
+           "nothing holds it, or nothing lifts it"},
+          follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio), optim::Part::Highest,
+          [](const auto&, const auto& ratio) {
+            using std::sqrt;
+            return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
+          })};
 }
 
 /// The responses of a machine M with over_angle(), follower() and angular_speed.
 template <template <class> class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
-  return follower_responses_of(words, [](ResponseAbout about, FollowerCurve which) {
-    return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
-                           [](const auto& cam, FollowerCurve curve, const auto& motion) {
-                             return follower_curve(cam, curve, cam.over_angle(motion));
-                           });
-  });
+  std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
+  for (MechanismResponse& number : follower_numbers<M>()) all.push_back(std::move(number));
+  return all;
 }
 
 }  // namespace camlaw::problems

@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 
 namespace camlaw::problems {
@@ -14,13 +15,20 @@ struct MachineTraits<KnifeCam> {
   static constexpr std::array fields{
       &KnifeCam<T>::stroke,         &KnifeCam<T>::base_radius, &KnifeCam<T>::offset,
       &KnifeCam<T>::angular_speed,  &KnifeCam<T>::mass,        &KnifeCam<T>::spring_rate,
-      &KnifeCam<T>::spring_preload, &KnifeCam<T>::load,        &KnifeCam<T>::cutter_radius};
+      &KnifeCam<T>::spring_preload, &KnifeCam<T>::load,        &KnifeCam<T>::cutter_radius,
+      &KnifeCam<T>::face_width,     &KnifeCam<T>::density,     &KnifeCam<T>::bore_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<KnifeCam>::parameters() {
   static const Parameters all =
-      joined({stroke_parameter(), base_parameter(), offset_parameter(), speed_parameter(),
-              sliding_load(5, 50), cutter_parameter()});
+      joined({stroke_parameter(),
+              base_parameter(),
+              offset_parameter(),
+              speed_parameter(),
+              sliding_load(5, 50),
+              cutter_parameter(),
+              {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
+              blank_parameters()});
   return all;
 }
 
@@ -71,6 +79,8 @@ Mechanism knife_cam_mechanism() {
                              "fit"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
+  append(responses, drawn_responses<KnifeCam>(true));
+  append(responses, blank_responses<KnifeCam>());
   return {.name = "disc-cam-knife",
           .title = "disc cam with a translating knife-edged follower",
           .source = "docs/theory.md, Cams",

@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
 
@@ -38,7 +39,9 @@ using S = optim::Shape;
 /// A plate has no shaft: its force stands for the torque.
 std::vector<MechanismResponse> plate_responses() {
   std::vector<MechanismResponse> responses = follower_responses<LinearCam>(kSliding);
-  std::erase_if(responses, [](const auto& response) { return response.name == "drive_torque"; });
+  std::erase_if(responses, [](const auto& response) {
+    return response.name.find("torque") != std::string::npos;
+  });
   responses.push_back(curve_response<LinearCam>(
       {"plate_force",
        "N",
@@ -59,6 +62,7 @@ Mechanism linear_cam_mechanism() {
   std::vector<MechanismResponse> responses = plate_responses();
   append(responses, roller_responses<LinearCam>({{{"law", "travel"}, S::Quasilinear},
                                                  {{"stroke", "travel"}, S::Quasilinear}}));
+  append(responses, drawn_responses<LinearCam>(true));
   return {.name = "linear-cam",
           .title = "cam plate that slides under a translating roller follower",
           .source = "docs/theory.md, Cams",

@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
 
@@ -13,17 +14,19 @@ struct MachineTraits<RollerCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &RollerCam<T>::stroke,       &RollerCam<T>::base_radius,    &RollerCam<T>::roller_radius,
-      &RollerCam<T>::offset,       &RollerCam<T>::angular_speed,  &RollerCam<T>::mass,
-      &RollerCam<T>::spring_rate,  &RollerCam<T>::spring_preload, &RollerCam<T>::load,
-      &RollerCam<T>::face_width,   &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
-      &RollerCam<T>::cutter_radius};
+      &RollerCam<T>::stroke,         &RollerCam<T>::base_radius,    &RollerCam<T>::roller_radius,
+      &RollerCam<T>::offset,         &RollerCam<T>::angular_speed,  &RollerCam<T>::mass,
+      &RollerCam<T>::spring_rate,    &RollerCam<T>::spring_preload, &RollerCam<T>::load,
+      &RollerCam<T>::face_width,     &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
+      &RollerCam<T>::cutter_radius,  &RollerCam<T>::density,        &RollerCam<T>::bore_radius,
+      &RollerCam<T>::guide_friction, &RollerCam<T>::guide_length,   &RollerCam<T>::overhang};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), roller_parameter(), offset_parameter(),
-              speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter()});
+              speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter(),
+              blank_parameters(), guide_parameters()});
   return all;
 }
 
@@ -34,6 +37,8 @@ Mechanism roller_cam_mechanism() {
                                                  {{"stroke"}, S::Quasilinear},
                                                  {{"base_radius"}, S::Quasilinear},
                                                  {{"roller_radius"}, S::Quasilinear}}));
+  append(responses, drawn_responses<RollerCam>(true));
+  append(responses, blank_responses<RollerCam>());
   return {.name = "disc-cam-roller",
           .title = "disc cam with a translating roller follower",
           .source = "docs/theory.md, Cams",

@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
 
@@ -43,6 +44,7 @@ Mechanism swinging_end_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<SwingingEndCam>(kSwinging);
   append(responses, roller_responses<SwingingEndCam>(
                         {{{"radius"}, S::Quasilinear}, {{"arm_length"}, S::Quasilinear}}));
+  append(responses, drawn_responses<SwingingEndCam>(true));
   return {.name = "end-cam-swinging",
           .title = "end or barrel cam with an oscillating roller arm",
           .source = "docs/theory.md, Cams",

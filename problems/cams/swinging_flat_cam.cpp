@@ -3,6 +3,7 @@
 
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 
 namespace camlaw::problems {
@@ -17,7 +18,8 @@ struct MachineTraits<SwingingFlatCam> {
       &SwingingFlatCam<T>::angular_speed,  &SwingingFlatCam<T>::inertia,
       &SwingingFlatCam<T>::spring_rate,    &SwingingFlatCam<T>::spring_preload,
       &SwingingFlatCam<T>::load,           &SwingingFlatCam<T>::face_width,
-      &SwingingFlatCam<T>::youngs_modulus, &SwingingFlatCam<T>::poisson_ratio};
+      &SwingingFlatCam<T>::youngs_modulus, &SwingingFlatCam<T>::poisson_ratio,
+      &SwingingFlatCam<T>::density,        &SwingingFlatCam<T>::bore_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<SwingingFlatCam>::parameters() {
@@ -30,7 +32,8 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingFlatCam>::parameter
                 "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
               speed_parameter(),
               swinging_load(0.2, 3),
-              contact_parameters()});
+              contact_parameters(),
+              blank_parameters()});
   return all;
 }
 
@@ -78,6 +81,8 @@ Mechanism swinging_flat_cam_mechanism() {
             {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"}));
   responses.push_back(curve(Curve::ContactHalfWidth,
                             {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  append(responses, drawn_responses<SwingingFlatCam>(false));
+  append(responses, blank_responses<SwingingFlatCam>());
   return {.name = "disc-cam-swinging-flat",
           .title = "disc cam with an oscillating flat-faced follower",
           .source = "docs/theory.md, Cams",

@@ -2,6 +2,7 @@
 #include "kinematics/cams/leading_roller_cam.h"
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
+#include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
 
@@ -18,7 +19,8 @@ struct MachineTraits<SwingingRollerCam> {
       &SwingingRollerCam<T>::inertia,        &SwingingRollerCam<T>::spring_rate,
       &SwingingRollerCam<T>::spring_preload, &SwingingRollerCam<T>::load,
       &SwingingRollerCam<T>::face_width,     &SwingingRollerCam<T>::youngs_modulus,
-      &SwingingRollerCam<T>::poisson_ratio,  &SwingingRollerCam<T>::cutter_radius};
+      &SwingingRollerCam<T>::poisson_ratio,  &SwingingRollerCam<T>::cutter_radius,
+      &SwingingRollerCam<T>::density,        &SwingingRollerCam<T>::bore_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::parameters() {
@@ -32,7 +34,8 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::paramet
               speed_parameter(),
               swinging_load(0.2, 3),
               contact_parameters(),
-              cutter_parameter()});
+              cutter_parameter(),
+              blank_parameters()});
   return all;
 }
 
@@ -57,6 +60,8 @@ template <template <class> class M>
 Mechanism swinging_mechanism(const char* name, const char* title) {
   std::vector<MechanismResponse> responses = follower_responses<M>(kSwinging);
   append(responses, roller_responses<M>({}));
+  append(responses, drawn_responses<M>(true));
+  append(responses, blank_responses<M>());
   return {.name = name,
           .title = title,
           .source = "docs/theory.md, Cams",

@@ -80,7 +80,7 @@ std::vector<MechanismResponse> drive_responses() {
   return all;
 }
 
-enum class Room { CrankRadius, WheelRadius, DriverShaft, WheelShaft };
+enum class Room { CrankRadius, WheelRadius, DriverShaft, WheelShaft, Web };
 
 std::vector<MechanismResponse> rooms() {
   std::vector<MechanismResponse> all;
@@ -94,6 +94,8 @@ std::vector<MechanismResponse> rooms() {
               return drive.wheel_radius();
             case Room::DriverShaft:
               return drive.driver_shaft_room();
+            case Room::Web:
+              return drive.web();
             case Room::WheelShaft:
               break;
           }
@@ -105,7 +107,9 @@ std::vector<MechanismResponse> rooms() {
   add(Room::DriverShaft, "driver_shaft_room",
       "greatest diameter of a driver's shaft that passes the wheel; a thicker one locks it");
   add(Room::WheelShaft, "wheel_shaft_room",
-      "greatest diameter of the wheel's shaft inside the slots; below 0 the slots meet");
+      "greatest diameter of the wheel's shaft inside the slots");
+  add(Room::Web, "web",
+      "least thickness of the wheel between two slots; below 0 neighbouring slots meet");
   return all;
 }
 

@@ -42,6 +42,7 @@ class Rearranged final : public optim::Kernel {
   optim::Bounds enclose(std::span<const double> u) const override {
     return kernel_->enclose(arguments(u));
   }
+  bool is_searched() const override { return kernel_->is_searched(); }
 
  private:
   std::vector<double> arguments(std::span<const double> u) const {

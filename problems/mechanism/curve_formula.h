@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <type_traits>
 
 #include "kinematics/law.h"
 #include "kinematics/series.h"
@@ -13,15 +14,34 @@ namespace camlaw::problems {
 template <class T, std::size_t N>
 using MotionSeries = Motion<Series<T, N>>;
 
+/// A follower's motion at a place of the law: what formulas of curves are given.
+template <class X>
+struct PlaceOf {
+  Motion<X> motion;
+  X x;  ///< of the law, 0 to 1 over its stretch
+};
+template <class T, std::size_t N>
+using PlaceSeries = PlaceOf<Series<T, N>>;
+
+/// formula(motion, x), or formula(motion) where the place itself does not matter.
+template <class F, class X>
+X applied(const F& formula, const PlaceOf<X>& place) {
+  if constexpr (std::is_invocable_v<const F&, const Motion<X>&, const X&>) {
+    return formula(place.motion, place.x);
+  } else {
+    return formula(place.motion);
+  }
+}
+
 /// A curve's formula with the machine of one design worked in: from the follower's motion to the
 /// response, in every scalar that a trace needs.
 class CurveFormula {
  public:
   virtual ~CurveFormula() = default;
-  virtual Series<double, 3> operator()(const MotionSeries<double, 3>& motion) const = 0;
-  virtual Series<Interval, 1> operator()(const MotionSeries<Interval, 1>& motion) const = 0;
-  virtual Series<Interval, 2> operator()(const MotionSeries<Interval, 2>& motion) const = 0;
-  virtual Series<Interval, 3> operator()(const MotionSeries<Interval, 3>& motion) const = 0;
+  virtual Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const = 0;
+  virtual Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const = 0;
+  virtual Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const = 0;
+  virtual Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const = 0;
 };
 
 /// The same from two generic callables, one with the machine in double, one in Interval.
@@ -31,17 +51,17 @@ class GenericCurveFormula final : public CurveFormula {
   GenericCurveFormula(Plain plain, Enclosing enclosing)
       : plain_(std::move(plain)), enclosing_(std::move(enclosing)) {}
 
-  Series<double, 3> operator()(const MotionSeries<double, 3>& motion) const override {
-    return plain_(motion);
+  Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const override {
+    return plain_(place);
   }
-  Series<Interval, 1> operator()(const MotionSeries<Interval, 1>& motion) const override {
-    return enclosing_(motion);
+  Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const override {
+    return enclosing_(place);
   }
-  Series<Interval, 2> operator()(const MotionSeries<Interval, 2>& motion) const override {
-    return enclosing_(motion);
+  Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const override {
+    return enclosing_(place);
   }
-  Series<Interval, 3> operator()(const MotionSeries<Interval, 3>& motion) const override {
-    return enclosing_(motion);
+  Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const override {
+    return enclosing_(place);
   }
 
  private:

@@ -63,6 +63,12 @@ PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& s
   expansion_.gradient = std::move(kept);
 }
 
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
+                         std::size_t piece, Side side)
+    : law_(std::move(law)), stretch_(stretch), place_{0, side}, joint_(piece) {
+  for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
+}
+
 MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
   MotionDerivatives motion = expansion_;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -74,18 +80,26 @@ MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
 }
 
 MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
+  if (joint_) {
+    return follower_motion(stretch_, law_->joint_motion(*joint_, place_.side, values, order));
+  }
   if (law_->is_linear()) return linear_at(values);
   return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
 }
 
 CurveRow::CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
-                   PlaceMotion motion)
-    : point_(std::move(point)), machine_(machine_arguments), motion_(std::move(motion)) {}
+                   PlaceMotion motion, bool uses_place)
+    : point_(std::move(point)),
+      machine_(machine_arguments),
+      motion_(std::move(motion)),
+      inner_(machine_ + (uses_place ? 5 : 4)),
+      uses_place_(uses_place) {}
 
 std::vector<double> CurveRow::point_at(std::span<const double> u,
                                        const MotionDerivatives& motion) const {
   std::vector<double> result(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(machine_));
   result.insert(result.end(), motion.value.begin(), motion.value.end());
+  if (uses_place_) result.push_back(motion_.x());
   return result;
 }
 
@@ -95,7 +109,7 @@ double CurveRow::value(std::span<const double> u) const {
 
 double CurveRow::gradient(std::span<const double> u, std::span<double> g) const {
   const MotionDerivatives motion = motion_.at(u.subspan(machine_), 1);
-  std::vector<double> inner(machine_ + 4);
+  std::vector<double> inner(inner_);
   const double result = point_->gradient(point_at(u, motion), inner);
   chain_gradient(inner, motion, g);
   return result;
@@ -104,7 +118,7 @@ double CurveRow::gradient(std::span<const double> u, std::span<double> g) const 
 double CurveRow::hessian(std::span<const double> u, std::span<double> g,
                          std::span<double> h) const {
   const MotionDerivatives motion = motion_.at(u.subspan(machine_), 2);
-  std::vector<double> inner(machine_ + 4), inner_second(packed_size(machine_ + 4));
+  std::vector<double> inner(inner_), inner_second(packed_size(inner_));
   const double result = point_->hessian(point_at(u, motion), inner, inner_second);
   chain_gradient(inner, motion, g);
   chain_hessian(inner, inner_second, motion, h);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "optim/problem/function.h"
@@ -21,10 +22,14 @@ class PlaceMotion {
   /// `uses` tells which of s, v, a, j matter.
   PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch, optim::Place place,
               const std::array<bool, 4>& uses);
+  /// Where a piece of the law meets the next one, wherever that is.
+  PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch, std::size_t piece,
+              Side side);
 
   /// The law's variables that the motion here depends on: of a linear law only those whose
   /// derivatives are not all zero, such as the few coefficients of a spline.
   const std::vector<std::size_t>& variables() const { return variables_; }
+  double x() const { return place_.x; }
   /// At values of these variables.
   MotionDerivatives at(std::span<const double> values, int order) const;
 
@@ -34,18 +39,20 @@ class PlaceMotion {
   std::shared_ptr<const LawBinding> law_;
   Stretch stretch_;
   LawPlace place_;
+  std::optional<std::size_t> joint_ = {};  ///< the piece that ends there
   std::vector<std::size_t> variables_;
   std::vector<double> origin_;   ///< of a linear law: values at which ...
   MotionDerivatives expansion_;  ///< ... the motion here, and its derivatives everywhere, are these
 };
 
 /// A curve at one place. Arguments: the machine's that vary, then the law's variables that matter
-/// here. `point` is the curve's formula in the machine's arguments and s, v, a, j; derivatives by
+/// here. `point` is the curve's formula in the machine's arguments, s, v, a, j, and x where
+/// `uses_place`; derivatives by
 /// the law follow by the chain rule (docs/theory.md, "Curves over the cycle").
 class CurveRow final : public optim::Kernel {
  public:
   CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
-           PlaceMotion motion);
+           PlaceMotion motion, bool uses_place);
 
   double value(std::span<const double> u) const override;
   double gradient(std::span<const double> u, std::span<double> g) const override;
@@ -62,6 +69,8 @@ class CurveRow final : public optim::Kernel {
   std::shared_ptr<const optim::Kernel> point_;
   std::size_t machine_;
   PlaceMotion motion_;
+  std::size_t inner_;  ///< arguments of the point
+  bool uses_place_;
 };
 
 }  // namespace camlaw::problems

@@ -36,13 +36,37 @@ double at_break(const Law<S>& law, double x) {
   return x;
 }
 
-/// Four derivatives of s from the first on: s, v, a, j from 0.
-template <class S>
-std::array<S, 4> motion_of(const Law<S>& law, double x, Side side, std::size_t first = 0) {
-  if (first == 0) return law.template derivatives<4>(at_break(law, x), side);
-  const auto d = law.template derivatives<5>(at_break(law, x), side);
-  return {d[1], d[2], d[3], d[4]};
-}
+/// Four derivatives of s at a place, from the first on: s, v, a, j from 0.
+struct AtPlace {
+  double x;
+  Side side;
+  std::size_t first = 0;
+
+  template <class S>
+  std::array<S, 4> operator()(const Law<S>& law) const {
+    if (first == 0) return law.template derivatives<4>(at_break(law, x), side);
+    const auto d = law.template derivatives<5>(at_break(law, x), side);
+    return {d[1], d[2], d[3], d[4]};
+  }
+};
+
+/// s, v, a, j where a piece meets the next one.
+struct AtJoint {
+  std::size_t piece;
+  Side side;
+
+  template <class S>
+  std::array<S, 4> operator()(const Law<S>& law) const {
+    const auto& pieces = law.pieces();
+    if (piece + 1 >= pieces.size()) {  // this design's law has no such joint
+      std::array<S, 4> none;
+      none.fill(number<S>(kNaN));
+      return none;
+    }
+    const auto& here = pieces[side == Side::Left ? piece : piece + 1];
+    return derivatives<4>(here, pieces[piece].end);
+  }
+};
 
 void check_variable(const Member& member, const LawVariable& variable) {
   const Family& family = *member.family;
@@ -141,21 +165,23 @@ std::vector<Law<Dual2>> LawBinding::second_laws(std::span<const double> values) 
   return laws;
 }
 
-void LawBinding::fill_value(double x, Side side, std::span<const double> values, std::size_t first,
+template <class Look>
+void LawBinding::fill_value(const Look& look, std::span<const double> values,
                             MotionDerivatives& d) const {
   const auto law =
       laws_->plain.get(values, [&] { return seeded<double>(values, [](std::size_t, double&) {}); });
   d.value.fill(kNaN);
-  if (*law) d.value = motion_of(**law, x, side, first);
+  if (*law) d.value = look(**law);
 }
 
-void LawBinding::fill_gradient(double x, Side side, std::span<const double> values,
-                               std::size_t first, MotionDerivatives& d) const {
+template <class Look>
+void LawBinding::fill_gradient(const Look& look, std::span<const double> values,
+                               MotionDerivatives& d) const {
   const auto laws = laws_->first.get(values, [&] { return first_laws(values); });
   d.value.fill(kNaN);
   d.gradient.assign(values.size(), d.value);
   for (std::size_t block = 0; block < laws->size(); ++block) {
-    const auto motion = motion_of((*laws)[block], x, side, first);
+    const auto motion = look((*laws)[block]);
     for (std::size_t m = 0; m < 4; ++m) {
       d.value[m] = motion[m].a;
       for (const std::size_t i : block_of(block, values.size())) {
@@ -165,14 +191,15 @@ void LawBinding::fill_gradient(double x, Side side, std::span<const double> valu
   }
 }
 
-void LawBinding::fill_hessian(double x, Side side, std::span<const double> values,
+template <class Look>
+void LawBinding::fill_hessian(const Look& look, std::span<const double> values,
                               MotionDerivatives& d) const {
   const auto laws = laws_->second.get(values, [&] { return second_laws(values); });
   d.value.fill(kNaN);
   d.gradient.assign(values.size(), d.value);
   d.hessian.assign(optim::packed_size(values.size()), d.value);
   for (std::size_t pair = 0, outer = 0, inner = 0; pair < laws->size(); ++pair) {
-    const auto motion = motion_of((*laws)[pair], x, side);
+    const auto motion = look((*laws)[pair]);
     for (std::size_t m = 0; m < 4; ++m) {
       d.value[m] = motion[m].a.a;
       for (const std::size_t i : block_of(outer, values.size())) {
@@ -191,7 +218,7 @@ void LawBinding::fill_hessian(double x, Side side, std::span<const double> value
 MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const double> values,
                                             std::size_t first) const {
   MotionDerivatives d;
-  fill_gradient(x, side, values_, first, d);
+  fill_gradient(AtPlace{x, side, first}, values_, d);
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t m = 0; m < 4; ++m) {
       d.value[m] += (values[i] - values_[i]) * d.gradient[i][m];
@@ -200,34 +227,36 @@ MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const
   return d;
 }
 
-MotionDerivatives LawBinding::motion_rate(double x, Side side,
-                                          std::span<const double> values) const {
+template <class Look>
+MotionDerivatives LawBinding::filled(const Look& look, std::span<const double> values,
+                                     int order) const {
   MotionDerivatives d;
-  if (values.empty()) {
-    fill_value(x, side, values, 1, d);
-  } else if (linear_) {
-    d = linear_motion(x, side, values, 1);
+  if (values.empty() || order == 0) {
+    fill_value(look, values, d);
+  } else if (order == 1) {
+    fill_gradient(look, values, d);
   } else {
-    fill_gradient(x, side, values, 1, d);
+    fill_hessian(look, values, d);
   }
   return d;
 }
 
+MotionDerivatives LawBinding::joint_motion(std::size_t piece, Side side,
+                                           std::span<const double> values, int order) const {
+  return filled(AtJoint{piece, side}, values, order);
+}
+
+MotionDerivatives LawBinding::motion_rate(double x, Side side,
+                                          std::span<const double> values) const {
+  if (linear_ && !values.empty()) return linear_motion(x, side, values, 1);
+  return filled(AtPlace{x, side, 1}, values, 1);
+}
+
 MotionDerivatives LawBinding::motion(double x, Side side, std::span<const double> values,
                                      int order) const {
-  MotionDerivatives d;
-  if (values.empty()) {
-    fill_value(x, side, values, 0, d);
-  } else if (linear_) {
-    d = linear_motion(x, side, values, 0);
-    if (order == 0) d.gradient.clear();
-  } else if (order == 0) {
-    fill_value(x, side, values, 0, d);
-  } else if (order == 1) {
-    fill_gradient(x, side, values, 0, d);
-  } else {
-    fill_hessian(x, side, values, d);
-  }
+  if (!linear_ || values.empty()) return filled(AtPlace{x, side}, values, order);
+  MotionDerivatives d = linear_motion(x, side, values, 0);
+  if (order == 0) d.gradient.clear();
   return d;
 }
 

@@ -48,9 +48,23 @@ class LawBinding {
   Law<S> law_at(std::span<const double> design) const {
     return member_at(design).template law<S>();
   }
+  /// The law for values of the varying parameters that carry derivatives of their own. Throws
+  /// std::invalid_argument where they make none.
+  template <class S>
+  Law<S> law_of(std::span<const S> values) const {
+    Arguments<S> arguments = member_.arguments.as<S>();
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      arguments.values()[variables_[i].parameter][variables_[i].element] = values[i];
+    }
+    return member_.family->make(arguments);
+  }
   /// Motion at x with derivatives, order 0, 1 or 2, at values of the varying parameters; at a break
   /// the limit from the given side. NaN where the values make no law.
   MotionDerivatives motion(double x, Side side, std::span<const double> values, int order) const;
+  /// The same where a piece of the law meets the next one, from the given side, with the
+  /// derivatives by what moves this joint. order 0, 1 or 2.
+  MotionDerivatives joint_motion(std::size_t piece, Side side, std::span<const double> values,
+                                 int order) const;
   /// v, a, j and the derivative of j: the motion's own derivatives by x, with theirs by the varying
   /// parameters, first order.
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
@@ -63,15 +77,17 @@ class LawBinding {
   std::optional<Law<S>> seeded(std::span<const double> values, const Seed& seed) const;
   std::vector<Law<Dual>> first_laws(std::span<const double> values) const;
   std::vector<Law<Dual2>> second_laws(std::span<const double> values) const;
-  /// `first`: the first of the four derivatives by x.
-  void fill_value(double x, Side side, std::span<const double> values, std::size_t first,
-                  MotionDerivatives& d) const;
-  void fill_gradient(double x, Side side, std::span<const double> values, std::size_t first,
-                     MotionDerivatives& d) const;
+  /// `look`: takes a law in any scalar to the four numbers that are wanted of it.
+  template <class Look>
+  void fill_value(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  void fill_gradient(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  void fill_hessian(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  MotionDerivatives filled(const Look& look, std::span<const double> values, int order) const;
   MotionDerivatives linear_motion(double x, Side side, std::span<const double> values,
                                   std::size_t first) const;
-  void fill_hessian(double x, Side side, std::span<const double> values,
-                    MotionDerivatives& d) const;
 
   Member member_;
   std::vector<LawVariable> variables_;

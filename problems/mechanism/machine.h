@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -64,11 +65,19 @@ bool is_possible(const Machine& machine) {
   return true;
 }
 
-/// The machine with every parameter at its standard value.
+/// A value of a parameter for finding out what depends on it: its standard one, but not 0, where
+/// what it multiplies would vanish.
+inline double typical_value(const MechanismParameter& p) {
+  return p.standard != 0 ? p.standard : 0.31 * std::min(1.0, p.high);
+}
+
+/// The machine with every parameter at its typical value.
 template <template <class> class M>
-BoundMachine<M> standard_machine(std::vector<std::size_t> varying = {}) {
+BoundMachine<M> typical_machine(std::vector<std::size_t> varying = {}) {
   Binding binding;
-  for (const auto& p : MachineTraits<M>::parameters()) binding.constants.push_back(p.standard);
+  for (const auto& p : MachineTraits<M>::parameters()) {
+    binding.constants.push_back(typical_value(p));
+  }
   binding.parameters = std::move(varying);
   return BoundMachine<M>(binding);
 }

@@ -11,6 +11,7 @@
 #include "problems/balancing_cam/mechanism.h"
 #include "problems/cams/cams.h"
 #include "problems/die_press/mechanism.h"
+#include "problems/follower_train/mechanism.h"
 #include "problems/geneva/geneva.h"
 #include "problems/mechanism/normalised_law.h"
 #include "problems/sheet_delivery/mechanism.h"
@@ -129,6 +130,7 @@ const std::vector<Mechanism>& mechanisms() {
                                           linear_cam_mechanism(),
                                           disc_springs_mechanism(),
                                           helical_spring_mechanism(),
+                                          follower_train_mechanism(),
                                           normalised_law_mechanism()};
   return all;
 }

@@ -61,6 +61,13 @@ struct NamedPeak {
   std::string meaning;
 };
 
+/// A number that must not pass a bound: beyond it the mechanism's formulas do not hold. Every
+/// problem has it among its limits, unless it states a tighter one.
+struct ValidityLimit {
+  std::string response;
+  double upper;  ///< in the listed unit
+};
+
 /// What a mechanism's follower takes its motion from.
 enum class MovedBy {
   Law,      ///< a law, run once in each stretch of the mechanism's own cycle
@@ -74,6 +81,7 @@ struct Mechanism {
   std::vector<MechanismResponse> responses;
   std::vector<NamedPeak> peaks;
   MovedBy moved_by = MovedBy::Law;
+  std::vector<ValidityLimit> validity = {};
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;

@@ -2,6 +2,7 @@
 #include "problems/mechanism/mechanism_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "problems/mechanism/arguments.h"
@@ -10,6 +11,8 @@
 
 namespace camlaw::problems {
 namespace {
+
+constexpr std::size_t kMostPieces = 1U << 16U;  // of a law
 
 template <class S>
 std::optional<Law<S>> law_of(const Member& member) {
@@ -25,19 +28,48 @@ std::optional<Law<S>> law_of(const Member& member) {
 MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape)
     : parts_(std::move(parts)), variables_(binding.variables), law_(binding.law), shape_(shape) {}
 
+/// Joints are those inside the stretches, each of which runs the whole law: that of piece i in
+/// stretch k is k times the most pieces, and i. Where the place itself counts its motion would
+/// too.
+optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
+  if (law_->is_linear() || parts_.uses_place) return place;
+  const auto law = law_of<double>(law_->member_at(x));
+  if (!law) return place;
+  const Stretch& stretch = parts_.cycle.stretch_at(place);
+  const auto index = static_cast<std::size_t>(&stretch - parts_.cycle.stretches.data());
+  const double at = law_place(stretch, place).x;
+  constexpr double kBeside = 1e-14;
+  for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
+    if (std::abs(at - law->pieces()[i].end) > kBeside) continue;
+    place.joint = static_cast<int>(index * kMostPieces + i);
+  }
+  return place;
+}
+
+PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
+  if (place.joint < 0) {
+    return {law_, parts_.cycle.stretch_at(place), place, parts_.uses};
+  }
+  const std::size_t joint = static_cast<std::size_t>(place.joint);
+  return {law_, parts_.cycle.stretches[joint / kMostPieces], joint % kMostPieces,
+          place.from_left ? Side::Left : Side::Right};
+}
+
 optim::Function MechanismCurve::at(optim::Place place) const {
-  PlaceMotion motion(law_, parts_.cycle.stretch_at(place), place, parts_.uses);
+  PlaceMotion motion = motion_at(place);
   std::vector<std::size_t> variables = variables_;
   for (const std::size_t i : motion.variables()) {
     variables.push_back(law_->variables()[i].variable);
   }
-  auto row = std::make_shared<CurveRow>(parts_.point, variables_.size(), std::move(motion));
+  auto row = std::make_shared<CurveRow>(parts_.point, variables_.size(), std::move(motion),
+                                        parts_.uses_place);
   return function_of(variables, std::move(row), shape_);
 }
 
 /// With f the formula, m its arguments of the machine and q the motion: f_angle = rate * f_q q', so
 ///   d f_angle / dm = rate * f_mq q',
-///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p).
+///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p),
+/// x counting among q, with x' = 1 and x_p = 0.
 std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
   const Stretch& stretch = parts_.cycle.stretch_at(place);
   const auto [at, side] = law_place(stretch, place);
@@ -45,13 +77,23 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
   const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
   const std::size_t machine = variables_.size();
-  std::vector<double> u, g(machine + 4), h(optim::packed_size(machine + 4));
+  const std::size_t inner = machine + (parts_.uses_place ? 5 : 4);
+  std::vector<double> u, g(inner), h(optim::packed_size(inner));
   for (const std::size_t variable : variables_) u.push_back(x[variable]);
   u.insert(u.end(), motion.value.begin(), motion.value.end());
+  if (parts_.uses_place) u.push_back(at);
   parts_.point->hessian(u, g, h);
+  // The place itself, the last argument where it is one, moves at the rate 1.
+  const auto by_place = [&](std::size_t k) {
+    return parts_.uses_place ? h[optim::packed(machine + 4, k)] : 0.0;
+  };
   std::array<double, 4> bent{};  // f_qq q'
   std::vector<double> result(x.size(), 0.0);
+  for (std::size_t k = 0; k < machine; ++k) {
+    result[variables_[k]] += by_place(k) / stretch.length();
+  }
   for (std::size_t m = 0; m < 4; ++m) {
+    bent[m] = by_place(machine + m);
     for (std::size_t n = 0; n < 4; ++n) {
       bent[m] +=
           h[optim::packed(machine + std::max(m, n), machine + std::min(m, n))] * rate.value[n];

@@ -8,6 +8,7 @@
 
 #include "optim/problem/curve.h"
 #include "problems/mechanism/curve_formula.h"
+#include "problems/mechanism/curve_row.h"
 #include "problems/mechanism/cycle.h"
 #include "problems/mechanism/mechanism.h"
 
@@ -17,7 +18,8 @@ namespace camlaw::problems {
 struct CurveParts {
   Cycle cycle;
   std::array<bool, 4> uses = {true, true, true, true};  ///< which of s, v, a, j
-  /// The formula in the machine's arguments and s, v, a, j.
+  bool uses_place = false;                              ///< whether x itself matters
+  /// The formula in the machine's arguments, s, v, a, j, and x where that matters.
   std::shared_ptr<const optim::Kernel> point;
   /// The formula for given arguments of the machine.
   std::function<std::unique_ptr<const CurveFormula>(std::span<const double>)> formula;
@@ -31,10 +33,13 @@ class MechanismCurve final : public optim::Curve {
   optim::Function at(optim::Place place) const override;
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override { return !law_->is_linear(); }
+  optim::Place tied(optim::Place place, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
 
  private:
+  PlaceMotion motion_at(optim::Place place) const;
+
   CurveParts parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments
   std::shared_ptr<const LawBinding> law_;

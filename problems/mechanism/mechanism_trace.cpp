@@ -53,8 +53,10 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   if (!law_) return {kNaN, kNaN, kNaN};
   const Section& section = section_at(place);
   const Stretch& stretch = cycle_.stretches[section.stretch];
-  const auto d = derivatives<6>(law_->pieces()[section.piece], law_place(stretch, place).x);
-  const auto f = (*formula_)(follower_motion(stretch, motion_series<3>(d)));
+  const double x = law_place(stretch, place).x;
+  const auto d = derivatives<6>(law_->pieces()[section.piece], x);
+  const auto f = (*formula_)(
+      {follower_motion(stretch, motion_series<3>(d)), Series<double, 3>::variable(x, 1)});
   const double rate = 1 / stretch.length();
   return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
 }
@@ -73,7 +75,9 @@ Interval MechanismTrace::law_range(const Section& section, double from, double t
 
 Interval MechanismTrace::value_at(const Section& section, double x) const {
   const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
-  return (*formula_)(follower_motion(cycle_.stretches[section.stretch], motion)).c[0];
+  return (*formula_)({follower_motion(cycle_.stretches[section.stretch], motion),
+                      Series<Interval, 1>(Interval(x))})
+      .c[0];
 }
 
 optim::Bounds MechanismTrace::enclose(double from, double to) const {
@@ -82,10 +86,16 @@ optim::Bounds MechanismTrace::enclose(double from, double to) const {
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);
   const Expansion motion = expanders_[section.piece](x);
+  const Interval one(1.0);
+  const auto over = (*formula_)({follower_motion(stretch, motion_series<3>(motion.over)),
+                                 Series<Interval, 3>::variable(x, one)});
   return enclosed(
-      (*formula_)(follower_motion(stretch, motion_series<3>(motion.over))), motion.radius,
-      [&] { return value_at(section, x.lower()); }, [&] { return value_at(section, x.upper()); },
-      [&] { return (*formula_)(follower_motion(stretch, motion_series<2>(motion.at))); });
+      over, motion.radius, [&] { return value_at(section, x.lower()); },
+      [&] { return value_at(section, x.upper()); },
+      [&] {
+        return (*formula_)({follower_motion(stretch, motion_series<2>(motion.at)),
+                            Series<Interval, 2>::variable(Interval(motion.middle), one)});
+      });
 }
 
 }  // namespace camlaw::problems

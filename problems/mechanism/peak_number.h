@@ -32,6 +32,7 @@ class PeakNumberKernel : public optim::Kernel {
   double value(std::span<const double> u) const override {
     return outer_->value(arguments(u, peak_.value(u)));
   }
+  bool is_searched() const override { return true; }
   double gradient(std::span<const double> u, std::span<double> g) const override;
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override;

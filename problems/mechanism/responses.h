@@ -27,9 +27,10 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// A curve: formula(machine)(motion) -> X. The first call, with an M<T>, works out what the machine
-/// contributes; it returns a callable that takes the follower's motion along x, a Motion<X>, where
-/// X is T or a Taylor series over T. For example
+/// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. The first call, with
+/// an M<T>, works out what the machine contributes; it returns a callable that takes the follower's
+/// motion along x, a Motion<X>, where X is T or a Taylor series over T, and, if it wants, x itself.
+/// For example
 ///   [](const auto& machine) {
 ///     return [scale = machine.force_scale()](const auto& motion) { return scale * motion.a; };
 ///   }
@@ -57,11 +58,11 @@ std::vector<std::size_t> used_parameters(const F& f) {
   const auto& parameters = MachineTraits<M>::parameters();
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto machine = standard_machine<M>({i});
+    const auto machine = typical_machine<M>({i});
     const auto of_one = [&](const Dual& x) {
       return f(machine.template at<Dual>(std::span(&x, 1)));
     };
-    if (depends(of_one, parameters[i].standard)) result.push_back(i);
+    if (depends(of_one, typical_value(parameters[i]))) result.push_back(i);
   }
   return result;
 }
@@ -72,35 +73,52 @@ std::array<T, 4> some_motion() {
   return {number<T>(0.37), number<T>(1.23), number<T>(2.9), number<T>(-17)};
 }
 
+inline constexpr double kSomePlace = 0.43;
+
+/// From s, v, a, j, and x if it is there.
 template <class T>
-Motion<T> as_motion(std::span<const T> four) {
-  return {four[0], four[1], four[2], four[3]};
+PlaceOf<T> as_place(std::span<const T> u) {
+  return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
+}
+
+/// Whether a curve depends on the place itself.
+template <template <class> class M, class F>
+bool uses_place(const F& formula) {
+  const auto at = formula(typical_machine<M>().template at<Dual>({}));
+  const auto m = some_motion<Dual>();
+  return depends(
+      [&](const Dual& x) {
+        return applied(at, PlaceOf<Dual>{{m[0], m[1], m[2], m[3]}, x});
+      },
+      kSomePlace);
 }
 
 /// Which of s, v, a, j the curve depends on.
 template <template <class> class M, class F>
 std::array<bool, 4> used_motion(const F& formula) {
-  const auto of_motion = formula(standard_machine<M>().template at<Dual>({}));
+  const auto of_motion = formula(typical_machine<M>().template at<Dual>({}));
   std::array<bool, 4> uses;
   for (std::size_t m = 0; m < 4; ++m) {
     const auto of_one = [&](const Dual& x) {
       auto motion = some_motion<Dual>();
       motion[m] = x;
-      return of_motion(as_motion<Dual>(motion));
+      return applied(of_motion,
+                     PlaceOf<Dual>{{motion[0], motion[1], motion[2], motion[3]}, Dual(kSomePlace)});
     };
     uses[m] = depends(of_one, some_motion<double>()[m]);
   }
   return uses;
 }
 
-/// The curve's formula in arguments of the machine followed by s, v, a, j.
+/// The curve's formula in arguments of the machine followed by s, v, a, j, and x
+/// where that matters.
 template <template <class> class M, class F>
 auto point_formula(const BoundMachine<M>& machine, std::size_t arguments, const UnitFactor& factor,
                    const F& formula) {
   return [=]<class T>(std::span<const T> u) -> T {
     const M<T> here = machine.template at<T>(u.first(arguments));
     if (!is_possible(here)) return number<T>(kNaN);
-    return factor.template as<T>() * formula(here)(as_motion(u.subspan(arguments)));
+    return factor.template as<T>() * applied(formula(here), as_place(u.subspan(arguments)));
   };
 }
 
@@ -111,8 +129,9 @@ auto motion_formula(const BoundMachine<M>& machine, std::span<const double> argu
   const std::vector<T> u(arguments.begin(), arguments.end());
   const M<T> here = machine.template at<T>(std::span<const T>(u));
   const T scale = is_possible(here) ? factor.template as<T>() : number<T>(kNaN);
-  return
-      [scale, of_motion = formula(here)](const auto& motion) { return scale * of_motion(motion); };
+  return [scale, of_motion = formula(here)](const auto& place) {
+    return scale * applied(of_motion, place);
+  };
 }
 
 template <template <class> class M, class F>
@@ -162,18 +181,22 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   response.along = cycle.unit;
   response.sees_law = true;
   response.uses = detail::used_parameters<M>([&](const M<Dual>& machine) {
-    return formula(machine)(detail::as_motion<Dual>(detail::some_motion<Dual>()));
+    const auto m = detail::some_motion<Dual>();
+    return applied(formula(machine),
+                   PlaceOf<Dual>{{m[0], m[1], m[2], m[3]}, Dual(detail::kSomePlace)});
   });
   const auto uses = detail::used_motion<M>(formula);
-  response.curve = [formula, factor, cycle, uses](const Binding& binding, optim::Shape shape) {
+  const bool uses_place = detail::uses_place<M>(formula);
+  response.curve = [formula, factor, cycle, uses, uses_place](const Binding& binding,
+                                                              optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
     auto point = detail::kernel_of(detail::point_formula<M>(machine, arguments, factor, formula));
     const auto make_formula = [=](std::span<const double> u) {
       return detail::curve_formula<M>(machine, u, factor, formula);
     };
-    return std::make_shared<MechanismCurve>(CurveParts{cycle, uses, point, make_formula}, binding,
-                                            shape);
+    return std::make_shared<MechanismCurve>(
+        CurveParts{cycle, uses, uses_place, point, make_formula}, binding, shape);
   };
   return response;
 }

@@ -16,6 +16,12 @@ constexpr double kTurn = 360;
 
 double degrees(double angle) { return angle / kDegree; }
 
+/// Degrees turned into radians differ from a break in the last places.
+bool stands_at(double angle, double meet) {
+  constexpr double kBeside = 1e-13;
+  return std::abs(angle - meet) <= kBeside;
+}
+
 /// pi / 180, enclosed.
 Interval degree() { return pi<Interval>() / Interval(180.0); }
 
@@ -108,12 +114,10 @@ class TurnTrace final : public optim::Trace {
 }  // namespace
 
 std::size_t section_of(const std::vector<double>& breaks, optim::Place place) {
-  // Degrees turned into radians differ from a break in the last places.
-  constexpr double kBeside = 1e-13;
   const double angle = place.angle * kDegree;
   std::size_t section = 0;
   for (const double meet : breaks) {
-    const bool at = std::abs(angle - meet) <= kBeside;
+    const bool at = stands_at(angle, meet);
     if (at ? place.from_left : angle < meet) break;
     ++section;
   }
@@ -129,7 +133,25 @@ std::vector<double> TurnCurve::arguments(optim::Design x) const {
   return result;
 }
 
+bool TurnCurve::breaks_move() const {
+  return std::any_of(parts_.joints.begin(), parts_.joints.end(),
+                     [](const auto& joint) { return joint.left != nullptr; });
+}
+
+optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
+  const std::vector<double> breaks = parts_.breaks(arguments(x));
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    const bool stands = parts_.joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
+    if (stands) place.joint = static_cast<int>(k);
+  }
+  return place;
+}
+
 optim::Function TurnCurve::at(optim::Place place) const {
+  if (place.joint >= 0) {
+    const auto& joint = parts_.joints[static_cast<std::size_t>(place.joint)];
+    return function_of(variables_, place.from_left ? joint.left : joint.right, shape_);
+  }
   return function_of(variables_, std::make_shared<TurnRow>(parts_, place), shape_);
 }
 

@@ -32,11 +32,16 @@ class TurnFormula {
 struct TurnParts {
   /// Of the machine's arguments and the angle: the kernel of a section.
   std::vector<std::shared_ptr<const optim::Kernel>> sections;
+  /// Of the machine's arguments: the kernels of the two sections at each of their breaks, wherever
+  /// it moves; empty where that does not matter.
+  struct Joint {
+    std::shared_ptr<const optim::Kernel> left, right;
+  };
+  std::vector<Joint> joints;
   /// Where sections meet, rad, for given arguments of the machine.
   std::function<std::vector<double>(std::span<const double>)> breaks;
   /// The formula for given arguments of the machine.
   std::function<std::unique_ptr<const TurnFormula>(std::span<const double>)> formula;
-  bool breaks_move = false;
 };
 
 /// The section of a place, in deg, between breaks in rad; where two meet, the earlier one from the
@@ -50,7 +55,8 @@ class TurnCurve final : public optim::Curve {
 
   optim::Function at(optim::Place place) const override;
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
-  bool breaks_move() const override { return parts_.breaks_move; }
+  bool breaks_move() const override;
+  optim::Place tied(optim::Place place, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
 

@@ -125,12 +125,35 @@ auto section_formula(const BoundMachine<M>& machine, const UnitFactor& factor, W
   };
 }
 
+/// A section's formula where it meets its neighbour, in arguments of the machine.
 template <template <class> class M, class Which, class F>
-TurnParts turn_parts(const Binding& binding, const UnitFactor& factor, Which which, const F& work) {
+auto joint_formula(const BoundMachine<M>& machine, const UnitFactor& factor, Which which,
+                   std::size_t section, std::size_t joint, const F& work) {
+  return [=]<class T>(std::span<const T> u) -> T {
+    const M<T> here = machine.template at<T>(u);
+    if (!is_possible(here)) return number<T>(kNaN);
+    return factor.template as<T>() * work(here)(which, section, breaks_of<T>(here)[joint]);
+  };
+}
+
+template <template <class> class M, class Which, class F>
+TurnParts turn_parts(const Binding& binding, const UnitFactor& factor, Which which,
+                     const std::vector<std::vector<std::size_t>>& moving, const F& work) {
   const BoundMachine<M> machine(binding);
   TurnParts parts;
   for (std::size_t section = 0; section < sections_of<M<double>>(); ++section) {
     parts.sections.push_back(kernel_of(section_formula<M>(machine, factor, which, section, work)));
+  }
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const bool moves = std::any_of(
+        binding.parameters.begin(), binding.parameters.end(),
+        [&](std::size_t p) { return std::binary_search(moving[k].begin(), moving[k].end(), p); });
+    parts.joints.emplace_back();
+    if constexpr (sections_of<M<double>>() > 1) {
+      if (!moves) continue;
+      parts.joints.back() = {kernel_of(joint_formula<M>(machine, factor, which, k, k, work)),
+                             kernel_of(joint_formula<M>(machine, factor, which, k + 1, k, work))};
+    }
   }
   parts.breaks = [machine](std::span<const double> u) {
     const M<double> here = machine.template at<double>(u);
@@ -150,7 +173,7 @@ MechanismResponse turn_response(ResponseAbout about, Which which, F work) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described(std::move(about));
   response.along = "deg";
-  const M<double> machine = standard_machine<M>().template at<double>({});
+  const M<double> machine = typical_machine<M>().template at<double>({});
   const auto standard = detail::breaks_of<double>(machine);
   const auto matter = detail::breaks_that_matter(work(machine), which, standard);
   response.uses = detail::used_parameters<M>([&](const M<Dual>& some) {
@@ -161,23 +184,19 @@ MechanismResponse turn_response(ResponseAbout about, Which which, F work) {
     }
     return sum;
   });
-  const auto moving = detail::used_parameters<M>([&](const M<Dual>& some) {
-    const auto breaks = detail::breaks_of<Dual>(some);
-    Dual sum(0.0);
-    for (std::size_t k = 0; k < matter.size(); ++k) {
-      if (matter[k]) sum += breaks[k];
-    }
-    return sum;
-  });
-  std::vector<std::size_t> all;
-  std::set_union(response.uses.begin(), response.uses.end(), moving.begin(), moving.end(),
-                 std::back_inserter(all));
-  response.uses = all;
+  // The parameters that move each break, where it matters.
+  std::vector<std::vector<std::size_t>> moving(matter.size());
+  for (std::size_t k = 0; k < matter.size(); ++k) {
+    if (!matter[k]) continue;
+    moving[k] = detail::used_parameters<M>(
+        [&](const M<Dual>& some) { return detail::breaks_of<Dual>(some)[k]; });
+    std::vector<std::size_t> all;
+    std::set_union(response.uses.begin(), response.uses.end(), moving[k].begin(), moving[k].end(),
+                   std::back_inserter(all));
+    response.uses = all;
+  }
   response.curve = [=](const Binding& binding, optim::Shape shape) {
-    TurnParts parts = detail::turn_parts<M>(binding, factor, which, work);
-    parts.breaks_move = std::any_of(
-        binding.parameters.begin(), binding.parameters.end(),
-        [&](std::size_t p) { return std::binary_search(moving.begin(), moving.end(), p); });
+    TurnParts parts = detail::turn_parts<M>(binding, factor, which, moving, work);
     return std::make_shared<TurnCurve>(std::move(parts), binding, shape);
   };
   return response;

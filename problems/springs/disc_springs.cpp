@@ -225,7 +225,8 @@ Mechanism disc_springs_mechanism() {
           .parameters = MachineTraits<DiscSprings>::parameters(),
           .responses = std::move(responses),
           .peaks = {},
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .validity = {{"flattening", 1}}};
 }
 
 }  // namespace camlaw::problems

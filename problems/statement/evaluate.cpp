@@ -74,8 +74,10 @@ std::vector<optim::Response> curves_of(const ProblemStatement& statement) {
 }
 
 std::string place_name(const ProblemStatement& statement) {
+  const bool cam = statement.mechanism->moved_by != MovedBy::Nothing;
   for (const MechanismResponse& declared : statement.mechanism->responses) {
-    if (declared.curve && declared.along != "1") return "cam_angle [" + declared.along + "]";
+    if (!declared.curve || declared.along == "1") continue;
+    return (cam ? "cam_angle [" : "angle [") + declared.along + "]";
   }
   return "x";
 }

@@ -153,6 +153,17 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   return constraint;
 }
 
+/// Adds a limit of the mechanism's validity, where the file has none as tight.
+void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
+  for (const ConstraintStatement& c : problem.constraints) {
+    if (c.response.name == limit.response && c.upper && *c.upper <= limit.upper) return;
+  }
+  ConstraintStatement constraint;
+  constraint.response = find_response(*problem.mechanism, limit.response);
+  constraint.upper = limit.upper;
+  problem.constraints.push_back(std::move(constraint));
+}
+
 }  // namespace
 
 void read_objective(const Entry& file, ProblemStatement& problem) {
@@ -178,12 +189,13 @@ void read_objective(const Entry& file, ProblemStatement& problem) {
 }
 
 void read_constraints(const Entry& file, ProblemStatement& problem) {
-  const Entry* constraints = find(file, "constraints");
-  if (constraints == nullptr) return;
-  expect(*constraints, Kind::List, "a list of tables, each headed [[constraints]]");
-  for (const Entry& table : constraints->items) {
-    problem.constraints.push_back(read_constraint(table, problem));
+  if (const Entry* constraints = find(file, "constraints")) {
+    expect(*constraints, Kind::List, "a list of tables, each headed [[constraints]]");
+    for (const Entry& table : constraints->items) {
+      problem.constraints.push_back(read_constraint(table, problem));
+    }
   }
+  for (const ValidityLimit& limit : problem.mechanism->validity) add_validity(limit, problem);
 }
 
 }  // namespace camlaw::problems

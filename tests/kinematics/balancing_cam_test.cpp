@@ -167,12 +167,4 @@ TEST_CASE("the springs needed are those that reach their catalogue's deflection"
   }
 }
 
-TEST_CASE("springs pressed further than flat have no force", "[balancing-cam]") {
-  PlanarBalancingCam<double> machine;
-  machine.springs = 20;
-  const BalancedTurn turn(machine);
-  CHECK(machine.deflection(turn.surplus().range) > machine.cone_height);
-  CHECK(std::isnan(turn.residual_torque(1, 1.0)));
-}
-
 }  // namespace camlaw

@@ -54,7 +54,7 @@ Drawn drawn(const Cam& cam) {
   for (int i = 0; i < kAngles; ++i) {
     const auto f = motion_at(cam, angle_of(i));
     const auto w = cam.pitch_curve(f);
-    const auto [x, y] = w.inside(cam.roller_radius);
+    const auto [x, y] = w.inside(cam.roller_radius).place();
     result.centre.push_back(on_cam({w.x, w.y}, angle_of(i)));
     result.profile.push_back(on_cam({x, y}, angle_of(i)));
     result.profile_curvature.push_back(
@@ -105,7 +105,7 @@ void check_pressure_angle(const Cam& cam, const std::function<Point(double)>& ce
     const double angle = angle_of(i), h = 1e-6;
     const auto f = motion_at(cam, angle);
     const auto w = cam.pitch_curve(f);
-    const auto [x, y] = w.inside(cam.roller_radius);
+    const auto [x, y] = w.inside(cam.roller_radius).place();
     const Point normal = Point(w.x, w.y) - Point(x, y);
     // The way: where the centre goes with the follower's own coordinate.
     const Point way = (centre_at(f.s + h) - centre_at(f.s - h)) / (2 * h);
@@ -188,7 +188,7 @@ TEST_CASE("the flat cam's profile, laid against the face, gives the motion", "[c
   const FlatCam<double> cam;
   std::vector<Point> profile;
   for (int i = 0; i < kAngles; ++i) {
-    const auto [x, y] = cam.profile(motion_at(cam, angle_of(i)));
+    const auto [x, y] = cam.profile(motion_at(cam, angle_of(i))).place();
     profile.push_back(on_cam({x, y}, angle_of(i)));
   }
   for (int i = 0; i < kAngles; i += 75) {
@@ -238,7 +238,7 @@ TEST_CASE("the force between roller and cam drives the follower and brakes the c
   const auto check = [](const auto& cam, double phi) {
     const auto f = motion_at(cam, phi);
     const auto w = cam.pitch_curve(f);
-    const auto [x, y] = w.inside(cam.roller_radius);
+    const auto [x, y] = w.inside(cam.roller_radius).place();
     const Point out = (Point(w.x, w.y) - Point(x, y)) / cam.roller_radius;
     const double lever = std::imag(std::conj(Point(w.x, w.y)) * out);
     CHECK(cam.follower().torque(f) == Approx(lever * cam.contact_force(f)).margin(1e-9));
@@ -259,7 +259,7 @@ TEST_CASE("an end cam is a curve on the developed cylinder", "[cams]") {
     const Point step = at(i + 1) - at(i - 1);
     CHECK(cam.pressure_angle(f) == Approx(std::arg(step)).margin(1e-5));
     const double bend = -curvature_of(at(i - 1), at(i), at(i + 1));
-    CHECK(cam.pitch_curvature(f) == Approx(bend).epsilon(1e-3).margin(0.02));
+    CHECK(-cam.pitch_curve(f).curvature() == Approx(bend).epsilon(1e-3).margin(0.02));
   }
 }
 

@@ -19,9 +19,9 @@ TEST_CASE("both rollers of a carriage stay on their cams at a fixed distance", "
     std::vector<Point> main, second;
     for (int i = 0; i < kAngles; ++i) {
       const auto f = motion_at(cam, angle_of(i));
-      const auto [x, y] = cam.main().pitch_curve(f).inside(r);
+      const auto [x, y] = cam.main().pitch_curve(f).inside(r).place();
       main.push_back(on_cam({x, y}, angle_of(i)));
-      const auto [u, v] = cam.second().pitch_curve(cam.second_motion(f)).inside(r);
+      const auto [u, v] = cam.second().pitch_curve(cam.second_motion(f)).inside(r).place();
       second.push_back(on_cam(-Point(u, v), angle_of(i)));
     }
     CHECK(nearest(second, 0) == Approx(cam.second_base_radius()).epsilon(1e-9));

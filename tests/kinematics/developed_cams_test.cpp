@@ -76,7 +76,7 @@ TEST_CASE("a long arm moves as a roller that slides along the cam's axis", "[cam
       const auto f = motion_at(cam, angle), g = motion_at(end, angle);
       const double close = 1 / length;
       CHECK(cam.pressure_angle(f) == Approx(end.pressure_angle(g)).margin(close));
-      CHECK(cam.pitch_curve(f).curvature() == Approx(-end.pitch_curvature(g)).margin(close));
+      CHECK(cam.pitch_curve(f).curvature() == Approx(end.pitch_curve(g).curvature()).margin(close));
       CHECK(cam.contact_force(f) == Approx(end.contact_force(g)).margin(100 * close));
     }
   }
@@ -105,7 +105,7 @@ TEST_CASE("a cam plate is an end cam of the radius travel / (2 pi)", "[cams]") {
   for (double angle = 0.1; angle < 6.2; angle += 0.2) {
     const auto f = motion_at(cam, angle);
     CHECK(cam.pressure_angle(f) == Approx(end.pressure_angle(f)).epsilon(1e-14));
-    CHECK(cam.pitch_curve(f).curvature() == Approx(-end.pitch_curvature(f)).epsilon(1e-12));
+    CHECK(cam.pitch_curve(f).curvature() == Approx(end.pitch_curve(f).curvature()).epsilon(1e-12));
     CHECK(cam.contact_force(f) == Approx(end.contact_force(f)).epsilon(1e-14));
     // Force along the plate times its way is the follower's work.
     CHECK(cam.plate_force(f) * end.radius == Approx(end.follower().torque(f)).epsilon(1e-13));

@@ -116,8 +116,8 @@ TEST_CASE("an end cam's track has curvatures of both signs", "[cams]") {
   for (double angle = 0.1; angle < 6.2; angle += 0.2) {
     const auto f = motion_at(cam, angle);
     const double k = cam.pitch_curve(f).curvature();
-    CHECK(k == Approx(-cam.pitch_curvature(f)).epsilon(1e-12));
-    CHECK(outer_undercut(cam.roller(), k) == Approx(cam.undercut(f)).epsilon(1e-12));
+    const double slope = f.ds / cam.radius;
+    CHECK(k == Approx(-f.dds / (cam.radius * cam.radius) / std::pow(1 + slope * slope, 1.5)));
   }
   check_roller_cam(
       cam, [&](double angle) { return Point(cam.radius * angle, motion_at(cam, angle).s); });

@@ -28,7 +28,7 @@ TEST_CASE("a swinging roller cam that turns the other way gives the motion too",
   const double h = 1e-6, r = leading.roller_radius;
   std::vector<Point> profile;
   for (int i = 0; i < kAngles; ++i) {
-    const auto [x, y] = leading.pitch_curve(motion_at(leading, angle_of(i))).inside(r);
+    const auto [x, y] = leading.pitch_curve(motion_at(leading, angle_of(i))).inside(r).place();
     profile.push_back(on_cam({x, y}, -angle_of(i)));
   }
   for (int i = 45; i < kAngles; i += 110) {

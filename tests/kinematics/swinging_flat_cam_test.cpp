@@ -40,7 +40,7 @@ Point envelope(const SwingingFlatCam<double>& cam, double angle) {
 
 std::vector<Point> profile_of(const SwingingFlatCam<double>& cam) {
   return drawn([&](double angle) {
-    const auto [x, y] = cam.profile(motion_at(cam, angle));
+    const auto [x, y] = cam.profile(motion_at(cam, angle)).place();
     return on_cam({x, y}, angle);
   });
 }
@@ -64,7 +64,7 @@ TEST_CASE("the profile under a swinging face is the envelope of the face", "[cam
       INFO(i * 360.0 / kAngles << " deg, offset " << cam.face_offset);
       const double angle = angle_of(i);
       const auto f = motion_at(cam, angle);
-      const auto [x, y] = cam.profile(f);
+      const auto [x, y] = cam.profile(f).place();
       const Point touched = envelope(cam, angle);
       CHECK(std::abs(on_cam({x, y}, angle) - touched) < 1e-7);
       const Face face = face_on_cam(cam, angle);

@@ -135,9 +135,8 @@ TEST_CASE("the printed coefficients name the loads that they would need", "[bala
     greatest = std::max(greatest, drive.torque(drive.wheel(true, phi)));
   }
   CHECK(greatest * 6 == Approx(7.82).epsilon(1e-4));
-  const auto& causes = result.values[1].causes;
-  CHECK(std::any_of(causes.begin(), causes.end(),
-                    [](const auto& c) { return c.starts_with("6 slots: 0.4553"); }));
+  CHECK(std::any_of(result.notes.begin(), result.notes.end(),
+                    [](const auto& note) { return note.starts_with("  6 slots: 0.4553"); }));
 }
 
 }  // namespace camlaw::problems

@@ -68,13 +68,13 @@ double slope(const F& f, double h) {
 
 /// Gradient and Hessian against differences of value and gradient. `step` is relative.
 inline void check_derivatives(const optim::Function& f, const std::vector<double>& x,
-                              double step = 1e-3, double tolerance = 1e-7) {
+                              double step = 1e-3, double tolerance = 1e-7, double same = 1e-13) {
   const std::size_t n = f.inputs().size();
   std::vector<double> g(n), g2(n), h(optim::packed_size(n));
   const double value = f.value(x);
   REQUIRE(std::isfinite(value));
-  CHECK(f.gradient(x, g) == Approx(value).epsilon(1e-13).margin(1e-13));
-  CHECK(f.hessian(x, g2, h) == Approx(value).epsilon(1e-13).margin(1e-13));
+  CHECK(f.gradient(x, g) == Approx(value).epsilon(same).margin(same));
+  CHECK(f.hessian(x, g2, h) == Approx(value).epsilon(same).margin(same));
   const auto moved = [&](std::size_t i, double by) {
     std::vector<double> y = x;
     y[f.inputs()[i]] += by;
