@@ -71,15 +71,17 @@ std::vector<MechanismResponse> numbers() {
                     "greatest acceleration of the vibration that is left, undamped", convex})};
 }
 
-/// A curve that the law decides as a whole; it depends on every parameter.
-MechanismResponse curve(TrainQuantity which, ResponseAbout about, bool scaled_by_time) {
+/// A curve that the law decides as a whole.
+MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described(std::move(about));
   response.along = "1";
   response.sees_law = true;
   response.uses = detail::used_parameters<ElasticFollower>([&](const ElasticFollower<Dual>& f) {
-    const Dual sum = f.period_ratio() + f.damping_ratio + f.stroke;
-    return scaled_by_time ? sum + f.rise_time() : sum;
+    const Dual train = f.period_ratio() + f.damping_ratio;
+    if (which == TrainQuantity::Amplification) return train;
+    return which == TrainQuantity::MassAcceleration ? train + f.stroke + f.rise_time()
+                                                    : train + f.stroke;
   });
   response.curve = [which, factor](const Binding& binding, optim::Shape shape) {
     return std::make_shared<TrainCurve>(which, factor, binding, shape);
@@ -93,15 +95,15 @@ Mechanism follower_train_mechanism() {
   const std::vector<ShapeStatement> linear{{{"law"}, S::Linear}, {{"stroke"}, S::Linear}};
   std::vector<MechanismResponse> responses = numbers();
   using Q = TrainQuantity;
-  responses.push_back(
-      curve(Q::Deviation,
-            {"deviation", "mm", "m", "of the mass from where the cam wants it", linear}, false));
+  responses.push_back(curve(
+      Q::Deviation, {"deviation", "mm", "m", "of the mass from where the cam wants it", linear}));
   responses.push_back(curve(Q::MassDisplacement,
-                            {"mass_displacement", "mm", "m", "displacement of the mass", linear},
-                            false));
-  responses.push_back(
-      curve(Q::MassAcceleration,
-            {"mass_acceleration", "m/s2", "m/s2", "acceleration of the mass", linear}, true));
+                            {"mass_displacement", "mm", "m", "displacement of the mass", linear}));
+  responses.push_back(curve(Q::MassAcceleration, {"mass_acceleration", "m/s2", "m/s2",
+                                                  "acceleration of the mass", linear}));
+  responses.push_back(curve(
+      Q::Amplification,
+      {"amplified_acceleration", "1", "1", "acceleration of the mass over the cam's greatest"}));
   return {.name = "follower-train",
           .title = "elastic follower train with one mass, over a rise from rest",
           .source = "docs/theory.md, Elastic follower train",
@@ -110,7 +112,9 @@ Mechanism follower_train_mechanism() {
           .peaks = {{"peak_deviation", "deviation", Part::Magnitude,
                      "greatest deviation during the rise"},
                     {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
-                     "greatest acceleration of the mass during the rise"}}};
+                     "greatest acceleration of the mass during the rise"},
+                    {"amplification", "amplified_acceleration", Part::Magnitude,
+                     "greatest acceleration of the mass over the cam's"}}};
 }
 
 }  // namespace camlaw::problems

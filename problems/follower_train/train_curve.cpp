@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kinematics/expansion.h"
+#include "kinematics/peaks.h"
 #include "problems/follower_train/machine.h"
 
 namespace camlaw::problems {
@@ -11,7 +12,8 @@ namespace {
 
 /// From parts of the stroke, by x, to SI units.
 template <class T>
-T scale_of(TrainQuantity which, const ElasticFollower<T>& machine) {
+T scale_of(TrainQuantity which, const ElasticFollower<T>& machine, const Law<T>& law) {
+  if (which == TrainQuantity::Amplification) return number<T>(1) / peaks(law).C();
   if (which != TrainQuantity::MassAcceleration) return machine.stroke;
   return machine.stroke / (machine.rise_time() * machine.rise_time());
 }
@@ -32,8 +34,8 @@ class TrainTrace final : public optim::Trace {
         law_(std::move(law)),
         enclosing_(enclosing),
         enclosing_law_(std::move(enclosing_law)),
-        scale_(factor * scale_of(which, machine)),
-        enclosing_scale_(Interval(factor) * scale_of(which, enclosing)) {
+        scale_(factor * scale_of(which, machine, law_)),
+        enclosing_scale_(Interval(factor) * scale_of(which, enclosing, enclosing_law_)) {
     bound_second_derivative();
   }
 
@@ -129,7 +131,7 @@ optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order)
   const auto formula = [which = which_, place, order](const auto& machine, const auto& law) {
     const auto train = machine.train();
     const auto state = train.at(law, place.angle);
-    return scale_of(which, machine) *
+    return scale_of(which, machine, law) *
            train_quantity(which, train, motion_at(law, place), state)[order];
   };
   std::vector<std::size_t> variables = binding_.variables;

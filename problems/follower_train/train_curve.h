@@ -8,7 +8,8 @@
 /// them, so that the law is needed as a whole.
 namespace camlaw::problems {
 
-enum class TrainQuantity { Deviation, MassDisplacement, MassAcceleration };
+/// Amplification: acceleration of the mass over the cam's greatest, y'' / C.
+enum class TrainQuantity { Deviation, MassDisplacement, MassAcceleration, Amplification };
 
 /// Value and two derivatives by x of a quantity, in parts of the stroke, from the law's s, v, a, j
 /// and the state: z'' and z''' by the equation of motion (U0).

@@ -193,4 +193,33 @@ TEST_CASE("a follower that jams in its guide has no force", "[cams]") {
   CHECK(std::isfinite(jammed.at("contact_force", 20 + 100 + 50 + 120)));
 }
 
+TEST_CASE("the spring of a fast cam is the best of a grid", "[cams][problem-files]") {
+  const BoundProblem bound = testing::shipped("cams/spring_at_speed.toml");
+  const auto optimum = optim::optimise(bound.space());
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(optimum.found.assessment.global);
+  ProblemStatement bare = bound.statement();
+  bare.constants[bare.mechanism->parameter("spring_rate")] = 0;
+  bare.constants[bare.mechanism->parameter("spring_preload")] = 0;
+  const Curves curves(bare);
+  std::vector<double> inertia, place;  // N and mm, without a spring
+  for (int i = 0; i < kPoints; ++i) {
+    inertia.push_back(curves.at("follower_force", degrees(i)));
+    place.push_back(curves.at("displacement", degrees(i)));
+  }
+  // For each rate the least preload that leaves 20 N everywhere, and the greatest force with it.
+  const auto greatest = [&](double rate) {
+    double preload = 0, most = -1e9;
+    for (int i = 0; i < kPoints; ++i) {
+      preload = std::max(preload, 20 - inertia[i] - rate * place[i]);
+    }
+    for (int i = 0; i < kPoints; ++i) {
+      most = std::max(most, inertia[i] + rate * place[i] + preload);
+    }
+    return most;
+  };
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(testing::grid_minimum(greatest, 0, 60, 240)).epsilon(1e-4));
+}
+
 }  // namespace camlaw::problems

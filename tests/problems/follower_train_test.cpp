@@ -5,6 +5,7 @@
 #include <random>
 
 #include "kinematics/dynamics/elastic_follower.h"
+#include "kinematics/peaks.h"
 #include "tests/problems/system_fixture.h"
 
 namespace camlaw::problems {
@@ -58,6 +59,9 @@ TEST_CASE("the train's numbers are those of a numerical integration", "[follower
     const auto curve = response_of(train(), "mass_acceleration", design.binding);
     const auto peak = optim::extreme_of(*curve.curve().trace({}), optim::Part::Magnitude);
     CHECK(std::abs(peak.value) == Approx(0.02 / (time * time) * end.peak).epsilon(1e-6));
+    const auto amplified = response_of(train(), "amplified_acceleration", design.binding);
+    const auto over = optim::extreme_of(*amplified.curve().trace({}), optim::Part::Magnitude);
+    CHECK(std::abs(over.value) == Approx(end.peak / peaks(find_law(law).law()).C()).epsilon(1e-6));
   }
 }
 
@@ -75,7 +79,8 @@ TEST_CASE("numbers and curves of the train have exact derivatives and bounds", "
     CHECK((bounds.lower <= value && value <= bounds.upper));
     CHECK(bounds.upper - bounds.lower <= 1e-7 * std::abs(value));
   }
-  for (const char* name : {"deviation", "mass_displacement", "mass_acceleration"}) {
+  for (const char* name :
+       {"deviation", "mass_displacement", "mass_acceleration", "amplified_acceleration"}) {
     INFO(name);
     const auto response = response_of(train(), name, design.binding);
     const auto trace = response.curve().trace(design.x);

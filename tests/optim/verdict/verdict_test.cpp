@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/peak_function.h"
 #include "tests/optim/verdict/judged_problems.h"
 
 namespace camlaw::optim {
@@ -211,6 +212,28 @@ TEST_CASE("without enclosures a least peak is not certified", "[verdict]") {
     CHECK(a.kkt_residual <= kKktTolerance);
     CHECK(a.verdict == (enclosed ? Verdict::Certified : Verdict::Feasible));
     CHECK(std::isfinite(a.objective.proved.upper) == enclosed);
+  }
+}
+
+TEST_CASE("a number that hangs on a peak is certified only where the peak is proved", "[verdict]") {
+  // The least highest of x sin(a) + y as a number, |x| + y, where y >= 1; and a limit on it.
+  for (const bool enclosed : {true, false}) {
+    Problem problem = over_cycle({}, 3, enclosed);
+    const Response peak{"crest", "mm",
+                        peak_function(problem.constraints[0].response, Part::Highest, 2)};
+    problem.constraints = {{.response = peak, .upper = 3}};
+    problem.variables[0].lower = 1;
+    const Assessment limited = judge(problem, {1, 2});
+    CHECK(limited.kkt_residual <= kKktTolerance);
+    CHECK(limited.verdict == (enclosed ? Verdict::Certified : Verdict::Feasible));
+    CHECK(limited.limits[0].multiplier == Approx(3).epsilon(1e-9));
+    problem.objective = {peak, Sense::Minimize, Part::Value, {}};
+    problem.constraints.clear();
+    problem.variables[1].lower = 1;
+    const Assessment least = judge(problem, {1, 1});
+    CHECK(least.objective.value == Approx(2));
+    CHECK(least.verdict == (enclosed ? Verdict::Certified : Verdict::Feasible));
+    CHECK((enclosed || least.reason == "crest is not proved"));
   }
 }
 
