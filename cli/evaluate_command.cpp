@@ -13,6 +13,7 @@
 #include "cli/files.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
+#include "cli/profile_figure.h"
 #include "cli/text_table.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -26,7 +27,7 @@ using problems::ProblemStatement;
 struct EvaluateOptions {
   std::string file;
   std::vector<std::string> settings;
-  std::optional<std::string> curves, svg;
+  std::optional<std::string> curves, svg, profile;
   bool json = false;
 };
 
@@ -137,8 +138,16 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
                                     const ProblemStatement& statement) {
   constexpr int kSteps = 720;
   std::vector<OutputFile> files;
+  const auto& responses = statement.mechanism->responses;
+  const bool has_curves = std::any_of(responses.begin(), responses.end(),
+                                      [](const auto& r) { return static_cast<bool>(r.curve); });
+  if (!has_curves && (options.curves || options.svg)) {
+    throw std::invalid_argument(
+        fmt::format("{} has no curves over a cycle", statement.mechanism->name));
+  }
   if (options.curves) files.push_back({*options.curves, curves_csv(statement, kSteps)});
   if (options.svg) files.push_back({*options.svg, to_svg(curves_figure(statement))});
+  if (options.profile) files.push_back({*options.profile, to_svg(profile_figure(statement))});
   return files;
 }
 
@@ -172,6 +181,8 @@ void add_evaluate_command(CLI::App& app) {
       ->allow_extra_args(false);
   command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV");
   command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG");
+  command->add_option("--profile", options->profile,
+                      "draw the cam's profile, pitch curve and way of the tool to this SVG");
   add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { run_evaluate(*options); });
 }

@@ -108,12 +108,12 @@ std::vector<OutputFile> result_files(const Answer& answer, const std::string& js
                                      const std::filesystem::path& out) {
   constexpr int kSamples = 361;
   std::vector<OutputFile> files{{out / "result.json", json}};
-  const std::optional<Member> law = answer.law();
-  if (!law) return files;
-  const Law<double> shape = law->law();
-  files.push_back({out / "law.csv", motion_csv(shape, kSamples)});
-  files.push_back(
-      {out / "law.svg", to_svg(motion_figure(law->label(), {{.name = "", .law = shape}}))});
+  if (const std::optional<Member> law = answer.law()) {
+    const Law<double> shape = law->law();
+    files.push_back({out / "law.csv", motion_csv(shape, kSamples)});
+    files.push_back(
+        {out / "law.svg", to_svg(motion_figure(law->label(), {{.name = "", .law = shape}}))});
+  }
   const Figure cycle = cycle_figure(answer);
   if (!cycle.panels.empty()) files.push_back({out / "cycle.svg", to_svg(cycle)});
   return files;

@@ -121,13 +121,19 @@ struct CamBlank {
 
   /// (M35) Mass, kg, from the area inside the profile: rho b (A - pi r_0^2).
   T mass(const T& area) const {
-    return density * width * (area - pi<T>() * bore_radius * bore_radius);
+    return density * width * left(area - pi<T>() * bore_radius * bore_radius);
   }
   /// (M36) Moment of inertia about the shaft, kg m^2, from the polar moment of the area:
   /// rho b (I - pi r_0^4 / 2).
   T inertia(const T& moment) const {
     const T square = bore_radius * bore_radius;
-    return density * width * (moment - pi<T>() * square * square / number<T>(2));
+    return density * width * left(moment - pi<T>() * square * square / number<T>(2));
+  }
+
+ private:
+  /// NaN where the bore leaves nothing.
+  static T left(const T& rest) {
+    return value_of(rest) > 0 ? rest : number<T>(std::numeric_limits<double>::quiet_NaN());
   }
 };
 

@@ -13,7 +13,8 @@ namespace camlaw {
 /// scalar. The follower moves along y at x = offset; the cam turns so that a positive offset lowers
 /// the pressure angle of the rise. The other rotation is the other sign of the offset.
 ///
-/// Valid while |offset| is less than the prime radius, base_radius + roller_radius.
+/// Valid while |offset| is less than the prime radius, base_radius + roller_radius; with friction
+/// in the guide, while the roller stays outside it, stroke at most overhang.
 template <class T>
 struct RollerCam {
   T stroke = number<T>(0.020);                    ///< h, m
@@ -37,7 +38,8 @@ struct RollerCam {
 
   bool is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
-    return prime > 0 && e * e < prime * prime;
+    const bool guided = value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
+    return prime > 0 && e * e < prime * prime && guided;
   }
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).

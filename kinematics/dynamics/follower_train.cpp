@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/dynamics/follower_train.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -133,6 +134,24 @@ Complex<T> driven(const Piece<T>& piece, const T& begin, const T& d, const Compl
   return sum;
 }
 
+/// Refuses a velocity that jumps up to x, from rest before and to rest behind: the closed form
+/// knows no pulse of the acceleration.
+template <class T>
+void check_velocity(const Law<T>& law, double x) {
+  constexpr double kLevel = 1e-9;
+  const auto velocity = [](const Piece<T>& piece, const T& at) {
+    return value_of(derivatives<2>(piece, at)[1]);
+  };
+  double before = 0;
+  for (const Piece<T>& piece : law.pieces()) {
+    if (std::abs(velocity(piece, piece.begin) - before) > kLevel) break;
+    before = velocity(piece, piece.end);
+    if (value_of(piece.end) >= 1 && x >= 1 && std::abs(before) > kLevel) break;
+    if (value_of(piece.end) >= std::min(x, 1.0)) return;
+  }
+  throw std::invalid_argument("elastic train: the velocity of the law jumps");
+}
+
 }  // namespace
 
 template <class T>
@@ -146,6 +165,7 @@ TrainState<T> FollowerTrain<T>::at(const Law<T>& law, double x, TrainState<T> be
     throw std::invalid_argument(
         "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1");
   }
+  check_velocity(law, x);
   const T W = number<T>(2) * pi<T>() * period_ratio;
   const T damped = W * sqrt(number<T>(1) - damping_ratio * damping_ratio);
   const Complex<T> lambda{-(damping_ratio * W), damped};

@@ -24,7 +24,8 @@ struct FollowerTrain {
 
   /// The state at the end of a stretch from a state at its beginning. Exact for laws that are data:
   /// each power and each harmonic of s'' has its integral against exp(lambda x) in closed form.
-  /// Throws std::invalid_argument for a law with curves and for ratios outside their ranges.
+  /// Throws std::invalid_argument for a law with curves or jumps of velocity, rest before and
+  /// behind it counted, and for ratios outside their ranges.
   TrainState<T> after(const Law<T>& law, TrainState<T> begin = {number<T>(0), number<T>(0)}) const;
   /// The state at x inside the stretch.
   TrainState<T> at(const Law<T>& law, double x,

@@ -96,9 +96,11 @@ std::vector<MechanismResponse> blank_responses() {
       return which == Quantity::Mass ? cam.blank().mass(swept) : cam.blank().inertia(swept);
     });
   };
-  return {made(Quantity::Mass, {"cam_mass", "kg", "kg", "mass of the cam with its bore"}),
+  return {made(Quantity::Mass, {"cam_mass", "kg", "kg",
+                                "mass of the cam with its bore, of a profile without undercut"}),
           made(Quantity::Inertia,
-               {"cam_inertia", "kg cm2", "kg m2", "moment of inertia of the cam about its shaft"})};
+               {"cam_inertia", "kg cm2", "kg m2",
+                "moment of inertia of the cam about its shaft, of a profile without undercut"})};
 }
 
 }  // namespace camlaw::problems

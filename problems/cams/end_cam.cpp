@@ -44,7 +44,7 @@ Mechanism end_cam_mechanism() {
           .parameters = MachineTraits<EndCam>::parameters(),
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
-                    peak_torque(), peak_outer_undercut(), peak_groove_stress()},
+                    peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
           .moved_by = MovedBy::Program};
 }
 

@@ -167,6 +167,16 @@ std::vector<MechanismResponse> follower_numbers() {
 template <template <class> class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
   std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
+  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
+                  cam.drive_torque(f);
+                }) {
+    // Friction acts on the size of the force: what is linear without it is not with it.
+    for (MechanismResponse& response : all) {
+      if (response.name == "drive_torque" || response.name == "drive_power") {
+        response.shapes.clear();
+      }
+    }
+  }
   for (MechanismResponse& number : follower_numbers<M>()) all.push_back(std::move(number));
   return all;
 }

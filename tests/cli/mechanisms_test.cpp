@@ -51,6 +51,35 @@ TEST_CASE("evaluate writes every curve over the cycle", "[program]") {
   for (const Words& row : table) CHECK(row.size() == table[0].size());
 }
 
+TEST_CASE("evaluate draws the cam's profile, and refuses what is not there", "[program]") {
+  const Folder folder;
+  const std::string svg = folder / "profile.svg", csv = folder / "none.csv";
+  CHECK_THAT(done({"evaluate", kCam, "--profile", svg}), Contains("wrote " + svg));
+  check_svg(svg);
+  CHECK_THAT(read(svg), Contains("pitch curve") && Contains("middle of the tool"));
+  const std::string problems = CAMLAW_SOURCE_DIR "/problems/";
+  const std::string geneva = problems + "geneva/fastest.toml";
+  const std::string springs = problems + "springs/lightest_helical.toml";
+  const std::string none = folder / "none.svg";
+  CHECK_THAT(failed({"evaluate", geneva, "--profile", none, "--curves", csv}, 2),
+             Contains("geneva has no profile"));
+  CHECK_THAT(failed({"evaluate", springs, "--curves", csv}, 2),
+             Contains("helical-spring has no curves"));
+  CHECK_THAT(failed({"evaluate", springs, "--svg", none}, 2), Contains("has no curves"));
+  CHECK_FALSE(fs::exists(none));
+  CHECK_FALSE(fs::exists(csv));
+}
+
+TEST_CASE("what no law moves has a picture of its cycle, and none of a law", "[program]") {
+  const Folder folder;
+  const std::string geneva = CAMLAW_SOURCE_DIR "/problems/geneva/fastest.toml";
+  done({"optimize", geneva, "--out", folder / "out"});
+  check_svg(folder / "out/cycle.svg");
+  CHECK(fs::exists(folder / "out/result.json"));
+  CHECK_FALSE(fs::exists(folder / "out/law.svg"));
+  CHECK(Json::parse(read(folder / "out/result.json"))["law"].is_null());
+}
+
 TEST_CASE("a long search that is interrupted ends with the best verified design", "[program]") {
   const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/least_moment.toml";
   const Running running({"optimize", file, "--starts", "100000", "--json"});

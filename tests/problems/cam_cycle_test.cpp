@@ -183,6 +183,14 @@ TEST_CASE("the cam's work is the friction of the guide", "[cams]") {
   }
 }
 
+TEST_CASE("a bore that leaves nothing, and a roller in its guide, are no design", "[cams]") {
+  CHECK(
+      std::isnan(number_of(program_of("disc-cam-flat", "bore_radius = \"60 mm\"\n"), "cam_mass")));
+  const Curves inside(program_of(
+      "disc-cam-roller", "guide_friction = 0.1\noverhang = \"15 mm\"\nbase_radius = \"50 mm\"\n"));
+  CHECK(std::isnan(inside.at("contact_force", 50)));
+}
+
 TEST_CASE("a follower that jams in its guide has no force", "[cams]") {
   const Curves free(program_of("disc-cam-roller", "guide_friction = 0.3\n"));
   CHECK(std::isfinite(free.at("contact_force", 50)));

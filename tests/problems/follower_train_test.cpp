@@ -109,6 +109,8 @@ TEST_CASE("what no train can do is no number", "[follower-train]") {
   const TestDesign design = design_of(train(), "inclined-sinusoid", {}, {});
   CHECK(
       std::isnan(response_of(train(), "residual_amplitude", design.binding).function().value({})));
+  const TestDesign jump = design_of(train(), "constant-velocity", {}, {});
+  CHECK(std::isnan(response_of(train(), "residual_amplitude", jump.binding).function().value({})));
   const auto curve = response_of(train(), "deviation", design.binding);
   CHECK(std::isnan(curve.curve().trace({})->at({0.5})[0]));
   CHECK(std::isinf(curve.curve().trace({})->enclose(0.4, 0.5).upper));
