@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/delivery_study.h"
 #include "cli/files.h"
 #include "cli/study_output.h"
 
@@ -18,37 +19,65 @@ struct StudyOptions {
   bool json = false;
 };
 
-void run_study(const StudyOptions& options) {
-  if (options.system != "spine-cutter") {
-    throw std::invalid_argument(
-        fmt::format("no study is called '{}'; there is spine-cutter", options.system));
-  }
+/// What a study prints and writes.
+struct StudyOutput {
+  std::string text, json;
+  std::vector<OutputFile> files;
+};
+
+StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::path& out) {
   SpineCutter<double> cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
-  std::vector<OutputFile> files;
-  if (options.out) {
-    if (options.out->empty()) throw std::invalid_argument("--out: a folder's name is wanted");
-    const std::filesystem::path out = *options.out;
-    files = {{out / "study.csv", study_csv(study)},
-             {out / "study.json", study_json(study)},
-             {out / "trade_off.svg", to_svg(trade_off_figure(study))},
-             {out / "motion.svg", to_svg(study_motion_figure(study))}};
-    write_files(files);
+  return {study_text(study),
+          study_json(study),
+          {{out / "study.csv", study_csv(study)},
+           {out / "study.json", study_json(study)},
+           {out / "trade_off.svg", to_svg(trade_off_figure(study))},
+           {out / "motion.svg", to_svg(study_motion_figure(study))}}};
+}
+
+StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::path& out) {
+  if (!options.settings.empty()) {
+    throw std::invalid_argument("--set: the study of the sheet delivery has no givens to set");
   }
-  fmt::print("{}", options.json ? study_json(study) : study_text(study));
-  if (options.json || files.empty()) return;
+  const auto choices = problems::trade_off_sheet_delivery();
+  return {delivery_text(choices),
+          delivery_json(choices),
+          {{out / "study.csv", delivery_csv(choices)},
+           {out / "study.json", delivery_json(choices)},
+           {out / "trade_off.svg", to_svg(delivery_figure(choices))}}};
+}
+
+void run_study(const StudyOptions& options) {
+  if (options.out && options.out->empty()) {
+    throw std::invalid_argument("--out: a folder's name is wanted");
+  }
+  const std::filesystem::path out = options.out.value_or("");
+  StudyOutput study;
+  if (options.system == "spine-cutter") {
+    study = study_cutter(options, out);
+  } else if (options.system == "sheet-delivery") {
+    study = study_delivery(options, out);
+  } else {
+    throw std::invalid_argument(fmt::format(
+        "no study is called '{}'; there are spine-cutter, sheet-delivery", options.system));
+  }
+  if (options.out) write_files(study.files);
+  fmt::print("{}", options.json ? study.json : study.text);
+  if (options.json || !options.out) return;
   fmt::print("\nresults\n");
-  for (const OutputFile& file : files) fmt::print("  {}\n", file.path.string());
+  for (const OutputFile& file : study.files) fmt::print("  {}\n", file.path.string());
 }
 
 }  // namespace
 
 void add_study_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("study", "Compare all laws on a machine: table and pictures");
+  CLI::App* command = app.add_subcommand(
+      "study", "Compare laws on a machine, or what they cost: table and pictures");
   const auto options = std::make_shared<StudyOptions>();
-  command->add_option("SYSTEM", options->system, "the machine: spine-cutter")->required();
+  command->add_option("SYSTEM", options->system, "the machine: spine-cutter or sheet-delivery")
+      ->required();
   command->add_option("--out", options->out, "folder for study.csv, study.json and the pictures");
   command
       ->add_option("--set", options->settings, "set a given: name=value, such as --set 'h=0.8 mm'")

@@ -8,6 +8,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "optim/cycle/extremes.h"
 #include "problems/sheet_delivery/reproduction.h"
+#include "problems/sheet_delivery/trade_off.h"
 #include "tests/problems/system_fixture.h"
 
 namespace camlaw::problems {
@@ -192,6 +193,27 @@ TEST_CASE("the greatest least efficiency is that of a search by hand",
   CHECK(found.laws.front().arguments.scalar(0) == Approx(0).margin(1e-6));
   CHECK(found.constants[delivery().parameter("rod_angle_max")] ==
         Approx(best_angle * 180 / kPi).epsilon(1e-3));
+}
+
+TEST_CASE("the trade-off of slow-down and efficiency is a certified front whose slope is its price",
+          "[sheet-delivery][problem-files]") {
+  const auto front = trade_off_sheet_delivery(0.1, 0.4, 7);
+  REQUIRE(front.size() == 7);
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    INFO(front[i].slow_down);
+    CHECK(front[i].verdict == optim::Verdict::Certified);
+    CHECK(front[i].price > 0);
+    if (i == 0) continue;
+    CHECK(front[i].efficiency < front[i - 1].efficiency);
+    // Between two points the front falls by something between their prices, or near it.
+    const double slope = (front[i - 1].efficiency - front[i].efficiency) /
+                         (front[i].slow_down - front[i - 1].slow_down);
+    const double low = std::min(front[i].price, front[i - 1].price);
+    const double high = std::max(front[i].price, front[i - 1].price);
+    CHECK((slope > low * 0.98 && slope < high * 1.02));
+  }
+  CHECK_THROWS_AS(trade_off_sheet_delivery(0.4, 0.1, 7), std::invalid_argument);
+  CHECK_THROWS_AS(trade_off_sheet_delivery(0.1, 0.4, 1), std::invalid_argument);
 }
 
 }  // namespace camlaw::problems

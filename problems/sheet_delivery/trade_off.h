@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optim/verdict/verdict.h"
+
+namespace camlaw::problems {
+
+/// The best guide for one required slow-down.
+struct DeliveryChoice {
+  double slow_down;  ///< required
+  optim::Verdict verdict;
+  double efficiency;  ///< the least one within the stretch, at its greatest
+  double price;       ///< efficiency that one more of slow-down costs, to first order
+  std::string law;
+  double guide_ratio, rod_angle_max;  ///< lambda, and alpha_max in degrees
+};
+
+/// The trade-off of the sheet delivery between the slow-down of its carriage and the least
+/// efficiency: greatest_least_efficiency.toml for even slow-downs of the range, over its laws,
+/// lambda and alpha_max. Throws std::invalid_argument for a range or count that makes none.
+std::vector<DeliveryChoice> trade_off_sheet_delivery(double least = 0.05, double greatest = 0.5,
+                                                     int points = 10);
+
+}  // namespace camlaw::problems
