@@ -5,6 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <mutex>
 #include <stdexcept>
 
 #include "kinematics/catalogue.h"
@@ -109,36 +112,62 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
   refuse(fmt::format("{}: no parameter is called", name), parameter_name, known);
 }
 
-const std::vector<Mechanism>& mechanisms() {
-  static const std::vector<Mechanism> all{spine_cutter_mechanism(),
-                                          planar_balancing_cam_mechanism(),
-                                          spherical_balancing_cam_mechanism(),
-                                          planar_geneva_mechanism(),
-                                          spherical_geneva_mechanism(),
-                                          die_press_mechanism(),
-                                          sheet_delivery_mechanism(),
-                                          signature_feeder_mechanism(),
-                                          roller_cam_mechanism(),
-                                          flat_cam_mechanism(),
-                                          knife_cam_mechanism(),
-                                          conjugate_cam_mechanism(),
-                                          swinging_roller_cam_mechanism(),
-                                          leading_roller_cam_mechanism(),
-                                          swinging_flat_cam_mechanism(),
-                                          end_cam_mechanism(),
-                                          swinging_end_cam_mechanism(),
-                                          linear_cam_mechanism(),
-                                          disc_springs_mechanism(),
-                                          helical_spring_mechanism(),
-                                          follower_train_mechanism(),
-                                          normalised_law_mechanism()};
+namespace {
+
+/// Mechanisms by name, in the order of the listing. Each is made when it is first asked for: to
+/// find out what their responses depend on takes time.
+struct Listed {
+  const char* name;
+  Mechanism (*make)();
+};
+constexpr Listed kListed[] = {{"spine-cutter", spine_cutter_mechanism},
+                              {"balancing-cam", planar_balancing_cam_mechanism},
+                              {"balancing-cam-spherical", spherical_balancing_cam_mechanism},
+                              {"geneva", planar_geneva_mechanism},
+                              {"geneva-spherical", spherical_geneva_mechanism},
+                              {"die-press", die_press_mechanism},
+                              {"sheet-delivery", sheet_delivery_mechanism},
+                              {"signature-feeder", signature_feeder_mechanism},
+                              {"disc-cam-roller", roller_cam_mechanism},
+                              {"disc-cam-flat", flat_cam_mechanism},
+                              {"disc-cam-knife", knife_cam_mechanism},
+                              {"disc-cam-conjugate", conjugate_cam_mechanism},
+                              {"disc-cam-swinging-roller", swinging_roller_cam_mechanism},
+                              {"disc-cam-leading-roller", leading_roller_cam_mechanism},
+                              {"disc-cam-swinging-flat", swinging_flat_cam_mechanism},
+                              {"end-cam", end_cam_mechanism},
+                              {"end-cam-swinging", swinging_end_cam_mechanism},
+                              {"linear-cam", linear_cam_mechanism},
+                              {"disc-springs", disc_springs_mechanism},
+                              {"helical-spring", helical_spring_mechanism},
+                              {"follower-train", follower_train_mechanism},
+                              {"law", normalised_law_mechanism}};
+constexpr std::size_t kMechanisms = std::size(kListed);
+
+std::vector<Mechanism>& storage() {
+  static std::vector<Mechanism> all(kMechanisms);
   return all;
 }
 
+const Mechanism& made(std::size_t i) {
+  static std::array<std::once_flag, kMechanisms> flags;
+  std::call_once(flags[i], [i] { storage()[i] = kListed[i].make(); });
+  return storage()[i];
+}
+
+}  // namespace
+
+const std::vector<Mechanism>& mechanisms() {
+  for (std::size_t i = 0; i < kMechanisms; ++i) made(i);
+  return storage();
+}
+
 const Mechanism& find_mechanism(std::string_view name) {
-  if (const Mechanism* found = find_named(mechanisms(), name)) return *found;
   std::vector<std::string> known;
-  for (const Mechanism& mechanism : mechanisms()) known.push_back(mechanism.name);
+  for (std::size_t i = 0; i < kMechanisms; ++i) {
+    if (kListed[i].name == name) return made(i);
+    known.push_back(kListed[i].name);
+  }
   refuse("no mechanism is called", name, known);
 }
 

@@ -141,6 +141,12 @@ TEST_CASE("numbers have exact derivatives and enclosures that hold", "[mechanism
   }
 }
 
+TEST_CASE("mechanisms are found by the names that they have", "[mechanism]") {
+  for (const Mechanism& mechanism : mechanisms()) {
+    CHECK(&find_mechanism(mechanism.name) == &mechanism);
+  }
+}
+
 TEST_CASE("a parameter is a response too, varying or not", "[mechanism]") {
   const TestDesign design = design_of(cutter(), "cosine", {}, {"depth"});
   const auto depth = response_of(cutter(), "h", design.binding);
