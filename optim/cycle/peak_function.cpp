@@ -28,8 +28,7 @@ class PeakKernel final : public Kernel {
     std::vector<double> slopes(f.inputs().size());
     f.gradient(u, slopes);
     const double sign = sign_of(peak);
-    std::fill(g.begin(), g.end(), 0.0);
-    for (std::size_t k = 0; k < slopes.size(); ++k) g[f.inputs()[k]] = sign * slopes[k];
+    spread(f, sign, slopes, g);
     return sign * peak.value;
   }
 
@@ -37,14 +36,14 @@ class PeakKernel final : public Kernel {
   /// stretch and so moves with u (docs/optimisation.md, "Second order").
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
-    const double result = gradient(u, g);
     const auto trace = response_.curve().trace(u);
     const Extreme peak = extreme_of(*trace, part_);
-    const double sign = sign_of(peak);
+    const double sign = sign_of(peak), result = sign * peak.value;
     const Function f = response_.curve().at(response_.curve().tied(peak.place, u));
     const std::vector<std::size_t>& inputs = f.inputs();
     std::vector<double> slopes(inputs.size()), second(packed_size(inputs.size()));
     f.hessian(u, slopes, second);
+    spread(f, sign, slopes, g);
     std::fill(h.begin(), h.end(), 0.0);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (std::size_t k = 0; k <= i; ++k) {
@@ -88,6 +87,12 @@ class PeakKernel final : public Kernel {
  private:
   double sign_of(const Extreme& peak) const {
     return part_ == Part::Magnitude && peak.value < 0 ? -1 : 1;
+  }
+  /// Slopes by the inputs of f as those by every variable.
+  static void spread(const Function& f, double sign, const std::vector<double>& slopes,
+                     std::span<double> g) {
+    std::fill(g.begin(), g.end(), 0.0);
+    for (std::size_t k = 0; k < slopes.size(); ++k) g[f.inputs()[k]] = sign * slopes[k];
   }
   Extreme find(std::span<const double> u) const {
     return extreme_of(*response_.curve().trace(u), part_);

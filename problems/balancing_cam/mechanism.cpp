@@ -3,6 +3,7 @@
 
 #include "kinematics/mechanisms/balancing_cam.h"
 #include "problems/geneva/drive_tables.h"
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/peak_number.h"
 #include "problems/mechanism/turn_responses.h"
 
@@ -179,14 +180,7 @@ MechanismResponse curve(const Row& row) {
 
 template <template <class> class M>
 std::vector<MechanismResponse> curves() {
-  std::vector<MechanismResponse> all;
-  for (DriveRow& row : drive_rows()) {
-    all.push_back(turn_response<M>(std::move(row.about), row.which, [](const auto& machine) {
-      return [machine](DriveCurve which, std::size_t section, const auto& phi) {
-        return drive_curve(machine, which, section, phi);
-      };
-    }));
-  }
+  std::vector<MechanismResponse> all = drive_curves<M>();
   for (const Row& row : kRows) all.push_back(curve<M>(row));
   return all;
 }
@@ -262,7 +256,7 @@ Mechanism balancing_cam(const char* name, const char* title) {
                                  Quantity::ResidualShare));
   responses.push_back(balance<M>("touching_coefficient", "K, were the rollers always on the cam",
                                  Quantity::TouchingShare));
-  for (MechanismResponse& response : curves<M>()) responses.push_back(std::move(response));
+  append(responses, curves<M>());
   return {.name = name,
           .title = title,
           .source =

@@ -80,10 +80,6 @@ Parameters joined(const std::vector<Parameters>& lists) {
   return all;
 }
 
-void append(std::vector<MechanismResponse>& responses, std::vector<MechanismResponse> more) {
-  for (MechanismResponse& response : more) responses.push_back(std::move(response));
-}
-
 NamedPeak peak_pressure_angle() {
   return {"peak_pressure_angle", "pressure_angle", Part::Magnitude, "greatest pressure angle"};
 }

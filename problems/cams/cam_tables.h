@@ -28,9 +28,6 @@ Parameters blank_parameters();
 /// Friction and sizes of the guide of a sliding follower.
 Parameters guide_parameters();
 
-/// Responses behind others.
-void append(std::vector<MechanismResponse>& responses, std::vector<MechanismResponse> more);
-
 /// One list after another.
 Parameters joined(const std::vector<Parameters>& lists);
 

@@ -6,6 +6,7 @@
 #include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 
@@ -97,17 +98,9 @@ MechanismResponse bearing(Bearing which, ResponseAbout about) {
                                     });
 }
 
-enum class Axis { X, Y };
-
-MechanismResponse second_profile(Axis axis, const char* name) {
-  return listed_curve<ConjugateCam>(
-      {name, "mm", "m", "profile of the second cam, in the coordinates of the main one"},
-      turn_of_the_cam(), axis, [](const auto& cam, Axis wanted, const auto& motion, const auto& x) {
-        using X = std::decay_t<decltype(x)>;
-        const X phi = number<X>(2) * pi<X>() * x;
-        const auto place = turned_back(cam.second_profile(cam.over_angle(motion)), phi);
-        return wanted == Axis::X ? place.first : place.second;
-      });
+MechanismResponse second_profile(DrawnCurve which, const char* name) {
+  return drawn_response<ConjugateCam>(
+      which, name, "profile of the second cam, in the coordinates of the main one");
 }
 
 std::vector<MechanismResponse> conjugate_responses() {
@@ -121,8 +114,8 @@ std::vector<MechanismResponse> conjugate_responses() {
   all.push_back(bearing(Bearing::Stress, {"contact_stress", "MPa", "Pa",
                                           "greatest Hertz pressure on the cam that bears"}));
   append(all, drawn_responses<ConjugateCam>(false));
-  all.push_back(second_profile(Axis::X, "second_profile_x"));
-  all.push_back(second_profile(Axis::Y, "second_profile_y"));
+  all.push_back(second_profile(DrawnCurve::SecondX, "second_profile_x"));
+  all.push_back(second_profile(DrawnCurve::SecondY, "second_profile_y"));
   all.push_back(number_response<ConjugateCam>(
       {"second_base_radius", "mm", "m",
        "radius of the second cam's profile at displacement 1, its least for programs up to there"},

@@ -9,7 +9,7 @@
 /// What is drawn of a cam, and cut: its curves in its own coordinates, mass and inertia.
 namespace camlaw::problems {
 
-enum class DrawnCurve { ProfileX, ProfileY, PitchX, PitchY, CutterX, CutterY };
+enum class DrawnCurve { ProfileX, ProfileY, PitchX, PitchY, CutterX, CutterY, SecondX, SecondY };
 
 /// The profile under a roller is its pitch curve less the roller; other cams say themselves.
 template <class Cam, class X>
@@ -43,27 +43,33 @@ std::pair<X, X> on_cam(const Cam& cam, const CamPoint<X>& p, const X& phi) {
 
 template <class Cam, class X>
 CamPoint<X> drawn_point(const Cam& cam, DrawnCurve which, const FollowerMotion<X>& f) {
-  if (which == DrawnCurve::ProfileX || which == DrawnCurve::ProfileY) return profile_of(cam, f);
+  using D = DrawnCurve;
+  if constexpr (requires { cam.second_profile(f); }) {
+    if (which == D::SecondX || which == D::SecondY) return cam.second_profile(f);
+  }
   if constexpr (requires { cam.pitch_curve(f); }) {
-    if (which == DrawnCurve::CutterX || which == DrawnCurve::CutterY) return cutter_of(cam, f);
-    const auto w = cam.pitch_curve(f);
-    return {w.x, w.y, w.x1, w.y1};
+    if (which == D::CutterX || which == D::CutterY) return cutter_of(cam, f);
+    if (which == D::PitchX || which == D::PitchY) {
+      const auto w = cam.pitch_curve(f);
+      return {w.x, w.y, w.x1, w.y1};
+    }
   }
   return profile_of(cam, f);
 }
 
 template <template <class> class M>
 MechanismResponse drawn_response(DrawnCurve which, const char* name, const char* meaning) {
-  return listed_curve<M>(
-      {name, "mm", "m", meaning}, turn_of_the_cam(), which,
-      [](const auto& cam, DrawnCurve curve, const auto& motion, const auto& x) {
-        using X = std::decay_t<decltype(x)>;
-        const X phi = number<X>(2) * pi<X>() * x;
-        const auto place = on_cam(cam, drawn_point(cam, curve, cam.over_angle(motion)), phi);
-        const bool across = curve == DrawnCurve::ProfileY || curve == DrawnCurve::PitchY ||
-                            curve == DrawnCurve::CutterY;
-        return across ? place.second : place.first;
-      });
+  return listed_curve<M>({name, "mm", "m", meaning}, turn_of_the_cam(), which,
+                         [](const auto& cam, DrawnCurve curve, const auto& motion, const auto& x) {
+                           using X = std::decay_t<decltype(x)>;
+                           const X phi = number<X>(2) * pi<X>() * x;
+                           const auto place =
+                               on_cam(cam, drawn_point(cam, curve, cam.over_angle(motion)), phi);
+                           using D = DrawnCurve;
+                           const bool across = curve == D::ProfileY || curve == D::PitchY ||
+                                               curve == D::CutterY || curve == D::SecondY;
+                           return across ? place.second : place.first;
+                         });
 }
 
 /// Profile, and of a roller or an edge the pitch curve and the way of the tool.

@@ -4,7 +4,9 @@
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/drawn_responses.h"
+#include "problems/cams/face_responses.h"
 #include "problems/cams/follower_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 
@@ -31,48 +33,27 @@ namespace {
 using optim::Part;
 using S = optim::Shape;
 
-enum class Curve { ContactOffset, ProfileRadius, ContactStress, ContactHalfWidth };
-
-MechanismResponse curve(Curve which, ResponseAbout about) {
-  return listed_curve<FlatCam>(std::move(about), turn_of_the_cam(), which,
-                               [](const auto& cam, Curve wanted, const auto& motion) {
-                                 const auto f = cam.over_angle(motion);
-                                 switch (wanted) {
-                                   case Curve::ContactOffset:
-                                     return cam.contact_offset(f);
-                                   case Curve::ProfileRadius:
-                                     return cam.profile_radius(f);
-                                   case Curve::ContactStress:
-                                     return cam.contact_stress(f);
-                                   case Curve::ContactHalfWidth:
-                                     break;
-                                 }
-                                 return cam.contact_half_width(f);
-                               });
+MechanismResponse contact_offset() {
+  return curve_response<FlatCam>({"contact_offset",
+                                  "mm",
+                                  "m",
+                                  "where the face touches, from the follower's axis",
+                                  {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}},
+                                 turn_of_the_cam(), [](const auto& cam) {
+                                   return [cam](const auto& motion) {
+                                     return cam.contact_offset(cam.over_angle(motion));
+                                   };
+                                 });
 }
 
 }  // namespace
 
 Mechanism flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
-  responses.push_back(
-      curve(Curve::ContactOffset, {"contact_offset",
-                                   "mm",
-                                   "m",
-                                   "where the face touches, from the follower's axis",
-                                   {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}}));
-  responses.push_back(
-      curve(Curve::ProfileRadius,
-            {"profile_radius",
-             "mm",
-             "m",
-             "radius of curvature of the profile; the cam can be made while it is above 0",
-             {{{"law", "base_radius"}, S::Linear}, {{"stroke", "base_radius"}, S::Linear}}}));
-  responses.push_back(
-      curve(Curve::ContactStress,
-            {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"}));
-  responses.push_back(curve(Curve::ContactHalfWidth,
-                            {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  responses.push_back(contact_offset());
+  responses.push_back(profile_radius_response<FlatCam>(
+      {{{"law", "base_radius"}, S::Linear}, {{"stroke", "base_radius"}, S::Linear}}));
+  append(responses, face_contact_responses<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
   return {.name = "disc-cam-flat",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/cams/cam_motion.h"
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/cycle_mean.h"
 #include "problems/mechanism/law_number.h"
 #include "problems/mechanism/listed_responses.h"
@@ -177,7 +178,7 @@ std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
       }
     }
   }
-  for (MechanismResponse& number : follower_numbers<M>()) all.push_back(std::move(number));
+  append(all, follower_numbers<M>());
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include "problems/cams/cams.h"
 #include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 

@@ -6,6 +6,7 @@
 #include "problems/cams/drawn_responses.h"
 #include "problems/cams/follower_responses.h"
 #include "problems/cams/roller_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 

@@ -48,32 +48,16 @@ X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
   return k;
 }
 
-/// One of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller().
-template <template <class> class M>
-MechanismResponse roller_response(RollerCurve which, ResponseAbout about) {
-  return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
-                         [](const auto& cam, RollerCurve curve, const auto& motion) {
-                           return roller_curve(cam, curve, cam.over_angle(motion));
-                         });
-}
-
-inline ResponseAbout outer_undercut_about() {
-  return {"outer_undercut", "1", "1",
-          "share of the pitch curve's radius that the roller takes of a groove's outer flank; at 1 "
-          "that flank is undercut"};
-}
-
-inline ResponseAbout groove_stress_about() {
-  return {"groove_stress", "MPa", "Pa",
-          "greatest Hertz pressure in a groove, on the flank that bears the force"};
-}
-
-/// All of them; `angle` are the shapes of the pressure angle.
+/// All of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller();
+/// `angle` are the shapes of the pressure angle.
 template <template <class> class M>
 std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angle) {
   std::vector<MechanismResponse> all;
   const auto add = [&](RollerCurve which, ResponseAbout about) {
-    all.push_back(roller_response<M>(which, std::move(about)));
+    all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                                  [](const auto& cam, RollerCurve curve, const auto& motion) {
+                                    return roller_curve(cam, curve, cam.over_angle(motion));
+                                  }));
   };
   using C = RollerCurve;
   add(C::PressureAngle,
@@ -93,8 +77,12 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
   add(C::ContactStress,
       {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between roller and cam"});
   add(C::ContactHalfWidth, {"contact_half_width", "mm", "m", "half the width of the contact"});
-  add(C::OuterUndercut, outer_undercut_about());
-  add(C::GrooveStress, groove_stress_about());
+  add(C::OuterUndercut,
+      {"outer_undercut", "1", "1",
+       "share of the pitch curve's radius that the roller takes of a groove's outer flank; at 1 "
+       "that flank is undercut"});
+  add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
+                        "greatest Hertz pressure in a groove, on the flank that bears the force"});
   return all;
 }
 

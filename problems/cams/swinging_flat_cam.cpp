@@ -4,7 +4,9 @@
 #include "problems/cams/cam_tables.h"
 #include "problems/cams/cams.h"
 #include "problems/cams/drawn_responses.h"
+#include "problems/cams/face_responses.h"
 #include "problems/cams/follower_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 
@@ -41,26 +43,15 @@ namespace {
 
 using optim::Part;
 
-enum class Curve { ContactLever, ProfileRadius, ContactForce, ContactStress, ContactHalfWidth };
+enum class Curve { ContactLever, ContactForce };
 
 MechanismResponse curve(Curve which, ResponseAbout about) {
-  return listed_curve<SwingingFlatCam>(std::move(about), turn_of_the_cam(), which,
-                                       [](const auto& cam, Curve wanted, const auto& motion) {
-                                         const auto f = cam.over_angle(motion);
-                                         switch (wanted) {
-                                           case Curve::ContactLever:
-                                             return cam.contact_lever(f);
-                                           case Curve::ProfileRadius:
-                                             return cam.profile_radius(f);
-                                           case Curve::ContactForce:
-                                             return cam.contact_force(f);
-                                           case Curve::ContactStress:
-                                             return cam.contact_stress(f);
-                                           case Curve::ContactHalfWidth:
-                                             break;
-                                         }
-                                         return cam.contact_half_width(f);
-                                       });
+  return listed_curve<SwingingFlatCam>(
+      std::move(about), turn_of_the_cam(), which,
+      [](const auto& cam, Curve wanted, const auto& motion) {
+        const auto f = cam.over_angle(motion);
+        return wanted == Curve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
+      });
 }
 
 }  // namespace
@@ -70,17 +61,10 @@ Mechanism swinging_flat_cam_mechanism() {
   responses.push_back(curve(
       Curve::ContactLever,
       {"contact_lever", "mm", "m", "where the face touches, along it from the foot of the pivot"}));
-  responses.push_back(
-      curve(Curve::ProfileRadius,
-            {"profile_radius", "mm", "m",
-             "radius of curvature of the profile; the cam can be made while it is above 0"}));
+  responses.push_back(profile_radius_response<SwingingFlatCam>({}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
-  responses.push_back(
-      curve(Curve::ContactStress,
-            {"contact_stress", "MPa", "Pa", "greatest Hertz pressure between face and cam"}));
-  responses.push_back(curve(Curve::ContactHalfWidth,
-                            {"contact_half_width", "mm", "m", "half the width of the contact"}));
+  append(responses, face_contact_responses<SwingingFlatCam>());
   append(responses, drawn_responses<SwingingFlatCam>(false));
   append(responses, blank_responses<SwingingFlatCam>());
   return {.name = "disc-cam-swinging-flat",

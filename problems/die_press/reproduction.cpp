@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "kinematics/mechanisms/die_press.h"
+#include "kinematics/root.h"
 #include "problems/die_press/die_press.csv.h"
 #include "problems/units.h"
 
@@ -77,12 +78,8 @@ struct Loads {
 };
 
 double load_for(const Press& press, const std::string& quantity, double value) {
-  double low = 1, high = 1e6;
-  while (high - low > 1e-9 * high) {
-    const double middle = (low + high) / 2;
-    (under(press, quantity, middle, false) < value ? low : high) = middle;
-  }
-  return high;
+  return root_between([&](double load) { return under(press, quantity, load, false) - value; }, 1,
+                      1e6);
 }
 
 Loads implied_loads(const PrintedValue& row) {

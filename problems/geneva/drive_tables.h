@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/mechanism/mechanism.h"
-#include "problems/mechanism/responses.h"
+#include "problems/mechanism/turn_responses.h"
 
 /// What every mechanism with a Geneva has in common.
 namespace camlaw::problems {
@@ -52,6 +52,20 @@ X drive_curve(const Drive& drive, DriveCurve which, std::size_t section, const X
       break;
   }
   return drive.surplus_work(beta, phi);
+}
+
+/// All of them for such a machine M.
+template <template <class> class M>
+std::vector<MechanismResponse> drive_curves() {
+  std::vector<MechanismResponse> all;
+  for (DriveRow& row : drive_rows()) {
+    all.push_back(turn_response<M>(std::move(row.about), row.which, [](const auto& drive) {
+      return [drive](DriveCurve which, std::size_t section, const auto& phi) {
+        return drive_curve(drive, which, section, phi);
+      };
+    }));
+  }
+  return all;
 }
 
 }  // namespace camlaw::problems

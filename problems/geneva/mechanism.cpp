@@ -2,7 +2,7 @@
 #include "kinematics/mechanisms/surplus.h"
 #include "problems/geneva/drive_tables.h"
 #include "problems/geneva/geneva.h"
-#include "problems/mechanism/turn_responses.h"
+#include "problems/mechanism/append.h"
 
 namespace camlaw::problems {
 
@@ -70,13 +70,7 @@ std::vector<MechanismResponse> drive_responses() {
   add(Q::GreatestTorque, {"greatest_drive_torque", "N m", "N m", "greatest torque on the driver"});
   add(Q::IdealBalance,
       {"ideal_balance", "1", "1", "greatest over mean torque: K of an ideal balance"});
-  for (DriveRow& row : drive_rows()) {
-    all.push_back(turn_response<M>(std::move(row.about), row.which, [](const auto& machine) {
-      return [drive = machine.drive()](DriveCurve which, std::size_t section, const auto& phi) {
-        return drive_curve(drive, which, section, phi);
-      };
-    }));
-  }
+  append(all, drive_curves<M>());
   return all;
 }
 
@@ -124,9 +118,7 @@ std::vector<NamedPeak> peaks() {
 
 Mechanism planar_geneva_mechanism() {
   std::vector<MechanismResponse> responses = rooms();
-  for (MechanismResponse& response : drive_responses<PlanarGenevaDrive>()) {
-    responses.push_back(std::move(response));
-  }
+  append(responses, drive_responses<PlanarGenevaDrive>());
   return {.name = "geneva",
           .title = "planar Geneva that drives a conveyor",
           .source = "docs/theory.md, Geneva mechanisms",

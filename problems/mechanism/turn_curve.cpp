@@ -25,11 +25,17 @@ bool stands_at(double angle, double meet) {
 /// pi / 180, enclosed.
 Interval degree() { return pi<Interval>() / Interval(180.0); }
 
+/// The section of a place for arguments of the machine.
+std::size_t section_in(const TurnParts& parts, std::span<const double> u, optim::Place place) {
+  return parts.sections.size() > 1 ? section_of(parts.breaks(u), place) : 0;
+}
+
 /// A section's formula at one place: the angle is worked in. A design that moves a break over the
 /// place changes the section.
 class TurnRow final : public optim::Kernel {
  public:
-  TurnRow(const TurnParts& parts, optim::Place place) : parts_(parts), place_(place) {}
+  TurnRow(std::shared_ptr<const TurnParts> parts, optim::Place place)
+      : parts_(std::move(parts)), place_(place) {}
 
   double value(std::span<const double> u) const override { return section(u).value(with_angle(u)); }
   double gradient(std::span<const double> u, std::span<double> g) const override {
@@ -49,7 +55,7 @@ class TurnRow final : public optim::Kernel {
 
  private:
   const optim::Kernel& section(std::span<const double> u) const {
-    return *parts_.sections[section_of(parts_.breaks(u), place_)];
+    return *parts_->sections[section_in(*parts_, u, place_)];
   }
   std::vector<double> with_angle(std::span<const double> u) const {
     std::vector<double> result(u.begin(), u.end());
@@ -57,7 +63,7 @@ class TurnRow final : public optim::Kernel {
     return result;
   }
 
-  TurnParts parts_;
+  std::shared_ptr<const TurnParts> parts_;
   optim::Place place_;
 };
 
@@ -125,7 +131,9 @@ std::size_t section_of(const std::vector<double>& breaks, optim::Place place) {
 }
 
 TurnCurve::TurnCurve(TurnParts parts, const Binding& binding, optim::Shape shape)
-    : parts_(std::move(parts)), variables_(binding.variables), shape_(shape) {}
+    : parts_(std::make_shared<const TurnParts>(std::move(parts))),
+      variables_(binding.variables),
+      shape_(shape) {}
 
 std::vector<double> TurnCurve::arguments(optim::Design x) const {
   std::vector<double> result;
@@ -134,14 +142,15 @@ std::vector<double> TurnCurve::arguments(optim::Design x) const {
 }
 
 bool TurnCurve::breaks_move() const {
-  return std::any_of(parts_.joints.begin(), parts_.joints.end(),
+  return std::any_of(parts_->joints.begin(), parts_->joints.end(),
                      [](const auto& joint) { return joint.left != nullptr; });
 }
 
 optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
-  const std::vector<double> breaks = parts_.breaks(arguments(x));
+  if (!breaks_move()) return place;
+  const std::vector<double> breaks = parts_->breaks(arguments(x));
   for (std::size_t k = 0; k < breaks.size(); ++k) {
-    const bool stands = parts_.joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
+    const bool stands = parts_->joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
     if (stands) place.joint = static_cast<int>(k);
   }
   return place;
@@ -149,7 +158,7 @@ optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
 
 optim::Function TurnCurve::at(optim::Place place) const {
   if (place.joint >= 0) {
-    const auto& joint = parts_.joints[static_cast<std::size_t>(place.joint)];
+    const auto& joint = parts_->joints[static_cast<std::size_t>(place.joint)];
     return function_of(variables_, place.from_left ? joint.left : joint.right, shape_);
   }
   return function_of(variables_, std::make_shared<TurnRow>(parts_, place), shape_);
@@ -159,11 +168,11 @@ optim::Function TurnCurve::at(optim::Place place) const {
 /// angle.
 std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design x) const {
   std::vector<double> u = arguments(x);
-  const std::size_t section = section_of(parts_.breaks(u), place);
+  const std::size_t section = section_in(*parts_, u, place);
   const std::size_t last = u.size();
   u.push_back(place.angle * kDegree);
   std::vector<double> g(u.size()), h(optim::packed_size(u.size()));
-  parts_.sections[section]->hessian(u, g, h);
+  parts_->sections[section]->hessian(u, g, h);
   std::vector<double> result(x.size(), 0.0);
   for (std::size_t k = 0; k < last; ++k) {
     result[variables_[k]] += h[optim::packed(last, k)] * kDegree;
@@ -172,7 +181,7 @@ std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design 
 }
 
 std::unique_ptr<optim::Trace> TurnCurve::trace(optim::Design x) const {
-  return std::make_unique<TurnTrace>(parts_.formula(arguments(x)));
+  return std::make_unique<TurnTrace>(parts_->formula(arguments(x)));
 }
 
 }  // namespace camlaw::problems

@@ -63,7 +63,7 @@ class TurnCurve final : public optim::Curve {
  private:
   std::vector<double> arguments(optim::Design x) const;
 
-  TurnParts parts_;
+  std::shared_ptr<const TurnParts> parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments
   optim::Shape shape_;
 };

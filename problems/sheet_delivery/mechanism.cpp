@@ -2,6 +2,7 @@
 #include "problems/sheet_delivery/mechanism.h"
 
 #include "kinematics/mechanisms/sheet_delivery.h"
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/listed_responses.h"
 
 namespace camlaw::problems {
@@ -172,7 +173,7 @@ std::vector<MechanismResponse> curves() {
 
 Mechanism sheet_delivery_mechanism() {
   std::vector<MechanismResponse> responses = numbers();
-  for (MechanismResponse& response : curves()) responses.push_back(std::move(response));
+  append(responses, curves());
   return {.name = "sheet-delivery",
           .title = "delivery carriage on a rod from a chain in curved guides",
           .source =

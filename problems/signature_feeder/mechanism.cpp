@@ -2,6 +2,7 @@
 #include "problems/signature_feeder/mechanism.h"
 
 #include "kinematics/mechanisms/signature_feeder.h"
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/turn_responses.h"
 
 namespace camlaw::problems {
@@ -151,7 +152,7 @@ std::vector<MechanismResponse> curves() {
 
 Mechanism signature_feeder_mechanism() {
   std::vector<MechanismResponse> responses = numbers();
-  for (MechanismResponse& response : curves()) responses.push_back(std::move(response));
+  append(responses, curves());
   return {.name = "signature-feeder",
           .title = "crank, rocking guide and rack of a reversing signature feeder",
           .source =

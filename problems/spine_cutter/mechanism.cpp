@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "problems/spine_cutter/mechanism.h"
 
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/responses.h"
 
 namespace camlaw::problems {
@@ -128,7 +129,7 @@ const std::vector<MechanismParameter>& spine_cutter_parameters() {
 
 Mechanism spine_cutter_mechanism() {
   std::vector<MechanismResponse> responses = numbers();
-  for (MechanismResponse& curve : curves()) responses.push_back(std::move(curve));
+  append(responses, curves());
   return {.name = "spine-cutter",
           .title = "spine-notching cutter stroked by a face cam",
           .source = "Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70)",

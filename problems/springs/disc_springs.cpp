@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/springs/disc_spring_stack.h"
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/responses.h"
+#include "problems/springs/linear.h"
 #include "problems/springs/springs.h"
 
 namespace camlaw::problems {
@@ -91,12 +93,6 @@ MechanismResponse between(ResponseAbout about, F value) {
     const auto stack = springs.stack();
     return value(stack, springs.working_deflection) - value(stack, springs.preload_deflection);
   });
-}
-
-std::vector<ShapeStatement> linear(std::vector<std::vector<std::string>> alone) {
-  std::vector<ShapeStatement> shapes;
-  for (auto& varying : alone) shapes.push_back({std::move(varying), S::Linear});
-  return shapes;
 }
 
 std::vector<MechanismResponse> forces() {
@@ -214,9 +210,7 @@ std::vector<MechanismResponse> sizes() {
 
 Mechanism disc_springs_mechanism() {
   std::vector<MechanismResponse> responses = forces();
-  for (auto make : {&stresses, &sizes}) {
-    for (MechanismResponse& response : make()) responses.push_back(std::move(response));
-  }
+  for (auto make : {&stresses, &sizes}) append(responses, make());
   return {.name = "disc-springs",
           .title = "stack of disc springs between two deflections",
           .source =

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/springs/helical_spring.h"
 
+#include "problems/mechanism/append.h"
 #include "problems/mechanism/responses.h"
+#include "problems/springs/linear.h"
 #include "problems/springs/springs.h"
 
 namespace camlaw::problems {
@@ -63,12 +65,6 @@ using S = optim::Shape;
 template <class F>
 MechanismResponse plain(ResponseAbout about, F formula) {
   return number_response<WorkingSpring>(std::move(about), formula);
-}
-
-std::vector<ShapeStatement> linear(std::vector<std::vector<std::string>> alone) {
-  std::vector<ShapeStatement> shapes;
-  for (auto& varying : alone) shapes.push_back({std::move(varying), S::Linear});
-  return shapes;
 }
 
 /// R s and the like: linear in G and in s, convex in the coils, whose powers are all below 0.
@@ -193,9 +189,7 @@ std::vector<MechanismResponse> masses() {
 
 Mechanism helical_spring_mechanism() {
   std::vector<MechanismResponse> responses = forces();
-  for (auto make : {&stresses, &sizes, &masses}) {
-    for (MechanismResponse& response : make()) responses.push_back(std::move(response));
-  }
+  for (auto make : {&stresses, &sizes, &masses}) append(responses, make());
   return {.name = "helical-spring",
           .title = "helical compression spring of round wire between two deflections",
           .source =

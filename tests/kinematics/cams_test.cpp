@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "kinematics/cams/end_cam.h"
@@ -13,34 +12,12 @@
 #include "kinematics/cams/swinging_roller_cam.h"
 #include "kinematics/program/program.h"
 #include "kinematics/series.h"
+#include "tests/kinematics/drawn_cam.h"
 
 namespace camlaw {
 namespace {
 
-using Point = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
-constexpr int kAngles = 3600;
-
-/// Rise in 150 deg, rest, return in 130 deg, rest.
-const Law<double>& program() {
-  static const Law<double> law = motion_program({{"rise", 150, 1, false, find_law("modified-sine")},
-                                                 {"high", 30, 1, true, {}},
-                                                 {"back", 130, 0, false, find_law("cycloidal")},
-                                                 {"low", 50, 0, true, {}}},
-                                                Matched::Acceleration)
-                                     .law();
-  return law;
-}
-
-double angle_of(int i) { return 2 * kPi * i / kAngles; }
-
-template <class Cam>
-FollowerMotion<double> motion_at(const Cam& cam, double angle) {
-  return cam.over_angle(program()(angle / (2 * kPi)));
-}
-
-/// A point seen from the frame, as the cam at `angle` carries it: turned back.
-Point on_cam(Point seen, double angle) { return seen * std::polar(1.0, -angle); }
+using namespace testing;
 
 /// Roller centres and profile points on the cam, and the formula's values beside them.
 struct Drawn {
@@ -49,7 +26,7 @@ struct Drawn {
 };
 
 template <class Cam>
-Drawn drawn(const Cam& cam) {
+Drawn drawn_cam(const Cam& cam) {
   Drawn result;
   for (int i = 0; i < kAngles; ++i) {
     const auto f = motion_at(cam, angle_of(i));
@@ -63,18 +40,11 @@ Drawn drawn(const Cam& cam) {
   return result;
 }
 
-/// 1 / radius of the circle through three points, positive where they turn clockwise, as the
-/// curve on the cam runs.
-double curvature_of(Point a, Point b, Point c) {
-  const double turn = std::imag(std::conj(b - a) * (c - b));
-  return -2 * turn / (std::abs(b - a) * std::abs(c - b) * std::abs(c - a));
-}
-
 /// The profile does to the roller what the formulas say: laid against it, the roller touches at
 /// one place, and nowhere does the cam come nearer.
 template <class Cam>
 void check_rolled_back(const Cam& cam) {
-  const Drawn d = drawn(cam);
+  const Drawn d = drawn_cam(cam);
   for (int i = 0; i < kAngles; i += 90) {
     INFO(i * 360.0 / kAngles << " deg");
     double nearest = 1e9;
@@ -90,7 +60,7 @@ void check_rolled_back(const Cam& cam) {
 
 template <class Cam>
 void check_curvature(const Cam& cam) {
-  const Drawn d = drawn(cam);
+  const Drawn d = drawn_cam(cam);
   for (int i = 45; i < kAngles; i += 70) {
     INFO(i * 360.0 / kAngles << " deg");
     const double measured = curvature_of(d.profile[i - 1], d.profile[i], d.profile[i + 1]);

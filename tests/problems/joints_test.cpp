@@ -34,6 +34,20 @@ void check_joint(const optim::Curve& curve, std::size_t k, const std::vector<dou
   }
 }
 
+/// A balancing cam whose lift-off varies from a start on.
+std::string lift_off_problem(const std::string& start, const std::string& asked) {
+  return R"(
+mechanism = "balancing-cam"
+[constants]
+springs = 50
+preload_ratio = 1.2
+[variables.lift_off]
+lower = "5 deg"
+upper = "40 deg"
+start = ")" +
+         start + "\"\n" + asked;
+}
+
 optim::Optimum solved(const std::string& text) {
   return optim::optimise(BoundProblem(read_problem(text, "joints")).space());
 }
@@ -71,50 +85,29 @@ TEST_CASE("places at a mechanism's breaks move with it", "[joints]") {
 
 TEST_CASE("a peak at a break that moves is followed to where the limit is met", "[joints]") {
   // The greatest torque stands at the end of the lift-off and rises with it.
-  const auto optimum = solved(R"(
-mechanism = "balancing-cam"
-[constants]
-springs = 50
-preload_ratio = 1.2
-[variables.lift_off]
-lower = "5 deg"
-upper = "40 deg"
-start = "25 deg"
-[objective]
+  const auto optimum = solved(lift_off_problem("25 deg", R"([objective]
 maximize = "lift_off"
 [[constraints]]
 response = "residual_torque"
 upper = "9 N m"
-)");
+)"));
   const auto& assessment = optimum.found.assessment;
   CHECK(assessment.verdict == optim::Verdict::Certified);
   // Where M_d reaches 9 N m first, by bisection on the drive's torque.
   const Mechanism& balancing = find_mechanism("balancing-cam");
   const TestDesign design = design_of(balancing, "constant-velocity", {}, {});
   const auto drive = response_of(balancing, "drive_torque", design.binding).curve().trace({});
-  double low = 5, high = 30;
-  while (high - low > 1e-10) {
-    const double middle = (low + high) / 2;
-    (drive->at({middle})[0] < 9 ? low : high) = middle;
-  }
-  CHECK(optimum.found.x[0] == Approx(low).epsilon(1e-7));
-  CHECK(assessment.limits[0].multiplier == Approx(1 / drive->at({low})[1]).epsilon(1e-5));
+  const double first =
+      testing::root([&](double angle) { return drive->at({angle})[0] - 9; }, 5, 30);
+  CHECK(optimum.found.x[0] == Approx(first).epsilon(1e-7));
+  CHECK(assessment.limits[0].multiplier == Approx(1 / drive->at({first})[1]).epsilon(1e-5));
 }
 
 TEST_CASE("the coefficient of balance has its slope where its peak stands at the lift-off",
           "[joints]") {
-  const auto optimum = solved(R"(
-mechanism = "balancing-cam"
-[constants]
-springs = 50
-preload_ratio = 1.2
-[variables.lift_off]
-lower = "5 deg"
-upper = "40 deg"
-start = "20 deg"
-[objective]
+  const auto optimum = solved(lift_off_problem("20 deg", R"([objective]
 maximize = "balancing_coefficient"
-)");
+)"));
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
   CHECK(optimum.found.assessment.objective.value == Approx(9.12976277).epsilon(1e-8));
 }

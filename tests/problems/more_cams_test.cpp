@@ -9,26 +9,21 @@
 
 #include "kinematics/program/program.h"
 #include "kinematics/series.h"
-#include "optim/problem/check_derivatives.h"
-#include "optim/search/optimise.h"
-#include "problems/statement/bind.h"
-#include "tests/problems/mechanism_fixture.h"
+#include "tests/problems/system_fixture.h"
 
 namespace camlaw::problems {
 namespace {
 
 using optim::Found;
 using optim::Verdict;
-using testing::design_of, testing::response_of, testing::TestDesign;
+using testing::design_of, testing::response_of, testing::root, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
 /// A cam's file solved; the verdict is proved, and derivatives and stated forms hold.
 Found solved(const std::string& name) {
   INFO(name);
-  const BoundProblem bound(
-      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/" + name));
-  const auto space = bound.space();
+  const auto space = testing::shipped("cams/" + name).space();
   const auto problem = space.problem(std::vector<std::size_t>(space.choices.size(), 0));
   const auto check = optim::check_derivatives(problem, problem.start());
   CHECK(check.agrees);
@@ -59,16 +54,6 @@ double greatest(const std::vector<Stretch>& stretches, double stroke, const F& f
     }
   }
   return result;
-}
-
-/// Where an increasing f vanishes between two numbers.
-template <class F>
-double root(const F& f, double low, double high) {
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (f(middle) < 0 ? low : high) = middle;
-  }
-  return low;
 }
 
 const std::vector<const char*> kCams{"disc-cam-roller",

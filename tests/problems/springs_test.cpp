@@ -10,7 +10,7 @@
 namespace camlaw::problems {
 namespace {
 
-using testing::design_of, testing::response_of, testing::TestDesign;
+using testing::design_of, testing::response_of, testing::root, testing::TestDesign;
 constexpr double kPi = std::numbers::pi;
 
 const Mechanism& discs() { return find_mechanism("disc-springs"); }
@@ -30,16 +30,6 @@ optim::Optimum solved(const BoundProblem& bound) {
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
   for (const auto& limit : optimum.found.assessment.limits) CHECK(limit.proved);
   return optimum;
-}
-
-/// Where a rising f is 0, from low to high.
-template <class F>
-double root(const F& f, double low, double high) {
-  for (int i = 0; i < 200; ++i) {
-    const double middle = (low + high) / 2;
-    (f(middle) < 0 ? low : high) = middle;
-  }
-  return (low + high) / 2;
 }
 
 /// What a follower's spring must do, and the lightest that does it.

@@ -60,6 +60,16 @@ inline BoundProblem shipped(const std::string& file) {
   return BoundProblem(read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + file));
 }
 
+/// Where a rising f is 0 between two numbers, by halving; an end where it is 0 beyond that one.
+template <class F>
+double root(const F& f, double low, double high) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (f(middle) < 0 ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
 /// Least f(t) over a grid on [low, high], refined by golden section around the best.
 template <class F>
 double grid_minimum(const F& f, double low, double high, int steps, double* where = nullptr) {
