@@ -21,12 +21,13 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--search") measures::print_search_table();
   if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
   if (all || wanted == "--cams") measures::print_cam_table();
+  if (wanted == "--fronts") measures::print_known_fronts(60);
   if (wanted == "--accuracy") {
     measures::print_hock_schittkowski_table();
     measures::print_cam_shape_accuracy();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
-      wanted == "--accuracy") {
+      wanted == "--fronts" || wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();

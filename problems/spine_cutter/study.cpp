@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "kinematics/limits.h"
-#include "optim/dominance.h"
+#include "optim/pareto/dominance.h"
 
 namespace camlaw::problems {
 namespace {

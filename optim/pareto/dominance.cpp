@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/dominance.h"
+#include "optim/pareto/dominance.h"
 
 #include <algorithm>
 #include <cmath>

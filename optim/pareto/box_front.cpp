@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "optim/pareto/part_front.h"
+
+/// The sweep of two objectives (docs/optimisation.md, "Boxes").
+namespace camlaw::optim {
+namespace {
+
+/// What a search has told: no design whose other cost is at most `bound` has less of the cost that
+/// was sought than `value`.
+struct Fact {
+  std::size_t sought;
+  double bound, value;
+};
+
+/// Between two neighbours: whatever else the front has there lies right of and above the corner.
+struct Box {
+  const FrontPoint *left, *right;
+  Costs corner;
+
+  double width(std::size_t objective) const {
+    const FrontPoint& far = objective == 0 ? *right : *left;
+    return far.costs[objective] - corner[objective];
+  }
+};
+
+std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) / 2;
+  return result;
+}
+
+class BoxFront final : public PartFront {
+ public:
+  explicit BoxFront(std::size_t part) : PartFront(part, 2) {}
+
+  /// The other cost's least where one is at its own: the ends of the front.
+  std::vector<Task> second_tasks() override {
+    std::vector<Task> tasks;
+    if (!alone_[0] || !alone_[1]) return tasks;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double range = std::abs(alone_[1 - i]->costs[i] - alone_[i]->costs[i]);
+      if (range <= slack(i)) continue;  // the other end is as good
+      Task task = bounded(1 - i, alone_[i]->costs[i] + slack(i));
+      task.starts = {alone_[i]->x};
+      tasks.push_back(std::move(task));
+    }
+    return tasks;
+  }
+
+  void take(const Task& task, const Outcome& outcome) override {
+    const std::size_t other = 1 - task.sought;
+    const double bound = task.bounds.empty() ? kInfinity : task.bounds[other];
+    double value = kInfinity;
+    for (const FrontPoint& point : outcome.points) {
+      std::erase_if(facts_, [&](const Fact& fact) { return contradicts(point, fact); });
+      replace_end(task, point);
+      insert(point);
+      value = std::min(value, point.costs[task.sought]);
+    }
+    // A search that came to less than what is known already was stuck.
+    for (const FrontPoint& known : points_) {
+      if (known.costs[other] <= bound) value = std::min(value, known.costs[task.sought]);
+    }
+    if (std::isfinite(bound)) facts_.push_back({task.sought, bound, value});
+  }
+
+  std::vector<OpenPlace> open(const FrontSoFar& front) const override {
+    std::vector<OpenPlace> places;
+    for (const Box& box : boxes()) {
+      if (front.covers(box.corner)) continue;
+      const double w = box.width(0) / front.range[0], h = box.width(1) / front.range[1];
+      constexpr double kClosed = 1e-5;
+      if (!(std::hypot(w, h) > kClosed) || !(w > 0) || !(h > 0)) continue;
+      places.push_back({std::hypot(w, h), split(box, w >= h ? 0 : 1)});
+    }
+    return places;
+  }
+
+  std::optional<Task> task_for(const FrontPoint& scouted, const FrontSoFar& front) const override {
+    const bool missed = std::any_of(facts_.begin(), facts_.end(), [&](const Fact& fact) {
+      return contradicts(scouted, fact) &&
+             scouted.costs[fact.sought] < fact.value - kNoticed * front.range[fact.sought];
+    });
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (scouted.costs[i] < least_[i] - kNoticed * front.range[i]) {
+        Task task;
+        task.part = part_;
+        task.sought = i;
+        task.starts = {scouted.x};
+        return task;
+      }
+    }
+    if (!missed || front.covers(scouted.costs)) return {};
+    Task task = bounded(1, scouted.costs[0]);
+    task.starts = {scouted.x};
+    return task;
+  }
+
+  std::vector<Costs> corners() const override {
+    std::vector<Costs> result;
+    for (const Box& box : boxes()) result.push_back(box.corner);
+    return result;
+  }
+
+ private:
+  static constexpr double kNoticed = 1e-3;  ///< of the range: what a scout must be better by
+
+  double slack(std::size_t objective) const {
+    constexpr double kShare = 1e-6;
+    const double here = alone_[objective]->costs[objective];
+    const double there = alone_[1 - objective]->costs[objective];
+    return kShare * std::max(std::abs(here), std::abs(there - here));
+  }
+
+  Task bounded(std::size_t sought, double bound) const {
+    Task task;
+    task.part = part_;
+    task.sought = sought;
+    task.bounds.assign(2, kInfinity);
+    task.bounds[1 - sought] = bound;
+    return task;
+  }
+
+  /// Halves the box along one cost.
+  Task split(const Box& box, std::size_t along) const {
+    const double middle = box.corner[along] + box.width(along) / 2;
+    Task task = bounded(1 - along, middle);
+    const FrontPoint& inside = along == 0 ? *box.left : *box.right;
+    task.starts = {halfway(box.left->x, box.right->x), inside.x};
+    return task;
+  }
+
+  static bool contradicts(const FrontPoint& point, const Fact& fact) {
+    return point.costs[1 - fact.sought] <= fact.bound && point.costs[fact.sought] < fact.value;
+  }
+
+  /// An end at which the other cost falls steeply is left for the point beside it: within the
+  /// slack of the one, but better by a part of the range in the other.
+  void replace_end(const Task& task, const FrontPoint& point) {
+    constexpr double kWorth = 1e-3;
+    const std::size_t end = 1 - task.sought;
+    if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return;
+    if (task.bounds[end] != alone_[end]->costs[end] + slack(end)) return;
+    const double gain = alone_[end]->costs[task.sought] - point.costs[task.sought];
+    const double range = alone_[end]->costs[task.sought] - alone_[task.sought]->costs[task.sought];
+    if (!(gain > kWorth * range)) return;
+    std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == alone_[end]->costs; });
+  }
+
+  std::vector<Box> boxes() const {
+    std::vector<Box> result;
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      Box box{&points_[i - 1], &points_[i], {points_[i - 1].costs[0], points_[i].costs[1]}};
+      for (const Fact& fact : facts_) narrow(box, fact);
+      result.push_back(std::move(box));
+    }
+    return result;
+  }
+
+  /// A search within the box that came to no more than one of its ends: nothing is on its side.
+  static void narrow(Box& box, const Fact& fact) {
+    constexpr double kSame = 1e-6;
+    const std::size_t along = 1 - fact.sought;
+    const FrontPoint& near = along == 0 ? *box.left : *box.right;
+    const FrontPoint& far = along == 0 ? *box.right : *box.left;
+    if (!(fact.bound > box.corner[along] && fact.bound < far.costs[along])) return;
+    const double width = far.costs[fact.sought] - near.costs[fact.sought];
+    if (fact.value < near.costs[fact.sought] - kSame * std::abs(width)) return;
+    box.corner[along] = fact.bound;
+  }
+
+  std::vector<Fact> facts_;
+};
+
+}  // namespace
+
+std::unique_ptr<PartFront> box_front(std::size_t part) { return std::make_unique<BoxFront>(part); }
+
+}  // namespace camlaw::optim

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "optim/pareto/part_front.h"
+
+/// The sweep of three objectives or more (docs/optimisation.md, "Directions").
+namespace camlaw::optim {
+namespace {
+
+using Edge = std::pair<std::size_t, std::size_t>;
+
+class DirectionFront final : public PartFront {
+ public:
+  using PartFront::PartFront;
+
+  /// The corners of the simplex of directions.
+  std::vector<Task> second_tasks() override {
+    std::vector<Task> tasks;
+    if (std::any_of(alone_.begin(), alone_.end(), [](const auto& p) { return !p; })) return tasks;
+    std::vector<Costs> ends;
+    for (const auto& point : alone_) ends.push_back(point->costs);
+    const Costs worst = nadir(ends);
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      const double range = worst[i] - least_[i];
+      scale_.push_back(range > 0 ? range : std::max(std::abs(worst[i]), 1.0));
+    }
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      std::vector<double> corner(objectives_, 0.0);
+      corner[i] = 1;
+      tasks.push_back(toward(corner, {alone_[i]->x}));
+    }
+    return tasks;
+  }
+
+  void take(const Task& task, const Outcome& outcome) override {
+    for (const FrontPoint& point : outcome.points) insert(point);
+    if (task.kind != Task::Kind::Toward) return;
+    const std::size_t vertex = vertices_.size();
+    vertices_.push_back({asked_.at(task.direction), std::nullopt});
+    if (!outcome.points.empty()) vertices_.back().point = outcome.points.front();
+    if (vertex < objectives_) {
+      if (vertex + 1 == objectives_) add_first_simplex();
+      return;
+    }
+    divide(parents_.at(task.direction), vertex);
+  }
+
+  std::vector<OpenPlace> open(const FrontSoFar& front) const override {
+    std::map<Edge, double> edges;
+    for (const auto& simplex : simplices_) {
+      const auto longest = longest_edge(simplex, front);
+      if (longest && !front.covers(corner(simplex))) edges.insert(*longest);
+    }
+    std::vector<OpenPlace> places;
+    for (const auto& [edge, length] : edges) {
+      constexpr double kClosed = 1e-4;
+      if (length > kClosed) places.push_back({length, halving(edge)});
+    }
+    return places;
+  }
+
+  std::optional<Task> task_for(const FrontPoint& scouted, const FrontSoFar& front) const override {
+    constexpr double kNoticed = 1e-3;
+    if (!improves(scouted, front, kNoticed)) return {};
+    Task task;
+    task.part = part_;
+    task.sought = 0;
+    task.bounds = scouted.costs;
+    task.bounds[0] = kInfinity;
+    task.starts = {scouted.x};
+    return task;
+  }
+
+ private:
+  struct Vertex {
+    std::vector<double> direction;  ///< not negative, adds up to one
+    std::optional<FrontPoint> point;
+  };
+  using Simplex = std::vector<std::size_t>;  ///< vertices
+
+  /// Whether the scout is better than one of the front in everything, and by enough in something.
+  static bool improves(const FrontPoint& scouted, const FrontSoFar& front, double share) {
+    return std::any_of(front.points.begin(), front.points.end(), [&](const FrontPoint& p) {
+      bool by_enough = false;
+      for (std::size_t i = 0; i < p.costs.size(); ++i) {
+        if (scouted.costs[i] > p.costs[i]) return false;
+        by_enough = by_enough || scouted.costs[i] < p.costs[i] - share * front.range[i];
+      }
+      return by_enough;
+    });
+  }
+
+  Task toward(const std::vector<double>& direction, std::vector<std::vector<double>> starts) const {
+    // No cost may be held at its least alone: there are hardly any designs there.
+    constexpr double kLeast = 1e-3;
+    Task task;
+    task.kind = Task::Kind::Toward;
+    task.part = part_;
+    task.origin = least_;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      task.direction.push_back(scale_[i] * std::max(direction[i], kLeast));
+    }
+    task.starts = std::move(starts);
+    asked_[task.direction] = direction;
+    return task;
+  }
+
+  void add_first_simplex() {
+    Simplex all;
+    for (std::size_t i = 0; i < objectives_; ++i) all.push_back(i);
+    simplices_.push_back(all);
+  }
+
+  double length(const Edge& edge, const FrontSoFar& front) const {
+    const auto &a = vertices_[edge.first].point, &b = vertices_[edge.second].point;
+    if (!a || !b) return 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      const double step = (a->costs[i] - b->costs[i]) / front.range[i];
+      sum += step * step;
+    }
+    return std::sqrt(sum);
+  }
+
+  std::optional<std::pair<Edge, double>> longest_edge(const Simplex& simplex,
+                                                      const FrontSoFar& front) const {
+    std::optional<std::pair<Edge, double>> result;
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        const Edge edge = std::minmax(simplex[i], simplex[k]);
+        const double its = length(edge, front);
+        if (!result || its > result->second) result = {edge, its};
+      }
+    }
+    return result;
+  }
+
+  /// The least of each cost over a simplex's corners.
+  Costs corner(const Simplex& simplex) const {
+    std::vector<Costs> ends;
+    for (const std::size_t v : simplex) {
+      if (vertices_[v].point) ends.push_back(vertices_[v].point->costs);
+    }
+    return ends.empty() ? least_ : ideal(ends);
+  }
+
+  Task halving(const Edge& edge) const {
+    const Vertex &a = vertices_[edge.first], &b = vertices_[edge.second];
+    std::vector<double> middle(objectives_), x(a.point->x);
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      middle[i] = (a.direction[i] + b.direction[i]) / 2;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += (b.point->x[i] - x[i]) / 2;
+    Task task = toward(middle, {x, a.point->x});
+    parents_[task.direction] = edge;
+    return task;
+  }
+
+  /// Every simplex with the edge becomes two.
+  void divide(const Edge& edge, std::size_t middle) {
+    std::vector<Simplex> result;
+    for (const Simplex& simplex : simplices_) {
+      const auto has = [&](std::size_t v) {
+        return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
+      };
+      if (!has(edge.first) || !has(edge.second)) {
+        result.push_back(simplex);
+        continue;
+      }
+      for (const std::size_t end : {edge.first, edge.second}) {
+        Simplex half = simplex;
+        std::replace(half.begin(), half.end(), end, middle);
+        result.push_back(std::move(half));
+      }
+    }
+    simplices_ = std::move(result);
+  }
+
+  Costs scale_;
+  std::vector<Vertex> vertices_;
+  std::vector<Simplex> simplices_;
+  // Of each direction that was asked for: where it lies on the simplex, and the edge it halves.
+  mutable std::map<std::vector<double>, std::vector<double>> asked_;
+  mutable std::map<std::vector<double>, Edge> parents_;
+};
+
+}  // namespace
+
+std::unique_ptr<PartFront> direction_front(std::size_t part, std::size_t objectives) {
+  return std::make_unique<DirectionFront>(part, objectives);
+}
+
+}  // namespace camlaw::optim

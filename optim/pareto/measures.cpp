@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "optim/pareto/measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace camlaw::optim {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+template <class Better>
+Costs best_of_each(std::span<const Costs> front, Better better) {
+  Costs result = front.empty() ? Costs{} : front.front();
+  for (const Costs& point : front) {
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      if (better(point[i], result[i])) result[i] = point[i];
+    }
+  }
+  return result;
+}
+
+double sum(const Costs& costs) { return std::accumulate(costs.begin(), costs.end(), 0.0); }
+
+/// For which factors on one cost the knee's sum stays the least: sum + (factor - 1) * cost.
+void factor_range(const std::vector<Costs>& u, std::size_t knee, std::size_t objective, double& low,
+                  double& high) {
+  low = 0;
+  high = kInfinite;
+  for (const Costs& other : u) {
+    // sum_k + (f - 1) k <= sum_o + (f - 1) o
+    const double slope = u[knee][objective] - other[objective];
+    const double room = sum(other) - sum(u[knee]);
+    if (slope > 0) high = std::min(high, 1 + room / slope);
+    if (slope < 0) low = std::max(low, 1 + room / slope);
+  }
+}
+
+}  // namespace
+
+Costs ideal(std::span<const Costs> front) {
+  return best_of_each(front, [](double a, double b) { return a < b; });
+}
+
+Costs nadir(std::span<const Costs> front) {
+  return best_of_each(front, [](double a, double b) { return a > b; });
+}
+
+Costs default_reference(std::span<const Costs> front) {
+  constexpr double kShare = 0.1;
+  const Costs best = ideal(front);
+  Costs reference = nadir(front);
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const double range = reference[i] - best[i];
+    const double size = std::abs(reference[i]) > 0 ? std::abs(reference[i]) : 1;
+    reference[i] += kShare * (range > 0 ? range : size);
+  }
+  return reference;
+}
+
+std::vector<Costs> normalised(std::span<const Costs> front) {
+  const Costs best = ideal(front), worst = nadir(front);
+  std::vector<Costs> result(front.begin(), front.end());
+  for (Costs& point : result) {
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const double range = worst[i] - best[i];
+      point[i] = range > 0 ? (point[i] - best[i]) / range : 0;
+    }
+  }
+  return result;
+}
+
+std::vector<double> steps(std::span<const Costs> front) {
+  const std::vector<Costs> u = normalised(front);
+  std::vector<double> result;
+  for (std::size_t i = 1; i < u.size(); ++i) {
+    result.push_back(std::hypot(u[i][0] - u[i - 1][0], u[i][1] - u[i - 1][1]));
+  }
+  return result;
+}
+
+std::optional<Knee> knee(std::span<const Costs> front) {
+  if (front.size() < 3) return {};
+  const std::vector<Costs> u = normalised(front);
+  const auto least = std::min_element(
+      u.begin(), u.end(), [](const Costs& a, const Costs& b) { return sum(a) < sum(b); });
+  Knee result;
+  result.point = static_cast<std::size_t>(least - u.begin());
+  const std::size_t objectives = u.front().size();
+  result.low.resize(objectives);
+  result.high.resize(objectives);
+  for (std::size_t i = 0; i < objectives; ++i) {
+    factor_range(u, result.point, i, result.low[i], result.high[i]);
+  }
+  return result;
+}
+
+std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights) {
+  if (front.empty()) throw std::invalid_argument("weights: the front has no points");
+  const bool fits = weights.size() == front.front().size();
+  const bool proper = std::all_of(weights.begin(), weights.end(),
+                                  [](double w) { return w >= 0 && std::isfinite(w); }) &&
+                      std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0; });
+  if (!fits || !proper) {
+    throw std::invalid_argument(
+        "weights: one number for each objective is wanted, none negative, one at least positive");
+  }
+  const std::vector<Costs> u = normalised(front);
+  const auto measure = [&](const Costs& point) {
+    double greatest = 0, total = 0;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      greatest = std::max(greatest, weights[i] * point[i]);
+      total += weights[i] * point[i];
+    }
+    return std::pair(greatest, total);
+  };
+  const auto best = std::min_element(
+      u.begin(), u.end(), [&](const Costs& a, const Costs& b) { return measure(a) < measure(b); });
+  return static_cast<std::size_t>(best - u.begin());
+}
+
+std::optional<double> cost_of_next(std::span<const Costs> front, std::size_t point,
+                                   std::size_t objective, double share) {
+  const std::size_t other = 1 - objective;
+  const double here = front[point][objective];
+  const double wanted = here - share * std::abs(here);
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    const Costs *low = &front[i - 1], *high = &front[i];
+    if ((*low)[objective] > (*high)[objective]) std::swap(low, high);
+    const double a = (*low)[objective], b = (*high)[objective];
+    if (!(a <= wanted && wanted <= b) || a == b) continue;
+    const double along = (wanted - a) / (b - a);
+    return (*low)[other] + along * ((*high)[other] - (*low)[other]);
+  }
+  return {};
+}
+
+}  // namespace camlaw::optim

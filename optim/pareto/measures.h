@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// What a front tells. Points are costs, all to be small, and no point dominates another; equations
+/// are those of docs/optimisation.md, "Fronts".
+namespace camlaw::optim {
+
+using Costs = std::vector<double>;
+
+/// The least of each cost.
+Costs ideal(std::span<const Costs> front);
+/// The greatest of each cost on the front.
+Costs nadir(std::span<const Costs> front);
+
+/// The reference that hypervolumes are measured from where none is stated: the nadir and a tenth
+/// of the way from the ideal to it (in a cost that does not vary, a tenth of its size, or of one).
+Costs default_reference(std::span<const Costs> front);
+
+/// Measure of what the front dominates, bounded by the reference (Zitzler and Thiele 1998; pagmo).
+/// Points that do not lie below the reference count nothing.
+double hypervolume(std::span<const Costs> front, const Costs& reference);
+
+/// Costs as shares of the way from ideal to nadir; of a cost that does not vary 0.
+std::vector<Costs> normalised(std::span<const Costs> front);
+
+/// How far each point is from its nearest neighbours along a front of two objectives, sorted by the
+/// first: lengths of the normalised steps. Empty for fewer than two points.
+std::vector<double> steps(std::span<const Costs> front);
+
+/// The knee: the point that lies deepest below the plane through the ends of the front, after
+/// normalising; that is the one with the least sum of normalised costs.
+struct Knee {
+  std::size_t point = 0;
+  /// For each objective: by what factor its normalised cost may count less or more, the others as
+  /// they are, with this point still the knee. Wide ranges tell a sharp knee.
+  std::vector<double> low, high;
+};
+/// Empty for a front of fewer than three points.
+std::optional<Knee> knee(std::span<const Costs> front);
+
+/// The point with the least of the greatest weighed normalised cost (Chebyshev); of several the one
+/// with the least weighed sum. Weights are not negative and one at least is positive; throws
+/// std::invalid_argument else.
+std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights);
+
+/// On a front of two objectives, sorted by the first: the other cost where cost `objective` is
+/// `share` of its size less than at the point, between neighbours in proportion; none where the
+/// front does not reach that far. The answer is what the next 10 % cost, for share = 0.1.
+std::optional<double> cost_of_next(std::span<const Costs> front, std::size_t point,
+                                   std::size_t objective, double share);
+
+}  // namespace camlaw::optim

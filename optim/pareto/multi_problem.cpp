@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "optim/pareto/multi_problem.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "optim/problem/sizes.h"
+
+namespace camlaw::optim {
+
+Problem MultiProblem::alone(std::size_t objective) const {
+  return {.name = name,
+          .variables = variables,
+          .objective = objectives.at(objective),
+          .constraints = constraints};
+}
+
+void MultiProblem::check() const {
+  if (objectives.size() < 2) {
+    throw std::invalid_argument(
+        fmt::format("a front needs two objectives or more; there is {}", objectives.size()));
+  }
+  for (std::size_t i = 0; i < objectives.size(); ++i) alone(i).check();
+}
+
+MultiSpace MultiSpace::of(MultiProblem problem) {
+  return {{}, [problem = std::move(problem)](const auto&) { return problem; }};
+}
+
+std::size_t MultiSpace::parts() const {
+  std::size_t product = 1;
+  for (const Choice& choice : choices) {
+    if (choice.options.empty()) {
+      throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
+    }
+    product *= choice.options.size();
+    if (product > kMostCombinations) {
+      throw std::invalid_argument(
+          fmt::format("choice '{}': more than {} combinations", choice.name, kMostCombinations));
+    }
+  }
+  return product;
+}
+
+std::vector<std::size_t> MultiSpace::options(std::size_t part) const {
+  std::vector<std::size_t> result(choices.size());
+  for (std::size_t i = choices.size(); i-- > 0;) {
+    result[i] = part % choices[i].options.size();
+    part /= choices[i].options.size();
+  }
+  return result;
+}
+
+double as_cost(const Objective& objective, double value) {
+  return objective.sense == Sense::Minimize ? value : -value;
+}
+
+std::vector<double> costs(const MultiProblem& problem, Design x) {
+  std::vector<double> result;
+  for (const Objective& objective : problem.objectives) {
+    result.push_back(as_cost(objective, objective_value(objective, x)));
+  }
+  return result;
+}
+
+Constraint at_most(const Objective& objective, double cost) {
+  Constraint limit;
+  limit.response = objective.response;
+  const double bound = as_cost(objective, cost);
+  const bool from_below = objective.sense == Sense::Maximize;
+  (from_below ? limit.lower : limit.upper) = bound;
+  if (objective.part == Part::Magnitude) limit.lower = -bound;
+  return limit;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "optim/pareto/pareto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "optim/pareto/part_front.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// Whether every search of the sweep has one optimum, whatever its bounds.
+bool is_convex(const MultiProblem& multi) {
+  for (std::size_t sought = 0; sought < multi.objectives.size(); ++sought) {
+    Problem problem = multi.alone(sought);
+    for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
+      if (i != sought) problem.constraints.push_back(at_most(multi.objectives[i], 1));
+    }
+    if (!why_convex(problem)) return false;
+  }
+  return true;
+}
+
+std::size_t varying(const MultiProblem& multi) {
+  return static_cast<std::size_t>(
+      std::count_if(multi.variables.begin(), multi.variables.end(),
+                    [](const Variable& v) { return v.lower < v.upper; }));
+}
+
+class Study {
+ public:
+  Study(const MultiSpace& space, const ParetoOptions& options, Executor& executor)
+      : space_(space), options_(options), executor_(executor) {
+    front_.parts = space.parts();
+    const MultiProblem first = space.problem(space.options(0));
+    first.check();
+    for (const Objective& o : first.objectives) {
+      front_.objectives.push_back({o.response.name, o.response.unit, o.sense, o.part});
+    }
+    for (std::size_t part = 0; part < front_.parts; ++part) {
+      parts_.push_back(objectives() == 2 ? box_front(part) : direction_front(part, objectives()));
+    }
+  }
+
+  Front run() {
+    const bool done = scout() && begin() && refine() && look_again();
+    settle();
+    front_.complete = done;
+    return std::move(front_);
+  }
+
+ private:
+  std::size_t objectives() const { return front_.objectives.size(); }
+
+  /// Carries tasks out; whether all were.
+  bool carry_out(const std::vector<Task>& tasks, std::vector<Outcome>& outcomes) {
+    outcomes = executor_.run(tasks, front_.tasks);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      front_.evaluations += outcomes[i].evaluations;
+      if (outcomes[i].failure.empty()) continue;
+      front_.failures.push_back({front_.tasks + i, tasks[i].part, outcomes[i].failure});
+    }
+    front_.tasks += outcomes.size();
+    return outcomes.size() == tasks.size();
+  }
+
+  /// Combinations that NSGA-II looks at first.
+  bool scout() {
+    std::vector<Task> tasks;
+    for (const auto& part : parts_) {
+      const MultiProblem multi = space_.problem(space_.options(part->part()));
+      const bool wanted = options_.method == ParetoMethod::Nsga2 ||
+                          (options_.method == ParetoMethod::Automatic && !is_convex(multi));
+      if (wanted && varying(multi) > 0) tasks.push_back(scout_task(part->part()));
+    }
+    scouted_.resize(parts_.size());
+    std::vector<Outcome> outcomes;
+    const bool done = carry_out(tasks, outcomes);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      scouted_[tasks[i].part] = outcomes[i].points;
+    }
+    report();
+    return done;
+  }
+
+  Task scout_task(std::size_t part) const {
+    constexpr std::size_t kFewest = 40, kMost = 100, kGenerations = 50, kAlone = 250;
+    const bool alone = options_.method == ParetoMethod::Nsga2;
+    const std::size_t usual =
+        alone ? std::max(options_.points, kMost) : std::clamp(options_.points, kFewest, kMost);
+    Task task;
+    task.kind = Task::Kind::Scout;
+    task.part = part;
+    task.population = options_.population > 0 ? options_.population : usual;
+    task.generations =
+        options_.generations > 0 ? options_.generations : (alone ? kAlone : kGenerations);
+    task.seed = options_.seed;
+    return task;
+  }
+
+  /// Designs that the scout found, to begin with: the best for each objective.
+  std::vector<std::vector<double>> starts_of(std::size_t part) const {
+    std::vector<std::vector<double>> starts;
+    const auto& found = scouted_[part];
+    for (std::size_t i = 0; i < objectives() && !found.empty(); ++i) {
+      starts.push_back(std::min_element(found.begin(), found.end(),
+                                        [i](const FrontPoint& a, const FrontPoint& b) {
+                                          return a.costs[i] < b.costs[i];
+                                        })
+                           ->x);
+    }
+    return starts;
+  }
+
+  bool begin() { return look_for_ends() && set_up(); }
+
+  bool look_for_ends() {
+    std::vector<Task> tasks;
+    for (const auto& part : parts_) {
+      for (Task& task : part->first_tasks(starts_of(part->part()))) {
+        task.seed = options_.seed;
+        tasks.push_back(std::move(task));
+      }
+    }
+    std::vector<Outcome> outcomes;
+    if (!carry_out(tasks, outcomes)) return false;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const auto first = outcomes.begin() + static_cast<std::ptrdiff_t>(p * objectives());
+      parts_[p]->take_first({first, first + static_cast<std::ptrdiff_t>(objectives())});
+      front_.empty_parts += parts_[p]->is_empty();
+    }
+    return true;
+  }
+
+  /// Combinations whose ideal point something dominates are left alone.
+  bool set_up() {
+    const FrontSoFar front = so_far();
+    std::vector<Task> tasks;
+    for (const auto& part : parts_) {
+      if (part->is_empty() || front.covers(part->least())) continue;
+      for (Task& task : part->second_tasks()) tasks.push_back(std::move(task));
+    }
+    return carry_out_and_give(tasks);
+  }
+
+  bool carry_out_and_give(const std::vector<Task>& tasks) {
+    std::vector<Outcome> outcomes;
+    const bool done = carry_out(tasks, outcomes);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      parts_[tasks[i].part]->take(tasks[i], outcomes[i]);
+    }
+    report();
+    return done;
+  }
+
+  /// The largest places that are open, until the front has as many points as wanted.
+  bool refine() {
+    if (options_.method == ParetoMethod::Nsga2) return polish();
+    const std::size_t limit = front_.tasks + kTasksPerPoint * options_.points + 64 * parts_.size();
+    while (front_.tasks < limit) {
+      const FrontSoFar front = so_far();
+      if (front.points.size() >= options_.points) return true;
+      const auto tasks = largest(front, options_.points - front.points.size());
+      if (tasks.empty()) return true;
+      if (!carry_out_and_give(tasks)) return false;
+    }
+    return true;
+  }
+
+  /// Tasks of places at least half as large as the largest, as many as a round has: not as many as
+  /// there are workers, so that their number does not show.
+  std::vector<Task> largest(const FrontSoFar& front, std::size_t missing) const {
+    constexpr std::size_t kRound = 16;
+    std::vector<OpenPlace> places;
+    for (const auto& part : parts_) {
+      if (part->is_empty()) continue;
+      for (OpenPlace& place : part->open(front)) places.push_back(std::move(place));
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const OpenPlace& a, const OpenPlace& b) { return a.size > b.size; });
+    std::vector<Task> tasks;
+    for (const OpenPlace& place : places) {
+      if (tasks.size() == std::min(kRound, missing) || place.size < places.front().size / 2) break;
+      tasks.push_back(place.task);
+      tasks.back().seed = options_.seed;
+    }
+    return tasks;
+  }
+
+  /// Every design of the scout as the start of a search for a better one.
+  bool polish() {
+    constexpr std::size_t kRound = 16;
+    const FrontSoFar front = so_far();
+    std::vector<FrontPoint> all;
+    for (const auto& found : scouted_) all.insert(all.end(), found.begin(), found.end());
+    std::vector<Task> tasks;
+    for (const FrontPoint& point : front_of(all).points) {
+      if (tasks.size() == options_.points) break;
+      if (parts_[point.part]->is_empty() || front.covers(point.costs)) continue;
+      Task task;
+      task.part = point.part;
+      task.sought = objectives() - 1;
+      task.bounds = point.costs;
+      task.bounds.back() = kInfinity;
+      task.starts = {point.x};
+      task.seed = options_.seed;
+      tasks.push_back(std::move(task));
+    }
+    for (std::size_t i = 0; i < tasks.size(); i += kRound) {
+      const auto from = tasks.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto to = from + static_cast<std::ptrdiff_t>(std::min(kRound, tasks.size() - i));
+      if (!carry_out_and_give({from, to})) return false;
+    }
+    return true;
+  }
+
+  /// Designs of the scout that show that a search was stuck are searched from, and what that leads
+  /// to is refined as well.
+  bool look_again() {
+    constexpr int kRounds = 5;
+    constexpr std::size_t kRound = 16;
+    if (options_.method == ParetoMethod::Nsga2) return true;
+    for (int round = 0; round < kRounds; ++round) {
+      const FrontSoFar front = so_far();
+      std::vector<Task> tasks;
+      for (const auto& found : scouted_) {
+        for (const FrontPoint& point : found) {
+          if (parts_[point.part]->is_empty() || tasks.size() == kRound) continue;
+          auto task = parts_[point.part]->task_for(point, front);
+          if (!task) continue;
+          task->seed = options_.seed;
+          tasks.push_back(std::move(*task));
+        }
+      }
+      if (tasks.empty()) return true;
+      if (!carry_out_and_give(tasks) || !refine()) return false;
+    }
+    return true;
+  }
+
+  FrontSoFar so_far() const {
+    std::vector<FrontPoint> points;
+    for (const auto& part : parts_) {
+      points.insert(points.end(), part->points().begin(), part->points().end());
+    }
+    return front_of(points);
+  }
+
+  static std::vector<Costs> costs_of(const std::vector<FrontPoint>& points) {
+    std::vector<Costs> result;
+    for (const FrontPoint& point : points) result.push_back(point.costs);
+    return result;
+  }
+
+  Costs reference(const std::vector<Costs>& all) const {
+    return options_.reference ? *options_.reference : default_reference(all);
+  }
+
+  void report() const {
+    if (!options_.progress) return;
+    const std::vector<Costs> all = costs_of(so_far().points);
+    const double volume = all.empty() ? 0 : hypervolume(all, reference(all));
+    options_.progress({front_.tasks, all.size(), options_.points, volume});
+  }
+
+  void settle() {
+    front_.points = so_far().points;
+    std::vector<Costs> all = costs_of(front_.points);
+    if (all.empty()) return;
+    front_.ideal = ideal(all);
+    front_.nadir = nadir(all);
+    front_.reference = reference(all);
+    front_.hypervolume = hypervolume(all, front_.reference);
+    if (objectives() != 2 || options_.method == ParetoMethod::Nsga2) return;
+    for (const auto& part : parts_) {
+      for (Costs& corner : part->corners()) all.push_back(std::move(corner));
+    }
+    front_.hypervolume_at_most = hypervolume(all, front_.reference);
+  }
+
+  static constexpr std::size_t kTasksPerPoint = 20;
+
+  const MultiSpace& space_;
+  const ParetoOptions& options_;
+  Executor& executor_;
+  Front front_;
+  std::vector<std::unique_ptr<PartFront>> parts_;
+  std::vector<std::vector<FrontPoint>> scouted_;  ///< of each part
+};
+
+}  // namespace
+
+Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
+  if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
+  return Study(space, options, executor).run();
+}
+
+Front pareto(const MultiSpace& space, const ParetoOptions& options) {
+  DirectExecutor executor(space, options.solve);
+  return pareto(space, options, executor);
+}
+
+Front pareto(const MultiProblem& problem, const ParetoOptions& options) {
+  return pareto(MultiSpace::of(problem), options);
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/pareto/executor.h"
+#include "optim/pareto/measures.h"
+
+/// Fronts: the designs than which none is better in one objective without being worse in another.
+namespace camlaw::optim {
+
+enum class ParetoMethod {
+  Automatic,  ///< the sweep; NSGA-II first as a scout where problems are not convex
+  Sweep,      ///< searches by gradients, each answer judged; gaps refined until the front is even
+  Nsga2,      ///< NSGA-II, its designs polished by gradients
+};
+
+struct StudyProgress {
+  std::size_t tasks = 0;   ///< done
+  std::size_t points = 0;  ///< of the front so far
+  std::size_t wanted = 0;  ///< of ParetoOptions
+  double hypervolume = 0;  ///< from the reference of the front so far
+};
+
+struct ParetoOptions {
+  std::size_t points = 50;  ///< wanted on the front
+  ParetoMethod method = ParetoMethod::Automatic;
+  OptimiseOptions solve = {};                   ///< of each search; the time limit holds for each
+  std::uint64_t seed = 1;                       ///< of the scout and of starts
+  std::size_t population = 0, generations = 0;  ///< of NSGA-II; 0: chosen
+  std::optional<Costs> reference = {};          ///< of the hypervolume, as costs
+  std::function<void(const StudyProgress&)> progress = {};
+};
+
+struct ObjectiveName {
+  std::string name, unit;
+  Sense sense = Sense::Minimize;
+  Part part = Part::Value;
+};
+
+struct FailedTask {
+  std::size_t number = 0, part = 0;
+  std::string why;
+};
+
+struct Front {
+  std::vector<ObjectiveName> objectives;
+  std::vector<FrontPoint> points;  ///< none dominated, by the first cost
+  Costs ideal, nadir, reference;   ///< of the points, as costs
+  double hypervolume = 0;
+  /// What no front of this problem exceeds, as far as each search was right; of two objectives.
+  std::optional<double> hypervolume_at_most;
+  std::size_t parts = 1, empty_parts = 0;  ///< combinations; those without a design
+  std::size_t tasks = 0;
+  long evaluations = 0;
+  std::vector<FailedTask> failures;
+  bool complete = false;  ///< false: it was stopped
+};
+
+/// The front of a space. What is done is decided by outcomes alone, in their order: the same
+/// problem, options and seed give the same front to the last bit, whatever the executor. Throws
+/// std::invalid_argument for a problem that is not well posed.
+Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor);
+/// In this process.
+Front pareto(const MultiSpace& space, const ParetoOptions& options = {});
+Front pareto(const MultiProblem& problem, const ParetoOptions& options = {});
+
+}  // namespace camlaw::optim

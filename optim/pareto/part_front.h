@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "optim/pareto/measures.h"
+#include "optim/pareto/task.h"
+
+namespace camlaw::optim {
+
+/// The front over all combinations so far, as those that look for more see it.
+struct FrontSoFar {
+  std::vector<FrontPoint> points;
+  Costs ideal, range;  ///< range: nadir - ideal; of a cost that does not vary its size
+
+  /// Whether a point is as good as `costs` in everything.
+  bool covers(const Costs& costs) const;
+};
+
+/// Points of all combinations that no other one dominates, by the first cost; of those that lie
+/// together (1e-7 of the range) the one with the better verdict.
+FrontSoFar front_of(const std::vector<FrontPoint>& points);
+
+/// A place where the front is not known well, and the task that would tell more.
+struct OpenPlace {
+  double size = 0;  ///< by the range of each cost
+  Task task;
+};
+
+/// What a sweep knows of one combination's front, and where it looks next. All that it does
+/// follows from the outcomes that it was given, in their order.
+class PartFront {
+ public:
+  PartFront(std::size_t part, std::size_t objectives) : part_(part), objectives_(objectives) {}
+  virtual ~PartFront() = default;
+
+  std::size_t part() const { return part_; }
+  const std::vector<FrontPoint>& points() const { return points_; }
+  /// Where no design meets the limits, nothing is looked for.
+  bool is_empty() const { return empty_; }
+  /// The least of each cost, as far as known; infinite below where a search failed.
+  const Costs& least() const { return least_; }
+
+  /// Each cost alone.
+  std::vector<Task> first_tasks(const std::vector<std::vector<double>>& starts_of_each) const;
+  void take_first(const std::vector<Outcome>& outcomes);
+  /// What sets the sweep up, after the first tasks.
+  virtual std::vector<Task> second_tasks() = 0;
+
+  virtual void take(const Task& task, const Outcome& outcome) = 0;
+  /// Places that are open as far as the whole front tells.
+  virtual std::vector<OpenPlace> open(const FrontSoFar& front) const = 0;
+  /// A task for a design that shows that a search has missed something better; none where what is
+  /// known leaves room for it.
+  virtual std::optional<Task> task_for(const FrontPoint& scouted,
+                                       const FrontSoFar& front) const = 0;
+  /// What a point of this part could be at best where places are open: corners that no design lies
+  /// below. Empty where the sweep does not know.
+  virtual std::vector<Costs> corners() const { return {}; }
+
+ protected:
+  /// Takes a point in, unless one is as good; those that it dominates go.
+  void insert(const FrontPoint& point);
+
+  std::size_t part_, objectives_;
+  std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost
+  std::vector<std::optional<FrontPoint>> alone_;  ///< the optimum of each cost alone
+  Costs least_;
+  bool empty_ = false;
+};
+
+/// Two objectives: between neighbours lies a box that may hold more of the front; the largest is
+/// halved by an epsilon constraint.
+std::unique_ptr<PartFront> box_front(std::size_t part);
+/// Three or more: along directions from the ideal point, which simplices divide.
+std::unique_ptr<PartFront> direction_front(std::size_t part, std::size_t objectives);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "optim/pareto/scout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <pagmo/algorithm.hpp>
+#include <pagmo/algorithms/nsga2.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problem.hpp>
+
+#include "optim/pareto/dominance.h"
+#include "optim/problem/sizes.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// What pagmo is given: whole variables last, bounds finite.
+struct Genome {
+  std::vector<std::size_t> variables;  ///< of the problem, in pagmo's order
+  std::vector<double> lower, upper, fixed;
+  std::size_t whole = 0;
+};
+
+Genome genome_of(const MultiProblem& multi) {
+  Genome genome;
+  const Problem problem = multi.alone(0);
+  const std::vector<double> scales = variable_scales(problem);
+  genome.fixed = problem.start();
+  for (const bool whole : {false, true}) {
+    for (std::size_t i = 0; i < multi.variables.size(); ++i) {
+      const Variable& v = multi.variables[i];
+      if (v.integer != whole || v.lower == v.upper) continue;
+      // Without bounds it looks about the start.
+      constexpr double kFar = 10;
+      const double reach = kFar * scales[i];
+      genome.variables.push_back(i);
+      genome.lower.push_back(std::isfinite(v.lower) ? v.lower : v.start - reach);
+      genome.upper.push_back(std::isfinite(v.upper) ? v.upper : v.start + reach);
+      genome.whole += whole;
+    }
+  }
+  return genome;
+}
+
+std::vector<double> design_of(const Genome& genome, const std::vector<double>& genes) {
+  std::vector<double> x = genome.fixed;
+  for (std::size_t k = 0; k < genes.size(); ++k) x[genome.variables[k]] = genes[k];
+  return x;
+}
+
+/// The problem without limits that pagmo sees. Copied by pagmo; the count is shared.
+struct Evolved {
+  const MultiProblem* multi = nullptr;
+  const Problem* problem = nullptr;
+  const Sizes* sizes = nullptr;
+  const Genome* genome = nullptr;
+  std::shared_ptr<long> evaluations;
+
+  std::vector<double> fitness(const std::vector<double>& genes) const {
+    // More than any cost that is worth having: what passes a limit is worse than all that does not.
+    constexpr double kBeyond = 1e100;
+    ++*evaluations;
+    const std::vector<double> x = design_of(*genome, genes);
+    const double violation = worst_excess(x);
+    std::vector<double> cost(multi->objectives.size());
+    if (violation > 0) {
+      const double graded = std::isfinite(violation) ? violation / (1 + violation) : 2;
+      std::fill(cost.begin(), cost.end(), kBeyond * (1 + graded));
+      return cost;
+    }
+    cost = costs(*multi, x);
+    for (double& c : cost) {
+      if (std::isnan(c)) c = 4 * kBeyond;
+    }
+    return cost;
+  }
+  std::pair<std::vector<double>, std::vector<double>> get_bounds() const {
+    return {genome->lower, genome->upper};
+  }
+  std::vector<double>::size_type get_nobj() const { return multi->objectives.size(); }
+  std::vector<double>::size_type get_nix() const { return genome->whole; }
+
+  /// Largest violation by size beyond what is tolerated; not above 0 where every limit is met.
+  double worst_excess(Design x) const {
+    if (multi->constraints.empty()) return 0;
+    const double worst = largest_violation(*problem, *sizes, x);
+    if (std::isnan(worst)) return kInfinity;
+    double tolerated = kInfinity;
+    for (const ConstraintSize& c : sizes->constraints) {
+      tolerated = std::min(tolerated, c.tolerance / c.size);
+    }
+    return worst > tolerated ? worst : 0;
+  }
+};
+
+}  // namespace
+
+Outcome scout(const Task& task, const MultiProblem& multi) {
+  const Genome genome = genome_of(multi);
+  Outcome outcome;
+  if (genome.variables.empty()) {
+    outcome.points.push_back(looked_at(multi, task.part, genome.fixed));
+    outcome.evaluations = 1;
+    return outcome;
+  }
+  const Problem problem = multi.alone(0);
+  const Sizes its_sizes = sizes(problem, problem.start());
+  auto evaluations = std::make_shared<long>(0);
+  const pagmo::problem evolved{Evolved{&multi, &problem, &its_sizes, &genome, evaluations}};
+  const auto seed = static_cast<unsigned>(task.seed);
+  const std::size_t count = std::max<std::size_t>(8, (task.population + 3) / 4 * 4);
+  const pagmo::algorithm method{
+      pagmo::nsga2(static_cast<unsigned>(task.generations), 0.95, 10., 0.1, 50., seed)};
+  const pagmo::population last = method.evolve(pagmo::population(evolved, count, seed));
+  outcome.evaluations = *evaluations;
+  const auto& all = last.get_f();
+  const std::vector<bool> kept = non_dominated(all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!kept[i]) continue;
+    FrontPoint point = looked_at(multi, task.part, design_of(genome, last.get_x()[i]));
+    point.solver = "nsga2";
+    if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));
+  }
+  return outcome;
+}
+
+}  // namespace camlaw::optim

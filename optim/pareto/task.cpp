@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "optim/pareto/task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/pareto/scout.h"
+#include "optim/pareto/shifted.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// The problem that a task states; the number of limits that it adds to the problem's own.
+struct Stated {
+  Problem problem;
+  std::vector<std::size_t> of_objective;  ///< of each added limit, the objective behind it
+};
+
+Stated bounded(const MultiProblem& multi, const Task& task) {
+  Stated stated{multi.alone(task.sought), {}};
+  for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
+    if (i == task.sought || i >= task.bounds.size() || std::isinf(task.bounds[i])) continue;
+    stated.problem.constraints.push_back(at_most(multi.objectives[i], task.bounds[i]));
+    stated.of_objective.push_back(i);
+  }
+  return stated;
+}
+
+/// Least t with every cost at most origin + t * direction (Pascoletti and Serafini 1984).
+Stated toward(const MultiProblem& multi, const Task& task) {
+  Stated stated{multi.alone(0), {}};
+  Problem& problem = stated.problem;
+  const std::size_t t = problem.variables.size();
+  Variable distance;
+  distance.name = "distance along the direction";
+  distance.scale = 1;
+  problem.variables.push_back(distance);
+  problem.objective = {{"distance", "1", variable_function(t)}};
+  for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
+    const Objective& objective = multi.objectives[i];
+    const double slope = task.direction[i];
+    const bool from_above = objective.sense == Sense::Minimize;
+    const auto add = [&](bool upper) {
+      Constraint limit;
+      limit.response = shifted(objective.response, upper ? -slope : slope, t);
+      (upper ? limit.upper : limit.lower) = upper ? task.origin[i] : -task.origin[i];
+      problem.constraints.push_back(std::move(limit));
+      stated.of_objective.push_back(i);
+    };
+    add(from_above);
+    if (objective.part == Part::Magnitude) add(!from_above);
+  }
+  return stated;
+}
+
+/// The distance that a design needs.
+double distance_of(const MultiProblem& multi, const Task& task, Design x) {
+  const std::vector<double> cost = costs(multi, x);
+  double t = -kInfinity;
+  for (std::size_t i = 0; i < cost.size(); ++i) {
+    t = std::max(t, (cost[i] - task.origin[i]) / task.direction[i]);
+  }
+  return t;
+}
+
+void start_at(Problem& problem, Design x) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Variable& v = problem.variables[i];
+    v.start = std::clamp(x[i], v.lower, v.upper);
+    if (v.integer) v.start = std::round(v.start);
+  }
+}
+
+std::vector<Standing> standings(const std::vector<LimitReport>& limits, std::size_t count) {
+  std::vector<Standing> result;
+  for (std::size_t i = 0; i < std::min(count, limits.size()); ++i) {
+    const LimitReport& limit = limits[i];
+    result.push_back({limit.name, limit.unit, limit.margin, limit.worst_angle, limit.met,
+                      limit.proved, limit.multiplier});
+  }
+  return result;
+}
+
+FrontPoint point_of(const MultiProblem& multi, std::size_t part, Design x) {
+  FrontPoint point;
+  point.part = part;
+  point.x.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(multi.variables.size()));
+  point.costs = costs(multi, point.x);
+  for (std::size_t i = 0; i < point.costs.size(); ++i) {
+    point.objectives.push_back(as_cost(multi.objectives[i], point.costs[i]));
+  }
+  return point;
+}
+
+/// The normal of the front: prices of the limits that the task has added.
+std::vector<double> weights_of(const MultiProblem& multi, const Stated& stated, const Task& task,
+                               const std::vector<LimitReport>& limits) {
+  std::vector<double> weights(multi.objectives.size(), 0.0);
+  if (task.kind == Task::Kind::Bounded) weights[task.sought] = 1;
+  for (std::size_t k = 0; k < stated.of_objective.size(); ++k) {
+    weights[stated.of_objective[k]] += limits.at(multi.constraints.size() + k).multiplier;
+  }
+  return weights;
+}
+
+bool is_certified(const Found& found) { return found.assessment.verdict == Verdict::Certified; }
+
+/// From each start until one leads to an optimum that is the global one.
+Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& task,
+                     OptimiseOptions options, long& evaluations) {
+  const auto search = [&] {
+    Found found = optimise(problem, options).found;
+    evaluations += found.evaluations;
+    return found;
+  };
+  if (task.starts.empty()) return search();
+  options.starts = 1;
+  std::optional<Found> best;
+  for (const auto& start : task.starts) {
+    start_at(problem, start);
+    if (task.kind == Task::Kind::Toward) {
+      problem.variables.back().start = distance_of(multi, task, start);
+    }
+    Found found = search();
+    if (!best || better(problem, found.assessment, best->assessment)) best = std::move(found);
+    if (best->assessment.global && is_certified(*best)) break;
+  }
+  return std::move(*best);
+}
+
+Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOptions& options) {
+  Outcome outcome;
+  const Stated stated =
+      task.kind == Task::Kind::Toward ? toward(multi, task) : bounded(multi, task);
+  const Found found = best_of_starts(stated.problem, multi, task, options, outcome.evaluations);
+  const Assessment& a = found.assessment;
+  if (a.verdict == Verdict::Infeasible) {
+    outcome.infeasible = true;
+    return outcome;
+  }
+  if (a.verdict == Verdict::Failed || found.x.empty()) {
+    outcome.failure = a.reason;
+    return outcome;
+  }
+  FrontPoint point = point_of(multi, task.part, found.x);
+  point.verdict = a.verdict;
+  point.reason = a.reason;
+  point.is_global = a.global.has_value();
+  point.limits = standings(a.limits, multi.constraints.size());
+  point.weights = weights_of(multi, stated, task, a.limits);
+  point.solver = found.solver;
+  outcome.points.push_back(std::move(point));
+  return outcome;
+}
+
+}  // namespace
+
+FrontPoint looked_at(const MultiProblem& multi, std::size_t part, Design x) {
+  const Problem problem = multi.alone(0);
+  const std::vector<LimitReport> limits = limit_reports(problem, sizes(problem, x), x, true);
+  FrontPoint point = point_of(multi, part, x);
+  point.limits = standings(limits, limits.size());
+  point.solver = "none";
+  const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
+  const bool numbers = std::all_of(point.costs.begin(), point.costs.end(),
+                                   [](double c) { return std::isfinite(c); });
+  point.verdict = met && numbers ? Verdict::Feasible : Verdict::Failed;
+  point.reason = met ? "the design was looked at, not searched for" : "it passes a limit";
+  return point;
+}
+
+Outcome carry_out(const Task& task, const MultiSpace& space, const OptimiseOptions& options) {
+  const MultiProblem multi = space.problem(space.options(task.part));
+  if (task.kind == Task::Kind::Scout) return scout(task, multi);
+  OptimiseOptions own = options;
+  own.seed = task.seed;
+  return search(task, multi, own);
+}
+
+}  // namespace camlaw::optim

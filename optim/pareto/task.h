@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "optim/pareto/multi_problem.h"
+#include "optim/search/optimise.h"
+
+/// The searches that a study is made of. A task is plain data and its outcome follows from it and
+/// the problem alone, to the last bit: so it does not matter when, where and beside what it is
+/// carried out.
+namespace camlaw::optim {
+
+/// What to look for in one combination of choices.
+struct Task {
+  enum class Kind {
+    Bounded,  ///< least cost `sought` with the other costs at most `bounds`
+    Toward,   ///< least t with every cost at most origin + t * direction
+    Scout,    ///< many designs at once, by NSGA-II
+  };
+  Kind kind = Kind::Bounded;
+  std::size_t part = 0;             ///< of MultiSpace
+  std::size_t sought = 0;           ///< an objective
+  std::vector<double> bounds = {};  ///< one for each objective; infinite: none
+  std::vector<double> origin = {}, direction = {};
+  std::vector<std::vector<double>> starts = {};  ///< designs to begin at; empty: the problem's own
+  std::size_t population = 0, generations = 0;   ///< of Scout
+  std::uint64_t seed = 1;
+};
+
+/// Where a design stands against one limit of the problem.
+struct Standing {
+  std::string name, unit;
+  double margin = 0;                 ///< to the nearer bound, in the unit
+  std::optional<double> angle = {};  ///< of a curve, where it is worst
+  bool met = false, proved = false;
+  double price = 0;  ///< by how much the objective sought improves per unit of the bound
+};
+
+/// A design of a study.
+struct FrontPoint {
+  std::size_t part = 0;
+  std::vector<double> x;
+  std::vector<double> objectives;  ///< values in their units, as they are stated
+  std::vector<double> costs;       ///< of the same
+  /// The front's normal here, one number for each objective, none negative: what the conditions of
+  /// optimality weigh the costs with. Along the front, cost a changes by -weights[b] / weights[a]
+  /// per unit of cost b. Empty where the design is no optimum.
+  std::vector<double> weights;
+  Verdict verdict = Verdict::Feasible;
+  std::string reason;
+  bool is_global = false;
+  std::vector<Standing> limits;
+  std::string solver;
+};
+
+struct Outcome {
+  std::vector<FrontPoint> points;
+  bool infeasible = false;  ///< no design meets limits and bounds, or none was found
+  long evaluations = 0;     ///< of objectives and limits together, in designs looked at
+  std::string failure;      ///< why there is no answer: the model threw, the process died
+};
+
+/// Carries a task out. `options` hold for each solve; starts and seed are the task's.
+Outcome carry_out(const Task& task, const MultiSpace& space, const OptimiseOptions& options);
+
+/// A design looked at, not searched for: its objectives and standing, with proofs.
+FrontPoint looked_at(const MultiProblem& problem, std::size_t part, Design x);
+
+}  // namespace camlaw::optim
