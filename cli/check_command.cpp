@@ -37,32 +37,42 @@ bool check_problem(const optim::Problem& problem, const std::string& label) {
   return result.agrees && result.shapes.empty();
 }
 
-/// The first combination with each law: laws differ in their formulas, other choices only in
-/// numbers.
+/// The first combination with each law, and each objective: laws differ in their formulas, other
+/// choices only in numbers.
 class Variants {
  public:
-  explicit Variants(optim::ProblemSpace space) : space_(std::move(space)) {}
+  explicit Variants(problems::BoundProblem bound) : bound_(std::move(bound)) {}
 
-  std::size_t size() const { return has_laws() ? laws().size() : 1; }
-  std::string label(std::size_t i) const { return has_laws() ? "law " + laws()[i] : ""; }
+  std::size_t size() const { return count_of_laws() * objectives().size(); }
+  std::string label(std::size_t i) const {
+    std::string text = has_laws() ? "law " + choices().front().options[i % count_of_laws()] : "";
+    if (objectives().size() > 1) {
+      text += (text.empty() ? "" : ", ") + objectives()[i / count_of_laws()].response.name;
+    }
+    return text;
+  }
   optim::Problem problem(std::size_t i) const {
-    std::vector<std::size_t> chosen(space_.choices.size(), 0);
-    if (has_laws()) chosen.front() = i;
-    return space_.problem(chosen);
+    std::vector<std::size_t> chosen(choices().size(), 0);
+    if (has_laws()) chosen.front() = i % count_of_laws();
+    return bound_.problem(chosen).alone(i / count_of_laws());
   }
 
  private:
-  bool has_laws() const { return !space_.choices.empty() && space_.choices.front().name == "law"; }
-  const std::vector<std::string>& laws() const { return space_.choices.front().options; }
+  const std::vector<optim::Choice>& choices() const { return bound_.choices(); }
+  const std::vector<problems::ObjectiveStatement>& objectives() const {
+    return bound_.statement().objectives;
+  }
+  bool has_laws() const { return !choices().empty() && choices().front().name == "law"; }
+  std::size_t count_of_laws() const { return has_laws() ? choices().front().options.size() : 1; }
 
-  optim::ProblemSpace space_;
+  problems::BoundProblem bound_;
 };
 
 void run_check(const CheckOptions& options, int& status) {
   const auto statement = problems::read_problem_file(options.file);
   std::optional<Variants> variants;
-  if (statement.objective || options.derivatives || options.scaling) {
-    variants.emplace(problems::BoundProblem(statement).space());  // or says why not
+  if (!statement.objectives.empty() || options.derivatives || options.scaling) {
+    variants.emplace(problems::BoundProblem(statement));  // or says why not
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
   fmt::print("{}", problems::in_words(statement));

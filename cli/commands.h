@@ -12,8 +12,8 @@ enum ExitStatus : int {
   kDone = 0,
   kFailed = 1,
   kBadInput = 2,
-  kInfeasible = 3,  ///< optimize: no design meets every limit
-  kNotSolved = 4,   ///< optimize: no answer
+  kInfeasible = 3,  ///< no design meets every limit
+  kNotSolved = 4,   ///< no answer, or not the whole
 };
 
 void add_laws_command(CLI::App& app);
@@ -25,6 +25,8 @@ void add_reproduce_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_evaluate_command(CLI::App& app);
 void add_optimize_command(CLI::App& app, int& status);
+void add_pareto_command(CLI::App& app, int& status);
+void add_front_command(CLI::App& app, int& status);
 
 /// An option that is there or not, and takes no value: "--json=3" is an error.
 CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,

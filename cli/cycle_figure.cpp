@@ -58,7 +58,7 @@ Figure cycle_figure(const Answer& answer) {
   Figure figure;
   figure.title = answer.bound.statement().title;
   const optim::Assessment& assessment = answer.optimum.found.assessment;
-  const problems::ResponseName& sought = answer.bound.statement().objective->response;
+  const problems::ResponseName& sought = answer.bound.statement().objectives.front().response;
   figure.subtitle =
       fmt::format("{}: {} = {}", to_string(assessment.verdict), sought.name,
                   with_unit(fmt::format("{:.6g}", assessment.objective.value), sought.unit));
@@ -81,7 +81,7 @@ Figure cycle_figure(const Answer& answer) {
     }
     for (const double value : levels) panel->lines.push_back(level(*trace, value));
   };
-  add(problem.objective.response, statement.objective->response, {});
+  add(problem.objective.response, statement.objectives.front().response, {});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const optim::Constraint& c = problem.constraints[i];
     std::vector<double> levels;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
 #include "cli/optimum_output.h"
+#include "cli/progress_line.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -53,26 +53,10 @@ optim::OptimiseOptions search_options(const problems::SolverStatement& line,
   return result;
 }
 
-/// One line that is written over while the search runs; on a terminal only.
-class ProgressLine {
- public:
-  explicit ProgressLine(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine() {
-    if (printed_) fmt::print(stderr, "\r{:78}\r", "");
-  }
-  void operator()(const optim::Progress& progress) {
-    if (!shown_) return;
-    printed_ = true;
-    fmt::print(stderr, "\riteration {:6}   objective {:14.8g}   violation {:9.2e}",
-               progress.iteration, progress.objective, progress.violation);
-    std::fflush(stderr);
-  }
-
- private:
-  bool shown_, printed_ = false;
-};
+std::string progress_text(const optim::Progress& progress) {
+  return fmt::format("iteration {:6}   objective {:14.8g}   violation {:9.2e}", progress.iteration,
+                     progress.objective, progress.violation);
+}
 
 int exit_status(optim::Verdict verdict) {
   switch (verdict) {
@@ -143,7 +127,7 @@ void run_optimize(const OptimizeOptions& options, int& status) {
     const Interruptible interruptible;
     ProgressLine line(!options.json);
     search.stop = interruptible.flag();
-    search.progress = [&line](const optim::Progress& progress) { line(progress); };
+    search.progress = [&line](const optim::Progress& p) { line.show(progress_text(p)); };
     optimum = optim::optimise(space, search);
   }
   const Answer answer{bound, space, optimum, search.solver, search.seed};

@@ -22,7 +22,7 @@ std::string number(double value) { return fmt::format("{:.7g}", value); }
 const Assessment& assessment(const Answer& answer) { return answer.optimum.found.assessment; }
 
 std::string objective_name(const Answer& answer) {
-  return answer.bound.statement().objective->response.name;
+  return answer.bound.statement().objectives.front().response.name;
 }
 
 const std::string& objective_unit(const Answer& answer) {
@@ -109,7 +109,7 @@ std::string how(const Answer& answer) {
 /// The objective and the variables, where there is a design.
 std::string design_text(const Answer& answer) {
   const optim::ObjectiveReport& objective = assessment(answer).objective;
-  const problems::ResponseName& response = answer.bound.statement().objective->response;
+  const problems::ResponseName& response = answer.bound.statement().objectives.front().response;
   if (std::isnan(objective.value)) return "no design was found\n";
   std::string text = fmt::format(
       "{} = {}{}\n\n", objective_name(answer),

@@ -89,6 +89,8 @@ int run(int argc, const char* const* argv) {
   add_check_command(app, status);
   add_evaluate_command(app);
   add_optimize_command(app, status);
+  add_pareto_command(app, status);
+  add_front_command(app, status);
   try {
     app.parse(argc, argv);
     return finish(status);

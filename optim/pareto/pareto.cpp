@@ -33,6 +33,7 @@ class Study {
   Study(const MultiSpace& space, const ParetoOptions& options, Executor& executor)
       : space_(space), options_(options), executor_(executor) {
     front_.parts = space.parts();
+    progress_.wanted = options.points;
     const MultiProblem first = space.problem(space.options(0));
     first.check();
     for (const Objective& o : first.objectives) {
@@ -55,7 +56,7 @@ class Study {
 
   /// Carries tasks out; whether all were.
   bool carry_out(const std::vector<Task>& tasks, std::vector<Outcome>& outcomes) {
-    outcomes = executor_.run(tasks, front_.tasks);
+    outcomes = executor_.run(tasks, [this](const auto&, const auto&) { count_task(); });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       front_.evaluations += outcomes[i].evaluations;
       if (outcomes[i].failure.empty()) continue;
@@ -257,11 +258,18 @@ class Study {
     return options_.reference ? *options_.reference : default_reference(all);
   }
 
-  void report() const {
+  /// Works out how far the front is, and tells.
+  void report() {
     if (!options_.progress) return;
     const std::vector<Costs> all = costs_of(so_far().points);
-    const double volume = all.empty() ? 0 : hypervolume(all, reference(all));
-    options_.progress({front_.tasks, all.size(), options_.points, volume});
+    progress_.points = all.size();
+    progress_.hypervolume = all.empty() ? 0 : hypervolume(all, reference(all));
+    options_.progress(progress_);
+  }
+
+  void count_task() {
+    ++progress_.tasks;
+    if (options_.progress) options_.progress(progress_);
   }
 
   void settle() {
@@ -285,6 +293,7 @@ class Study {
   const ParetoOptions& options_;
   Executor& executor_;
   Front front_;
+  StudyProgress progress_;
   std::vector<std::unique_ptr<PartFront>> parts_;
   std::vector<std::vector<FrontPoint>> scouted_;  ///< of each part
 };

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/nsga2.hpp>
+#include <pagmo/config.hpp>
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
 
@@ -126,5 +127,7 @@ Outcome scout(const Task& task, const MultiProblem& multi) {
   }
   return outcome;
 }
+
+std::string pagmo_version() { return "pagmo " PAGMO_VERSION; }
 
 }  // namespace camlaw::optim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "optim/pareto/task.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -167,6 +169,21 @@ FrontPoint looked_at(const MultiProblem& multi, std::size_t part, Design x) {
   point.verdict = met && numbers ? Verdict::Feasible : Verdict::Failed;
   point.reason = met ? "the design was looked at, not searched for" : "it passes a limit";
   return point;
+}
+
+std::string Task::text() const {
+  constexpr const char* kKinds[] = {"bounded", "toward", "scout"};
+  const auto numbers = [](const std::vector<double>& values) {
+    std::string text;
+    for (const double v : values) text += fmt::format(" {:a}", v);
+    return text;
+  };
+  std::string text = fmt::format("{} part {} sought {} bounds{} origin{} direction{} seed {}",
+                                 kKinds[static_cast<int>(kind)], part, sought, numbers(bounds),
+                                 numbers(origin), numbers(direction), seed);
+  if (kind == Kind::Scout) text += fmt::format(" population {} of {}", population, generations);
+  for (const auto& start : starts) text += " start" + numbers(start);
+  return text;
 }
 
 Outcome carry_out(const Task& task, const MultiSpace& space, const OptimiseOptions& options) {

@@ -26,6 +26,9 @@ struct Task {
   std::vector<std::vector<double>> starts = {};  ///< designs to begin at; empty: the problem's own
   std::size_t population = 0, generations = 0;   ///< of Scout
   std::uint64_t seed = 1;
+
+  /// All of it in words, numbers to the last bit: tasks of one text are the same.
+  std::string text() const;
 };
 
 /// Where a design stands against one limit of the problem.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
+#include <IpoptConfig.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -290,5 +291,7 @@ const Solver& ipopt_solver() {
   static const IpoptSolver solver;
   return solver;
 }
+
+std::string ipopt_version() { return "ipopt " IPOPT_VERSION; }
 
 }  // namespace camlaw::optim

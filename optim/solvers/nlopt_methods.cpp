@@ -108,4 +108,10 @@ std::optional<std::string> why_refused(const NloptMethod& method, const Program&
   return row_refusal(method, program);
 }
 
+std::string nlopt_version() {
+  int major = 0, minor = 0, bugfix = 0;
+  ::nlopt_version(&major, &minor, &bugfix);
+  return fmt::format("nlopt {}.{}.{}", major, minor, bugfix);
+}
+
 }  // namespace camlaw::optim

@@ -57,4 +57,6 @@ const Solver& find_solver(std::string_view name) {
       fmt::format("no solver is called '{}'; there are {}", name, fmt::join(solver_names(), ", ")));
 }
 
+std::vector<std::string> solver_versions() { return {ipopt_version(), nlopt_version()}; }
+
 }  // namespace camlaw::optim

@@ -85,8 +85,13 @@ class Solver {
 const Solver& find_solver(std::string_view name);
 std::vector<std::string> solver_names();
 
+/// The libraries behind the solvers with the versions in use: "ipopt 3.11.9".
+std::vector<std::string> solver_versions();
+
 /// The back ends' own lists.
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
+std::string ipopt_version();
+std::string nlopt_version();
 
 }  // namespace camlaw::optim

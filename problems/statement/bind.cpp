@@ -83,7 +83,7 @@ struct BoundProblem::Slot {
 };
 
 BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(statement)) {
-  if (!statement_.objective) {
+  if (statement_.objectives.empty()) {
     refuse(statement_, "the problem has no objective; write [objective] minimize = \"...\"");
   }
   if (statement_.variables.empty() && statement_.laws.size() < 2) {
@@ -108,7 +108,31 @@ BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(st
 }
 
 optim::ProblemSpace BoundProblem::space() const {
+  if (statement_.objectives.size() > 1) {
+    refuse(statement_,
+           "there are several objectives, which have a front, not an optimum; "
+           "'camlaw pareto' finds it");
+  }
+  return {choices_,
+          [bound = *this](const auto& options) { return bound.problem(options).alone(0); }};
+}
+
+optim::MultiSpace BoundProblem::front_space() const {
+  if (statement_.objectives.size() < 2) {
+    refuse(statement_,
+           "there is one objective, which has an optimum, not a front; "
+           "'camlaw optimize' finds it");
+  }
   return {choices_, [bound = *this](const auto& options) { return bound.problem(options); }};
+}
+
+std::optional<std::vector<double>> BoundProblem::reference() const {
+  std::vector<double> result;
+  for (const ObjectiveStatement& o : statement_.objectives) {
+    if (!o.reference) return {};
+    result.push_back(o.sense == optim::Sense::Minimize ? *o.reference : -*o.reference);
+  }
+  return result;
 }
 
 const Member& BoundProblem::law(const std::vector<std::size_t>& options) const {
@@ -164,8 +188,8 @@ Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
   return binding;
 }
 
-optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) const {
-  optim::Problem problem;
+optim::MultiProblem BoundProblem::problem(const std::vector<std::size_t>& options) const {
+  optim::MultiProblem problem;
   problem.name = statement_.title;
   for (const Slot& slot : slots(options)) {
     if (slot.fixed) continue;
@@ -174,9 +198,10 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
   }
   const Binding bound = binding(options);
   const Mechanism& mechanism = *statement_.mechanism;
-  const ObjectiveStatement& objective = *statement_.objective;
-  problem.objective = {make_response(mechanism, objective.response, bound), objective.sense,
-                       objective.response.part, objective.tolerance};
+  for (const ObjectiveStatement& objective : statement_.objectives) {
+    problem.objectives.push_back({make_response(mechanism, objective.response, bound),
+                                  objective.sense, objective.response.part, objective.tolerance});
+  }
   problem.constraints = constraints_of(statement_, bound);
   return problem;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "optim/pareto/multi_problem.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/statement.h"
 
@@ -16,10 +17,16 @@ class BoundProblem {
   explicit BoundProblem(ProblemStatement statement);
 
   const ProblemStatement& statement() const { return statement_; }
+  const std::vector<optim::Choice>& choices() const { return choices_; }
+  /// Of a problem with one objective; throws std::invalid_argument where there are more.
   optim::ProblemSpace space() const;
+  /// Of a problem with two objectives or more; throws std::invalid_argument where there is one.
+  optim::MultiSpace front_space() const;
+  /// What hypervolumes are measured from, as costs; none where the file does not say.
+  std::optional<std::vector<double>> reference() const;
 
   /// Of one combination of options: the problem, and the mechanism and law behind its variables.
-  optim::Problem problem(const std::vector<std::size_t>& options) const;
+  optim::MultiProblem problem(const std::vector<std::size_t>& options) const;
   Binding binding(const std::vector<std::size_t>& options) const;
 
   /// The design as a person states it: the statement with every constant and law parameter of the

@@ -86,7 +86,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
   check_keys(file, {"title", "mechanism", "constants", "law", "program", "variables", "objective",
-                    "constraints", "solver"});
+                    "objectives", "constraints", "solver"});
   ProblemStatement problem;
   problem.source = source;
   if (const Entry* title = find(file, "title")) {
@@ -99,11 +99,13 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   read_constants(file, problem, fixed);
   read_variables(file, problem, fixed);
   check_laws_at_start(file, problem);
-  read_objective(file, problem);
+  read_objectives(file, problem);
   read_constraints(file, problem);
   read_solver(file, problem);
   return problem;
 }
+
+std::string problem_text(const std::string& path) { return contents(path); }
 
 ProblemStatement read_problem_file(const std::string& path) {
   return read_problem(contents(path), path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -166,17 +168,19 @@ void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
 
 }  // namespace
 
-void read_objective(const Entry& file, ProblemStatement& problem) {
-  const Entry* table = find(file, "objective");
-  if (table == nullptr) return;
-  expect(*table, Kind::Table, "a table, [objective] with minimize or maximize");
-  check_keys(*table, {"minimize", "maximize", "tolerance"});
-  const Entry *least = find(*table, "minimize"), *greatest = find(*table, "maximize");
+namespace {
+
+/// What is wanted, by a table with minimize or maximize.
+ObjectiveStatement read_wanted(const Entry& table, const ProblemStatement& problem) {
+  const Entry *least = find(table, "minimize"), *greatest = find(table, "maximize");
   if (least != nullptr && greatest != nullptr) {
-    refuse(*table, "minimize and maximize are both given; a problem has one objective");
+    refuse(
+        table,
+        "minimize and maximize are both given; an objective has one of them; a front has several "
+        "objectives, each a table headed [[objectives]]");
   }
   if (least == nullptr && greatest == nullptr) {
-    refuse(*table, "there is neither minimize nor maximize; give one of them");
+    refuse(table, "there is neither minimize nor maximize; give one of them");
   }
   const Entry& wanted = least != nullptr ? *least : *greatest;
   ObjectiveStatement objective;
@@ -184,8 +188,53 @@ void read_objective(const Entry& file, ProblemStatement& problem) {
   objective.response = read_response(wanted, problem);
   check_part(wanted, objective.response, objective.sense);
   check_varies(wanted, objective.response, problem);
-  objective.tolerance = find_positive(*table, "tolerance", objective.response.unit);
-  problem.objective = std::move(objective);
+  objective.tolerance = find_positive(table, "tolerance", objective.response.unit);
+  return objective;
+}
+
+ObjectiveStatement read_one_of_several(const Entry& table, const ProblemStatement& problem) {
+  expect(table, Kind::Table, "a table, [[objectives]] with minimize or maximize");
+  check_keys(table, {"minimize", "maximize", "tolerance", "reference"});
+  ObjectiveStatement objective = read_wanted(table, problem);
+  if (const Entry* reference = find(table, "reference")) {
+    objective.reference = quantity_of(*reference, objective.response.unit);
+  }
+  for (const ObjectiveStatement& other : problem.objectives) {
+    if (other.response.name != objective.response.name) continue;
+    refuse(table, fmt::format("{} is an objective already", objective.response.name));
+  }
+  return objective;
+}
+
+/// Hypervolumes are measured from the references of all objectives, or from one that is chosen.
+void check_references(const Entry& list, const ProblemStatement& problem) {
+  const auto stated = std::count_if(problem.objectives.begin(), problem.objectives.end(),
+                                    [](const auto& o) { return o.reference.has_value(); });
+  if (stated == 0 || stated == static_cast<std::ptrdiff_t>(problem.objectives.size())) return;
+  refuse(list, "reference is given for some objectives only; give it for all or for none");
+}
+
+}  // namespace
+
+void read_objectives(const Entry& file, ProblemStatement& problem) {
+  const Entry *one = find(file, "objective"), *several = find(file, "objectives");
+  if (one != nullptr && several != nullptr) {
+    refuse(*several, "there is an [objective] too; drop one of the two");
+  }
+  if (one != nullptr) {
+    expect(*one, Kind::Table, "a table, [objective] with minimize or maximize");
+    check_keys(*one, {"minimize", "maximize", "tolerance"});
+    problem.objectives = {read_wanted(*one, problem)};
+  }
+  if (several == nullptr) return;
+  expect(*several, Kind::List, "a list of tables, each headed [[objectives]]");
+  for (const Entry& table : several->items) {
+    problem.objectives.push_back(read_one_of_several(table, problem));
+  }
+  if (problem.objectives.size() < 2) {
+    refuse(*several, "a front needs two objectives or more; for a single one write [objective]");
+  }
+  check_references(*several, problem);
 }
 
 void read_constraints(const Entry& file, ProblemStatement& problem) {

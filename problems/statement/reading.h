@@ -24,7 +24,7 @@ void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fi
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 /// That each law can be made with its fixed values and starts, and that no two are the same.
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
-void read_objective(const Entry& file, ProblemStatement& problem);
+void read_objectives(const Entry& file, ProblemStatement& problem);
 void read_constraints(const Entry& file, ProblemStatement& problem);
 void read_solver(const Entry& file, ProblemStatement& problem);
 

@@ -33,6 +33,7 @@ struct ObjectiveStatement {
   ResponseName response;
   optim::Sense sense = optim::Sense::Minimize;
   std::optional<double> tolerance;
+  std::optional<double> reference = {};  ///< of a front: what its hypervolume is measured from
 };
 
 struct ConstraintStatement {
@@ -56,7 +57,8 @@ struct ProblemStatement {
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
   std::vector<VariableStatement> variables;
-  std::optional<ObjectiveStatement> objective;  ///< `evaluate` does without
+  /// One, or for a front two or more; `evaluate` does without.
+  std::vector<ObjectiveStatement> objectives;
   std::vector<ConstraintStatement> constraints;
   SolverStatement solver;
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
@@ -68,6 +70,8 @@ struct ProblemStatement {
 ProblemStatement read_problem(std::string_view toml, const std::string& source);
 /// Reads a file of at most 16 MiB. Throws std::invalid_argument too where it cannot be read.
 ProblemStatement read_problem_file(const std::string& path);
+/// The text of such a file.
+std::string problem_text(const std::string& path);
 
 /// Sets a variable's start, a constant or a law's fixed parameter: "blades=21", "stroke=30 mm",
 /// "alpha=-3", "c=-1.8,0.2", "c[2]=0.2". For the values at which a design is looked at. Throws

@@ -26,9 +26,9 @@ std::set<std::size_t> used_parameters(const ProblemStatement& problem) {
     if (name.response != nullptr)
       used.insert(name.response->uses.begin(), name.response->uses.end());
   };
-  if (problem.objective) use(problem.objective->response);
+  for (const ObjectiveStatement& o : problem.objectives) use(o.response);
   for (const ConstraintStatement& constraint : problem.constraints) use(constraint.response);
-  if (problem.objective || !problem.constraints.empty()) return used;
+  if (!problem.objectives.empty() || !problem.constraints.empty()) return used;
   for (std::size_t i = 0; i < problem.constants.size(); ++i) used.insert(i);
   return used;
 }
@@ -119,13 +119,18 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
                      with_unit(v.upper, v.unit), start);
 }
 
-std::string objective_sentence(const std::optional<ObjectiveStatement>& objective) {
-  if (!objective) return "There is no objective.\n";
-  const ResponseName& response = objective->response;
-  return fmt::format("Find the {} {}{}{}.\n",
-                     objective->sense == Sense::Minimize ? "least" : "greatest", response.name,
-                     response.unit == "1" ? "" : fmt::format(" ({})", response.unit),
-                     tolerance_note(objective->tolerance, response.unit));
+std::string wanted_text(const ObjectiveStatement& objective) {
+  const ResponseName& response = objective.response;
+  return fmt::format("the {} {}{}{}", objective.sense == Sense::Minimize ? "least" : "greatest",
+                     response.name, response.unit == "1" ? "" : fmt::format(" ({})", response.unit),
+                     tolerance_note(objective.tolerance, response.unit));
+}
+
+std::string objectives_sentence(const std::vector<ObjectiveStatement>& objectives) {
+  if (objectives.empty()) return "There is no objective.\n";
+  std::vector<std::string> wanted;
+  for (const ObjectiveStatement& objective : objectives) wanted.push_back(wanted_text(objective));
+  return fmt::format("Find {}{}.\n", wanted.size() > 1 ? "the front of " : "", listed(wanted));
 }
 
 std::string limits_text(const ConstraintStatement& c) {
@@ -165,7 +170,7 @@ std::string in_words(const ProblemStatement& problem) {
   words += constants_sentence(problem) + laws_sentence(problem);
   for (const VariableStatement& variable : problem.variables)
     words += variable_sentence(problem, variable);
-  words += objective_sentence(problem.objective);
+  words += objectives_sentence(problem.objectives);
   for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
   return words + solver_sentence(problem.solver);
 }

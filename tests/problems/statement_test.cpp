@@ -118,10 +118,10 @@ TEST_CASE("a complete file is read to its numbers, in the listed units", "[state
   REQUIRE(p.laws.size() == 1);
   CHECK(p.laws[0].family->name == "polynomial-5");
   CHECK(argument(p.laws[0], "crossover") == std::vector{0.45});
-  REQUIRE(p.objective);
-  CHECK(p.objective->response.name == "cam_radius");
-  CHECK(p.objective->sense == optim::Sense::Minimize);
-  CHECK(p.objective->tolerance == 0.01);
+  REQUIRE(p.objectives.size() == 1);
+  CHECK(p.objectives.front().response.name == "cam_radius");
+  CHECK(p.objectives.front().sense == optim::Sense::Minimize);
+  CHECK(p.objectives.front().tolerance == 0.01);
   CHECK(p.solver.name == "ipopt");
   CHECK(p.solver.starts == 10);
   CHECK(p.solver.seed == 3u);
@@ -266,7 +266,7 @@ TEST_CASE("a value a rounding of units beside a bound is the bound", "[statement
 TEST_CASE("a file without objective, variables and constraints is a design", "[statement]") {
   const ProblemStatement p = read("");
   CHECK(p.variables.empty());
-  CHECK_FALSE(p.objective);
+  CHECK(p.objectives.empty());
   CHECK(p.constraints.empty());
 }
 

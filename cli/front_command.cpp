@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/front_output.h"
+#include "cli/text_table.h"
+#include "problems/statement/solver_settings.h"
+
+namespace camlaw::cli {
+namespace {
+
+struct FrontCommand {
+  std::string file;
+  std::optional<std::string> weights, point, csv, svg;
+  bool knee = false, json = false;
+};
+
+/// "1,2": one number for each objective.
+std::vector<double> parse_weights(const std::string& text) {
+  std::vector<double> weights;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::string part = text.substr(from, to - from);
+    weights.push_back(read_plain_number(part, {}, "--weights"));
+    from = to + 1;
+  }
+  return weights;
+}
+
+/// The points that are asked for, in words, and which.
+std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& options,
+                                                        const FrontAnswer& answer) {
+  std::vector<std::pair<std::string, std::size_t>> result;
+  const auto all = answer.costs();
+  if (options.knee) {
+    const auto knee = optim::knee(all);
+    if (!knee) throw std::invalid_argument("--knee: a front of fewer than three points has none");
+    result.emplace_back("knee", knee->point);
+  }
+  if (options.weights) {
+    result.emplace_back("compromise", optim::compromise(all, parse_weights(*options.weights)));
+  }
+  if (options.point) {
+    const auto number =
+        problems::parse_whole(*options.point, 1, static_cast<std::int64_t>(all.size()), "--point");
+    result.emplace_back("point", static_cast<std::size_t>(number - 1));
+  }
+  return result;
+}
+
+void run_front(const FrontCommand& options, int& status) {
+  optim::StudyRecord record = optim::StudyRecord::read(options.file);
+  const problems::FrontStudy study = problems::FrontStudy::of(record);
+  optim::RecordedExecutor recorded(study.space(), record, nullptr);
+  const optim::Front front = study.run(recorded);
+  const FrontAnswer answer{study, front};
+  if (front.points.empty()) {
+    fmt::print("{}", options.json ? front_json(answer).dump(2) + "\n" : front_text(answer));
+    status = front.complete ? kInfeasible : kNotSolved;
+    return;
+  }
+  std::vector<OutputFile> files;
+  if (options.csv) files.push_back({*options.csv, front_csv(answer)});
+  if (options.svg) {
+    const Figure figure = front_figure(answer);
+    if (figure.panels.empty()) {
+      throw std::invalid_argument("--svg: fronts of two or three objectives are drawn");
+    }
+    files.push_back({*options.svg, to_svg(figure)});
+  }
+  const auto points = chosen(options, answer);
+  write_files(files);
+  if (options.json) {
+    Json object = front_json(answer);
+    for (const auto& [name, point] : points) object["chosen"][name] = point_json(answer, point);
+    fmt::print("{}\n", object.dump(2));
+    return;
+  }
+  if (points.empty()) fmt::print("{}", front_text(answer));
+  for (const auto& [name, point] : points) fmt::print("{}: {}", name, point_text(answer, point));
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+}
+
+}  // namespace
+
+void add_front_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("front", "Look at the front that a study has found");
+  const auto options = std::make_shared<FrontCommand>();
+  command->add_option("FILE", options->file, "the study's file, of 'camlaw pareto'")->required();
+  add_switch(*command, "--knee", options->knee, "the point where the front bends most");
+  command->add_option("--weights", options->weights,
+                      "the compromise for these weights, one for each objective: 1,2");
+  command->add_option("--point", options->point, "the point of this number");
+  command->add_option("--csv", options->csv, "write the front here");
+  command->add_option("--svg", options->svg, "draw it here");
+  add_switch(*command, "--json", options->json, "print JSON");
+  command->callback([options, &status] { run_front(*options, status); });
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/chart.h"
+#include "cli/law_json.h"
+#include "problems/fronts/front_study.h"
+
+/// A front for people, for programs and as a picture.
+namespace camlaw::cli {
+
+/// A front with what it is the front of.
+struct FrontAnswer {
+  const problems::FrontStudy& study;
+  const optim::Front& front;
+
+  /// A point's option of each choice and the values of its variables, with units.
+  struct Value {
+    std::string name, unit, text;
+    double number;  ///< NaN for a choice in words
+  };
+  std::vector<Value> values(const optim::FrontPoint& point) const;
+  /// The law of a point in a few words; empty where the mechanism takes none.
+  std::string law(const optim::FrontPoint& point) const;
+  /// By how much objective `of` changes along the front per unit of objective `per`.
+  double slope(const optim::FrontPoint& point, std::size_t of, std::size_t per) const;
+  std::vector<optim::Costs> costs() const;
+  /// A cost as the objective's value.
+  double value(std::size_t objective, double cost) const;
+};
+
+std::string front_text(const FrontAnswer& answer);
+Json front_json(const FrontAnswer& answer);
+std::string front_csv(const FrontAnswer& answer);
+/// Empty of panels unless there are two or three objectives.
+Figure front_figure(const FrontAnswer& answer);
+
+/// One design of the front in full, and what the next tenth of each objective costs.
+std::string point_text(const FrontAnswer& answer, std::size_t point);
+Json point_json(const FrontAnswer& answer, std::size_t point);
+
+}  // namespace camlaw::cli

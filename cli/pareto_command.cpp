@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/front_output.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "optim/study/workers.h"
+#include "problems/statement/solver_settings.h"
+
+namespace camlaw::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ParetoCommand {
+  std::string file, method = "auto";
+  std::optional<std::string> points, workers, db, out;
+  bool resume = false, json = false;
+};
+
+constexpr int kMostWorkers = 256;
+
+int count_of_workers(const ParetoCommand& options) {
+  if (options.workers) {
+    return static_cast<int>(problems::parse_whole(*options.workers, 1, kMostWorkers, "--workers"));
+  }
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+}
+
+/// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
+std::optional<std::string> study_file(const ParetoCommand& options) {
+  if (options.db) return options.db;
+  if (options.out) return (fs::path(*options.out) / "study.db").string();
+  if (options.resume) throw std::invalid_argument("--resume: name the study, --db FILE");
+  return {};
+}
+
+std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& path,
+                                            const problems::FrontStudy& study, bool resume) {
+  if (!path) return {};
+  if (resume && fs::exists(*path)) {
+    std::optional<optim::StudyRecord> record = optim::StudyRecord::open(*path);
+    study.check_same(*record);
+    return record;
+  }
+  if (const fs::path folder = fs::path(*path).parent_path(); !folder.empty()) {
+    std::error_code ignored;  // the record says what is wrong with the place
+    fs::create_directories(folder, ignored);
+  }
+  return optim::StudyRecord::create(*path, study.settings());
+}
+
+std::string progress_text(const optim::StudyProgress& progress, double seconds) {
+  std::string text =
+      fmt::format("{} of {} points, {} searches, hypervolume {:.6g}", progress.points,
+                  progress.wanted, progress.tasks, progress.hypervolume);
+  if (progress.points > 2 && progress.points < progress.wanted) {
+    const auto done = static_cast<double>(progress.points);
+    const double left = seconds * (static_cast<double>(progress.wanted) - done) / done;
+    text += fmt::format(", about {:.0f} s left", left);
+  }
+  return text;
+}
+
+std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string& json,
+                                    const fs::path& out) {
+  std::vector<OutputFile> files{{out / "front.json", json}, {out / "front.csv", front_csv(answer)}};
+  const Figure figure = front_figure(answer);
+  if (!figure.panels.empty()) files.push_back({out / "front.svg", to_svg(figure)});
+  return files;
+}
+
+int status_of(const optim::Front& front) {
+  if (!front.complete) return kNotSolved;
+  if (!front.points.empty()) return kDone;
+  return front.failures.empty() ? kInfeasible : kNotSolved;
+}
+
+optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
+                  const ParetoCommand& options) {
+  const Interruptible interruptible;
+  ProgressLine line(!options.json);
+  const auto began = std::chrono::steady_clock::now();
+  study.options().solve.stop = interruptible.flag();
+  study.options().progress = [&](const optim::StudyProgress& progress) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+    line.show(progress_text(progress, spent.count()));
+  };
+  optim::ProcessExecutor workers(study.space(), study.options().solve, count_of_workers(options));
+  if (!record) return study.run(workers);
+  optim::RecordedExecutor recorded(study.space(), *record, &workers);
+  return study.run(recorded);
+}
+
+void run_pareto(const ParetoCommand& options, int& status) {
+  if (options.out && options.out->empty()) {
+    throw std::invalid_argument("--out: a folder's name is wanted");
+  }
+  problems::FrontSettings settings;
+  settings.method = problems::parse_method(options.method);
+  if (options.points) {
+    settings.points = static_cast<std::size_t>(
+        problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));
+  }
+  count_of_workers(options);  // refused before anything is written
+  problems::FrontStudy study(problems::problem_text(options.file), options.file, settings);
+  const fs::path out = options.out.value_or("");
+  if (options.out) check_writable({out / "front.json", out / "front.csv", out / "front.svg"});
+  const auto path = study_file(options);
+  auto record = record_of(path, study, options.resume);
+  const optim::Front front = look(study, record, options);
+  const FrontAnswer answer{study, front};
+  const std::string json = front_json(answer).dump(2) + "\n";
+  fmt::print("{}", options.json ? json : front_text(answer));
+  status = status_of(front);
+  if (path && !options.json) fmt::print("study {}\n", *path);
+  if (!options.out || front.points.empty()) return;
+  std::fflush(stdout);
+  const auto files = front_files(answer, json, out);
+  write_files(files);
+  if (options.json) return;
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+}
+
+}  // namespace
+
+void add_pareto_command(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("pareto", "Find the front of a problem file with two objectives or more");
+  const auto options = std::make_shared<ParetoCommand>();
+  command->add_option("FILE", options->file, "the problem file (TOML)")->required();
+  command->add_option("--points", options->points, "how many designs, 50 unless stated");
+  command->add_option("--method", options->method,
+                      "auto, sweep (searches by gradients) or nsga2, polished by gradients");
+  command->add_option("--workers", options->workers,
+                      "processes at work at a time; the answer does not depend on them");
+  command->add_option("--db", options->db, "record the study in this file");
+  add_switch(*command, "--resume", options->resume, "go on with the study of --db");
+  add_switch(*command, "--json", options->json, "print JSON");
+  command->add_option("--out", options->out,
+                      "folder for front.json, front.csv, front.svg and, without --db, study.db");
+  command->callback([options, &status] { run_pareto(*options, status); });
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/record.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace camlaw::optim {
+namespace {
+
+/// Marks the file as ours: "caml" as four bytes, and the version of the tables.
+constexpr int kApplication = 0x63616d6c;
+constexpr int kVersion = 1;
+
+constexpr const char* kTables = R"(
+CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE task (
+  id INTEGER PRIMARY KEY, text TEXT NOT NULL UNIQUE, part INTEGER NOT NULL,
+  infeasible INTEGER NOT NULL, evaluations INTEGER NOT NULL, failure TEXT NOT NULL);
+CREATE TABLE design (
+  id INTEGER PRIMARY KEY, task INTEGER NOT NULL REFERENCES task(id), verdict TEXT NOT NULL,
+  reason TEXT NOT NULL, is_global INTEGER NOT NULL, solver TEXT NOT NULL);
+CREATE TABLE variable (
+  design INTEGER NOT NULL REFERENCES design(id), place INTEGER NOT NULL, name TEXT NOT NULL,
+  unit TEXT NOT NULL, value REAL, PRIMARY KEY (design, place)) WITHOUT ROWID;
+CREATE TABLE objective (
+  design INTEGER NOT NULL REFERENCES design(id), place INTEGER NOT NULL, name TEXT NOT NULL,
+  unit TEXT NOT NULL, value REAL, cost REAL, weight REAL,
+  PRIMARY KEY (design, place)) WITHOUT ROWID;
+CREATE TABLE margin (
+  design INTEGER NOT NULL REFERENCES design(id), place INTEGER NOT NULL, name TEXT NOT NULL,
+  unit TEXT NOT NULL, margin REAL, angle REAL, met INTEGER NOT NULL, proved INTEGER NOT NULL,
+  price REAL, PRIMARY KEY (design, place)) WITHOUT ROWID;
+CREATE INDEX design_of_task ON design(task);
+)";
+
+double number(const SQLite::Column& column) {
+  return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+}
+
+/// NaN is kept as NULL, which is what SQLite makes of it.
+void bind(SQLite::Statement& statement, int index, double value) {
+  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
+}
+
+Verdict verdict_of(const std::string& text) {
+  for (const Verdict v :
+       {Verdict::Certified, Verdict::Feasible, Verdict::Infeasible, Verdict::Failed}) {
+    if (to_string(v) == text) return v;
+  }
+  throw std::runtime_error(fmt::format("'{}' is no verdict", text));
+}
+
+std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", path, why));
+}
+
+/// Refuses what is no study, is damaged, or was made by another version.
+void check(SQLite::Database& base, const std::string& path) {
+  constexpr const char* kForeign = "it is no study of camlaw, and is left as it is";
+  try {
+    const int application = base.execAndGet("PRAGMA application_id").getInt();
+    const int version = base.execAndGet("PRAGMA user_version").getInt();
+    if (application != kApplication) refuse(path, kForeign);
+    if (version != kVersion) {
+      refuse(path, fmt::format("its tables are of version {}; this program reads version {}",
+                               version, kVersion));
+    }
+    const std::string found = base.execAndGet("PRAGMA integrity_check(1)").getString();
+    if (found != "ok") refuse(path, "the file is damaged: " + found);
+  } catch (const SQLite::Exception& error) {
+    const bool foreign = error.getErrorCode() == 26;  // SQLITE_NOTADB
+    refuse(path, foreign ? kForeign : fmt::format("the file is damaged: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+/// The open file. Statements are made when they are needed: a study has few searches a second.
+class StudyRecord::File {
+ public:
+  File(const std::string& path, int flags)
+      : path_(path), base_(path, flags), writes_((flags & SQLite::OPEN_READWRITE) != 0) {
+    constexpr int kPatience = 2000;  // ms, for another reader
+    base_.setBusyTimeout(kPatience);
+    // Whatever ends the program, what was written whole is there; no wait for the disk each time.
+    if (writes_) base_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() {
+    if (!writes_) return;
+    try {
+      base_.exec("PRAGMA journal_mode = DELETE");  // one file again, to be read from anywhere
+    } catch (const SQLite::Exception&) {           // the next who opens it does that
+    }
+  }
+
+  void make(const StudySettings& settings) {
+    SQLite::Transaction all(base_);
+    base_.exec(fmt::format("PRAGMA application_id = {}", kApplication));
+    base_.exec(fmt::format("PRAGMA user_version = {}", kVersion));
+    base_.exec(kTables);
+    for (const auto& [name, value] : settings) {
+      SQLite::Statement insert(base_, "INSERT INTO setting VALUES (?, ?)");
+      insert.bind(1, name);
+      insert.bind(2, value);
+      insert.exec();
+    }
+    all.commit();
+  }
+
+  SQLite::Database& base() { return base_; }
+  const std::string& path() const { return path_; }
+
+  std::optional<Outcome> find(const std::string& text, std::size_t part) {
+    SQLite::Statement task(base_,
+                           "SELECT id, infeasible, evaluations, failure FROM task WHERE text = ?");
+    task.bind(1, text);
+    if (!task.executeStep()) return {};
+    Outcome outcome;
+    outcome.infeasible = task.getColumn(1).getInt() != 0;
+    outcome.evaluations = task.getColumn(2).getInt64();
+    outcome.failure = task.getColumn(3).getString();
+    SQLite::Statement design(base_,
+                             "SELECT id, verdict, reason, is_global, solver FROM design "
+                             "WHERE task = ? ORDER BY id");
+    design.bind(1, task.getColumn(0).getInt64());
+    while (design.executeStep()) {
+      FrontPoint point;
+      point.part = part;
+      point.verdict = verdict_of(design.getColumn(1).getString());
+      point.reason = design.getColumn(2).getString();
+      point.is_global = design.getColumn(3).getInt() != 0;
+      point.solver = design.getColumn(4).getString();
+      fill(point, design.getColumn(0).getInt64());
+      outcome.points.push_back(std::move(point));
+    }
+    return outcome;
+  }
+
+  void add(const Task& task, const Outcome& outcome, const MultiProblem& problem) {
+    SQLite::Transaction all(base_);
+    SQLite::Statement insert(base_,
+                             "INSERT OR IGNORE INTO task (text, part, infeasible, evaluations, "
+                             "failure) VALUES (?, ?, ?, ?, ?)");
+    insert.bind(1, task.text());
+    insert.bind(2, whole(task.part));
+    insert.bind(3, outcome.infeasible);
+    insert.bind(4, static_cast<std::int64_t>(outcome.evaluations));
+    insert.bind(5, outcome.failure);
+    if (insert.exec() == 1) {
+      const std::int64_t id = base_.getLastInsertRowid();
+      for (const FrontPoint& point : outcome.points) add_design(id, point, problem);
+    }
+    all.commit();
+  }
+
+ private:
+  void fill(FrontPoint& point, std::int64_t design) {
+    const auto rows = [&](const char* query) {
+      SQLite::Statement statement(base_, query);
+      statement.bind(1, design);
+      return statement;
+    };
+    auto variable = rows("SELECT value FROM variable WHERE design = ? ORDER BY place");
+    while (variable.executeStep()) point.x.push_back(number(variable.getColumn(0)));
+    auto objective =
+        rows("SELECT value, cost, weight FROM objective WHERE design = ? ORDER BY place");
+    while (objective.executeStep()) {
+      point.objectives.push_back(number(objective.getColumn(0)));
+      point.costs.push_back(number(objective.getColumn(1)));
+      if (!objective.getColumn(2).isNull()) {
+        point.weights.push_back(objective.getColumn(2).getDouble());
+      }
+    }
+    auto margin = rows(
+        "SELECT name, unit, margin, angle, met, proved, price FROM margin WHERE design = ? "
+        "ORDER BY place");
+    while (margin.executeStep()) {
+      Standing limit;
+      limit.name = margin.getColumn(0).getString();
+      limit.unit = margin.getColumn(1).getString();
+      limit.margin = number(margin.getColumn(2));
+      if (!margin.getColumn(3).isNull()) limit.angle = margin.getColumn(3).getDouble();
+      limit.met = margin.getColumn(4).getInt() != 0;
+      limit.proved = margin.getColumn(5).getInt() != 0;
+      limit.price = number(margin.getColumn(6));
+      point.limits.push_back(std::move(limit));
+    }
+  }
+
+  void add_design(std::int64_t task, const FrontPoint& point, const MultiProblem& problem) {
+    SQLite::Statement design(base_,
+                             "INSERT INTO design (task, verdict, reason, is_global, solver) "
+                             "VALUES (?, ?, ?, ?, ?)");
+    design.bind(1, task);
+    design.bind(2, std::string(to_string(point.verdict)));
+    design.bind(3, point.reason);
+    design.bind(4, point.is_global);
+    design.bind(5, point.solver);
+    design.exec();
+    const std::int64_t id = base_.getLastInsertRowid();
+    add_variables(id, point, problem);
+    add_objectives(id, point, problem);
+    add_margins(id, point);
+  }
+
+  void add_variables(std::int64_t design, const FrontPoint& point, const MultiProblem& problem) {
+    SQLite::Statement insert(base_, "INSERT INTO variable VALUES (?, ?, ?, ?, ?)");
+    for (std::size_t i = 0; i < point.x.size(); ++i) {
+      insert.bind(1, design);
+      insert.bind(2, whole(i));
+      insert.bind(3, problem.variables.at(i).name);
+      insert.bind(4, problem.variables.at(i).unit);
+      bind(insert, 5, point.x[i]);
+      insert.exec();
+      insert.reset();
+    }
+  }
+
+  void add_objectives(std::int64_t design, const FrontPoint& point, const MultiProblem& problem) {
+    SQLite::Statement insert(base_, "INSERT INTO objective VALUES (?, ?, ?, ?, ?, ?, ?)");
+    for (std::size_t i = 0; i < point.costs.size(); ++i) {
+      insert.bind(1, design);
+      insert.bind(2, whole(i));
+      insert.bind(3, problem.objectives.at(i).response.name);
+      insert.bind(4, problem.objectives.at(i).response.unit);
+      bind(insert, 5, point.objectives[i]);
+      bind(insert, 6, point.costs[i]);
+      point.weights.empty() ? insert.bind(7) : bind(insert, 7, point.weights[i]);
+      insert.exec();
+      insert.reset();
+    }
+  }
+
+  void add_margins(std::int64_t design, const FrontPoint& point) {
+    SQLite::Statement insert(base_, "INSERT INTO margin VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (std::size_t i = 0; i < point.limits.size(); ++i) {
+      const Standing& limit = point.limits[i];
+      insert.bind(1, design);
+      insert.bind(2, whole(i));
+      insert.bind(3, limit.name);
+      insert.bind(4, limit.unit);
+      bind(insert, 5, limit.margin);
+      limit.angle ? insert.bind(6, *limit.angle) : insert.bind(6);
+      insert.bind(7, limit.met);
+      insert.bind(8, limit.proved);
+      bind(insert, 9, limit.price);
+      insert.exec();
+      insert.reset();
+    }
+  }
+
+  std::string path_;
+  SQLite::Database base_;
+  bool writes_;
+};
+
+StudyRecord::StudyRecord(std::unique_ptr<File> file) : file_(std::move(file)) {}
+StudyRecord::StudyRecord(StudyRecord&&) noexcept = default;
+StudyRecord::~StudyRecord() = default;
+
+StudyRecord StudyRecord::create(const std::string& path, const StudySettings& settings) {
+  if (std::filesystem::exists(path)) {
+    refuse(path, "the file exists already; resume the study, or name another file");
+  }
+  try {
+    auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    file->make(settings);
+    return StudyRecord(std::move(file));
+  } catch (const SQLite::Exception& error) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);  // what was begun of it
+    throw std::runtime_error(fmt::format("{}: it cannot be written: {}", path, error.what()));
+  }
+}
+
+StudyRecord StudyRecord::open(const std::string& path) {
+  read(path);  // first without a hand on it
+  try {
+    return StudyRecord(std::make_unique<File>(path, SQLite::OPEN_READWRITE));
+  } catch (const SQLite::Exception& error) {
+    throw std::runtime_error(fmt::format("{}: it cannot be opened: {}", path, error.what()));
+  }
+}
+
+StudyRecord StudyRecord::read(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) refuse(path, "there is no such study");
+  try {
+    auto file = std::make_unique<File>(path, SQLite::OPEN_READONLY);
+    check(file->base(), path);
+    return StudyRecord(std::move(file));
+  } catch (const SQLite::Exception& error) {
+    refuse(path, fmt::format("it cannot be read: {}", error.what()));
+  }
+}
+
+StudySettings StudyRecord::settings() const {
+  StudySettings result;
+  SQLite::Statement rows(file_->base(), "SELECT name, value FROM setting");
+  while (rows.executeStep()) {
+    result[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+  }
+  return result;
+}
+
+std::optional<Outcome> StudyRecord::find(const Task& task) const {
+  try {
+    return file_->find(task.text(), task.part);
+  } catch (const std::exception& error) {
+    refuse(file_->path(), fmt::format("the file is damaged: {}", error.what()));
+  }
+}
+
+void StudyRecord::add(const Task& task, const Outcome& outcome, const MultiProblem& problem) {
+  try {
+    file_->add(task, outcome, problem);
+  } catch (const SQLite::Exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: the study cannot be written: {}; what was written before is kept",
+                    file_->path(), error.what()));
+  }
+}
+
+std::size_t StudyRecord::size() const {
+  return static_cast<std::size_t>(file_->base().execAndGet("SELECT count(*) FROM task").getInt64());
+}
+
+std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
+                                           const OnOutcome& on_outcome) {
+  std::vector<std::optional<Outcome>> outcomes;
+  std::vector<Task> missing;
+  for (const Task& task : tasks) {
+    outcomes.push_back(record_.find(task));
+    if (!outcomes.back()) {
+      missing.push_back(task);
+    } else if (on_outcome) {
+      on_outcome(task, *outcomes.back());
+    }
+  }
+  std::vector<Outcome> fresh;
+  if (others_ != nullptr && !missing.empty()) {
+    fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
+      record_.add(task, outcome, space_.problem(space_.options(task.part)));
+      if (on_outcome) on_outcome(task, outcome);
+    });
+  }
+  std::vector<Outcome> in_order;
+  auto next = fresh.begin();
+  for (auto& outcome : outcomes) {
+    if (!outcome && next == fresh.end()) break;
+    in_order.push_back(outcome ? std::move(*outcome) : std::move(*next++));
+  }
+  return in_order;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/pareto/pareto.h"
+#include "optim/study/record.h"
+#include "problems/statement/bind.h"
+
+/// The front of a problem file: from the text to a study on disk and back.
+namespace camlaw::problems {
+
+/// How a front is looked for, as far as people say it.
+struct FrontSettings {
+  std::size_t points = 50;
+  optim::ParetoMethod method = optim::ParetoMethod::Automatic;
+};
+
+inline constexpr std::size_t kMostPoints = 100'000;
+
+/// "auto", "sweep", "nsga2". Throws std::invalid_argument with the known ones.
+optim::ParetoMethod parse_method(std::string_view text);
+std::string_view to_string(optim::ParetoMethod method);
+
+class FrontStudy {
+ public:
+  /// `text` is that of a problem file with two objectives or more, `source` names it in errors.
+  FrontStudy(std::string text, const std::string& source, const FrontSettings& settings);
+  /// As a record has it; to be looked at, or gone on with.
+  static FrontStudy of(const optim::StudyRecord& record);
+
+  const BoundProblem& bound() const { return bound_; }
+  const optim::MultiSpace& space() const { return space_; }
+  /// Of the search; progress and stop may be set.
+  optim::ParetoOptions& options() { return options_; }
+  const optim::ParetoOptions& options() const { return options_; }
+
+  /// What a record keeps of it: problem, settings, versions.
+  optim::StudySettings settings() const;
+  /// Throws std::invalid_argument naming what differs, where the outcomes of a record are not those
+  /// that this study would have. Points and method may differ.
+  void check_same(const optim::StudyRecord& record) const;
+
+  optim::Front run(optim::Executor& executor) const;
+
+  /// The law of a design of the front; none where the mechanism has none.
+  std::optional<Member> law(const optim::FrontPoint& point) const;
+
+ private:
+  std::string text_, source_;
+  BoundProblem bound_;
+  optim::MultiSpace space_;
+  optim::ParetoOptions options_;
+};
+
+/// The hypervolume that no law can exceed (theory: "Analytic limits"), from the same reference:
+/// where of two objectives one is a multiple of the law's B and the other of its C, whatever else
+/// may vary. None elsewhere. What is a multiple is found by trying laws.
+struct FrontRuler {
+  std::size_t of_velocity, of_acceleration;  ///< which objective is which
+  double velocity_factor, acceleration_factor;
+
+  /// The least possible of the one for the other: an objective's value.
+  double least_acceleration_value(double velocity_value) const;
+  double hypervolume(const optim::Costs& reference) const;
+};
+std::optional<FrontRuler> front_ruler(const ProblemStatement& statement);
+
+}  // namespace camlaw::problems
