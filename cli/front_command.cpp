@@ -9,6 +9,7 @@
 #include "cli/files.h"
 #include "cli/front_output.h"
 #include "cli/text_table.h"
+#include "cli/tolerance_output.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -17,7 +18,8 @@ namespace {
 struct FrontCommand {
   std::string file;
   std::optional<std::string> weights, point, csv, svg;
-  bool knee = false, json = false;
+  std::vector<std::string> tolerances;
+  bool knee = false, sensitivity = false, json = false;
 };
 
 /// "1,2": one number for each objective.
@@ -54,6 +56,18 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
   return result;
 }
 
+struct Spread {
+  std::vector<double> tolerances;
+  optim::ToleranceReport report;
+};
+
+Spread spread_of(const FrontAnswer& answer, const optim::FrontPoint& point,
+                 const std::vector<std::string>& assignments) {
+  std::vector<double> tolerances = tolerances_of(answer, point, assignments);
+  optim::ToleranceReport report = tolerances_at(answer, point, tolerances);
+  return {std::move(tolerances), std::move(report)};
+}
+
 void run_front(const FrontCommand& options, int& status) {
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
@@ -75,15 +89,35 @@ void run_front(const FrontCommand& options, int& status) {
     files.push_back({*options.svg, to_svg(figure)});
   }
   const auto points = chosen(options, answer);
+  const bool spread = options.sensitivity || !options.tolerances.empty();
+  if (spread && points.empty()) {
+    throw std::invalid_argument(
+        "--sensitivity: of which design? give --knee, --weights or --point");
+  }
+  std::vector<Spread> spreads;
+  for (const auto& [name, point] : points) {
+    if (spread) spreads.push_back(spread_of(answer, front.points[point], options.tolerances));
+  }
   write_files(files);
   if (options.json) {
     Json object = front_json(answer);
-    for (const auto& [name, point] : points) object["chosen"][name] = point_json(answer, point);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Json& chosen = object["chosen"][points[i].first] = point_json(answer, points[i].second);
+      if (spread) {
+        chosen["sensitivity"] = tolerance_json(spreads[i].tolerances, spreads[i].report);
+      }
+    }
     fmt::print("{}\n", object.dump(2));
     return;
   }
   if (points.empty()) fmt::print("{}", front_text(answer));
-  for (const auto& [name, point] : points) fmt::print("{}: {}", name, point_text(answer, point));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [name, point] = points[i];
+    fmt::print("{}: {}", name, point_text(answer, point));
+    if (!spread) continue;
+    fmt::print("{}", tolerance_text(answer, front.points[point], spreads[i].tolerances,
+                                    spreads[i].report));
+  }
   for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
 }
 
@@ -97,6 +131,12 @@ void add_front_command(CLI::App& app, int& status) {
   command->add_option("--weights", options->weights,
                       "the compromise for these weights, one for each objective: 1,2");
   command->add_option("--point", options->point, "the point of this number");
+  add_switch(*command, "--sensitivity", options->sensitivity,
+             "what becomes of the chosen design when it is made with tolerances");
+  command
+      ->add_option("--tolerance", options->tolerances,
+                   "of a variable, name=value; unless stated a hundredth of each value")
+      ->allow_extra_args(false);
   command->add_option("--csv", options->csv, "write the front here");
   command->add_option("--svg", options->svg, "draw it here");
   add_switch(*command, "--json", options->json, "print JSON");

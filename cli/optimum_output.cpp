@@ -144,7 +144,7 @@ std::vector<Answer::Value> Answer::values() const {
 std::optional<Member> Answer::law() const {
   if (bound.statement().mechanism->moved_by == problems::MovedBy::Nothing) return std::nullopt;
   if (optimum.found.x.size() != optimum.problem.variables.size()) return {};
-  return bound.at(optimum.options, optimum.found.x).laws.front();
+  return bound.at(optimum.options, optimum.found.x).laws.front().listed();
 }
 
 std::vector<LimitReport> Answer::limits() const {

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/workers.h"
 #include "optim/study/workers.h"
 #include "problems/statement/solver_settings.h"
 
@@ -28,11 +27,11 @@ struct ParetoCommand {
 
 constexpr int kMostWorkers = 256;
 
-int count_of_workers(const ParetoCommand& options) {
+int workers_of(const ParetoCommand& options) {
   if (options.workers) {
     return static_cast<int>(problems::parse_whole(*options.workers, 1, kMostWorkers, "--workers"));
   }
-  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
+  return count_of_workers();
 }
 
 /// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
@@ -49,6 +48,8 @@ std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& pa
   if (resume && fs::exists(*path)) {
     std::optional<optim::StudyRecord> record = optim::StudyRecord::open(*path);
     study.check_same(*record);
+    const optim::StudySettings mine = study.settings();  // points and method may be others now
+    if (record->settings() != mine) record->put(mine);
     return record;
   }
   if (const fs::path folder = fs::path(*path).parent_path(); !folder.empty()) {
@@ -94,7 +95,7 @@ optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
     line.show(progress_text(progress, spent.count()));
   };
-  optim::ProcessExecutor workers(study.space(), study.options().solve, count_of_workers(options));
+  optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options));
   if (!record) return study.run(workers);
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
   return study.run(recorded);
@@ -110,7 +111,7 @@ void run_pareto(const ParetoCommand& options, int& status) {
     settings.points = static_cast<std::size_t>(
         problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));
   }
-  count_of_workers(options);  // refused before anything is written
+  workers_of(options);  // refused before anything is written
   problems::FrontStudy study(problems::problem_text(options.file), options.file, settings);
   const fs::path out = options.out.value_or("");
   if (options.out) check_writable({out / "front.json", out / "front.csv", out / "front.svg"});

@@ -7,7 +7,9 @@
 #include "cli/commands.h"
 #include "cli/delivery_study.h"
 #include "cli/files.h"
+#include "cli/study_fronts.h"
 #include "cli/study_output.h"
+#include "cli/workers.h"
 
 namespace camlaw::cli {
 namespace {
@@ -16,7 +18,7 @@ struct StudyOptions {
   std::string system;
   std::optional<std::string> out;
   std::vector<std::string> settings;
-  bool json = false;
+  bool json = false, table = false;
 };
 
 /// What a study prints and writes.
@@ -29,12 +31,21 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
   SpineCutter<double> cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
-  return {study_text(study),
-          study_json(study),
-          {{out / "study.csv", study_csv(study)},
-           {out / "study.json", study_json(study)},
-           {out / "trade_off.svg", to_svg(trade_off_figure(study))},
-           {out / "motion.svg", to_svg(study_motion_figure(study))}}};
+  Json json = study_json(study);
+  Figure trade_off = trade_off_figure(study);
+  std::string text = study_text(study);
+  std::vector<OutputFile> files{{out / "study.csv", study_csv(study)}};
+  if (!options.table) {
+    const auto fronts = problems::prove_fronts(cutter, count_of_workers());
+    json.update(fronts_json(fronts));
+    draw_fronts(fronts, trade_off.panels.front());
+    text = fronts_text(fronts) + "\n" + text;
+    files.push_back({out / "fronts.csv", fronts_csv(fronts)});
+  }
+  files.push_back({out / "study.json", json.dump(2) + "\n"});
+  files.push_back({out / "trade_off.svg", to_svg(trade_off)});
+  files.push_back({out / "motion.svg", to_svg(study_motion_figure(study))});
+  return {std::move(text), json.dump(2) + "\n", std::move(files)};
 }
 
 StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::path& out) {
@@ -82,6 +93,8 @@ void add_study_command(CLI::App& app) {
   command
       ->add_option("--set", options->settings, "set a given: name=value, such as --set 'h=0.8 mm'")
       ->allow_extra_args(false);
+  add_switch(*command, "--table", options->table,
+             "of the spine cutter: the table of laws alone, without the proved fronts");
   add_switch(*command, "--json", options->json, "print JSON");
   command->callback([options] { run_study(*options); });
 }

@@ -113,7 +113,7 @@ std::string study_csv(const SpineCutterStudy& study) {
   return to_csv(rows);
 }
 
-std::string study_json(const SpineCutterStudy& study) {
+Json study_json(const SpineCutterStudy& study) {
   Json givens = Json::array(), rows = Json::array();
   for (const auto& given : problems::givens(study.cutter)) {
     givens.push_back({{"name", given.name},
@@ -122,14 +122,13 @@ std::string study_json(const SpineCutterStudy& study) {
                       {"unit", given.unit}});
   }
   for (const StudyRow& row : study.rows) rows.push_back(row_to_json(row));
-  const Json object{{"study", "spine-cutter"},
-                    {"givens", std::move(givens)},
-                    {"rows", std::move(rows)},
-                    {"smallest_cam", study.rows[study.smallest_cam].law},
-                    {"least_force", study.rows[study.least_force].law},
-                    {"compromise", study.rows[study.compromise].law},
-                    {"recommendation", study.recommendation}};
-  return object.dump(2) + "\n";
+  return {{"study", "spine-cutter"},
+          {"givens", std::move(givens)},
+          {"rows", std::move(rows)},
+          {"smallest_cam", study.rows[study.smallest_cam].law},
+          {"least_force", study.rows[study.least_force].law},
+          {"compromise", study.rows[study.compromise].law},
+          {"recommendation", study.recommendation}};
 }
 
 Figure trade_off_figure(const SpineCutterStudy& study) {

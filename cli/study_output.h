@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/chart.h"
+#include "cli/law_json.h"
 #include "problems/spine_cutter/study.h"
 
 /// The spine cutter's study as text, CSV, JSON and pictures.
@@ -11,7 +12,7 @@ namespace camlaw::cli {
 
 std::string study_text(const problems::SpineCutterStudy& study);
 std::string study_csv(const problems::SpineCutterStudy& study);
-std::string study_json(const problems::SpineCutterStudy& study);
+Json study_json(const problems::SpineCutterStudy& study);
 /// Peak force over cam radius, with the limit curve.
 Figure trade_off_figure(const problems::SpineCutterStudy& study);
 /// s, v, a, j of the compromise, the law of least force and the published laws.

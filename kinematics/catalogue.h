@@ -87,6 +87,8 @@ class Maker {
   std::function<Law<Interval>(const Arguments<Interval>&)> interval_;
 };
 
+struct Member;
+
 /// A law of the catalogue: fixed, or a family with parameters.
 struct Family {
   std::string name;
@@ -98,6 +100,9 @@ struct Family {
   bool symmetric;    ///< of the standard member: s(x) + s(1 - x) = 1
   std::string source;
   Maker maker;
+  /// Of a family that is not in the catalogue: the same law as a member of one that is, where there
+  /// is such a member.
+  std::function<Member(const Arguments<double>&)> listed = {};
 
   Arguments<double> standard() const;
   /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter
@@ -148,6 +153,8 @@ struct Member {
   std::string name() const;
   /// The same for people: six digits, long lists cut short.
   std::string label() const;
+  /// The same law as a member of the catalogue, where its family tells; else this one.
+  Member listed() const;
   template <class S = double>
   Law<S> law() const {
     return family->make(arguments.as<S>());

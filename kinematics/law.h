@@ -140,14 +140,12 @@ Law<T>::Law(std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)
 
 template <class T>
 std::size_t Law<T>::piece_at(double x, Side side) const {
-  std::size_t i = 0;
-  const std::size_t last = pieces_.size() - 1;
-  while (i < last) {
-    const double end = value_of(pieces_[i].end);
-    if (x < end || (x == end && side == Side::Left)) break;
-    ++i;
-  }
-  return i;
+  const auto holds = std::partition_point(
+      pieces_.begin(), pieces_.end() - 1, [&](const Piece<T>& piece) {
+        const double end = value_of(piece.end);
+        return !(x < end || (x == end && side == Side::Left));
+      });
+  return static_cast<std::size_t>(holds - pieces_.begin());
 }
 
 template <class T>

@@ -2,6 +2,8 @@
 #include "optim/cycle/remembered.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "optim/cycle/forwarding_curve.h"
@@ -51,6 +53,13 @@ class RememberedCurve final : public ForwardingCurve {
  public:
   using ForwardingCurve::ForwardingCurve;
 
+  Function at(Place place) const override {
+    const auto key = std::tuple(place.angle, place.from_left, place.joint);
+    const auto found = functions_.find(key);
+    if (found != functions_.end()) return found->second;
+    return functions_.emplace(key, curve().at(place)).first->second;
+  }
+
   std::unique_ptr<Trace> trace(Design x) const override {
     if (!latest_ || !std::equal(x.begin(), x.end(), latest_->x.begin(), latest_->x.end())) {
       auto fresh = std::make_shared<Memory>();
@@ -64,6 +73,7 @@ class RememberedCurve final : public ForwardingCurve {
 
  private:
   mutable std::shared_ptr<Memory> latest_;
+  mutable std::map<std::tuple<double, bool, int>, Function> functions_;
 };
 
 }  // namespace

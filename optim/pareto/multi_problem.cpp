@@ -52,6 +52,24 @@ std::vector<std::size_t> MultiSpace::options(std::size_t part) const {
   return result;
 }
 
+MultiSpace joined(const std::string& choice, const std::vector<std::string>& names,
+                  const std::vector<MultiSpace>& spaces) {
+  Choice all;
+  all.name = choice;
+  std::vector<std::pair<std::size_t, std::size_t>> behind;  // of each option: space and its part
+  for (std::size_t s = 0; s < spaces.size(); ++s) {
+    const std::size_t parts = spaces[s].parts();
+    for (std::size_t part = 0; part < parts; ++part) {
+      all.options.push_back(parts == 1 ? names[s] : fmt::format("{} {}", names[s], part + 1));
+      behind.emplace_back(s, part);
+    }
+  }
+  return {{all}, [spaces, behind](const std::vector<std::size_t>& options) {
+            const auto& [space, part] = behind[options.front()];
+            return spaces[space].problem(spaces[space].options(part));
+          }};
+}
+
 double as_cost(const Objective& objective, double value) {
   return objective.sense == Sense::Minimize ? value : -value;
 }

@@ -33,6 +33,11 @@ struct MultiSpace {
   std::vector<std::size_t> options(std::size_t part) const;
 };
 
+/// Several spaces as one with a choice among them, by these names; their objectives are the same.
+/// The options of a part are those of all combinations of all spaces in turn.
+MultiSpace joined(const std::string& choice, const std::vector<std::string>& names,
+                  const std::vector<MultiSpace>& spaces);
+
 /// A value of an objective as a cost, or a cost as a value.
 double as_cost(const Objective& objective, double value);
 

@@ -189,15 +189,24 @@ class Study {
     return tasks;
   }
 
-  /// Every design of the scout as the start of a search for a better one.
+  /// No more than `count` of a front's points, its ends among them.
+  static std::vector<FrontPoint> evenly(std::vector<FrontPoint> front, std::size_t count) {
+    if (front.size() <= count) return front;
+    std::vector<FrontPoint> some;
+    for (std::size_t i = 0; i < count; ++i) {
+      some.push_back(front[i * (front.size() - 1) / (count - 1)]);
+    }
+    return some;
+  }
+
+  /// Designs of the scout, as many as points are wanted, as the starts of searches for better ones.
   bool polish() {
     constexpr std::size_t kRound = 16;
     const FrontSoFar front = so_far();
     std::vector<FrontPoint> all;
     for (const auto& found : scouted_) all.insert(all.end(), found.begin(), found.end());
     std::vector<Task> tasks;
-    for (const FrontPoint& point : front_of(all).points) {
-      if (tasks.size() == options_.points) break;
+    for (const FrontPoint& point : evenly(front_of(all).points, options_.points)) {
       if (parts_[point.part]->is_empty() || front.covers(point.costs)) continue;
       Task task;
       task.part = point.part;
@@ -302,6 +311,10 @@ class Study {
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
+  const std::size_t objectives = space.problem(space.options(0)).objectives.size();
+  if (options.reference && options.reference->size() != objectives) {
+    throw std::invalid_argument("reference: one number for each objective is wanted");
+  }
   return Study(space, options, executor).run();
 }
 

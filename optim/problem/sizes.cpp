@@ -35,6 +35,9 @@ class Changes {
 
   /// Over the box: the median of what is a number and not zero; zero where there is none.
   double typical(const Response& response) const {
+    // What is linear, and changes nowhere else, changes alike at every design.
+    if (box_.empty()) return 0;
+    if (is_alike(response)) return or_zero(typical_change(response, about_, scales_));
     std::vector<double> changes;
     for (const auto& x : box_) {
       const double change = typical_change(response, x, scales_);
@@ -49,12 +52,18 @@ class Changes {
   double at_design(const Response& response) const {
     constexpr double kFar = 100;
     const double here = typical_change(response, about_, scales_);
-    const double usual = typical(response);
+    const double usual = is_alike(response) ? 0 : typical(response);
     if (usual == 0) return here;
     return here > 0 ? std::clamp(here, usual / kFar, usual * kFar) : usual;
   }
 
  private:
+  static bool is_alike(const Response& response) {
+    const bool moves = response.is_curve() && response.curve().breaks_move();
+    return response.shape() == Shape::Linear && !moves;
+  }
+  static double or_zero(double change) { return std::isfinite(change) ? change : 0; }
+
   std::vector<double> scales_, about_;
   std::vector<std::vector<double>> box_;
 };

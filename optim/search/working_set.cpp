@@ -2,6 +2,7 @@
 #include "optim/search/working_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "optim/search/exchange.h"
@@ -19,6 +20,69 @@ bool is_known(const CurveSide& side, Place place, const std::vector<double>& bre
            (place.joint >= 0 || std::abs(other.angle - place.angle) <= near);
   });
 }
+
+/// Tells rows that say the same: where a linear curve is level, or joins smoothly, neighbouring
+/// places of it give one row.
+class Repeats {
+ public:
+  Repeats(const Curve& curve, Design x)
+      : curve_(curve), x_(x), tells_(curve.shape() == Shape::Linear && !curve.breaks_move()) {}
+
+  /// Whether one of the last few places that were not repeats has the row of this one.
+  bool operator()(Place place) {
+    if (!tells_) return false;
+    Line line = line_at(place);
+    const bool repeats = std::any_of(latest_.begin(), latest_.end(),
+                                     [&](const Line& other) { return alike(line, other); });
+    if (!repeats) {
+      latest_[next_] = std::move(line);
+      next_ = (next_ + 1) % latest_.size();
+    }
+    return repeats;
+  }
+
+ private:
+  /// A linear function: its value at the design and its slopes.
+  struct Line {
+    double value = 0;
+    std::vector<std::size_t> inputs;
+    std::vector<double> slopes;
+
+    double slope(std::size_t input) const {
+      const auto at = std::lower_bound(inputs.begin(), inputs.end(), input);
+      const bool there = at != inputs.end() && *at == input;
+      return there ? slopes[static_cast<std::size_t>(at - inputs.begin())] : 0;
+    }
+  };
+
+  Line line_at(Place place) const {
+    const Function function = curve_.at(place);
+    Line line{0, function.inputs(), std::vector<double>(function.inputs().size())};
+    line.value = function.gradient(x_, line.slopes);
+    return line;
+  }
+
+  /// To rounding, slopes that vanish but for rounding included.
+  static bool alike(const Line& a, const Line& b) {
+    constexpr double kRounding = 1e-12;
+    double steepest = 0;
+    for (const double slope : a.slopes) steepest = std::max(steepest, std::abs(slope));
+    const double slack = kRounding * steepest;
+    const auto all_near = [&](const Line& one, const Line& other) {
+      for (std::size_t k = 0; k < one.inputs.size(); ++k) {
+        if (!(std::abs(one.slopes[k] - other.slope(one.inputs[k])) <= slack)) return false;
+      }
+      return true;
+    };
+    return steepest > 0 && std::abs(a.value - b.value) <= slack && all_near(a, b) && all_near(b, a);
+  }
+
+  const Curve& curve_;
+  Design x_;
+  bool tells_;
+  std::array<Line, 4> latest_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace
 
@@ -54,9 +118,11 @@ void WorkingSet::begin_at(Design x) {
     const Curve& curve = side.response->curve();
     const auto breaks = curve.trace(x)->breaks();
     const int steps = breaks.size() <= kFewStretches ? 8 : 2;
+    Repeats repeats(curve, x);
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
       for (int i = 0; i <= steps; ++i) {
-        side.places.push_back(curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x));
+        const Place place = curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x);
+        if (!repeats(place)) side.places.push_back(place);
       }
     }
   }

@@ -61,10 +61,23 @@ class Reader {
     text = left_.substr(0, size);
     left_.remove_prefix(size);
   }
+  void operator()(bool& value) {
+    unsigned char byte = 0;
+    (*this)(byte);
+    good_ = good_ && byte <= 1;
+    value = byte == 1;
+  }
+  void operator()(Verdict& verdict) {
+    int number = 0;
+    (*this)(number);
+    good_ = good_ && number >= 0 && number <= static_cast<int>(Verdict::Failed);
+    verdict = good_ ? static_cast<Verdict>(number) : Verdict::Failed;
+  }
+  /// Item by item: what is no list of ours may claim to be longer than there is memory.
   template <class T>
   void operator()(std::vector<T>& list) {
-    list.resize(count());
-    for (T& item : list) (*this)(item);
+    const std::size_t size = count();
+    while (good_ && list.size() < size) (*this)(list.emplace_back());
   }
   template <class T>
   void operator()(std::optional<T>& value) {

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,8 @@
 
 namespace camlaw::optim {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Marks the file as ours: "caml" as four bytes, and the version of the tables.
 constexpr int kApplication = 0x63616d6c;
@@ -56,15 +59,41 @@ Verdict verdict_of(const std::string& text) {
   throw std::runtime_error(fmt::format("'{}' is no verdict", text));
 }
 
+/// Throws where a design has not the numbers that the problem asks for.
+void check_fits(const Outcome& outcome, const MultiProblem& problem) {
+  const std::size_t objectives = problem.objectives.size();
+  for (const FrontPoint& p : outcome.points) {
+    const bool weighed = p.weights.empty() || p.weights.size() == objectives;
+    if (p.x.size() == problem.variables.size() && p.costs.size() == objectives && weighed) continue;
+    throw std::runtime_error("a design lacks numbers, or has too many");
+  }
+}
+
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw std::invalid_argument(fmt::format("{}: {}", path, why));
 }
 
+constexpr const char* kForeign = "it is no study of camlaw, and is left as it is";
+
+/// Whether the file begins as a study does. Found out without SQLite, which may make files beside
+/// it.
+bool begins_as_study(const std::string& path) {
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
+  constexpr std::size_t kPlace = 68;  // of the application's number, its highest byte first
+  std::array<char, kPlace + 4> head{};
+  std::ifstream(path, std::ios::binary).read(head.data(), head.size());
+  if (std::string_view(head.data(), kMagic.size()) != kMagic) return false;
+  int application = 0;
+  for (std::size_t i = kPlace; i < head.size(); ++i) {
+    application = application << 8 | static_cast<unsigned char>(head[i]);
+  }
+  return application == kApplication;
+}
+
 /// Refuses what is no study, is damaged, or was made by another version.
 void check(SQLite::Database& base, const std::string& path) {
-  constexpr const char* kForeign = "it is no study of camlaw, and is left as it is";
   try {
     const int application = base.execAndGet("PRAGMA application_id").getInt();
     const int version = base.execAndGet("PRAGMA user_version").getInt();
@@ -87,11 +116,11 @@ void check(SQLite::Database& base, const std::string& path) {
 class StudyRecord::File {
  public:
   File(const std::string& path, int flags)
-      : path_(path), base_(path, flags), writes_((flags & SQLite::OPEN_READWRITE) != 0) {
+      : path_(path),
+        base_(fs::absolute(path).string(), flags),  // some names mean no file to SQLite
+        writes_((flags & SQLite::OPEN_READWRITE) != 0) {
     constexpr int kPatience = 2000;  // ms, for another reader
     base_.setBusyTimeout(kPatience);
-    // Whatever ends the program, what was written whole is there; no wait for the disk each time.
-    if (writes_) base_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   }
   File(const File&) = delete;
   File& operator=(const File&) = delete;
@@ -108,14 +137,21 @@ class StudyRecord::File {
     base_.exec(fmt::format("PRAGMA application_id = {}", kApplication));
     base_.exec(fmt::format("PRAGMA user_version = {}", kVersion));
     base_.exec(kTables);
+    put(settings);
+    all.commit();
+  }
+
+  void put(const StudySettings& settings) {
     for (const auto& [name, value] : settings) {
-      SQLite::Statement insert(base_, "INSERT INTO setting VALUES (?, ?)");
+      SQLite::Statement insert(base_, "INSERT OR REPLACE INTO setting VALUES (?, ?)");
       insert.bind(1, name);
       insert.bind(2, value);
       insert.exec();
     }
-    all.commit();
   }
+
+  /// Whatever ends the program, what was written whole is there; no wait for the disk each time.
+  void prepare() { base_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"); }
 
   SQLite::Database& base() { return base_; }
   const std::string& path() const { return path_; }
@@ -269,16 +305,22 @@ StudyRecord::StudyRecord(StudyRecord&&) noexcept = default;
 StudyRecord::~StudyRecord() = default;
 
 StudyRecord StudyRecord::create(const std::string& path, const StudySettings& settings) {
-  if (std::filesystem::exists(path)) {
+  if (path.empty()) throw std::invalid_argument("the study's file needs a name");
+  if (fs::exists(path)) {
     refuse(path, "the file exists already; resume the study, or name another file");
   }
+  // Made beside its place: whatever ends the program, there is a whole study there or none.
+  const std::string begun = path + ".new";
+  std::error_code ignored;
+  fs::remove(begun, ignored);
   try {
-    auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    file->make(settings);
+    File(begun, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).make(settings);
+    fs::rename(begun, path);
+    auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
+    file->prepare();
     return StudyRecord(std::move(file));
-  } catch (const SQLite::Exception& error) {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);  // what was begun of it
+  } catch (const std::exception& error) {
+    fs::remove(begun, ignored);
     throw std::runtime_error(fmt::format("{}: it cannot be written: {}", path, error.what()));
   }
 }
@@ -286,14 +328,17 @@ StudyRecord StudyRecord::create(const std::string& path, const StudySettings& se
 StudyRecord StudyRecord::open(const std::string& path) {
   read(path);  // first without a hand on it
   try {
-    return StudyRecord(std::make_unique<File>(path, SQLite::OPEN_READWRITE));
+    auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
+    file->prepare();
+    return StudyRecord(std::move(file));
   } catch (const SQLite::Exception& error) {
     throw std::runtime_error(fmt::format("{}: it cannot be opened: {}", path, error.what()));
   }
 }
 
 StudyRecord StudyRecord::read(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) refuse(path, "there is no such study");
+  if (!fs::is_regular_file(path)) refuse(path, "there is no such study");
+  if (!begins_as_study(path)) refuse(path, kForeign);
   try {
     auto file = std::make_unique<File>(path, SQLite::OPEN_READONLY);
     check(file->base(), path);
@@ -312,9 +357,20 @@ StudySettings StudyRecord::settings() const {
   return result;
 }
 
-std::optional<Outcome> StudyRecord::find(const Task& task) const {
+void StudyRecord::put(const StudySettings& settings) {
   try {
-    return file_->find(task.text(), task.part);
+    file_->put(settings);
+  } catch (const SQLite::Exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: the study cannot be written: {}", file_->path(), error.what()));
+  }
+}
+
+std::optional<Outcome> StudyRecord::find(const Task& task, const MultiProblem& problem) const {
+  try {
+    std::optional<Outcome> outcome = file_->find(task.text(), task.part);
+    if (outcome) check_fits(*outcome, problem);
+    return outcome;
   } catch (const std::exception& error) {
     refuse(file_->path(), fmt::format("the file is damaged: {}", error.what()));
   }
@@ -338,8 +394,14 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
                                            const OnOutcome& on_outcome) {
   std::vector<std::optional<Outcome>> outcomes;
   std::vector<Task> missing;
+  std::map<std::size_t, MultiProblem> problems;
   for (const Task& task : tasks) {
-    outcomes.push_back(record_.find(task));
+    const auto known = problems.find(task.part);
+    const MultiProblem& problem =
+        known != problems.end()
+            ? known->second
+            : problems.emplace(task.part, space_.problem(space_.options(task.part))).first->second;
+    outcomes.push_back(record_.find(task, problem));
     if (!outcomes.back()) {
       missing.push_back(task);
     } else if (on_outcome) {
@@ -349,7 +411,7 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
   std::vector<Outcome> fresh;
   if (others_ != nullptr && !missing.empty()) {
     fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
-      record_.add(task, outcome, space_.problem(space_.options(task.part)));
+      record_.add(task, outcome, problems.at(task.part));
       if (on_outcome) on_outcome(task, outcome);
     });
   }

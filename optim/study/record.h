@@ -30,7 +30,11 @@ class StudyRecord {
   ~StudyRecord();
 
   StudySettings settings() const;
-  std::optional<Outcome> find(const Task& task) const;
+  /// Sets these, whatever they were. Throws std::runtime_error where it cannot be written.
+  void put(const StudySettings& settings);
+  /// Throws std::invalid_argument where what is found is damaged. `problem` is that of the task's
+  /// part.
+  std::optional<Outcome> find(const Task& task, const MultiProblem& problem) const;
   /// Throws std::runtime_error where it cannot be written, such as on a full disk; then nothing of
   /// the outcome is on it. `problem` is that of the task's part, for the names.
   void add(const Task& task, const Outcome& outcome, const MultiProblem& problem);

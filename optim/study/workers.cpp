@@ -41,12 +41,15 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-/// The child's part. It does not outlive its parent, and an interrupt is the parent's to handle.
-[[noreturn]] void work(const Task& task, const MultiSpace& space, OptimiseOptions options,
-                       int out) {
+/// The child's part. It does not outlive its parent, and an interrupt or a request to end, which
+/// may be sent to all processes at once, is the parent's to handle: else a search that was cut short
+/// would be taken for one that failed.
+[[noreturn]] void work(const Task& task, const MultiSpace& space, OptimiseOptions options, int out,
+                       pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it was gone before that
   std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGTERM, SIG_IGN);
   options.stop = nullptr;
   options.progress = {};
   const bool told = write_all(out, encoded(carry_out_safely(task, space, options)));
@@ -79,7 +82,7 @@ class Crew {
              const OptimiseOptions& options) {
     int ends[2];
     if (pipe(ends) != 0) fail("no pipe");
-    const pid_t process = fork();
+    const pid_t parent = getpid(), process = fork();
     if (process < 0) {
       close(ends[0]), close(ends[1]);
       fail("no process");
@@ -87,7 +90,7 @@ class Crew {
     if (process == 0) {
       for (const Worker& other : workers_) close(other.pipe);
       close(ends[0]);
-      work(task, space, options, ends[1]);
+      work(task, space, options, ends[1], parent);
     }
     close(ends[1]);
     workers_.push_back({process, ends[0], index});
@@ -101,16 +104,16 @@ class Crew {
     std::vector<pollfd> files;
     for (const Worker& worker : workers_) files.push_back({worker.pipe, POLLIN, 0});
     if (poll(files.data(), files.size(), kMilliseconds) <= 0) return;
-    std::vector<Worker> still;
+    // Those that are done leave the crew first: what is thrown below must not end them again.
+    std::vector<Worker> still, done;
     for (std::size_t i = 0; i < workers_.size(); ++i) {
-      Worker& worker = workers_[i];
-      if (files[i].revents == 0 || !read_some(worker)) {
-        still.push_back(std::move(worker));
-        continue;
-      }
-      ended(worker.task, outcome_of(worker));
+      const bool told = files[i].revents != 0 && read_some(workers_[i]);
+      (told ? done : still).push_back(std::move(workers_[i]));
     }
     workers_ = std::move(still);
+    std::vector<Outcome> outcomes;
+    for (const Worker& worker : done) outcomes.push_back(outcome_of(worker));
+    for (std::size_t i = 0; i < done.size(); ++i) ended(done[i].task, std::move(outcomes[i]));
   }
 
  private:

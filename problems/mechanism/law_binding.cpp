@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <ranges>
 #include <stdexcept>
 
@@ -30,10 +31,12 @@ auto block_of(std::size_t block, std::size_t variables) {
 template <class S>
 double at_break(const Law<S>& law, double x) {
   constexpr double kBeside = 1e-14;
-  for (const auto& piece : law.pieces()) {
-    if (std::abs(x - value_of(piece.end)) <= kBeside) return value_of(piece.end);
-  }
-  return x;
+  const auto& pieces = law.pieces();
+  const auto near = std::partition_point(pieces.begin(), pieces.end(), [&](const auto& piece) {
+    return value_of(piece.end) < x - kBeside;
+  });
+  const bool beside = near != pieces.end() && std::abs(x - value_of(near->end)) <= kBeside;
+  return beside ? value_of(near->end) : x;
 }
 
 /// Four derivatives of s at a place, from the first on: s, v, a, j from 0.
@@ -89,9 +92,43 @@ void check_variable(const Member& member, const LawVariable& variable) {
 
 }  // namespace
 
+namespace {
+
+/// Whether anything of a piece changes with the parameters of its block. Of a law that is linear in
+/// them breaks, frequencies and shapes do not.
+bool moves(const Piece<Dual>& piece) {
+  const auto moves = [](const Dual& c) { return !c.v.isZero(0); };
+  return std::any_of(piece.polynomial.begin(), piece.polynomial.end(), moves) ||
+         std::any_of(piece.harmonics.begin(), piece.harmonics.end(),
+                     [&](const auto& h) { return moves(h.sine) || moves(h.cosine); }) ||
+         std::any_of(piece.curves.begin(), piece.curves.end(),
+                     [&](const auto& c) { return moves(c.amplitude); });
+}
+
+/// A law that is linear in all that varies: its derivatives, the same for every design.
+struct LinearLaw {
+  std::vector<Law<Dual>> laws;                   ///< at the member's own values, one for each block
+  std::vector<std::vector<std::size_t>> blocks;  ///< of each piece: those that move it, or one
+
+  explicit LinearLaw(std::vector<Law<Dual>> of_blocks) : laws(std::move(of_blocks)) {
+    if (laws.empty()) return;
+    blocks.resize(laws.front().pieces().size());
+    for (std::size_t piece = 0; piece < blocks.size(); ++piece) {
+      for (std::size_t block = 0; block < laws.size(); ++block) {
+        if (moves(laws[block].pieces()[piece])) blocks[piece].push_back(block);
+      }
+      if (blocks[piece].empty()) blocks[piece].push_back(0);
+    }
+  }
+};
+
+}  // namespace
+
 /// Laws in the scalars that carry derivatives: one for each block of parameters, or each pair of
 /// blocks; none where the values make no law.
 struct LawBinding::Laws {
+  std::once_flag linear_made;
+  std::optional<LinearLaw> linear;
   Recent<std::optional<Law<double>>> plain;
   Recent<std::vector<Law<Dual>>> first;
   Recent<std::vector<Law<Dual2>>> second;
@@ -217,13 +254,28 @@ void LawBinding::fill_hessian(const Look& look, std::span<const double> values,
 /// From the derivatives at the member's own values: they are the same everywhere.
 MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const double> values,
                                             std::size_t first) const {
+  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(first_laws(values_)); });
+  const LinearLaw& linear = *laws_->linear;
   MotionDerivatives d;
-  fill_gradient(AtPlace{x, side, first}, values_, d);
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  d.value.fill(kNaN);
+  d.gradient.assign(values.size(), d.value);
+  if (linear.laws.empty() || !(x >= 0 && x <= 1)) return d;
+  const double at = at_break(linear.laws.front(), x);
+  const std::size_t piece = linear.laws.front().piece_at(at, side);
+  d.gradient.assign(values.size(), {});
+  std::array<double, 4> change{};  // from the member's own values
+  for (const std::size_t block : linear.blocks[piece]) {
+    const auto motion = derivatives<5>(linear.laws[block].pieces()[piece], at);
     for (std::size_t m = 0; m < 4; ++m) {
-      d.value[m] += (values[i] - values_[i]) * d.gradient[i][m];
+      d.value[m] = motion[first + m].a;
+      for (const std::size_t i : block_of(block, values.size())) {
+        const double slope = motion[first + m].v[static_cast<int>(i % kWidth)];
+        d.gradient[i][m] = slope;
+        change[m] += (values[i] - values_[i]) * slope;
+      }
     }
   }
+  for (std::size_t m = 0; m < 4; ++m) d.value[m] += change[m];
   return d;
 }
 

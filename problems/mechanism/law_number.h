@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "problems/mechanism/affine_kernel.h"
 #include "problems/mechanism/responses.h"
 
 /// Numbers of a mechanism that its law, or program, decides as a whole.
@@ -28,6 +29,18 @@ auto number_of_law(const F& formula, const Machine& machine, const L& law)
   }
 }
 
+/// The arguments of a law number at a binding's own values.
+inline std::vector<double> own_values(const Binding& binding) {
+  std::vector<double> values;
+  for (const std::size_t parameter : binding.parameters) {
+    values.push_back(binding.constants[parameter]);
+  }
+  for (const LawVariable& v : binding.law->variables()) {
+    values.push_back(binding.law->member().arguments.list(v.parameter)[v.element]);
+  }
+  return values;
+}
+
 template <template <class> class M, class F>
 auto law_formula(const Binding& binding, const UnitFactor& factor, const F& formula) {
   return
@@ -44,6 +57,23 @@ auto law_formula(const Binding& binding, const UnitFactor& factor, const F& form
       };
 }
 
+/// The design variables behind a law number's arguments: the machine's, then the law's.
+inline std::vector<std::size_t> law_number_variables(const Binding& binding) {
+  std::vector<std::size_t> variables = binding.variables;
+  for (const LawVariable& v : binding.law->variables()) variables.push_back(v.variable);
+  return variables;
+}
+
+/// In these arguments; where it is linear in the law, with slopes worked out once.
+template <template <class> class M, class F>
+std::shared_ptr<const optim::Kernel> law_number_kernel(const Binding& binding,
+                                                       const UnitFactor& factor, const F& formula,
+                                                       optim::Shape shape) {
+  auto kernel = kernel_of(law_formula<M>(binding, factor, formula));
+  if (shape != optim::Shape::Linear || binding.law->variables().empty()) return kernel;
+  return std::make_shared<AffineKernel>(std::move(kernel), own_values(binding));
+}
+
 }  // namespace detail
 
 template <template <class> class M, class F>
@@ -55,10 +85,8 @@ MechanismResponse law_number(ResponseAbout about, F formula) {
   response.uses = detail::used_parameters<M>(
       [&](const M<Dual>& machine) { return detail::number_of_law(formula, machine, some); });
   response.number = [=](const Binding& binding, optim::Shape shape) {
-    std::vector<std::size_t> variables = binding.variables;
-    for (const LawVariable& v : binding.law->variables()) variables.push_back(v.variable);
-    return function_of(variables,
-                       detail::kernel_of(detail::law_formula<M>(binding, factor, formula)), shape);
+    return function_of(detail::law_number_variables(binding),
+                       detail::law_number_kernel<M>(binding, factor, formula, shape), shape);
   };
   return response;
 }

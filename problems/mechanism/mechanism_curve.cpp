@@ -114,8 +114,9 @@ std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
   std::vector<double> arguments;
   for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
   const Member member = law_->member_at(x);
-  return std::make_unique<MechanismTrace>(parts_.cycle, law_of<double>(member),
-                                          law_of<Interval>(member), parts_.formula(arguments));
+  return std::make_unique<MechanismTrace>(
+      parts_.cycle, law_of<double>(member), [member] { return law_of<Interval>(member); },
+      parts_.formula(arguments));
 }
 
 }  // namespace camlaw::problems

@@ -14,12 +14,24 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 MechanismTrace::MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
-                               const std::optional<Law<Interval>>& enclosing,
+                               std::function<std::optional<Law<Interval>>()> enclosing,
                                std::unique_ptr<const CurveFormula> formula)
-    : cycle_(std::move(cycle)), law_(std::move(law)), formula_(std::move(formula)) {
+    : cycle_(std::move(cycle)),
+      law_(std::move(law)),
+      enclosing_(std::move(enclosing)),
+      formula_(std::move(formula)) {
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
-  if (!law_ || !enclosing || enclosing->pieces().size() != law_->pieces().size()) return;
-  for (const auto& piece : enclosing->pieces()) expanders_.emplace_back(piece);
+}
+
+const std::vector<PieceExpander>& MechanismTrace::expanders() const {
+  if (enclosing_) {
+    const auto law = law_ ? enclosing_() : std::nullopt;
+    if (law && law->pieces().size() == law_->pieces().size()) {
+      for (const auto& piece : law->pieces()) expanders_.emplace_back(piece);
+    }
+    enclosing_ = {};
+  }
+  return expanders_;
 }
 
 void MechanismTrace::add_sections(std::size_t index) {
@@ -81,7 +93,7 @@ Interval MechanismTrace::value_at(const Section& section, double x) const {
 }
 
 optim::Bounds MechanismTrace::enclose(double from, double to) const {
-  if (expanders_.empty()) return {};
+  if (expanders().empty()) return {};
   const Section& section = section_at({std::midpoint(from, to)});
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);

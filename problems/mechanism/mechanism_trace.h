@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,7 +18,7 @@ namespace camlaw::problems {
 class MechanismTrace final : public optim::Trace {
  public:
   MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
-                 const std::optional<Law<Interval>>& enclosing,
+                 std::function<std::optional<Law<Interval>>()> enclosing,
                  std::unique_ptr<const CurveFormula> formula);
 
   std::vector<double> breaks() const override;
@@ -36,9 +37,13 @@ class MechanismTrace final : public optim::Trace {
   Interval law_range(const Section& section, double from, double to) const;
   Interval value_at(const Section& section, double x) const;
 
+  const std::vector<PieceExpander>& expanders() const;
+
   Cycle cycle_;
   std::optional<Law<double>> law_;
-  std::vector<PieceExpander> expanders_;  ///< of each piece; empty where nothing is enclosed
+  /// Makes the law in intervals, when something is first enclosed; then empty.
+  mutable std::function<std::optional<Law<Interval>>()> enclosing_;
+  mutable std::vector<PieceExpander> expanders_;  ///< of each piece; empty: nothing is enclosed
   std::unique_ptr<const CurveFormula> formula_;
   std::vector<Section> sections_;
 };

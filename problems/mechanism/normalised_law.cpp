@@ -1,38 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "problems/mechanism/normalised_law.h"
 
-#include "problems/mechanism/responses.h"
+#include <fmt/format.h>
+
+#include "kinematics/dynamics/follower_train.h"
+#include "problems/mechanism/law_number.h"
+#include "problems/mechanism/mean_square.h"
+#include "problems/mechanism/norm_kernel.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// No machine at all.
+/// What a law is looked at with: undamped followers of up to three natural periods.
 template <class T>
-struct NoMachine {};
+struct Followers {
+  T first = number<T>(2), second = number<T>(3), third = number<T>(4);  ///< period ratios
+};
 
 }  // namespace
 
 template <>
-struct MachineTraits<NoMachine> {
+struct MachineTraits<Followers> {
   static const std::vector<MechanismParameter>& parameters() {
-    static const std::vector<MechanismParameter> none;
-    return none;
+    const auto ratio = [](const char* name, const char* symbol, double standard) {
+      return MechanismParameter{
+          name,     symbol, "1", "1", "time of the law over a follower's natural period",
+          standard, 1e-3,   1000};
+    };
+    static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
+                                                     ratio("period_ratio_2", "tau_2", 3),
+                                                     ratio("period_ratio_3", "tau_3", 4)};
+    return all;
   }
   template <class T>
-  static constexpr std::array<T NoMachine<T>::*, 0> fields{};
+  static constexpr std::array<T Followers<T>::*, 3> fields{
+      &Followers<T>::first, &Followers<T>::second, &Followers<T>::third};
 };
 
 namespace {
 
+using optim::Shape;
+
 template <class F>
-MechanismResponse law_curve(const char* name, const char* meaning, optim::Shape shape, F motion) {
+MechanismResponse law_curve(const char* name, const char* meaning, Shape shape, F motion) {
   static const Cycle cycle{"1", {{0, 1}}};
-  return curve_response<NoMachine>({name, "1", "1", meaning, {{{"law"}, shape}}}, cycle,
+  return curve_response<Followers>({name, "1", "1", meaning, {{{"law"}, shape}}}, cycle,
                                    [motion](const auto&) { return motion; });
 }
 
 std::vector<MechanismResponse> curves() {
-  using optim::Shape;
   return {
       law_curve("displacement", "s", Shape::Linear, [](const auto& m) { return m.s; }),
       law_curve("velocity", "s'", Shape::Linear, [](const auto& m) { return m.v; }),
@@ -41,19 +57,120 @@ std::vector<MechanismResponse> curves() {
       law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
 }
 
+/// A response with a kernel of its own over laws that are linear in what varies, where it is
+/// convex: special(binding, general), `general` the kernel of the formula.
+template <class F, class Special>
+MechanismResponse convex_number(ResponseAbout about, F formula, Special special) {
+  about.shapes = {{{"law"}, Shape::Convex}};
+  MechanismResponse response = law_number<Followers>(about, formula);
+  response.number = [=, general = response.number](const Binding& binding, Shape shape) {
+    if (shape != Shape::Convex) return general(binding, shape);
+    return function_of(detail::law_number_variables(binding),
+                       special(binding, detail::law_number_kernel<Followers>(
+                                            binding, UnitFactor("1", "1"), formula, shape)),
+                       shape);
+  };
+  return response;
+}
+
+/// A mean square; over a law that is linear in what varies a quadratic form.
+MechanismResponse mean_square_of(const char* name, const char* meaning, int order) {
+  return convex_number(
+      {name, "1", "1", meaning},
+      [order](const auto&, const auto& law) { return mean_square(law, order); },
+      [order](const Binding& binding, auto general) {
+        return mean_square_kernel(binding.law, order, std::move(general));
+      });
+}
+
+enum class Part { Cosine, Sine };
+
+/// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
+/// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
+template <class T>
+T residual_part(const Law<T>& law, const T& period_ratio, Part part) {
+  using std::cos;
+  using std::sin;
+  const TrainState<T> end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
+  const T W = number<T>(2) * pi<T>() * period_ratio;
+  const T rate = end.rate / W;
+  if (part == Part::Cosine) return -(cos(W) * rate) - sin(W) * end.z;
+  return cos(W) * end.z - sin(W) * rate;
+}
+
+/// The period ratio of a follower, counted from 0.
+template <class T>
+const T& ratio_of(const Followers<T>& followers, int which) {
+  return which == 0 ? followers.first : which == 1 ? followers.second : followers.third;
+}
+
+auto part_formula(Part part, int which) {
+  return [part, which](const auto& followers, const auto& law) {
+    return residual_part(law, ratio_of(followers, which), part);
+  };
+}
+
+std::string numbered(const std::string& name, int which) {
+  return which == 0 ? name : fmt::format("{}_{}", name, which + 1);
+}
+
+MechanismResponse residual_part(const char* name, Part part, int which) {
+  return law_number<Followers>(
+      {numbered(name, which),
+       "1",
+       "1",
+       fmt::format("{} part of the vibration left at {}", part == Part::Cosine ? "cosine" : "sine",
+                   numbered("period_ratio", which)),
+       {{{"law"}, Shape::Linear}}},
+      part_formula(part, which));
+}
+
+/// The size of both parts; over a law that is linear in what varies the norm of two linear numbers.
+MechanismResponse residual_amplitude(int which) {
+  return convex_number(
+      {numbered("residual_amplitude", which), "1", "1",
+       "amplitude of the vibration left, undamped, in parts of the stroke"},
+      [which](const auto& followers, const auto& law) {
+        using T = std::decay_t<decltype(followers.first)>;
+        const FollowerTrain<T> train{ratio_of(followers, which), number<T>(0)};
+        return train.amplitude(train.after(law));
+      },
+      [which](const Binding& binding, auto general) -> std::shared_ptr<const optim::Kernel> {
+        const auto part = [&](Part p) {
+          return detail::law_number_kernel<Followers>(binding, UnitFactor("1", "1"),
+                                                      part_formula(p, which), Shape::Linear);
+        };
+        return std::make_shared<NormKernel>(part(Part::Cosine), part(Part::Sine),
+                                            std::move(general));
+      });
+}
+
+std::vector<MechanismResponse> responses() {
+  std::vector<MechanismResponse> all = curves();
+  all.push_back(mean_square_of("mean_square_velocity", "mean of s'^2", 1));
+  all.push_back(mean_square_of("mean_square_acceleration", "mean of s''^2", 2));
+  all.push_back(mean_square_of("mean_square_jerk", "mean of s'''^2", 3));
+  for (int which = 0; which < 3; ++which) {
+    all.push_back(residual_part("residual_cosine", Part::Cosine, which));
+    all.push_back(residual_part("residual_sine", Part::Sine, which));
+    all.push_back(residual_amplitude(which));
+  }
+  return all;
+}
+
 }  // namespace
 
 Mechanism normalised_law_mechanism() {
-  using optim::Part;
+  using P = optim::Part;
   return {.name = "law",
           .title = "a motion law alone, normalised",
           .source = "VDI 2143",
-          .parameters = {},
-          .responses = curves(),
-          .peaks = {{"B", "velocity", Part::Magnitude, "peak velocity, C_v in VDI 2143"},
-                    {"C", "acceleration", Part::Magnitude, "peak acceleration, C_a"},
-                    {"D", "jerk", Part::Magnitude, "peak jerk within the pieces, C_j"},
-                    {"Cm", "moment", Part::Magnitude, "peak dynamic moment, C_Mdyn"}}};
+          .parameters = MachineTraits<Followers>::parameters(),
+          .responses = responses(),
+          .peaks = {{"B", "velocity", P::Magnitude, "peak velocity, C_v in VDI 2143"},
+                    {"C", "acceleration", P::Magnitude, "peak acceleration, C_a"},
+                    {"D", "jerk", P::Magnitude, "peak jerk within the pieces, C_j"},
+                    {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}}};
 }
 
 }  // namespace camlaw::problems

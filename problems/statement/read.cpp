@@ -85,8 +85,8 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"title", "mechanism", "constants", "law", "program", "variables", "objective",
-                    "objectives", "constraints", "solver"});
+  check_keys(file, {"title", "mechanism", "constants", "law", "free", "program", "variables",
+                    "objective", "objectives", "constraints", "solver"});
   ProblemStatement problem;
   problem.source = source;
   if (const Entry* title = find(file, "title")) {
@@ -96,8 +96,10 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   FixedNames fixed;
   read_mechanism(file, problem);
   read_laws(file, problem, fixed);
+  refuse_unused_free(file, problem);
   read_constants(file, problem, fixed);
   read_variables(file, problem, fixed);
+  read_free_variables(file, problem, fixed);
   check_laws_at_start(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);

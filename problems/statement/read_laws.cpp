@@ -17,20 +17,24 @@ struct NamedLaws {
   std::set<std::string> given;
 };
 
-void read_law(const Entry& name, NamedLaws& result) {
+void read_law(const Entry& file, const Entry& name, NamedLaws& result) {
+  if (name.kind == Kind::Text && is_free_name(name.text)) {
+    result.laws.push_back(read_free_law(file));
+    return;
+  }
   NamedLaw law = read_law_name(name);
   result.given.merge(law.given);
   result.laws.push_back(std::move(law.law));
 }
 
-NamedLaws read_names(const Entry& name) {
+NamedLaws read_names(const Entry& file, const Entry& name) {
   NamedLaws result;
   if (name.kind == Kind::List) {
     if (name.items.empty()) refuse(name, "the list is empty; name at least one law");
-    for (const Entry& item : name.items) read_law(item, result);
+    for (const Entry& item : name.items) read_law(file, item, result);
   } else {
     expect(name, Kind::Text, "a law's name in quotes, or a list of names");
-    read_law(name, result);
+    read_law(file, name, result);
   }
   return result;
 }
@@ -116,7 +120,7 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
     return;
   }
   const Entry& law = law_entry(file);
-  const NamedLaws named_laws = read_names(name_entry(law));
+  const NamedLaws named_laws = read_names(file, name_entry(law));
   problem.laws = named_laws.laws;
   for (const Entry& entry : law.items) {
     if (entry.key != "name") read_fixed(entry, named_laws.given, problem, fixed);

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
@@ -20,6 +21,12 @@ void check_accepted(const Entry& entry, const NamedParameter& parameter, double 
 
 void read_mechanism(const Entry& file, ProblemStatement& problem);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+/// What [free] says: the law that the name "free" stands for, that some law is free where there is
+/// such a table, and the coefficients (and knots) as variables, but for those that the file states.
+bool is_free_name(std::string_view name);
+Member read_free_law(const Entry& file);
+void refuse_unused_free(const Entry& file, const ProblemStatement& problem);
+void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 /// That each law can be made with its fixed values and starts, and that no two are the same.

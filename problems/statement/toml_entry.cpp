@@ -82,7 +82,10 @@ class EntryBuilder {
     entry.number = value.get();
   }
 
-  void fill(Entry& entry, const toml::value<bool>&) const { entry.kind = Kind::Truth; }
+  void fill(Entry& entry, const toml::value<bool>& value) const {
+    entry.kind = Kind::Truth;
+    entry.integer = value.get() ? 1 : 0;
+  }
 
   template <class DateOrTime>
   void fill(Entry& entry, const toml::value<DateOrTime>&) const {

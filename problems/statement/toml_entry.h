@@ -19,7 +19,7 @@ struct Entry {
   std::string key;           ///< the last part of it
   std::string text;          ///< of Text
   double number = 0;         ///< of Integer and Float
-  std::int64_t integer = 0;  ///< of Integer
+  std::int64_t integer = 0;  ///< of Integer; of Truth 0 or 1
   std::vector<Entry> items;  ///< of List, and of Table in the order of the file
 
   bool is_number() const { return kind == Kind::Integer || kind == Kind::Float; }

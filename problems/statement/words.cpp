@@ -79,7 +79,8 @@ std::string law_text(const ProblemStatement& problem, const Member& law) {
     const std::string text = fixed_text(problem, parameter, values);
     if (!text.empty()) fixed.push_back(text);
   }
-  return law.family->name + (fixed.empty() ? "" : fmt::format(" ({})", listed(fixed)));
+  const std::string what = law.family->listed ? fmt::format(", {},", law.family->formula) : "";
+  return law.family->name + what + (fixed.empty() ? "" : fmt::format(" ({})", listed(fixed)));
 }
 
 std::string laws_sentence(const ProblemStatement& problem) {
@@ -117,6 +118,32 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
   return fmt::format("Vary {} {} {:.6g} and {}, starting at {}.\n", name,
                      v.integer ? "in whole steps between" : "between", v.lower,
                      with_unit(v.upper, v.unit), start);
+}
+
+/// Numbers of one list that vary together, beyond which they are not named one by one.
+constexpr std::size_t kListedOneByOne = 12;
+
+/// Where the run of variables from one on ends that are of one list and have bounds.
+std::size_t end_of_list(const std::vector<VariableStatement>& all, std::size_t from) {
+  const VariableStatement& first = all[from];
+  std::size_t end = from + 1;
+  while (end < all.size() && first.of_law && first.values.empty() && all[end].of_law &&
+         all[end].law_parameter == first.law_parameter && all[end].values.empty()) {
+    ++end;
+  }
+  return end;
+}
+
+std::string list_sentence(const ProblemStatement& problem, std::size_t from, std::size_t end) {
+  const VariableStatement& v = problem.variables[from];
+  const bool alike = std::all_of(
+      problem.variables.begin() + static_cast<std::ptrdiff_t>(from),
+      problem.variables.begin() + static_cast<std::ptrdiff_t>(end),
+      [&](const auto& other) { return other.lower == v.lower && other.upper == v.upper; });
+  return fmt::format(
+      "Vary {} numbers of {}{} {}.\n", end - from, v.law_parameter, owner_note(problem, v),
+      alike ? fmt::format("between {:.6g} and {}", v.lower, with_unit(v.upper, v.unit))
+            : "each within bounds of its own");
 }
 
 std::string wanted_text(const ObjectiveStatement& objective) {
@@ -168,8 +195,12 @@ std::string in_words(const ProblemStatement& problem) {
   words +=
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
   words += constants_sentence(problem) + laws_sentence(problem);
-  for (const VariableStatement& variable : problem.variables)
-    words += variable_sentence(problem, variable);
+  for (std::size_t i = 0; i < problem.variables.size();) {
+    const std::size_t next = end_of_list(problem.variables, i);
+    words += next - i > kListedOneByOne ? list_sentence(problem, i, next)
+                                        : variable_sentence(problem, problem.variables[i]);
+    i = next - i > kListedOneByOne ? next : i + 1;
+  }
   words += objectives_sentence(problem.objectives);
   for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
   return words + solver_sentence(problem.solver);

@@ -175,7 +175,8 @@ Optimum least_acceleration(double b, std::size_t knots, std::size_t degree = 2,
         {.name = "c", .lower = -1, .upper = 2, .start = values[2][i], .scale = 0.1});
   }
   const Mechanism& law = find_mechanism("law");
-  const Binding binding{{}, {}, {}, std::make_shared<LawBinding>(member, variables)};
+  Binding binding{{}, {}, {}, std::make_shared<LawBinding>(member, variables)};
+  for (const auto& parameter : law.parameters) binding.constants.push_back(parameter.standard);
   problem.objective = {make_response(law, find_response(law, "acceleration"), binding),
                        optim::Sense::Minimize, optim::Part::Magnitude};
   problem.constraints = {{make_response(law, find_response(law, "velocity"), binding), {}, b}};

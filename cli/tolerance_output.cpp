@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "cli/tolerance_output.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "cli/text_table.h"
+#include "problems/units.h"
+
+namespace camlaw::cli {
+namespace {
+
+optim::MultiProblem problem_of(const FrontAnswer& answer, const optim::FrontPoint& point) {
+  const optim::MultiSpace& space = answer.study.space();
+  return space.problem(space.options(point.part));
+}
+
+std::size_t variable_named(const optim::MultiProblem& problem, const std::string& name) {
+  const auto at = std::find_if(problem.variables.begin(), problem.variables.end(),
+                               [&](const optim::Variable& v) { return v.name == name; });
+  if (at == problem.variables.end()) {
+    std::vector<std::string> known;
+    for (const optim::Variable& v : problem.variables) known.push_back(v.name);
+    throw std::invalid_argument(
+        fmt::format("--tolerance: no variable '{}'; there are {}", name, fmt::join(known, ", ")));
+  }
+  return static_cast<std::size_t>(at - problem.variables.begin());
+}
+
+}  // namespace
+
+std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
+                                  const std::vector<std::string>& assignments) {
+  constexpr double kShare = 0.01;
+  const optim::MultiProblem problem = problem_of(answer, point);
+  std::vector<double> tolerances(point.x.size(), 0.0);
+  for (std::size_t i = 0; i < tolerances.size() && assignments.empty(); ++i) {
+    const optim::Variable& v = problem.variables[i];
+    const double range = std::isfinite(v.upper - v.lower) ? v.upper - v.lower : 1;
+    tolerances[i] = kShare * (point.x[i] != 0 ? std::abs(point.x[i]) : range);
+  }
+  for (const std::string& assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(
+          fmt::format("--tolerance: '{}' is no name=value, such as stroke=0.1", assignment));
+    }
+    const std::size_t i = variable_named(problem, assignment.substr(0, equals));
+    const std::string& unit = problem.variables[i].unit;
+    const std::string what = "--tolerance " + problem.variables[i].name;
+    const double value = problems::parse_quantity(assignment.substr(equals + 1), unit, unit, what);
+    if (!(value >= 0 && std::isfinite(value))) {
+      throw std::invalid_argument(what + ": a number that is not negative is wanted");
+    }
+    tolerances[i] = value;
+  }
+  return tolerances;
+}
+
+optim::ToleranceReport tolerances_at(const FrontAnswer& answer, const optim::FrontPoint& point,
+                                     const std::vector<double>& tolerances) {
+  return optim::tolerance_report(problem_of(answer, point), point.x, tolerances);
+}
+
+std::string tolerance_text(const FrontAnswer& answer, const optim::FrontPoint& point,
+                           const std::vector<double>& tolerances,
+                           const optim::ToleranceReport& report) {
+  const optim::MultiProblem problem = problem_of(answer, point);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    if (tolerances[i] == 0) continue;
+    const optim::Variable& v = problem.variables[i];
+    parts.push_back(
+        fmt::format("{} +-{}", v.name, with_unit(fmt::format("{:.4g}", tolerances[i]), v.unit)));
+  }
+  constexpr std::size_t kListed = 6;
+  std::string text = parts.size() > kListed
+                         ? fmt::format("\ntolerances of {} variables\n", parts.size())
+                         : fmt::format("\ntolerances: {}\n", fmt::join(parts, ", "));
+  TextTable table({{"", TextTable::Align::Left},
+                   {"as meant"},
+                   {"lowest"},
+                   {"highest"},
+                   {"mean"},
+                   {"deviation"},
+                   {"5 %"},
+                   {"95 %"},
+                   {"unit", TextTable::Align::Left}});
+  const auto number = [](double value) { return fmt::format("{:.6g}", value + 0.0); };
+  for (const optim::Spread& s : report.spreads) {
+    table.add({s.is_margin ? "margin of " + s.name : s.name, number(s.nominal), number(s.lowest),
+               number(s.highest), number(s.mean), number(s.deviation), number(s.low),
+               number(s.high), s.unit});
+  }
+  return text + table.text() +
+         fmt::format(
+             "lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
+             "every limit\n",
+             report.all_corners ? "every corner of the tolerances"
+                                : "the corners that single changes point to",
+             report.samples, 100 * report.yield);
+}
+
+Json tolerance_json(const std::vector<double>& tolerances, const optim::ToleranceReport& report) {
+  Json spreads = Json::array();
+  for (const optim::Spread& s : report.spreads) {
+    spreads.push_back({{"name", s.name},
+                       {"unit", s.unit},
+                       {"margin", s.is_margin},
+                       {"nominal", to_json(s.nominal)},
+                       {"lowest", to_json(s.lowest)},
+                       {"highest", to_json(s.highest)},
+                       {"mean", to_json(s.mean)},
+                       {"deviation", to_json(s.deviation)},
+                       {"low", to_json(s.low)},
+                       {"high", to_json(s.high)},
+                       {"by_variable", to_json(s.by_variable)}});
+  }
+  return {{"tolerances", to_json(tolerances)},
+          {"samples", report.samples},
+          {"yield", report.yield},
+          {"all_corners", report.all_corners},
+          {"spreads", std::move(spreads)}};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "optim/pareto/multi_problem.h"
+
+/// What becomes of a design that is not made as it was meant (docs/optimisation.md, "Tolerances").
+namespace camlaw::optim {
+
+/// What one number of the problem may become: an objective, or the margin of a limit to its nearer
+/// bound.
+struct Spread {
+  std::string name, unit;
+  bool is_margin = false;
+  double nominal = 0;
+  double lowest = 0, highest = 0;        ///< the worst of all designs that were looked at
+  double mean = 0, deviation = 0;        ///< over the samples
+  double low = 0, high = 0;              ///< quantiles of the samples, 5 and 95 %
+  std::vector<double> by_variable = {};  ///< change by each variable's tolerance, the larger side
+};
+
+struct ToleranceReport {
+  std::vector<Spread> spreads;  ///< of the objectives, then of the limits
+  std::size_t samples = 0;
+  double yield = 0;          ///< share of the samples that meet every limit
+  bool all_corners = false;  ///< whether the extremes are over every corner of the box
+};
+
+/// Each variable off by up to its tolerance, in its unit. Extremes: over the corners of the box,
+/// all of them for up to ten variables that have a tolerance, else those that the single changes
+/// point to, and over the samples. Samples are even over the box, from a generator with this seed.
+/// Bounds of variables do not hold here: a design at its bound may be made beyond it. Throws
+/// std::invalid_argument where tolerances are not one for each variable or are negative.
+ToleranceReport tolerance_report(const MultiProblem& problem, Design x,
+                                 const std::vector<double>& tolerances, std::size_t samples = 1000,
+                                 std::uint64_t seed = 1);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "optim/problem/function.h"
+
+namespace camlaw::problems {
+
+/// A kernel that is known to be affine: value and slopes at one point, worked out when they are
+/// first needed, say all. Encloses as the kernel that it stands for.
+class AffineKernel final : public optim::Kernel {
+ public:
+  AffineKernel(std::shared_ptr<const optim::Kernel> exact, std::vector<double> origin)
+      : exact_(std::move(exact)), origin_(std::move(origin)) {}
+
+  double value(std::span<const double> u) const override {
+    std::call_once(made_, [&] {
+      slopes_.resize(origin_.size());
+      value_ = exact_->gradient(origin_, slopes_);
+    });
+    double sum = value_;
+    for (std::size_t i = 0; i < u.size(); ++i) sum += slopes_[i] * (u[i] - origin_[i]);
+    return sum;
+  }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    const double result = value(u);
+    std::copy(slopes_.begin(), slopes_.end(), g.begin());
+    return result;
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    std::fill_n(h.begin(), optim::packed_size(u.size()), 0.0);
+    return gradient(u, g);
+  }
+  optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+
+ private:
+  std::shared_ptr<const optim::Kernel> exact_;
+  std::vector<double> origin_;
+  mutable std::once_flag made_;
+  mutable std::vector<double> slopes_;
+  mutable double value_ = 0;
+};
+
+}  // namespace camlaw::problems
