@@ -89,6 +89,7 @@ int run(int argc, const char* const* argv) {
   add_check_command(app, status);
   add_evaluate_command(app);
   add_optimize_command(app, status);
+  add_synthesize_command(app, status);
   try {
     app.parse(argc, argv);
     return finish(status);
