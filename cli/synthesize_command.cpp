@@ -13,6 +13,11 @@ namespace {
 void check_free(const problems::ProblemStatement& statement) {
   const bool free = std::any_of(statement.laws.begin(), statement.laws.end(),
                                 [](const Member& law) { return bool(law.family->listed); });
+  if (statement.mechanism->moved_by == problems::MovedBy::Program) {
+    throw std::invalid_argument(statement.source +
+                                ": synthesize takes a [law]; free laws in a [program] are for "
+                                "'camlaw optimize'");
+  }
   if (free) return;
   throw std::invalid_argument(statement.source +
                               ": no law of the problem is free; write [law] name = \"free\"");

@@ -57,7 +57,6 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   FixedNames fixed;
   read_mechanism(file, problem);
   read_laws(file, problem, fixed);
-  refuse_unused_free(file, problem);
   read_constants(file, problem, fixed);
   read_variables(file, problem, fixed);
   read_free_variables(file, problem, fixed);
