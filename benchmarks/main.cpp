@@ -7,7 +7,8 @@
 #include "benchmarks/timing.h"
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy,
-/// --search and --cam-shape those tables of speed alone; any other arguments are Google Benchmark's
+/// --search, --cam-shape, --cams and --fronts those tables of speed alone; any other arguments are
+/// Google Benchmark's
 /// (--benchmark_filter=peaks and so on).
 int main(int argc, char* argv[]) {
   namespace measures = camlaw::benchmarks;
@@ -21,10 +22,11 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--search") measures::print_search_table();
   if (all || wanted == "--cam-shape") measures::print_cam_shape_table();
   if (all || wanted == "--cams") measures::print_cam_table();
-  if (wanted == "--fronts") measures::print_known_fronts(60);
+  if (all || wanted == "--fronts") measures::print_front_table();
   if (wanted == "--accuracy") {
     measures::print_hock_schittkowski_table();
     measures::print_cam_shape_accuracy();
+    measures::print_known_fronts();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
       wanted == "--fronts" || wanted == "--accuracy") {

@@ -119,15 +119,21 @@ std::string measures_text(const FrontAnswer& answer) {
                                  values_text(answer, front.nadir));
   text += fmt::format("hypervolume {} from {}\n", number(front.hypervolume),
                       values_text(answer, front.reference));
-  if (front.hypervolume_at_most) {
-    text += fmt::format("  whatever lies between the points, it is at most {} ({:.3f} % more)\n",
-                        number(*front.hypervolume_at_most),
-                        100 * (*front.hypervolume_at_most / front.hypervolume - 1));
+  if (front.hypervolume_of_mixtures) {
+    text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",
+                        number(*front.hypervolume_of_mixtures));
   }
-  if (const auto limit = ruler(answer)) {
-    const double most = limit->hypervolume(front.reference);
+  if (front.hypervolume_at_most) {
+    const double more = 100 * (*front.hypervolume_at_most / front.hypervolume - 1);
+    text += fmt::format("  whatever lies between the points, it is at most {}{}\n",
+                        number(*front.hypervolume_at_most),
+                        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
+  }
+  const auto limit = ruler(answer);
+  if (const double most = limit ? limit->hypervolume(front.reference) : 0; most > 0) {
+    const double reached = front.hypervolume_of_mixtures.value_or(front.hypervolume);
     text += fmt::format("  no law exceeds {}: this is {:.3f} % of that\n", number(most),
-                        100 * front.hypervolume / most);
+                        100 * reached / most);
   }
   const auto all = answer.costs();
   if (front.objectives.size() == 2 && all.size() > 2) {
@@ -306,6 +312,8 @@ Json front_json(const FrontAnswer& answer) {
           {"hypervolume", to_json(front.hypervolume)},
           {"hypervolume_at_most",
            front.hypervolume_at_most ? to_json(*front.hypervolume_at_most) : Json(nullptr)},
+          {"hypervolume_of_mixtures",
+           front.hypervolume_of_mixtures ? to_json(*front.hypervolume_of_mixtures) : Json(nullptr)},
           {"limit_hypervolume", limit && !front.reference.empty()
                                     ? to_json(limit->hypervolume(front.reference))
                                     : Json(nullptr)},

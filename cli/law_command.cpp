@@ -12,6 +12,7 @@
 #include "cli/law_json.h"
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
+#include "problems/law_files/law_file.h"
 #include "problems/units.h"
 
 namespace camlaw::cli {
@@ -99,7 +100,7 @@ void print_json(const Member& member, const LawOptions& options) {
 }
 
 void show_law(const LawOptions& options) {
-  Member member = find_law(options.name, read_quantity);
+  Member member = problems::find_any_law(options.name, "", read_quantity);
   for (const std::string& assignment : options.parameters) {
     set_argument(member, assignment, read_quantity);
   }
@@ -129,7 +130,9 @@ void show_law(const LawOptions& options) {
 void add_law_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("law", "Show one law: peaks, table, curves");
   const auto options = std::make_shared<LawOptions>();
-  command->add_option("NAME", options->name, "a name of 'camlaw laws', an alias, or NAME k=v ...")
+  command
+      ->add_option("NAME", options->name,
+                   "a name of 'camlaw laws', an alias, NAME k=v ..., or a law's file")
       ->required();
   command
       ->add_option("--param", options->parameters,

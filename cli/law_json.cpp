@@ -58,39 +58,6 @@ void add_constants(Json& object, const Peaks<double>& peak) {
                          {"Cm", place(peak.absolute(Quantity::Moment))}};
 }
 
-struct CurveToJson {
-  Json operator()(const HalfEllipse<double>& c) const {
-    return {{"curve", "half-ellipse"}, {"integrations", c.integrations}};
-  }
-  Json operator()(const Ellipse<double>& c) const { return {{"curve", "ellipse"}, {"n", c.n}}; }
-  Json operator()(const InclinedSine<double>& c) const {
-    return {{"curve", "inclined-sine"}, {"e", c.e}};
-  }
-  Json operator()(const Power<double>& c) const {
-    return {{"curve", "power"}, {"exponent", c.exponent}};
-  }
-};
-
-Json piece_to_json(const Piece<double>& piece) {
-  Json harmonics = Json::array(), curves = Json::array();
-  for (const auto& h : piece.harmonics) {
-    harmonics.push_back({{"sine", h.sine}, {"cosine", h.cosine}, {"frequency", h.frequency}});
-  }
-  for (const auto& c : piece.curves) {
-    Json term = std::visit(CurveToJson{}, c.curve);
-    term["amplitude"] = c.amplitude;
-    term["rate"] = c.rate;
-    term["shift"] = c.shift;
-    curves.push_back(std::move(term));
-  }
-  return {{"begin", piece.begin},
-          {"end", piece.end},
-          {"origin", piece.origin},
-          {"polynomial", piece.polynomial},
-          {"harmonics", std::move(harmonics)},
-          {"curves", std::move(curves)}};
-}
-
 }  // namespace
 
 Json law_to_json(const Member& member) {
@@ -108,12 +75,6 @@ Json law_to_json(const Member& member) {
   object["data"] = law.is_data();
   object["source"] = member.family->source;
   return object;
-}
-
-Json pieces_to_json(const Law<double>& law) {
-  Json result = Json::array();
-  for (const auto& piece : law.pieces()) result.push_back(piece_to_json(piece));
-  return result;
 }
 
 Json enclosures_to_json(const Peaks<Interval>& peak) {

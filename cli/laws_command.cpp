@@ -8,6 +8,7 @@
 #include "cli/law_json.h"
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
+#include "problems/law_files/law_file.h"
 
 namespace camlaw::cli {
 namespace {
@@ -33,7 +34,7 @@ void print_catalogue() {
                    {"D-"},
                    {"Cm"},
                    {"lambda"}});
-  for (const Family& family : catalogue()) {
+  const auto add = [&](const Family& family) {
     const Law<double> law = family.make(family.standard());
     const auto peak = peaks(law);
     const auto lambda = limit_index(peak);
@@ -43,11 +44,14 @@ void print_catalogue() {
                shown(peak.low(Quantity::Acceleration).value, 4),
                shown(peak.high(Quantity::Jerk).value, 3), shown(peak.low(Quantity::Jerk).value, 3),
                shown(peak.Cm(), 4), lambda ? shown(*lambda, 3) : "-"});
-  }
+  };
+  for (const Family& family : catalogue()) add(family);
+  for (const Member& law : problems::own_laws()) add(*law.family);
   fmt::print(
       "{}\nConstants are those of the standard parameters. Every R-R law also takes crossover=c.\n"
-      "'camlaw law NAME' tells more of one law.\n",
-      table.text());
+      "'camlaw law NAME' tells more of one law. Law files in the folder that {} names are laws "
+      "too.\n",
+      table.text(), problems::kOwnLaws);
 }
 
 std::string ranges(const Family& family) {
@@ -98,6 +102,7 @@ void print_json() {
   for (const Family& family : catalogue()) {
     result.push_back(law_to_json({&family, family.standard()}));
   }
+  for (const Member& law : problems::own_laws()) result.push_back(law_to_json(law));
   fmt::print("{}\n", result.dump(2));
 }
 

@@ -106,6 +106,33 @@ std::string how(const Answer& answer) {
   return text;
 }
 
+/// Numbers of one list beyond which they are not printed one by one.
+constexpr std::size_t kListedOneByOne = 12;
+
+/// "coefficients" of "coefficients[3]"; else empty.
+std::string list_of(const std::string& name) {
+  const std::size_t bracket = name.find('[');
+  return bracket == std::string::npos ? "" : name.substr(0, bracket);
+}
+
+/// Where the run of values of one list ends that begins at one.
+std::size_t end_of_list(const std::vector<Answer::Value>& values, std::size_t from) {
+  const std::string list = list_of(values[from].name);
+  std::size_t end = from + 1;
+  while (!list.empty() && end < values.size() && list_of(values[end].name) == list) ++end;
+  return end;
+}
+
+std::string long_list(const std::vector<Answer::Value>& values, std::size_t from, std::size_t end) {
+  const auto [least, most] = std::minmax_element(
+      values.begin() + static_cast<std::ptrdiff_t>(from),
+      values.begin() + static_cast<std::ptrdiff_t>(end),
+      [](const Answer::Value& a, const Answer::Value& b) { return a.number < b.number; });
+  return fmt::format("  {}: {} numbers from {:.6g} to {}; --json has them\n",
+                     list_of(values[from].name), end - from, least->number,
+                     with_unit(fmt::format("{:.6g}", most->number), values[from].unit));
+}
+
 /// The objective and the variables, where there is a design.
 std::string design_text(const Answer& answer) {
   const optim::ObjectiveReport& objective = assessment(answer).objective;
@@ -115,8 +142,17 @@ std::string design_text(const Answer& answer) {
       "{} = {}{}\n\n", objective_name(answer),
       with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
       objective.angle ? fmt::format("  (at {})", place_text(*objective.angle, response)) : "");
-  for (const Answer::Value& value : answer.values()) {
-    text += fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit));
+  const auto values = answer.values();
+  for (std::size_t i = 0; i < values.size();) {
+    const std::size_t end = end_of_list(values, i);
+    if (end - i > kListedOneByOne) {
+      text += long_list(values, i, end);
+      i = end;
+      continue;
+    }
+    for (; i < end; ++i) {
+      text += fmt::format("  {} = {}\n", values[i].name, with_unit(values[i].text, values[i].unit));
+    }
   }
   return text;
 }

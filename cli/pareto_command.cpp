@@ -34,8 +34,19 @@ int workers_of(const ParetoCommand& options) {
   return count_of_workers();
 }
 
+optim::ParetoMethod method_of(const ParetoCommand& options) {
+  try {
+    return problems::parse_method(options.method);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--method: {}", error.what()));
+  }
+}
+
 /// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
 std::optional<std::string> study_file(const ParetoCommand& options) {
+  if (options.db && options.db->empty()) {
+    throw std::invalid_argument("--db: a file's name is wanted");
+  }
   if (options.db) return options.db;
   if (options.out) return (fs::path(*options.out) / "study.db").string();
   if (options.resume) throw std::invalid_argument("--resume: name the study, --db FILE");
@@ -106,7 +117,7 @@ void run_pareto(const ParetoCommand& options, int& status) {
     throw std::invalid_argument("--out: a folder's name is wanted");
   }
   problems::FrontSettings settings;
-  settings.method = problems::parse_method(options.method);
+  settings.method = method_of(options);
   if (options.points) {
     settings.points = static_cast<std::size_t>(
         problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));

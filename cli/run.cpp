@@ -91,6 +91,7 @@ int run(int argc, const char* const* argv) {
   add_optimize_command(app, status);
   add_pareto_command(app, status);
   add_front_command(app, status);
+  add_synthesize_command(app, status);
   try {
     app.parse(argc, argv);
     return finish(status);

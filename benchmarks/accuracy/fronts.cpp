@@ -11,33 +11,46 @@
 namespace camlaw::benchmarks {
 namespace {
 
-void print_row(const problems::KnownFront& known, const char* method, optim::ParetoMethod kind,
-               std::size_t points) {
+/// How a front is looked for.
+struct Way {
+  const char* name;
+  optim::ParetoMethod method;
+  std::size_t points, population = 0, generations = 0;
+};
+
+void print_row(const problems::KnownFront& known, const Way& way) {
   optim::ParetoOptions options;
-  options.points = points;
-  options.method = kind;
+  options.points = way.points;
+  options.method = way.method;
+  options.population = way.population;
+  options.generations = way.generations;
   options.reference = known.reference;
   optim::Front front;
   const double spent = seconds([&] { front = optim::pareto(known.problem, options); });
   const auto certified = std::count_if(front.points.begin(), front.points.end(), [](const auto& p) {
     return p.verdict == optim::Verdict::Certified;
   });
-  fmt::print("| {} | {} | {} | {} | {:.4f} | {} | {} | {} | {:.2f} |\n", known.problem.name, method,
-             front.points.size(), certified, 100 * front.hypervolume / known.hypervolume,
+  fmt::print("| {} | {} | {} | {} | {:.3f} | {} | {} | {} | {:.1f} |\n", known.problem.name,
+             way.name, front.points.size(), certified, 100 * front.hypervolume / known.hypervolume,
              front.tasks, front.evaluations, front.failures.size(), spent);
   std::fflush(stdout);
 }
 
 }  // namespace
 
-void print_known_fronts(std::size_t points) {
+void print_known_fronts() {
   fmt::print(
-      "| problem | method | points | certified | hypervolume, % | searches | evaluations | "
-      "failed | s |\n|---|---|---|---|---|---|---|---|---|\n");
+      "| problem | method | points | certified | hypervolume, % | searches | evaluations | failed "
+      "| s |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const problems::KnownFront& known : problems::known_fronts()) {
-    print_row(known, "sweep", optim::ParetoMethod::Sweep, points);
-    print_row(known, "auto", optim::ParetoMethod::Automatic, points);
-    print_row(known, "nsga2", optim::ParetoMethod::Nsga2, 100);
+    const bool three = known.problem.objectives.size() == 3;
+    const std::size_t points = three ? 8000 : known.smooth ? 1000 : 600;
+    if (known.smooth) print_row(known, {"sweep", optim::ParetoMethod::Sweep, points});
+    if (!known.smooth) {
+      print_row(known, {"auto", optim::ParetoMethod::Automatic, points, 200, 500});
+    }
+    const std::size_t population = three ? 1000 : 300;
+    print_row(known, {"nsga2", optim::ParetoMethod::Nsga2, population, population, 500});
   }
 }
 

@@ -197,6 +197,22 @@ std::string words_of(const std::vector<ProgramSegment>& segments) {
   return result;
 }
 
+/// The program's segments at arguments, with laws of the catalogue where a law knows one.
+std::vector<ProgramSegment> listed_segments(std::vector<ProgramSegment> stated,
+                                            const Layout& layout,
+                                            const Arguments<double>& arguments) {
+  const auto segments = segments_at(stated, layout, arguments);
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    stated[i].angle = segments[i].share * kCycle;
+    stated[i].to = segments[i].to;
+    if (!stated[i].law) continue;
+    const Family& family = *stated[i].law->family;
+    const Member own{stated[i].law->family, law_arguments(arguments, layout.parts[i], family)};
+    stated[i].law = own.listed();
+  }
+  return stated;
+}
+
 }  // namespace
 
 Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
@@ -220,6 +236,12 @@ Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
                   check_joints(stated, plain, law.template as<double>(), matched);
                   return law;
                 }};
+  if (std::any_of(stated.begin(), stated.end(),
+                  [](const ProgramSegment& s) { return s.law && s.law->family->listed; })) {
+    family.listed = [stated, layout, matched](const Arguments<double>& arguments) {
+      return motion_program(listed_segments(stated, layout, arguments), matched);
+    };
+  }
   family.continuity = continuity(family.make(family.standard()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->standard()};

@@ -56,8 +56,7 @@ class BoxFront final : public PartFront {
     double value = kInfinity;
     for (const FrontPoint& point : outcome.points) {
       std::erase_if(facts_, [&](const Fact& fact) { return contradicts(point, fact); });
-      replace_end(task, point);
-      insert(point);
+      if (is_worth_taking(task, point)) insert(point);
       value = std::min(value, point.costs[task.sought]);
     }
     // A search that came to less than what is known already was stuck.
@@ -111,8 +110,8 @@ class BoxFront final : public PartFront {
   double slack(std::size_t objective) const {
     constexpr double kShare = 1e-6;
     const double here = alone_[objective]->costs[objective];
-    const double there = alone_[1 - objective]->costs[objective];
-    return kShare * std::max(std::abs(here), std::abs(there - here));
+    const double range = std::abs(alone_[1 - objective]->costs[objective] - here);
+    return kShare * std::max(std::abs(here), std::isfinite(range) ? range : 0);
   }
 
   Task bounded(std::size_t sought, double bound) const {
@@ -137,17 +136,19 @@ class BoxFront final : public PartFront {
     return point.costs[1 - fact.sought] <= fact.bound && point.costs[fact.sought] < fact.value;
   }
 
-  /// An end at which the other cost falls steeply is left for the point beside it: within the
-  /// slack of the one, but better by a part of the range in the other.
-  void replace_end(const Task& task, const FrontPoint& point) {
+  /// Of a search beside an end: an end at which the other cost falls steeply is left for the point
+  /// beside it, which is better by a part of the range there. A point that gains less is none of
+  /// its own.
+  bool is_worth_taking(const Task& task, const FrontPoint& point) {
     constexpr double kWorth = 1e-3;
     const std::size_t end = 1 - task.sought;
-    if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return;
-    if (task.bounds[end] != alone_[end]->costs[end] + slack(end)) return;
-    const double gain = alone_[end]->costs[task.sought] - point.costs[task.sought];
-    const double range = alone_[end]->costs[task.sought] - alone_[task.sought]->costs[task.sought];
-    if (!(gain > kWorth * range)) return;
-    std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == alone_[end]->costs; });
+    if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return true;
+    const Costs &at_end = alone_[end]->costs, &opposite = alone_[task.sought]->costs;
+    if (task.bounds[end] != at_end[end] + slack(end)) return true;
+    const double gain = at_end[task.sought] - point.costs[task.sought];
+    if (!(gain > kWorth * (at_end[task.sought] - opposite[task.sought]))) return false;
+    std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == at_end; });
+    return true;
   }
 
   std::vector<Box> boxes() const {

@@ -19,12 +19,13 @@ class DirectionFront final : public PartFront {
   std::vector<Task> second_tasks() override {
     std::vector<Task> tasks;
     if (std::any_of(alone_.begin(), alone_.end(), [](const auto& p) { return !p; })) return tasks;
-    std::vector<Costs> ends;
-    for (const auto& point : alone_) ends.push_back(point->costs);
-    const Costs worst = nadir(ends);
     for (std::size_t i = 0; i < objectives_; ++i) {
-      const double range = worst[i] - least_[i];
-      scale_.push_back(range > 0 ? range : std::max(std::abs(worst[i]), 1.0));
+      double worst = least_[i];
+      for (const auto& point : alone_) {
+        if (std::isfinite(point->costs[i])) worst = std::max(worst, point->costs[i]);
+      }
+      const double range = worst - least_[i];
+      scale_.push_back(range > 0 ? range : std::max(std::abs(worst), 1.0));
     }
     for (std::size_t i = 0; i < objectives_; ++i) {
       std::vector<double> corner(objectives_, 0.0);
@@ -50,6 +51,10 @@ class DirectionFront final : public PartFront {
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
     std::map<Edge, double> edges;
     for (const auto& simplex : simplices_) {
+      if (const auto edge = first_edge(simplex)) {
+        edges.insert({*edge, 1.0});
+        continue;
+      }
       const auto longest = longest_edge(simplex, front);
       if (longest && !front.covers(corner(simplex))) edges.insert(*longest);
     }
@@ -122,6 +127,18 @@ class DirectionFront final : public PartFront {
       sum += step * step;
     }
     return std::sqrt(sum);
+  }
+
+  /// An edge of the simplex that was the first. Each of those is halved, even where its ends have
+  /// come to one point: between them others may lie.
+  std::optional<Edge> first_edge(const Simplex& simplex) const {
+    std::vector<std::size_t> corners;
+    for (const std::size_t v : simplex) {
+      if (v < objectives_ && vertices_[v].point) corners.push_back(v);
+    }
+    std::sort(corners.begin(), corners.end());
+    if (corners.size() < 2) return {};
+    return Edge(corners[0], corners[1]);
   }
 
   std::optional<std::pair<Edge, double>> longest_edge(const Simplex& simplex,

@@ -25,6 +25,16 @@ Costs default_reference(std::span<const Costs> front);
 /// Points that do not lie below the reference count nothing.
 double hypervolume(std::span<const Costs> front, const Costs& reference);
 
+/// Two costs, points sorted by the first, of a problem that is convex in both: what the front
+/// dominates together with all mixtures of neighbouring designs, which cost no more than mixtures
+/// of their costs.
+double hypervolume_of_mixtures(std::span<const Costs> front, const Costs& reference);
+
+/// The same problem: no front dominates more, since it lies above every line that supports it.
+/// `weights` are the lines' normals, one for each point.
+double hypervolume_within(std::span<const Costs> front,
+                          std::span<const std::vector<double>> weights, const Costs& reference);
+
 /// Costs as shares of the way from ideal to nadir; of a cost that does not vary 0.
 std::vector<Costs> normalised(std::span<const Costs> front);
 

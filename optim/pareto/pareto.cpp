@@ -22,6 +22,15 @@ bool is_convex(const MultiProblem& multi) {
   return true;
 }
 
+/// Whether a mixture of two designs costs no more than the mixture of their costs.
+bool costs_are_convex(const MultiProblem& multi) {
+  return std::all_of(multi.objectives.begin(), multi.objectives.end(), [](const Objective& o) {
+    const Shape shape = o.response.shape();
+    if (o.part == Part::Magnitude) return shape == Shape::Linear;
+    return o.sense == Sense::Minimize ? camlaw::optim::is_convex(shape) : is_concave(shape);
+  });
+}
+
 std::size_t varying(const MultiProblem& multi) {
   return static_cast<std::size_t>(
       std::count_if(multi.variables.begin(), multi.variables.end(),
@@ -36,6 +45,9 @@ class Study {
     progress_.wanted = options.points;
     const MultiProblem first = space.problem(space.options(0));
     first.check();
+    if (options.reference && options.reference->size() != first.objectives.size()) {
+      throw std::invalid_argument("reference: one number for each objective is wanted");
+    }
     for (const Objective& o : first.objectives) {
       front_.objectives.push_back({o.response.name, o.response.unit, o.sense, o.part});
     }
@@ -294,6 +306,22 @@ class Study {
       for (Costs& corner : part->corners()) all.push_back(std::move(corner));
     }
     front_.hypervolume_at_most = hypervolume(all, front_.reference);
+    if (front_.parts == 1) settle_convex();
+  }
+
+  /// Of a convex problem more is known of what lies between the points.
+  void settle_convex() {
+    const MultiProblem multi = space_.problem(space_.options(0));
+    if (!costs_are_convex(multi) || !is_convex(multi)) return;
+    const std::vector<Costs> all = costs_of(front_.points);
+    front_.hypervolume_of_mixtures = hypervolume_of_mixtures(all, front_.reference);
+    std::vector<std::vector<double>> weights;
+    for (const FrontPoint& point : front_.points) {
+      if (point.verdict != Verdict::Certified || point.weights.empty()) return;
+      weights.push_back(point.weights);
+    }
+    front_.hypervolume_at_most =
+        std::min(*front_.hypervolume_at_most, hypervolume_within(all, weights, front_.reference));
   }
 
   static constexpr std::size_t kTasksPerPoint = 20;
@@ -311,10 +339,6 @@ class Study {
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
-  const std::size_t objectives = space.problem(space.options(0)).objectives.size();
-  if (options.reference && options.reference->size() != objectives) {
-    throw std::invalid_argument("reference: one number for each objective is wanted");
-  }
   return Study(space, options, executor).run();
 }
 

@@ -48,6 +48,8 @@ struct Front {
   double hypervolume = 0;
   /// What no front of this problem exceeds, as far as each search was right; of two objectives.
   std::optional<double> hypervolume_at_most;
+  /// Of a problem convex in both of two costs: what mixtures of neighbouring designs dominate too.
+  std::optional<double> hypervolume_of_mixtures;
   std::size_t parts = 1, empty_parts = 0;  ///< combinations; those without a design
   std::size_t tasks = 0;
   long evaluations = 0;

@@ -104,7 +104,8 @@ void PartFront::take_first(const std::vector<Outcome>& outcomes) {
 }
 
 void PartFront::insert(const FrontPoint& point) {
-  if (std::any_of(point.costs.begin(), point.costs.end(), [](double c) { return std::isnan(c); })) {
+  if (!std::all_of(point.costs.begin(), point.costs.end(),
+                   [](double c) { return std::isfinite(c); })) {
     return;
   }
   const auto as_good = std::find_if(points_.begin(), points_.end(), [&](const FrontPoint& p) {

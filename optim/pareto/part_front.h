@@ -59,7 +59,8 @@ class PartFront {
   virtual std::vector<Costs> corners() const { return {}; }
 
  protected:
-  /// Takes a point in, unless one is as good; those that it dominates go.
+  /// Takes a point in, unless one is as good or a cost is no finite number; those that it
+  /// dominates go.
   void insert(const FrontPoint& point);
 
   std::size_t part_, objectives_;

@@ -38,8 +38,10 @@ Genome genome_of(const MultiProblem& multi) {
       constexpr double kFar = 10;
       const double reach = kFar * scales[i];
       genome.variables.push_back(i);
-      genome.lower.push_back(std::isfinite(v.lower) ? v.lower : v.start - reach);
-      genome.upper.push_back(std::isfinite(v.upper) ? v.upper : v.start + reach);
+      const double lower = std::isfinite(v.lower) ? v.lower : v.start - reach;
+      const double upper = std::isfinite(v.upper) ? v.upper : v.start + reach;
+      genome.lower.push_back(whole ? std::ceil(lower) : lower);
+      genome.upper.push_back(whole ? std::floor(upper) : upper);
       genome.whole += whole;
     }
   }
@@ -60,23 +62,32 @@ struct Evolved {
   const Genome* genome = nullptr;
   std::shared_ptr<long> evaluations;
 
+  /// More than any cost that is worth having: what passes a limit is worse than all that does not.
+  static constexpr double kBeyond = 1e100;
+
   std::vector<double> fitness(const std::vector<double>& genes) const {
-    // More than any cost that is worth having: what passes a limit is worse than all that does not.
-    constexpr double kBeyond = 1e100;
     ++*evaluations;
     const std::vector<double> x = design_of(*genome, genes);
+    std::vector<double> cost(multi->objectives.size(), 4 * kBeyond);
+    try {
+      measure(x, cost);
+    } catch (const std::exception&) {
+      // Not a design to be had; searches say what was thrown, where they come upon it.
+    }
+    return cost;
+  }
+
+  void measure(Design x, std::vector<double>& cost) const {
     const double violation = worst_excess(x);
-    std::vector<double> cost(multi->objectives.size());
     if (violation > 0) {
       const double graded = std::isfinite(violation) ? violation / (1 + violation) : 2;
       std::fill(cost.begin(), cost.end(), kBeyond * (1 + graded));
-      return cost;
+      return;
     }
-    cost = costs(*multi, x);
-    for (double& c : cost) {
-      if (std::isnan(c)) c = 4 * kBeyond;
+    const std::vector<double> its = costs(*multi, x);
+    for (std::size_t i = 0; i < its.size(); ++i) {
+      if (its[i] < kBeyond) cost[i] = its[i];  // else, or where it is no number: the worst
     }
-    return cost;
   }
   std::pair<std::vector<double>, std::vector<double>> get_bounds() const {
     return {genome->lower, genome->upper};
@@ -121,6 +132,7 @@ Outcome scout(const Task& task, const MultiProblem& multi) {
   const std::vector<bool> kept = non_dominated(all);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!kept[i]) continue;
+    if (!(all[i].front() < Evolved::kBeyond)) continue;
     FrontPoint point = looked_at(multi, task.part, design_of(genome, last.get_x()[i]));
     point.solver = "nsga2";
     if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));

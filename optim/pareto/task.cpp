@@ -121,7 +121,8 @@ Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& tas
   for (const auto& start : task.starts) {
     start_at(problem, start);
     if (task.kind == Task::Kind::Toward) {
-      problem.variables.back().start = distance_of(multi, task, start);
+      const double distance = distance_of(multi, task, start);
+      problem.variables.back().start = std::isfinite(distance) ? distance : 1;
     }
     Found found = search();
     if (!best || better(problem, found.assessment, best->assessment)) best = std::move(found);
@@ -140,7 +141,8 @@ Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOption
     outcome.infeasible = true;
     return outcome;
   }
-  if (a.verdict == Verdict::Failed || found.x.empty()) {
+  const bool no_design = found.x.empty() && !multi.variables.empty();
+  if (a.verdict == Verdict::Failed || no_design) {
     outcome.failure = a.reason;
     return outcome;
   }

@@ -42,8 +42,8 @@ bool write_all(int file, std::string_view bytes) {
 }
 
 /// The child's part. It does not outlive its parent, and an interrupt or a request to end, which
-/// may be sent to all processes at once, is the parent's to handle: else a search that was cut short
-/// would be taken for one that failed.
+/// may be sent to all processes at once, is the parent's to handle: else a search that was cut
+/// short would be taken for one that failed.
 [[noreturn]] void work(const Task& task, const MultiSpace& space, OptimiseOptions options, int out,
                        pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -36,8 +36,11 @@ std::string versions() {
 
 std::size_t points_of(const std::string& text) {
   std::size_t points = 0;
-  std::from_chars(text.data(), text.data() + text.size(), points);
-  return points;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, points);
+  if (error == std::errc() && rest == end && points >= 2 && points <= kMostPoints) return points;
+  throw std::invalid_argument(fmt::format(
+      "the study's setting 'points' is no number from 2 to {}: '{}'", kMostPoints, text));
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ optim::Front FrontStudy::run(optim::Executor& executor) const {
 
 std::optional<Member> FrontStudy::law(const optim::FrontPoint& point) const {
   if (bound_.statement().mechanism->moved_by == MovedBy::Nothing) return {};
-  return bound_.at(space_.options(point.part), point.x).laws.front();
+  return bound_.at(space_.options(point.part), point.x).laws.front().listed();
 }
 
 }  // namespace camlaw::problems

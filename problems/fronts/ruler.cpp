@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,8 +56,46 @@ bool is_of_law_alone(const ProblemStatement& statement, const ObjectiveStatement
   });
 }
 
-/// Integral of B^2 / (B - 1).
-double integral(double B) { return B * B / 2 + B + std::log(B - 1); }
+/// Whether a law goes from rest to rest over one stroke: only of such the limit holds.
+bool is_rest_to_rest(const Law<double>& law) {
+  constexpr double kSame = 1e-9;
+  const auto begin = law(0.0), end = law(1.0);
+  return std::abs(begin.v) < kSame && std::abs(end.v) < kSame &&
+         std::abs(end.s - begin.s - 1) < kSame;
+}
+
+/// That all laws of the problem are such: at the start, and with each number that varies at its
+/// bounds.
+bool are_rest_to_rest(const ProblemStatement& statement) {
+  const auto are = [](const ProblemStatement& design) {
+    return std::all_of(design.laws.begin(), design.laws.end(),
+                       [](const Member& law) { return is_rest_to_rest(law.law()); });
+  };
+  if (!are(statement)) return false;
+  const bool vary = std::any_of(statement.laws.begin(), statement.laws.end(), [](const auto& law) {
+    return law.family->ends == "by parameters";
+  });
+  return !vary ||
+         std::all_of(statement.variables.begin(), statement.variables.end(), [&](const auto& v) {
+           if (!v.of_law) return true;
+           for (const double value : {v.lower, v.upper}) {
+             ProblemStatement design = statement;
+             try {
+               set_value(design, fmt::format("{}={}", v.name, value));
+             } catch (const std::invalid_argument&) {
+               continue;  // no law
+             }
+             if (!are(design)) return false;
+           }
+           return true;
+         });
+}
+
+/// Integral of B^2 / (B - 1) from 1 + `from` to 1 + `to`.
+double integral(double from, double to) {
+  const auto polynomial = [](double b) { return b * (b / 2 + 2); };
+  return polynomial(to) - polynomial(from) + std::log(to / from);
+}
 
 }  // namespace
 
@@ -67,11 +107,12 @@ double FrontRuler::hypervolume(const optim::Costs& reference) const {
   const double B = reference[of_velocity] / velocity_factor;
   const double C = reference[of_acceleration] / acceleration_factor;
   if (!(C > 4)) return 0;  // no law has less
-  // From where B^2 / (B - 1) = C, to 2, and beyond that with C = 4.
-  const double from = (C - std::sqrt(C * C - 4 * C)) / 2;
-  if (!(B > from)) return 0;
-  const double to = std::min(B, 2.0);
-  double area = C * (to - from) - (integral(to) - integral(from));
+  // From where B^2 / (B - 1) = C, to 2, and beyond that with C = 4. B - 1 there, exactly enough:
+  const double root = std::sqrt(1 - 4 / C);
+  const double from = 4 / C / ((1 + root) * (1 + root));
+  if (!(B - 1 > from)) return 0;
+  const double to = std::min(B - 1, 1.0);
+  double area = C * (to - from) - integral(from, to);
   if (B > 2) area += (C - 4) * (B - 2);
   return area * velocity_factor * acceleration_factor;
 }
@@ -82,6 +123,7 @@ std::optional<FrontRuler> front_ruler(const ProblemStatement& statement) {
   for (const ObjectiveStatement& o : objectives) {
     if (o.sense != optim::Sense::Minimize || !is_of_law_alone(statement, o)) return {};
   }
+  if (!are_rest_to_rest(statement)) return {};
   for (std::size_t first = 0; first < 2; ++first) {
     const auto B = factor_of(statement, objectives[first], true);
     const auto C = factor_of(statement, objectives[1 - first], false);

@@ -73,9 +73,11 @@ FrontStudy study_of(const std::string& text) {
   return {text, "spine cutter", {.points = 24, .method = optim::ParetoMethod::Sweep}};
 }
 
-double limit_of(const FrontStudy& study, const optim::Front& front) {
+double share_of(const FrontStudy& study, const optim::Front& front) {
   const auto ruler = front_ruler(study.bound().statement());
-  return ruler ? ruler->hypervolume(front.reference) : std::nan("");
+  if (!ruler) return std::nan("");
+  const double reached = front.hypervolume_of_mixtures.value_or(front.hypervolume);
+  return reached / ruler->hypervolume(front.reference);
 }
 
 std::string word_for(const Member& member, bool is_free) {
@@ -103,7 +105,7 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
     of_study.part = 0;
     result.laws.push_back(word_for(*studies[point.part].law(of_study), false));
   }
-  result.share_of_limit = result.front.hypervolume / limit_of(studies.front(), result.front);
+  result.share_of_limit = share_of(studies.front(), result.front);
   return result;
 }
 
@@ -114,7 +116,7 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers) {
   for (const optim::FrontPoint& point : result.front.points) {
     result.laws.push_back(word_for(*study.law(point), true));
   }
-  result.share_of_limit = result.front.hypervolume / limit_of(study, result.front);
+  result.share_of_limit = share_of(study, result.front);
   return result;
 }
 

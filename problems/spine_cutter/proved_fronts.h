@@ -12,7 +12,8 @@ struct ProvedFront {
   std::string name;
   optim::Front front;             ///< cam radius in mm against the physical peak force in N
   std::vector<std::string> laws;  ///< of each point, in a few words
-  /// Its hypervolume as a share of that of the analytic limit, from the same reference.
+  /// Its hypervolume as a share of that of the analytic limit, from the same reference; of the free
+  /// law with mixtures of neighbouring designs, which are free laws as well.
   double share_of_limit = 0;
 };
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/law_names.h"
 
+#include <algorithm>
+#include <filesystem>
+
+#include "problems/law_files/law_file.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -16,6 +20,9 @@ double read_value(std::string_view text, const Parameter& parameter, const std::
 /// "polynomial-5 alpha=-3" is an entry of the catalogue in its own right, which has no alpha that
 /// could vary; the same law as a member of polynomial-5 has one.
 Member as_family_member(const Member& law) {
+  const bool listed = std::any_of(catalogue().begin(), catalogue().end(),
+                                  [&](const Family& family) { return &family == &*law.family; });
+  if (!listed) return law;
   const std::string& name = law.family->name;
   const std::size_t space = name.find(' ');
   if (space == std::string::npos || name.find('=') == std::string::npos) return law;
@@ -23,6 +30,11 @@ Member as_family_member(const Member& law) {
   Member result{&family, family.standard()};
   set_argument(result, name.substr(space + 1));
   return result;
+}
+
+/// The folder of the problem file, from which paths in it count; empty: the one worked in.
+std::string folder_of(const Entry& entry) {
+  return std::filesystem::path(entry.place).parent_path().string();
 }
 
 /// The parameters that a law's name gives: those before an equals sign.
@@ -45,7 +57,8 @@ void check_accepted(const Entry& entry, const NamedParameter& parameter, double 
 
 NamedLaw read_law_name(const Entry& name) {
   const std::string& text = text_of(name);
-  const Member found = located(name, [&] { return find_law(text, read_value); });
+  const Member found =
+      located(name, [&] { return find_any_law(text, folder_of(name), read_value); });
   const Member law = as_family_member(found);
   for (std::size_t i = 0; i < law.arguments.size(); ++i) {
     for (const double value : law.arguments.list(i)) {
@@ -53,6 +66,7 @@ NamedLaw read_law_name(const Entry& name) {
     }
   }
   // An entry of the catalogue with parameters in its name may have been found by another name.
+  if (law.family->parameters.empty()) return {law, {}};
   const std::string& told = law.family == found.family ? text : found.family->name;
   return {law, given_in(told, *law.family)};
 }

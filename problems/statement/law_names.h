@@ -21,7 +21,10 @@ struct NamedLaw {
 /// as the member of its family. Refuses the entry for names and values that are not accepted.
 NamedLaw read_law_name(const Entry& name);
 
-/// The programs of a file's table [program], one for each combination of its segments' laws.
-std::vector<Member> read_program(const Entry& program);
+/// The programs of a file's table [program], one for each combination of its segments' laws. A free
+/// law is what the file's table [free] says.
+std::vector<Member> read_program(const Entry& file, const Entry& program);
+/// What the i-th segment, counted from 0, is called.
+std::string segment_name(const Entry& segment, std::size_t i);
 
 }  // namespace camlaw::problems

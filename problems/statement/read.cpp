@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
+#include "problems/statement/file_text.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -19,40 +14,6 @@ std::string known_mechanisms() {
     names += (names.empty() ? "" : ", ") + mechanism.name;
   }
   return names;
-}
-
-/// More than any problem file has; what is longer is something else, such as /dev/zero.
-constexpr std::size_t kMostBytes = 16U << 20U;
-
-[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}: {}", path, why));
-}
-
-std::string contents(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) refuse_file(path, "it is a directory; a problem file is wanted");
-  if (fs::is_block_file(status) || fs::is_socket(status)) {
-    refuse_file(path, "it is no file of text; a problem file is wanted");
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  std::array<char, 1U << 16U> block;
-  while (file && text.size() <= kMostBytes) {
-    file.read(block.data(), block.size());
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.is_open() || file.bad()) {
-    refuse_file(path, fmt::format("it cannot be read: {}",
-                                  errno != 0 ? std::strerror(errno) : "unknown cause"));
-  }
-  if (text.size() > kMostBytes) {
-    refuse_file(path, fmt::format("it is larger than {} MiB, the most that a problem file may have",
-                                  kMostBytes >> 20U));
-  }
-  return text;
 }
 
 /// Refuses what would do things to a terminal or break a line.
@@ -96,7 +57,6 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   FixedNames fixed;
   read_mechanism(file, problem);
   read_laws(file, problem, fixed);
-  refuse_unused_free(file, problem);
   read_constants(file, problem, fixed);
   read_variables(file, problem, fixed);
   read_free_variables(file, problem, fixed);
@@ -107,10 +67,10 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
   return problem;
 }
 
-std::string problem_text(const std::string& path) { return contents(path); }
+std::string problem_text(const std::string& path) { return file_text(path, "problem file"); }
 
 ProblemStatement read_problem_file(const std::string& path) {
-  return read_problem(contents(path), path);
+  return read_problem(problem_text(path), path);
 }
 
 }  // namespace camlaw::problems

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "kinematics/laws/free.h"
 #include "problems/statement/law_names.h"
@@ -79,13 +81,13 @@ struct Range {
   double lower = -1, upper = 2;
 };
 
-Range read_range(const Entry& table, const Parameter& coefficients) {
+Range read_range(const Entry& table, const NamedParameter& coefficients) {
   Range range;
   const auto read = [&](const char* key, double& bound) {
     const Entry* entry = find(table, key);
     if (entry == nullptr) return;
     bound = quantity_of(*entry, "1");
-    check_accepted(*entry, named(coefficients), bound);
+    check_accepted(*entry, coefficients, bound);
   };
   read("lower", range.lower);
   read("upper", range.upper);
@@ -104,7 +106,7 @@ Range range_of_knot(const std::vector<double>& knots, std::size_t i, bool symmet
 }
 
 void add_variable(ProblemStatement& problem, const NamedParameter& parameter, std::size_t i,
-                  Range range) {
+                  Range range, std::optional<double> scale) {
   if (find_variable(problem, parameter, i)) return;  // the file states it
   VariableStatement variable;
   variable.name = parameter.element_name(i);
@@ -114,9 +116,41 @@ void add_variable(ProblemStatement& problem, const NamedParameter& parameter, st
   variable.element = i;
   variable.lower = range.lower;
   variable.upper = range.upper;
+  variable.scale = scale;
   variable.start = std::clamp(values_of(problem, parameter).at(i), range.lower, range.upper);
   put_value(problem, parameter, i, variable.start);
   problem.variables.push_back(std::move(variable));
+}
+
+/// Whether a segment's law is free, or may be.
+bool is_free(const Entry& segment) {
+  const Entry* law = find(segment, "law");
+  if (law == nullptr) return false;
+  if (law->kind == Kind::Text) return is_free_name(law->text);
+  return std::any_of(law->items.begin(), law->items.end(),
+                     [](const Entry& item) { return is_free_name(item.text); });
+}
+
+/// What stands before the parameters of each free law: nothing, or of a program's segments "rise_".
+std::vector<std::string> free_prefixes(const Entry& file, const ProblemStatement& problem) {
+  if (problem.mechanism->moved_by != MovedBy::Program) {
+    const bool any = std::any_of(problem.laws.begin(), problem.laws.end(),
+                                 [](const Member& law) { return is_free_name(law.family->name); });
+    return any ? std::vector<std::string>{""} : std::vector<std::string>{};
+  }
+  std::vector<std::string> prefixes;
+  const Entry& segments = *find(*find(file, "program"), "segments");
+  for (std::size_t i = 0; i < segments.items.size(); ++i) {
+    if (is_free(segments.items[i])) prefixes.push_back(segment_name(segments.items[i], i) + "_");
+  }
+  return prefixes;
+}
+
+/// A law's parameter, unless the file fixes it.
+std::optional<NamedParameter> unfixed(const ProblemStatement& problem, const std::string& name,
+                                      const FixedNames& fixed) {
+  const NamedParameter parameter = find_parameter(problem, name, Owner::Law);
+  return fixed.contains(parameter.name) ? std::nullopt : std::optional(parameter);
 }
 
 }  // namespace
@@ -137,29 +171,34 @@ Member read_free_law(const Entry& file) {
   return located(table, [&] { return free_law(shape, start); });
 }
 
-void refuse_unused_free(const Entry& file, const ProblemStatement& problem) {
-  const Entry* table = find(file, kFree);
-  if (table == nullptr) return;
-  for (const Member& law : problem.laws) {
-    if (is_free_name(law.family->name)) return;
-  }
-  refuse(*table, "no law of the problem is free; write [law] name = \"free\"");
-}
-
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed) {
-  const auto law = std::find_if(problem.laws.begin(), problem.laws.end(),
-                                [](const Member& m) { return is_free_name(m.family->name); });
-  if (law == problem.laws.end()) return;
+  const std::vector<std::string> prefixes = free_prefixes(file, problem);
+  if (prefixes.empty()) {
+    const Entry* table = find(file, kFree);
+    if (table == nullptr) return;
+    refuse(*table, "no law of the problem is free; write [law] name = \"free\"");
+  }
   const Entry table = free_table(file);
-  const auto family = law->family;  // kept while values are put into the laws
-  const Range range = read_range(table, family->parameters[0]);
-  for (const Parameter& p : family->parameters) {
-    const NamedParameter parameter = named(p);
-    if (fixed.contains(parameter.name)) continue;
-    const bool is_knots = &p != &family->parameters.front();
-    for (std::size_t i = 0; i < p.standard.size(); ++i) {
-      add_variable(problem, parameter, i,
-                   is_knots ? range_of_knot(p.standard, i, family->symmetric) : range);
+  const bool symmetric = truth_of(table, "symmetric");
+  const bool moving = truth_of(table, "moving_knots");
+  // Of n pieces 1 / n moves the displacement by as much as a piece does, and 1 / n^2 the
+  // acceleration by order one: between the two objectives have the size of their values. Knots that
+  // move have typical changes of their own, beside which larger ones do better.
+  const double typical =
+      std::pow(static_cast<double>(read_knots(table).size() + 1), moving ? -0.5 : -1.5);
+  for (const std::string& prefix : prefixes) {
+    if (const auto coefficients = unfixed(problem, prefix + "coefficients", fixed)) {
+      const Range range = read_range(table, *coefficients);
+      for (std::size_t i = 0; i < values_of(problem, *coefficients).size(); ++i) {
+        add_variable(problem, *coefficients, i, range, typical);
+      }
+    }
+    if (!moving) continue;
+    if (const auto knots = unfixed(problem, prefix + "knots", fixed)) {
+      const std::vector<double> places = values_of(problem, *knots);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        add_variable(problem, *knots, i, range_of_knot(places, i, symmetric), {});
+      }
     }
   }
 }

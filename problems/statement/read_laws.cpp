@@ -116,7 +116,7 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
     if (program == nullptr) {
       refuse(file, "program is missing; write [program] and [[program.segments]]");
     }
-    problem.laws = read_program(*program);
+    problem.laws = read_program(file, *program);
     return;
   }
   const Entry& law = law_entry(file);

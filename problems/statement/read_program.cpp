@@ -50,26 +50,30 @@ std::optional<double> read_angle(const Entry& segment, std::optional<double> cyc
   return positive_of(*time, "s") / *cycle_time * kCycle;
 }
 
-std::vector<Member> read_segment_laws(const Entry& law) {
+Member read_segment_law(const Entry& file, const Entry& name) {
+  const bool free = name.kind == Kind::Text && is_free_name(name.text);
+  return free ? read_free_law(file) : read_law_name(name).law;
+}
+
+std::vector<Member> read_segment_laws(const Entry& file, const Entry& law) {
   std::vector<Member> laws;
   if (law.kind == Kind::List) {
     if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
-    for (const Entry& item : law.items) laws.push_back(read_law_name(item).law);
+    for (const Entry& item : law.items) laws.push_back(read_segment_law(file, item));
   } else {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
-    if (law.text != kJoining) laws.push_back(read_law_name(law).law);
+    if (law.text != kJoining) laws.push_back(read_segment_law(file, law));
   }
   return laws;
 }
 
-StatedSegment read_segment(const Entry& entry, std::size_t index, double level,
+StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t index, double level,
                            std::optional<double> cycle_time) {
   expect(entry, Kind::Table, "a table with name, angle and, where it moves, law and to");
   check_keys(entry, {"name", "angle", "time", "law", "to"});
   StatedSegment result{&entry, {}, {}};
   ProgramSegment& segment = result.segment;
-  const Entry* name = find(entry, "name");
-  segment.name = name != nullptr ? text_of(*name) : fmt::format("segment{}", index + 1);
+  segment.name = segment_name(entry, index);
   segment.angle = read_angle(entry, cycle_time).value_or(0);
   const Entry* law = find(entry, "law");
   segment.rests = law == nullptr;
@@ -79,7 +83,7 @@ StatedSegment read_segment(const Entry& entry, std::size_t index, double level,
   }
   segment.to = segment.rests ? level : level == 0 ? 1 : 0;
   if (to != nullptr) segment.to = quantity_of(*to, "1");
-  if (law != nullptr) result.laws = read_segment_laws(*law);
+  if (law != nullptr) result.laws = read_segment_laws(file, *law);
   return result;
 }
 
@@ -129,7 +133,12 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
 
 }  // namespace
 
-std::vector<Member> read_program(const Entry& program) {
+std::string segment_name(const Entry& segment, std::size_t i) {
+  const Entry* name = find(segment, "name");
+  return name != nullptr ? text_of(*name) : fmt::format("segment{}", i + 1);
+}
+
+std::vector<Member> read_program(const Entry& file, const Entry& program) {
   expect(program, Kind::Table, "a table, [program] with [[program.segments]]");
   check_keys(program, {"matched", "cycle_time", "segments"});
   const Matched matched = read_matched(program);
@@ -140,7 +149,7 @@ std::vector<Member> read_program(const Entry& program) {
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : list->items) {
-    stated.push_back(read_segment(entry, stated.size(), level, cycle_time));
+    stated.push_back(read_segment(file, entry, stated.size(), level, cycle_time));
     level = stated.back().segment.to;
   }
   if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");

@@ -21,11 +21,10 @@ void check_accepted(const Entry& entry, const NamedParameter& parameter, double 
 
 void read_mechanism(const Entry& file, ProblemStatement& problem);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
-/// What [free] says: the law that the name "free" stands for, that some law is free where there is
-/// such a table, and the coefficients (and knots) as variables, but for those that the file states.
+/// What [free] says: the law that the name "free" stands for, and its coefficients (and knots) as
+/// variables, but for those that the file states. Refuses the table where no law is free.
 bool is_free_name(std::string_view name);
 Member read_free_law(const Entry& file);
-void refuse_unused_free(const Entry& file, const ProblemStatement& problem);
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);

@@ -199,11 +199,12 @@ TEST_CASE("the study writes its four files, and they agree", "[program]") {
   with_files.insert(with_files.end(), {"--out", folder / "deep/results"});
   as_json.push_back("--json");
   const std::string text = done(with_files);
-  CHECK(folder.content() == std::set<std::string>{"deep", "deep/results", "deep/results/study.csv",
-                                                  "deep/results/study.json",
-                                                  "deep/results/trade_off.svg",
-                                                  "deep/results/motion.svg"});
-  for (const char* name : {"study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
+  CHECK(folder.content() ==
+        std::set<std::string>{"deep", "deep/results", "deep/results/fronts.csv",
+                              "deep/results/study.csv", "deep/results/study.json",
+                              "deep/results/trade_off.svg", "deep/results/motion.svg"});
+  for (const char* name :
+       {"fronts.csv", "study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
     CHECK_THAT(text, Contains(folder / (std::string("deep/results/") + name)));
   }
   check_svg(folder / "deep/results/trade_off.svg");
@@ -286,7 +287,8 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program]") {
 TEST_CASE("two runs give the same bytes", "[program]") {
   const Folder folder;
   for (const char* out : {"1", "2"}) done({"study", "spine-cutter", "--out", folder / out});
-  for (const char* name : {"study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
+  for (const char* name :
+       {"fronts.csv", "study.csv", "study.json", "trade_off.svg", "motion.svg"}) {
     INFO(name);
     CHECK(read(folder / (std::string("1/") + name)) == read(folder / (std::string("2/") + name)));
   }

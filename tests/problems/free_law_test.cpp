@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The free law in problem files: what the file says, and answers that are known from elsewhere.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
+#include "kinematics/dynamics/follower_train.h"
 #include "kinematics/limits.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
@@ -196,12 +200,257 @@ TEST_CASE("Derivatives by coefficients and knots are those of differences", "[fr
             "\n[objective]\nminimize = 'C'\n[[constraints]]\nresponse = 'moment'\nupper = 5\n"
             "[[constraints]]\nresponse = 'displacement'\nlower = 0\n",
         "f.toml"));
-    const optim::Problem problem = bound.problem({});
+    const optim::Problem problem = bound.problem({}).alone(0);
     const auto check = optim::check_derivatives(problem, problem.start());
     INFO(check.worst.response << " " << check.worst.variable << " " << check.worst.second);
     CHECK(check.agrees);
     CHECK(check.shapes.empty());
     CHECK(check.entries > 0);
+  }
+}
+
+namespace {
+
+/// Integral of f over [0, 1] by Simpson's rule on n even steps.
+template <class F>
+double integral(const F& f, int n = 20000) {
+  double sum = f(0.0) + f(1.0);
+  for (int i = 1; i < n; ++i) sum += (i % 2 == 1 ? 4 : 2) * f(static_cast<double>(i) / n);
+  return sum / (3.0 * n);
+}
+
+/// int s''(x) cos(W x) dx and with sin, piece by piece.
+std::array<double, 2> driven(const Law<double>& law, double period_ratio) {
+  const double W = 2 * std::numbers::pi * period_ratio;
+  std::array<double, 2> sum{};
+  for (const auto& piece : law.pieces()) {
+    const double length = piece.end - piece.begin;
+    const int steps = law.pieces().size() > 8 ? 200 : 4000;
+    const auto at = [&](double share) { return piece.begin + share * length; };
+    const auto a = [&](double share) { return derivatives<3>(piece, at(share))[2]; };
+    sum[0] += length * integral([&](double u) { return a(u) * std::cos(W * at(u)); }, steps);
+    sum[1] += length * integral([&](double u) { return a(u) * std::sin(W * at(u)); }, steps);
+  }
+  return sum;
+}
+
+/// The least of a convex function between two places, by golden sections.
+template <class F>
+double least(const F& f, double low, double high) {
+  const double share = (std::sqrt(5.0) - 1) / 2;
+  double a = high - share * (high - low), b = low + share * (high - low);
+  double at_a = f(a), at_b = f(b);
+  for (int i = 0; i < 60; ++i) {
+    if (at_a < at_b) {
+      high = b, b = a, at_b = at_a;
+      a = high - share * (high - low), at_a = f(a);
+    } else {
+      low = a, a = b, at_a = at_b;
+      b = low + share * (high - low), at_b = f(b);
+    }
+  }
+  return std::min(at_a, at_b);
+}
+
+double value_of_response(const ProblemStatement& problem, const std::string& name) {
+  const auto responses = evaluate(problem);
+  const auto found = std::find_if(responses.begin(), responses.end(),
+                                  [&](const auto& response) { return response.name == name; });
+  REQUIRE(found != responses.end());
+  return found->value;
+}
+
+ProblemStatement law_alone(const std::string& name, const std::string& constants = "") {
+  return read_problem("mechanism = 'law'\n" + constants + "[law]\nname = '" + name + "'\n",
+                      "f.toml");
+}
+
+}  // namespace
+
+TEST_CASE("Least mean squares are those of the calculus of variations", "[free]") {
+  // The fourth derivative is 0 with rest at the ends, and the sixth with s'' = 0 there too.
+  const Solved cubic = globally_solved(shipped("least_mean_square_acceleration.toml"));
+  CHECK(cubic.objective() == Approx(12).epsilon(1e-8));
+  const Solved quintic = globally_solved(shipped("least_mean_square_jerk.toml"));
+  CHECK(quintic.objective() == Approx(720).epsilon(1e-8));
+  for (double x = 0; x <= 1; x += 1.0 / 64) {
+    CHECK(cubic.law()(x).s == Approx(x * x * (3 - 2 * x)).margin(1e-8));
+    CHECK(quintic.law()(x).s == Approx(x * x * x * (10 + x * (-15 + 6 * x))).margin(1e-8));
+  }
+  // Of the velocity it is the straight line, where it may jump at the ends.
+  const Solved line = globally_solved(kLaw + "[free]\nbegin = 'B'\nend = 'B'\nknots = 9\n" +
+                                      "[objective]\nminimize = 'mean_square_velocity'\n");
+  CHECK(line.objective() == Approx(1).epsilon(1e-8));
+}
+
+TEST_CASE("Mean squares are those of quadrature, for every kind of law", "[free]") {
+  const char* names[] = {"mean_square_velocity", "mean_square_acceleration", "mean_square_jerk"};
+  for (const char* law_name : {"poly-3-4-5", "cycloidal", "modified-sine", "modified-trapezoid",
+                               "half-ellipse-velocity"}) {
+    const Law<double> law = find_law(law_name).law();
+    for (std::size_t order = 1; order <= (law.is_data() ? 3U : 1U); ++order) {
+      INFO(law_name << ", derivative " << order);
+      double sum = 0;
+      for (const auto& piece : law.pieces()) {
+        const double length = piece.end - piece.begin;
+        const auto square = [&](double u) {
+          const double d = derivatives<4>(piece, piece.begin + u * length)[order];
+          return d * d;
+        };
+        sum += length * integral(square, 2000);
+      }
+      CHECK(value_of_response(law_alone(law_name), names[order - 1]) == Approx(sum).epsilon(1e-6));
+    }
+  }
+  // Acceleration jumps inside: infinite, no number.
+  CHECK(std::isnan(value_of_response(law_alone("parabolic"), "mean_square_jerk")));
+  CHECK(value_of_response(law_alone("parabolic"), "mean_square_acceleration") == Approx(16));
+}
+
+TEST_CASE("Least dynamic moment is 9/4", "[free]") {
+  // A moment of at most M leaves s' at most sqrt(2 M min(x, 1 - x)), whose integral must be 1.
+  const auto root = [](double x) { return std::sqrt(2 * 2.25 * std::min(x, 1 - x)); };
+  // x = u^2 / 2 makes the first half smooth.
+  CHECK(2 * integral([&](double u) { return root(u * u / 2) * u; }) == Approx(1).epsilon(1e-9));
+  const std::string text = shipped("least_moment.toml");
+  const Solved fine = solved(text);
+  const optim::Assessment& a = fine.optimum.found.assessment;
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK_FALSE(a.global);
+  CHECK(fine.objective() > 2.25);
+  CHECK(fine.objective() < 2.25 * 1.01);
+  const Law<double> law = fine.law();
+  for (double x = 0.02; x < 1; x += 0.02) CHECK(law(x).v == Approx(root(x)).epsilon(0.04));
+  const std::size_t from = text.find("knots = ["), to = text.find(']', from) + 1;
+  const Solved coarse = solved(replaced(text, text.substr(from, to - from), "knots = 9"));
+  CHECK(coarse.objective() > fine.objective());
+}
+
+TEST_CASE("A quiet rise leaves no vibration, with the least acceleration", "[free]") {
+  const std::string text = shipped("quiet_rise.toml");
+  const Solved three = globally_solved(text);
+  for (const double ratio : {2.0, 3.0, 3.5}) {
+    INFO(ratio);
+    for (const double part : driven(three.law(), ratio)) CHECK(std::abs(part) < 1e-8);
+    CHECK(residual_vibration(three.law(), ratio, 0.0) < 1e-9);
+  }
+  CHECK(residual_vibration(three.law(), 2.5, 0.0) > 1e-4);
+  // Two whole ratios: of all laws with an acceleration of at most C that do it, by duality 1 / C is
+  // the least of int |1/2 - x - p sin 4 pi x - q sin 6 pi x| dx; even parts do not help.
+  const auto distance = [](double p, double q) {
+    const double pi = std::numbers::pi;
+    return integral(
+        [=](double x) {
+          return std::abs(0.5 - x - p * std::sin(4 * pi * x) - q * std::sin(6 * pi * x));
+        },
+        2000);
+  };
+  const double inner =
+      least([&](double p) { return least([&](double q) { return distance(p, q); }, -0.5, 0.5); },
+            -0.5, 0.5);
+  const std::size_t third = text.find("[[constraints]]\nresponse = \"residual_cosine_3\"");
+  const Solved two = globally_solved(text.substr(0, third));
+  CHECK(two.objective() > (1 - 1e-5) / inner);
+  CHECK(two.objective() < 1.0005 / inner);
+  CHECK(three.objective() > two.objective());
+}
+
+TEST_CASE("The residual numbers of the law alone agree with quadrature", "[free]") {
+  for (const char* name : {"cycloidal", "poly-3-4-5", "modified-sine"}) {
+    const auto problem = law_alone(
+        name, "[constants]\nperiod_ratio = 1.3\nperiod_ratio_2 = 2.6\nperiod_ratio_3 = 7.7\n");
+    const Law<double> law = find_law(name).law();
+    const std::string ends[] = {"", "_2", "_3"};
+    const double ratios[] = {1.3, 2.6, 7.7};
+    for (std::size_t i = 0; i < 3; ++i) {
+      INFO(name << " at " << ratios[i]);
+      const double W = 2 * std::numbers::pi * ratios[i];
+      const auto parts = driven(law, ratios[i]);
+      const auto value = [&](const char* what) {
+        return value_of_response(problem, what + ends[i]);
+      };
+      CHECK(value("residual_cosine") == Approx(parts[0] / W).margin(1e-9));
+      CHECK(value("residual_sine") == Approx(parts[1] / W).margin(1e-9));
+      const double amplitude = std::hypot(parts[0], parts[1]) / W;
+      CHECK(value("residual_amplitude") == Approx(amplitude).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("Numbers of the whole law have exact derivatives and the shapes they state", "[free]") {
+  const BoundProblem bound(read_problem(
+      kLaw + "[free]\ndegree = 4\nknots = 6\n[objective]\nminimize = 'mean_square_jerk'\n" +
+          "[[constraints]]\nresponse = 'mean_square_acceleration'\nupper = 100\n" +
+          "[[constraints]]\nresponse = 'residual_sine'\nequals = 0\n" +
+          "[[constraints]]\nresponse = 'residual_amplitude_2'\nupper = 0.01\n",
+      "f.toml"));
+  const optim::Problem problem = bound.problem({}).alone(0);
+  const auto check = optim::check_derivatives(problem, problem.start());
+  INFO(check.worst.response << " " << check.worst.variable << " " << check.worst.second);
+  CHECK(check.agrees);
+  CHECK(check.shapes.empty());
+  // The quadratic form, put together piece by piece, lies in the enclosure of the law's own number.
+  const double form = problem.objective.response.function().value(problem.start());
+  const auto proved = problem.objective.response.function().enclose(problem.start());
+  CHECK(proved.lower <= form * (1 + 1e-12));
+  CHECK(proved.upper >= form * (1 - 1e-12));
+  CHECK(proved.upper - proved.lower < 1e-6 * form);
+  const Optimum optimum = optim::optimise(bound.space());
+  CHECK(optimum.found.assessment.verdict == Verdict::Certified);
+  CHECK(optimum.found.assessment.global);
+}
+
+TEST_CASE("The free law of the spine cutter is near the limit of all laws", "[free]") {
+  const Solved free = globally_solved(shipped("spine_cutter.toml"));
+  // The force is C times a scale: the limit is the force with C = B^2 / (B - 1).
+  const auto peak = peaks(free.law());
+  const double limit = free.objective() * least_acceleration(peak.B()) / peak.C();
+  CHECK(free.objective() > limit);
+  CHECK(free.objective() < limit * 1.0005);
+}
+
+TEST_CASE("Knots that move make the law better, and stay in order", "[free]") {
+  const std::string text = replaced(shipped("spine_cutter.toml"), "knots = 64", "knots = 8");
+  const Solved even = globally_solved(text);
+  const Solved moving = solved(replaced(text, "knots = 8", "knots = 8\nmoving_knots = true") +
+                               "\n[solver]\nstarts = 1\n");
+  CHECK(moving.optimum.found.assessment.verdict == Verdict::Certified);
+  CHECK_FALSE(moving.optimum.found.assessment.global);
+  CHECK(moving.objective() < even.objective());
+  const auto peak = peaks(moving.law());
+  CHECK(peak.C() == Approx(least_acceleration(peak.B())).epsilon(1e-3));
+  const Law<double> law = moving.law();
+  CHECK(law.pieces().size() == 9);
+  for (const auto& piece : law.pieces()) CHECK(piece.end - piece.begin > 0.099 / 9);
+}
+
+TEST_CASE("Segments of a program take free laws", "[free]") {
+  // Rise and return of 120 deg at 5 turns a second: 0.45 m/s is B = 1.5, so that the least
+  // acceleration is 4.5 strokes over the segment's time squared.
+  const std::string text =
+      "mechanism = 'disc-cam-roller'\n[constants]\nstroke = '20 mm'\nspeed = '300 rpm'\n"
+      "[program]\nmatched = 'velocity'\n"
+      "[[program.segments]]\nname = 'rise'\nangle = 120\nlaw = 'free'\n"
+      "[[program.segments]]\nangle = 30\n"
+      "[[program.segments]]\nname = 'return'\nangle = 120\nlaw = ['free', 'parabolic']\n"
+      "[[program.segments]]\nname = 'low'\n"
+      "[free]\ndegree = 2\nknots = 11\n[objective]\nminimize = 'peak acceleration'\n"
+      "[[constraints]]\nresponse = 'peak velocity'\nupper = '0.45 m/s'\n";
+  const Solved cam = solved(text);
+  const optim::Assessment& a = cam.optimum.found.assessment;
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.global);
+  const double time = 120.0 / 360 / 5;
+  CHECK(a.objective.value == Approx(4.5 * 0.02 / (time * time)).epsilon(1e-6));
+  const auto& variables = cam.bound.statement().variables;
+  CHECK(variables.size() == 20);
+  CHECK(variables.front().name == "rise_coefficients[1]");
+  CHECK(variables.back().name == "return_coefficients[10]");
+  const Member found = cam.bound.at(cam.optimum.options, cam.optimum.found.x).laws.front();
+  const Member listed = found.listed();
+  CHECK_THAT(listed.name(), Contains("rise=b-spline") && Contains("return=b-spline"));
+  for (const double x : {0.1, 0.3, 0.5, 0.9}) {
+    CHECK(listed.law()(x).s == Approx(found.law()(x).s).margin(1e-14));
   }
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/optimum_output.h"
+#include "kinematics/peaks.h"
+
+/// What a law that was found is measured with.
+namespace camlaw::cli {
+
+/// The best law that has a name, on the same problem.
+struct NamedRival {
+  std::string law;
+  double objective;
+};
+
+struct Rulers {
+  Peaks<double> peaks;
+  std::optional<double> lambda;         ///< the limit index; of laws from rest to rest
+  double least_acceleration;            ///< that any law with this B has
+  int rivals = 0;                       ///< laws of the catalogue that can be used
+  bool reoptimised = false;             ///< whether other variables were searched again for each
+  std::optional<NamedRival> best = {};  ///< none: no rival meets the limits
+};
+
+/// Measures the law of an answer; none where it has no design. Rivals are the laws of the catalogue
+/// at their standard parameters, but for splines, that are as smooth inside, up to s'', and whose
+/// s' and s'' vanish at the ends where those of the free law must; what else varies is searched
+/// again for each.
+std::optional<Rulers> rulers(const Answer& answer);
+
+std::string rulers_text(const Answer& answer, const Rulers& rulers);
+Json rulers_json(const Rulers& rulers);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "problems/law_files/law_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "kinematics/limits.h"
+#include "kinematics/shape.h"
+#include "problems/statement/file_text.h"
+
+namespace camlaw::problems {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFormat = "camlaw law 1";
+
+Json plain(double value) {
+  if (std::isnan(value)) return nullptr;
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+/// Reads the object that law_file wrote.
+struct ReadLaw {
+  std::string title;
+  Law<double> law;
+};
+
+const Json& key(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) throw std::invalid_argument(fmt::format("it has no {}", name));
+  return *found;
+}
+
+std::string text_at(const Json& object, const char* name) {
+  const Json& value = key(object, name);
+  if (!value.is_string()) throw std::invalid_argument(fmt::format("{} is no text", name));
+  return value.get<std::string>();
+}
+
+/// That a law rises from 0 to 1, without jumps, and has values on the way.
+void check_rise(const Law<double>& law) {
+  constexpr double kRounding = 1e-9;
+  const double begin = law(0.0).s, end = law(1.0, Side::Left).s;
+  if (!(std::abs(begin) <= kRounding && std::abs(end - 1) <= kRounding)) {
+    throw std::invalid_argument(
+        fmt::format("its pieces lead from {:.6g} to {:.6g}, not from 0 to 1", begin, end));
+  }
+  for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {
+    const double at = law.pieces()[i].end;
+    if (std::abs(law(at, Side::Left).s - law(at).s) <= kRounding) continue;
+    throw std::invalid_argument(fmt::format("the displacement jumps at {:.6g}", at));
+  }
+  for (const auto& piece : law.pieces()) {
+    if (std::isfinite(law(std::midpoint(piece.begin, piece.end)).s)) continue;
+    throw std::invalid_argument("a piece has no values");
+  }
+}
+
+ReadLaw law_of(const std::string& text) {
+  const Json object = Json::parse(text, nullptr, false);
+  if (object.is_discarded()) throw std::invalid_argument("it is not JSON, or not all of it");
+  if (!object.is_object() || !object.contains("format") || object["format"] != kFormat) {
+    throw std::invalid_argument(
+        fmt::format("it is no law file: it has no \"format\": \"{}\"", kFormat));
+  }
+  ReadLaw result{text_at(object, "title"),
+                 law_from_json(key(object, "pieces"), ends_of(text_at(object, "ends")))};
+  check_rise(result.law);
+  return result;
+}
+
+Member member_of(ReadLaw read, const std::string& name) {
+  Family family{.name = name,
+                .aliases = {},
+                .formula = read.title,
+                .parameters = {},
+                .ends = to_string(read.law.ends()),
+                .continuity = continuity(read.law),
+                .symmetric = is_symmetric(read.law),
+                .source = "a law file",
+                .maker = [law = std::move(read.law)]<class S>(const Arguments<S>&) {
+                  return law.template as<S>();
+                }};
+  const auto owned = std::make_shared<const Family>(std::move(family));
+  return {owned, owned->standard()};
+}
+
+/// The file of a law in one's own folder; empty where there is no folder.
+fs::path own_folder() {
+  const char* folder = std::getenv(kOwnLaws);
+  return folder == nullptr ? fs::path() : fs::path(folder);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+Json law_file(const Law<double>& law, const std::string& title, const Json& provenance) {
+  const auto peak = peaks(law);
+  const auto lambda = limit_index(peak);
+  return {{"format", kFormat},
+          {"title", title},
+          {"ends", to_string(law.ends())},
+          {"constants",
+           {{"B", plain(peak.B())},
+            {"C", plain(peak.C())},
+            {"D", plain(peak.D())},
+            {"Cm", plain(peak.Cm())},
+            {"lambda", lambda ? plain(*lambda) : Json(nullptr)}}},
+          {"provenance", provenance},
+          {"pieces", pieces_to_json(law)}};
+}
+
+Member read_law_file(const std::string& path) {
+  const std::string text = file_text(path, "law file");
+  try {
+    return member_of(law_of(text), fs::path(path).stem().string());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+bool is_law_path(std::string_view name) {
+  return name.ends_with(".json") || name.find('/') != std::string_view::npos;
+}
+
+Member find_any_law(std::string_view text, const std::string& folder, ValueReader reader) {
+  const std::string name(trimmed(text));
+  if (is_law_path(name)) return read_law_file((fs::path(folder) / name).string());
+  try {
+    return find_law(text, reader);
+  } catch (const std::invalid_argument&) {
+    const fs::path own = own_folder();
+    if (own.empty() || name.empty()) throw;
+    const fs::path file = own / (name + ".json");
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) throw;
+    return read_law_file(file.string());
+  }
+}
+
+std::vector<Member> own_laws() {
+  const fs::path folder = own_folder();
+  if (folder.empty()) return {};
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  if (error) {
+    throw std::invalid_argument(fmt::format("{} = {}: the folder cannot be read: {}", kOwnLaws,
+                                            folder.string(), error.message()));
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Member> laws;
+  for (const fs::path& file : files) laws.push_back(read_law_file(file.string()));
+  return laws;
+}
+
+}  // namespace camlaw::problems

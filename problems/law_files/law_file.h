@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/catalogue.h"
+#include "problems/law_files/pieces_json.h"
+
+/// Laws as files, and a catalogue of one's own: a folder of such files (docs/problem-files.md,
+/// "Laws as files").
+namespace camlaw::problems {
+
+/// The environment variable that names the folder of one's own laws.
+inline constexpr const char* kOwnLaws = "CAMLAW_LAWS";
+
+/// The file's object: format, title, ends, B, C, D, Cm and lambda for people, provenance, and the
+/// pieces, which alone are the law.
+Json law_file(const Law<double>& law, const std::string& title, const Json& provenance);
+
+/// The law of a file, as the only member of a family that is called as the file without ".json".
+/// Throws std::invalid_argument that names the file and what is wrong with it.
+Member read_law_file(const std::string& path);
+
+/// Whether a law is asked for by a path: the name ends in ".json" or has a "/".
+bool is_law_path(std::string_view name);
+
+/// A law by what people may write for it: "NAME k=v" of the catalogue; the path of a law file,
+/// which counts from `folder`; or the name of a file in one's own folder, where the catalogue has
+/// none of that name. Throws std::invalid_argument.
+Member find_any_law(std::string_view text, const std::string& folder = "",
+                    ValueReader reader = read_plain_number);
+
+/// The laws of one's own folder by name; none where there is no folder. Throws
+/// std::invalid_argument for a folder that cannot be read and for files in it that are no laws.
+std::vector<Member> own_laws();
+
+}  // namespace camlaw::problems

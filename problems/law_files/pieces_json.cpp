@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "problems/law_files/pieces_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace camlaw::problems {
+namespace {
+
+struct CurveToJson {
+  Json operator()(const HalfEllipse<double>& c) const {
+    return {{"curve", "half-ellipse"}, {"integrations", c.integrations}};
+  }
+  Json operator()(const Ellipse<double>& c) const { return {{"curve", "ellipse"}, {"n", c.n}}; }
+  Json operator()(const InclinedSine<double>& c) const {
+    return {{"curve", "inclined-sine"}, {"e", c.e}};
+  }
+  Json operator()(const Power<double>& c) const {
+    return {{"curve", "power"}, {"exponent", c.exponent}};
+  }
+};
+
+Json piece_to_json(const Piece<double>& piece) {
+  Json harmonics = Json::array(), curves = Json::array();
+  for (const auto& h : piece.harmonics) {
+    harmonics.push_back({{"sine", h.sine}, {"cosine", h.cosine}, {"frequency", h.frequency}});
+  }
+  for (const auto& c : piece.curves) {
+    Json term = std::visit(CurveToJson{}, c.curve);
+    term["amplitude"] = c.amplitude;
+    term["rate"] = c.rate;
+    term["shift"] = c.shift;
+    curves.push_back(std::move(term));
+  }
+  return {{"begin", piece.begin},
+          {"end", piece.end},
+          {"origin", piece.origin},
+          {"polynomial", piece.polynomial},
+          {"harmonics", std::move(harmonics)},
+          {"curves", std::move(curves)}};
+}
+
+[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
+
+/// An object's value; `what` says where: "pieces[2].harmonics[1]".
+const Json& value(const Json& object, const char* key, const std::string& what) {
+  if (!object.is_object()) refuse(fmt::format("{} is no object", what));
+  const auto found = object.find(key);
+  if (found == object.end()) refuse(fmt::format("{} has no {}", what, key));
+  return *found;
+}
+
+double number_of(const Json& number, const std::string& what) {
+  if (!number.is_number()) refuse(fmt::format("{} is no number", what));
+  return number.get<double>();
+}
+
+double number_of(const Json& object, const char* key, const std::string& what) {
+  return number_of(value(object, key, what), what + "." + key);
+}
+
+/// Does one(item, place) for each item of a list.
+template <class One>
+void each(const Json& list, const std::string& what, const One& one) {
+  if (!list.is_array()) refuse(fmt::format("{} is no list", what));
+  for (std::size_t i = 0; i < list.size(); ++i) one(list[i], fmt::format("{}[{}]", what, i + 1));
+}
+
+Curve<double> curve_of(const Json& term, const std::string& what) {
+  const Json& name = value(term, "curve", what);
+  if (name == "half-ellipse") {
+    const Json& count = value(term, "integrations", what);
+    if (!count.is_number_integer() || count < 1 || count > 2) {
+      refuse(fmt::format("{}.integrations is not 1 or 2", what));
+    }
+    return HalfEllipse<double>{count.get<int>()};
+  }
+  if (name == "ellipse") return Ellipse<double>{number_of(term, "n", what)};
+  if (name == "inclined-sine") return InclinedSine<double>{number_of(term, "e", what)};
+  if (name == "power") return Power<double>{number_of(term, "exponent", what)};
+  refuse(fmt::format("{}.curve is none of half-ellipse, ellipse, inclined-sine, power", what));
+}
+
+Piece<double> piece_of(const Json& object, const std::string& what) {
+  Piece<double> piece{number_of(object, "begin", what),
+                      number_of(object, "end", what),
+                      number_of(object, "origin", what),
+                      {},
+                      {},
+                      {}};
+  each(value(object, "polynomial", what), what + ".polynomial",
+       [&](const Json& c, const std::string& at) { piece.polynomial.push_back(number_of(c, at)); });
+  each(value(object, "harmonics", what), what + ".harmonics",
+       [&](const Json& h, const std::string& at) {
+         piece.harmonics.push_back(
+             {number_of(h, "sine", at), number_of(h, "cosine", at), number_of(h, "frequency", at)});
+       });
+  each(value(object, "curves", what), what + ".curves", [&](const Json& c, const std::string& at) {
+    piece.curves.push_back({number_of(c, "amplitude", at), number_of(c, "rate", at),
+                            number_of(c, "shift", at), curve_of(c, at)});
+  });
+  return piece;
+}
+
+}  // namespace
+
+Json pieces_to_json(const Law<double>& law) {
+  Json result = Json::array();
+  for (const auto& piece : law.pieces()) result.push_back(piece_to_json(piece));
+  return result;
+}
+
+Law<double> law_from_json(const Json& list, Ends ends) {
+  std::vector<Piece<double>> pieces;
+  each(list, "pieces", [&](const Json& piece, const std::string& what) {
+    pieces.push_back(piece_of(piece, what));
+  });
+  return Law<double>(std::move(pieces), ends);
+}
+
+Ends ends_of(const std::string& text) {
+  constexpr End kAll[] = {End::Rest, End::Velocity, End::Reversal, End::Motion};
+  for (const End begin : kAll) {
+    for (const End end : kAll) {
+      if (to_string(Ends{begin, end}) == text) return {begin, end};
+    }
+  }
+  refuse(fmt::format("ends '{}' are none of VDI 2143, such as R-R", text));
+}
+
+}  // namespace camlaw::problems

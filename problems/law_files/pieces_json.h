@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "kinematics/law.h"
+
+/// A law's data as JSON, both ways: what is read back is the same law to the last bit.
+namespace camlaw::problems {
+
+using Json = nlohmann::ordered_json;
+
+/// A list of pieces with begin, end, origin, polynomial, harmonics and curves.
+Json pieces_to_json(const Law<double>& law);
+
+/// Throws std::invalid_argument that says which piece and key are wrong, or how the pieces do not
+/// make a law.
+Law<double> law_from_json(const Json& pieces, Ends ends);
+
+/// "R-U". Throws std::invalid_argument for anything else.
+Ends ends_of(const std::string& text);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/file_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace camlaw::problems {
+namespace {
+
+/// More than any such file has; what is longer is something else, such as /dev/zero.
+constexpr std::size_t kMostBytes = 16U << 20U;
+
+[[noreturn]] void refuse_file(const std::string& path, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", path, why));
+}
+
+}  // namespace
+
+std::string file_text(const std::string& path, const std::string& what) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status))
+    refuse_file(path, fmt::format("it is a directory; a {} is wanted", what));
+  if (fs::is_block_file(status) || fs::is_socket(status)) {
+    refuse_file(path, fmt::format("it is no file of text; a {} is wanted", what));
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 1U << 16U> block;
+  while (file && text.size() <= kMostBytes) {
+    file.read(block.data(), block.size());
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad()) {
+    refuse_file(path, fmt::format("it cannot be read: {}",
+                                  errno != 0 ? std::strerror(errno) : "unknown cause"));
+  }
+  if (text.size() > kMostBytes) {
+    refuse_file(path, fmt::format("it is larger than {} MiB, the most that a {} may have",
+                                  kMostBytes >> 20U, what));
+  }
+  return text;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace camlaw::problems {
+
+/// The content of a file of at most 16 MiB; `what` says what is wanted: "problem file". Throws
+/// std::invalid_argument with the path for one that is larger, is a directory or a device, or
+/// cannot be read.
+std::string file_text(const std::string& path, const std::string& what);
+
+}  // namespace camlaw::problems

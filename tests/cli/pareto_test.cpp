@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: MIT
+// pareto and front, as a user runs them.
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string shipped(const std::string& name) {
+  return std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/" + name;
+}
+
+std::string written(const Folder& folder, const std::string& name, const std::string& text) {
+  const std::string path = folder / name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// The shipped problem with other text at some place.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = read(shipped("front.toml"));
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("not there: " + from);
+  return text.replace(at, from.size(), to);
+}
+
+/// Radius against force among two laws and two sizes.
+std::string with_choices() {
+  return changed("name = \"polynomial-5\"", "name = [\"polynomial-5\", \"modified-sine\"]") +
+         "\n[variables.blades]\nvalues = [17, 21]\n";
+}
+
+Words pareto(const std::string& file, Words more = {}) {
+  Words words{"pareto", file};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// A command of the shell, with the program as $0.
+Outcome shell(const std::string& script, const Folder& folder) {
+  const std::string out = folder / "shell.out", err = folder / "shell.err";
+  const std::string command = "( " + script + " ) > '" + out + "' 2> '" + err + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
+const std::string kProgram = "'" CAMLAW_PROGRAM "'";
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("pareto gives the front with every key", "[program]") {
+  const Json result = json_of(pareto(shipped("front.toml"), {"--points", "12", "--json"}));
+  for (const char* key :
+       {"title", "objectives", "points", "ideal", "nadir", "reference", "hypervolume",
+        "hypervolume_at_most", "limit_hypervolume", "knee", "complete", "searches", "evaluations",
+        "combinations", "empty_combinations", "failures", "seed"}) {
+    INFO(key);
+    CHECK(result.contains(key));
+  }
+  REQUIRE(result["points"].size() >= 12);
+  double last = 0;
+  for (const Json& point : result["points"]) {
+    for (const char* key : {"objectives", "variables", "law", "verdict", "reason", "global",
+                            "slopes", "limits", "solver"}) {
+      INFO(key);
+      CHECK(point.contains(key));
+    }
+    const double radius = point["objectives"]["minimum_cam_radius"],
+                 alpha = point["variables"]["alpha"];
+    CHECK(radius > last);
+    last = radius;
+    CHECK((alpha >= -10 && alpha <= 10));
+    CHECK_THAT(point["law"].get<std::string>(), Contains("polynomial-5 alpha="));
+    CHECK(point["verdict"] == "certified optimum");
+    REQUIRE(point["slopes"].size() == 1);
+    CHECK(point["slopes"][0]["of"] == "peak_inertia_force");
+    CHECK(point["slopes"][0]["per"] == "minimum_cam_radius");
+    CHECK(point["slopes"][0]["value"].get<double>() <= 0);
+  }
+  CHECK(result["complete"] == true);
+  CHECK(result["failures"].empty());
+  CHECK(result["combinations"] == 1);
+  CHECK(result["hypervolume"] < result["hypervolume_at_most"]);
+  CHECK(result["hypervolume_at_most"] < result["limit_hypervolume"]);
+  CHECK(result["ideal"][0] == result["points"].front()["objectives"]["minimum_cam_radius"]);
+  CHECK(result["nadir"][0] == result["points"].back()["objectives"]["minimum_cam_radius"]);
+  const Json& knee = result["knee"];
+  CHECK(knee["point"] < result["points"].size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(knee["factor_low"][i] <= 1);
+    CHECK(knee["factor_high"][i] >= 1);
+  }
+  CHECK(knee["next"].size() == 2);
+}
+
+TEST_CASE("pareto tells people of the front", "[program]") {
+  const std::string text = done(pareto(shipped("front.toml"), {"--points", "8"}));
+  CHECK_THAT(text, Contains("Spine cutter: cam radius against inertia force") &&
+                       Contains("minimum_cam_radius, mm") && Contains("slope") &&
+                       Contains("certified optimum, global") && Contains("hypervolume") &&
+                       Contains("no law exceeds") && Contains("knee: point") &&
+                       Contains("points certified") && !Contains("nan"));
+  CHECK(text.find("study") == std::string::npos);
+}
+
+TEST_CASE("the number of workers does not show", "[program]") {
+  const Folder folder;
+  for (const std::string& file :
+       {shipped("front.toml"), written(folder, "choices.toml", with_choices())}) {
+    const std::string one = done(pareto(file, {"--points", "9", "--json", "--workers", "1"}));
+    for (const char* workers : {"2", "5"}) {
+      CHECK(done(pareto(file, {"--points", "9", "--json", "--workers", workers})) == one);
+    }
+  }
+}
+
+TEST_CASE("a study that was recorded is looked at again", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const std::string db = folder / "s.db";
+  const std::string json = done(pareto(file, {"--points", "9", "--json", "--db", db}));
+  CHECK(done({"front", db, "--json"}) == json);
+  CHECK(folder.content() == std::set<std::string>{"choices.toml", "s.db"});
+  // Done already: resumed, it is the same.
+  CHECK(done(pareto(file, {"--points", "9", "--json", "--db", db, "--resume"})) == json);
+  CHECK_THAT(done({"front", db}), Contains("knee: point") && Contains("4 combinations"));
+  const std::string again = failed(pareto(file, {"--db", db}), 2);
+  CHECK_THAT(again, Contains(db) && Contains("exists already") && Contains("resume"));
+}
+
+TEST_CASE("a study goes on with more points, and the record knows", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "s.db", file = shipped("front.toml");
+  done(pareto(file, {"--points", "5", "--db", db}));
+  const std::string more = done(pareto(file, {"--points", "11", "--json", "--db", db, "--resume"}));
+  CHECK(Json::parse(more)["points"].size() >= 11);
+  CHECK(done({"front", db, "--json"}) == more);
+}
+
+TEST_CASE("a study that is killed at any moment goes on to the same front", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const Words how{"--points", "40", "--json", "--workers", "2"};
+  const std::string expected = done(pareto(file, how));
+  int interrupted = 0;
+  for (const int ms : {1, 5, 12, 25, 40, 60, 90, 130, 180, 250}) {
+    INFO("after " << ms << " ms");
+    const std::string db = folder / ("s" + std::to_string(ms) + ".db");
+    Words words = pareto(file, how);
+    words.insert(words.end(), {"--db", db});
+    const Running running(words);
+    std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+    kill(running.id(), SIGKILL);
+    interrupted += running.wait().status != 0;
+    words.push_back("--resume");
+    CHECK(done(words) == expected);
+    CHECK(done({"front", db, "--json"}) == expected);
+  }
+  CHECK(interrupted > 2);
+  for (const std::string& name : folder.content()) {
+    INFO(name);
+    CHECK((name.ends_with(".db") || name.ends_with(".toml")));
+  }
+}
+
+TEST_CASE("a study that is asked to end stops with what it has", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const Words how{"--points", "60", "--json", "--workers", "2"};
+  const std::string expected = done(pareto(file, how));
+  int stopped = 0;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int ms : {40, 120}) {
+      INFO("signal " << signal << " after " << ms << " ms");
+      const std::string db = folder / ("s" + std::to_string(signal) + std::to_string(ms) + ".db");
+      // To all of its processes at once, as a terminal or a service manager does.
+      const Outcome outcome = shell(
+          "setsid " + kProgram + " pareto '" + file + "' --points 60 --json --workers 2 --db '" +
+              db + "' & child=$!; sleep " + std::to_string(ms / 1000.0) + "; kill -" +
+              std::to_string(signal) + " -- -$child; wait $child",
+          folder);
+      if (outcome.status == 4) {
+        ++stopped;
+        const Json part = Json::parse(outcome.out);
+        CHECK(part["complete"] == false);
+        CHECK(part["failures"].empty());
+      }
+      Words words = pareto(file, how);
+      words.insert(words.end(), {"--db", db, "--resume"});
+      CHECK(done(words) == expected);
+    }
+  }
+  CHECK(stopped > 0);
+}
+
+TEST_CASE("a full disk ends a study with one line, and later it goes on", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const std::string expected = done(pareto(file, {"--points", "40", "--json"}));
+  int begun = 0;
+  for (const int blocks : {1, 8, 60, 90, 130, 200}) {  // of 512 or 1024 bytes
+    INFO(blocks << " blocks");
+    const std::string db = folder / ("s" + std::to_string(blocks) + ".db");
+    const Outcome outcome =
+        shell("ulimit -f " + std::to_string(blocks) + "; trap '' XFSZ; exec " + kProgram +
+                  " pareto '" + file + "' --points 40 --db '" + db + "'",
+              folder);
+    INFO(outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(lines(outcome.err) == 1);
+    CHECK_THAT(outcome.err, Contains(db) && Contains("cannot be written"));
+    begun += fs::exists(db);
+    CHECK(done(pareto(file, {"--points", "40", "--json", "--db", db, "--resume"})) == expected);
+  }
+  CHECK(begun > 1);
+}
+
+TEST_CASE("where a study cannot be written it does not begin", "[program]") {
+  const Folder folder;
+  const std::string plain = written(folder, "plain", "mine");
+  for (const std::string& db :
+       {plain + "/s.db", std::string("/proc/s.db"), std::string("/dev/null/s.db")}) {
+    CHECK_THAT(failed(pareto(shipped("front.toml"), {"--db", db}), 1), Contains(db));
+  }
+  CHECK_THAT(failed(pareto(shipped("front.toml"), {"--out", plain}), 1), Contains("plain"));
+  CHECK_THAT(failed(pareto(shipped("front.toml"), {"--db", plain}), 2), Contains("exists already"));
+  for (const char* name : {"--db", "--out"}) {
+    CHECK_THAT(failed(pareto(shipped("front.toml"), {name, ""}), 2), Contains("name"));
+  }
+  CHECK(read(plain) == "mine");
+  CHECK(folder.content() == std::set<std::string>{"plain"});
+}
+
+TEST_CASE("only its own study is resumed", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "s.db";
+  done(pareto(shipped("front.toml"), {"--points", "4", "--db", db}));
+  const std::string bytes = read(db);
+  const std::string other = written(folder, "other.toml", changed("2.4 kg", "2.5 kg"));
+  CHECK_THAT(failed(pareto(other, {"--db", db, "--resume"}), 2),
+             Contains("cannot be resumed") && Contains("problem file"));
+  CHECK(read(db) == bytes);
+  CHECK_THAT(failed(pareto(other, {"--resume"}), 2), Contains("--resume") && Contains("--db"));
+  const std::string text = written(folder, "text.db", "not a study\n");
+  CHECK_THAT(failed(pareto(other, {"--db", text, "--resume"}), 2),
+             Contains(text) && Contains("no study of camlaw"));
+  CHECK_THAT(failed({"front", text}, 2), Contains(text) && Contains("no study of camlaw"));
+  CHECK(read(text) == "not a study\n");
+  CHECK_THAT(failed({"front", folder / "none.db"}, 2), Contains("no such study"));
+  CHECK_THAT(failed({"front", folder / ""}, 2), Contains("no such study"));
+  CHECK_THAT(failed({"front", shipped("front.toml")}, 2), Contains("no study of camlaw"));
+}
+
+TEST_CASE("a problem without designs has no front: status 3", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "none.toml",
+                                   read(shipped("front.toml")) +
+                                       "\n[[constraints]]\nresponse = \"minimum_cam_radius\"\n"
+                                       "upper = \"10 mm\"\n");
+  const std::string db = folder / "s.db";
+  const Outcome text = run(pareto(file, {"--db", db, "--out", folder / "out"}));
+  CHECK(text.status == 3);
+  CHECK(text.err.empty());
+  CHECK_THAT(text.out, Contains("no design that meets every limit was found"));
+  const Outcome json = run(pareto(file, {"--json"}));
+  CHECK(json.status == 3);
+  const Json result = Json::parse(json.out);
+  CHECK(result["points"].empty());
+  CHECK(result["knee"].is_null());
+  CHECK(result["complete"] == true);
+  const Outcome again = run({"front", db});
+  CHECK(again.status == 3);
+  CHECK_THAT(again.out, Contains("no design that meets every limit was found"));
+  CHECK(run({"front", db, "--json"}).status == 3);
+}
+
+TEST_CASE("options that pareto cannot take are refused with their names", "[program]") {
+  const Folder folder;
+  const std::string file = shipped("front.toml");
+  struct Case {
+    Words options;
+    std::string named;
+  };
+  for (const Case& c : std::vector<Case>{{{"--points", "1"}, "--points"},
+                                         {{"--points", "0"}, "--points"},
+                                         {{"--points", "-4"}, "--points"},
+                                         {{"--points", "x"}, "--points"},
+                                         {{"--points", "2.5"}, "--points"},
+                                         {{"--points", ""}, "--points"},
+                                         {{"--points", "1000000000"}, "--points"},
+                                         {{"--workers", "0"}, "--workers"},
+                                         {{"--workers", "many"}, "--workers"},
+                                         {{"--workers", "100000"}, "--workers"},
+                                         {{"--method", "foo"}, "--method"},
+                                         {{"--method", ""}, "--method"},
+                                         {{"--colour", "red"}, "--colour"}}) {
+    INFO(c.options.back());
+    Words words = pareto(file, c.options);
+    words.insert(words.end(), {"--db", folder / "s.db", "--out", folder / "out"});
+    CHECK_THAT(failed(words, 2), Contains(c.named));
+  }
+  CHECK(folder.content().empty());
+  CHECK_THAT(failed({"pareto", folder / "none.toml"}, 2), Contains("none.toml"));
+}
+
+TEST_CASE("points of a front are chosen by knee, weights and number", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "s.db";
+  done(pareto(shipped("front.toml"), {"--points", "10", "--db", db}));
+  const Json all = json_of({"front", db, "--json"});
+  CHECK_FALSE(all.contains("chosen"));
+  const Json result =
+      json_of({"front", db, "--json", "--knee", "--weights", "1,0", "--point", "3"});
+  const Json& chosen = result["chosen"];
+  CHECK(chosen["knee"]["point"] == all["knee"]["point"]);
+  CHECK(chosen["compromise"]["point"] == 0);
+  CHECK(chosen["point"]["objectives"] == all["points"][2]["objectives"]);
+  for (const auto& [name, point] : chosen.items()) CHECK(point["next"].size() == 2);
+  const std::string last = std::to_string(all["points"].size());
+  CHECK(json_of({"front", db, "--json", "--weights", "0,1"})["chosen"]["compromise"]["point"] ==
+        all["points"].size() - 1);
+  CHECK_THAT(done({"front", db, "--point", last}),
+             Contains("point: point " + last) && Contains("10 % better minimum_cam_radius: ") &&
+                 Contains("the front does not reach that far") && Contains("alpha = "));
+  CHECK_THAT(done({"front", db, "--knee"}), Contains("knee: point "));
+  const std::string beyond = std::to_string(all["points"].size() + 1);
+  for (const Words& options : std::vector<Words>{{"--point", "0"},
+                                                 {"--point", beyond},
+                                                 {"--point", "x"},
+                                                 {"--point", "-1"},
+                                                 {"--weights", "1"},
+                                                 {"--weights", "1,1,1"},
+                                                 {"--weights", "1,-1"},
+                                                 {"--weights", "0,0"},
+                                                 {"--weights", "1,"},
+                                                 {"--weights", ""},
+                                                 {"--weights", "a,b"},
+                                                 {"--weights", "inf,1"},
+                                                 {"--weights", "nan,1"}}) {
+    INFO(options[1]);
+    Words words{"front", db};
+    words.insert(words.end(), options.begin(), options.end());
+    CHECK_THAT(failed(words, 2), Contains(options[0].substr(2)));
+  }
+}
+
+TEST_CASE("fewer than three points have no knee to choose", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "s.db";
+  done(pareto(shipped("front.toml"), {"--points", "2", "--db", db}));
+  const Json all = json_of({"front", db, "--json"});
+  REQUIRE(all["points"].size() == 2);
+  CHECK(all["knee"].is_null());
+  CHECK_THAT(failed({"front", db, "--knee"}, 2), Contains("--knee"));
+}
+
+TEST_CASE("pareto and optimize name each other", "[program]") {
+  CHECK_THAT(failed({"optimize", shipped("front.toml")}, 2), Contains("camlaw pareto"));
+  CHECK_THAT(failed(pareto(shipped("least_force.toml")), 2), Contains("camlaw optimize"));
+}
+
+TEST_CASE("a front as a table and as a drawing", "[program]") {
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const std::string db = folder / "out/study.db";
+  const std::string text = done(pareto(file, {"--points", "12", "--out", folder / "out"}));
+  for (const char* name : {"front.json", "front.csv", "front.svg", "study.db"}) {
+    INFO(name);
+    CHECK(folder.content().contains(std::string("out/") + name));
+    CHECK_THAT(text, Contains(name));
+  }
+  const Json json = Json::parse(read(folder / "out/front.json"));
+  CHECK(json == json_of({"front", db, "--json"}));
+  done({"front", db, "--csv", folder / "f.csv", "--svg", folder / "f.svg"});
+  CHECK(read(folder / "f.csv") == read(folder / "out/front.csv"));
+  CHECK(read(folder / "f.svg") == read(folder / "out/front.svg"));
+  check_svg(folder / "f.svg");
+  CHECK_THAT(read(folder / "f.svg"), Contains("no law is below") && Contains("knee"));
+  const Table rows = csv_of(read(folder / "f.csv"));
+  REQUIRE(rows.size() == json["points"].size() + 1);
+  const Words& header = rows.front();
+  const auto column = [&](const std::string& name) {
+    const auto at = std::find(header.begin(), header.end(), name);
+    REQUIRE(at != header.end());
+    return static_cast<std::size_t>(at - header.begin());
+  };
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    REQUIRE(rows[k].size() == header.size());
+    const Json& point = json["points"][k - 1];
+    CHECK(rows[k][column("law")] == point["law"]);
+    CHECK(rows[k][column("verdict")] == point["verdict"]);
+    CHECK(std::stod(rows[k][column("minimum_cam_radius [mm]")]) ==
+          point["objectives"]["minimum_cam_radius"].get<double>());
+    CHECK(std::stod(rows[k][column("peak_inertia_force [N]")]) ==
+          point["objectives"]["peak_inertia_force"].get<double>());
+    CHECK(std::stod(rows[k][column("blades")]) == point["variables"]["blades"].get<double>());
+    const std::string alpha = rows[k][column("alpha")];
+    CHECK(alpha.empty() == !point["variables"].contains("alpha"));
+  }
+  CHECK_THAT(failed({"front", db, "--svg", folder / "choices.toml/f.svg"}, 1),
+             Contains("cannot write"));
+}
+
+TEST_CASE("fronts of three objectives, and with one that is to be great", "[program]") {
+  const Folder folder;
+  const std::string three =
+      written(folder, "three.toml",
+              read(shipped("front.toml")) + "\n[[objectives]]\nminimize = \"peak_drive_torque\"\n");
+  const Json result =
+      json_of(pareto(three, {"--points", "8", "--json", "--out", folder / "three"}));
+  CHECK(result["objectives"].size() == 3);
+  CHECK(result["limit_hypervolume"].is_null());
+  CHECK(result["hypervolume_at_most"].is_null());
+  for (const Json& point : result["points"]) CHECK(point["slopes"].size() == 2);
+  check_svg(folder / "three/front.svg");
+  const std::string great =
+      written(folder, "great.toml",
+              changed("minimize = \"peak_inertia_force\"", "maximize = \"lowest inertia_force\""));
+  const Json other = json_of(pareto(great, {"--points", "8", "--json", "--out", folder / "great"}));
+  CHECK(other["objectives"][1]["sense"] == "maximize");
+  for (const Json& point : other["points"]) {
+    CHECK(point["objectives"]["lowest inertia_force"].get<double>() < 0);
+    // A smaller radius is paid for with a lower lowest force.
+    CHECK(point["slopes"][0]["value"].get<double>() >= 0);
+  }
+  check_svg(folder / "great/front.svg");
+  CHECK_THAT(done(pareto(three, {"--points", "5"})), Contains("slope 2") && Contains("slope 3"));
+}
+
+TEST_CASE("a reference out of reach leaves the numbers numbers", "[program]") {
+  const Folder folder;
+  const std::string file =
+      written(folder, "far.toml",
+              changed("minimize = \"minimum_cam_radius\"",
+                      "minimize = \"minimum_cam_radius\"\nreference = \"1 mm\"") +
+                  "reference = \"1 N\"\n");
+  const std::string text = done(pareto(file, {"--points", "4"}));
+  CHECK_THAT(text, Contains("hypervolume 0 ") && !Contains("nan") && !Contains("inf"));
+  const Json result = json_of(pareto(file, {"--points", "4", "--json"}));
+  CHECK(result["hypervolume"] == 0);
+  CHECK(result["reference"] == Json({1.0, 1.0}));
+}
+
+TEST_CASE("sizes alone, with no number that varies freely", "[program]") {
+  const Folder folder;
+  const std::string file = written(
+      folder, "sizes.toml",
+      "mechanism = \"spine-cutter\"\n[law]\nname = [\"cosine\", \"cycloidal\", \"poly-3-4-5\"]\n"
+      "[variables.blades]\nvalues = [17, 21]\n"
+      "[[objectives]]\nminimize = \"minimum_cam_radius\"\n"
+      "[[objectives]]\nminimize = \"peak_drive_torque\"\n");
+  const Json result = json_of(pareto(file, {"--json", "--out", folder / "out"}));
+  CHECK(result["combinations"] == 6);
+  CHECK(result["failures"].empty());
+  REQUIRE_FALSE(result["points"].empty());
+  CHECK_THAT(result["points"][0]["law"].get<std::string>(), Contains("cosine"));
+  check_svg(folder / "out/front.svg");
+  CHECK_THAT(done(pareto(file)), !Contains("nan"));
+}
+
+TEST_CASE("a model that dies is one of the failures", "[program]") {
+  // The workers of a study can be killed by anyone: what is left is a study with a failure.
+  const Folder folder;
+  const std::string file = written(folder, "choices.toml", with_choices());
+  const Outcome outcome = shell(
+      kProgram + " pareto '" + file +
+          "' --points 60 --workers 1 --json & child=$!; for i in 1 2 3 4 5 6 7 8 9 10; do sleep "
+          "0.02; kill -KILL $(cat /proc/$child/task/$child/children) 2>&-; done; wait $child",
+      folder);
+  CHECK((outcome.status == 0 || outcome.status == 4));
+  const Json result = Json::parse(outcome.out);
+  CHECK(result["complete"] == true);
+  for (const Json& failure : result["failures"]) {
+    CHECK_THAT(failure["why"].get<std::string>(), Contains("killed by signal 9"));
+  }
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/encoding.h"
+
+#include <cstring>
+
+#include "tests/optim/pareto/outcomes.h"
+
+namespace camlaw::optim {
+
+using namespace study_tests;
+
+TEST_CASE("an outcome comes back from its bytes to the last bit", "[study]") {
+  Outcome infeasible;
+  infeasible.infeasible = true;
+  infeasible.evaluations = -1;
+  Outcome failed;
+  failed.failure = std::string("a \0 within", 10);
+  for (const Outcome& outcome : {Outcome{}, odd_outcome(), infeasible, failed,
+                                 Outcome{{FrontPoint{}, FrontPoint{}}, false, 0, ""}}) {
+    const auto back = decoded(encoded(outcome));
+    REQUIRE(back);
+    CHECK(bits(*back) == bits(outcome));
+  }
+}
+
+TEST_CASE("the sign of zero and the bits of a NaN are kept", "[study]") {
+  Outcome outcome;
+  outcome.points.resize(1);
+  outcome.points[0].x = {-0.0, std::bit_cast<double>(std::uint64_t{0xfff8dead'beef0001})};
+  CHECK(bits(*decoded(encoded(outcome))) == bits(outcome));
+}
+
+TEST_CASE("a long outcome goes through", "[study]") {
+  Outcome outcome;
+  for (int i = 0; i < 500; ++i) {
+    outcome.points.push_back(odd_point());
+    outcome.points.back().x.assign(200, i);
+  }
+  CHECK(bits(*decoded(encoded(outcome))) == bits(outcome));
+}
+
+TEST_CASE("no part of an outcome's bytes is an outcome, nor is more than them", "[study]") {
+  const std::string bytes = encoded(odd_outcome());
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    CHECK_FALSE(decoded(std::string_view(bytes).substr(0, size)));
+  }
+  CHECK_FALSE(decoded(bytes + '\0'));
+  CHECK_FALSE(decoded(bytes + bytes));
+}
+
+TEST_CASE("damaged bytes give an outcome or none", "[study]") {
+  const std::string bytes = encoded(odd_outcome());
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const int flip : {0x01, 0x02, 0x80, 0xff}) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ flip);
+      const auto outcome = decoded(damaged);
+      if (!outcome) continue;
+      // What is taken for an outcome can be worked with.
+      CHECK(decoded(encoded(*outcome)));
+      for (const FrontPoint& p : outcome->points) CHECK_FALSE(to_string(p.verdict).empty());
+      CHECK(outcome->points.size() <= 2);
+    }
+  }
+}
+
+TEST_CASE("bytes of a yes or no and of a verdict must be such", "[study]") {
+  Outcome outcome;
+  const std::string no = encoded(outcome);
+  outcome.infeasible = true;
+  const std::string yes = encoded(outcome);
+  REQUIRE(no.size() == yes.size());
+  std::size_t at = 0;
+  while (no[at] == yes[at]) ++at;
+  std::string neither = no;
+  neither[at] = 2;
+  CHECK_FALSE(decoded(neither));
+
+  outcome = {{FrontPoint{}}, false, 0, ""};
+  outcome.points[0].verdict = Verdict::Certified;
+  const std::string one = encoded(outcome);
+  outcome.points[0].verdict = Verdict::Failed;
+  const std::string other = encoded(outcome);
+  at = 0;
+  while (one[at] == other[at]) ++at;
+  std::string none = one;
+  none[at] = 77;
+  CHECK_FALSE(decoded(none));
+}
+
+TEST_CASE("a list that is said to be longer than the bytes is not made", "[study]") {
+  std::string bytes = encoded(Outcome{});
+  for (const std::uint64_t size : {std::uint64_t{1}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    std::memcpy(bytes.data(), &size, sizeof size);
+    CHECK_FALSE(decoded(bytes));
+  }
+  // Each of a million points would need far more than the bytes that are there.
+  std::string many(1'000'000, '\0');
+  const std::uint64_t size = 999'000;
+  std::memcpy(many.data(), &size, sizeof size);
+  CHECK_FALSE(decoded(many));
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,445 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/record.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/optim/pareto/outcomes.h"
+#include "tests/optim/pareto/small_fronts.h"
+
+namespace camlaw::optim {
+
+using namespace study_tests;
+using namespace front_tests;
+using Catch::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "camlaw-study-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path_); }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::vector<std::string> content() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(path_)) {
+      result.push_back(entry.path().filename().string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+const StudySettings kSettings{{"problem", "a = 1\n\"ü\"\n"}, {"points", "12"}, {"empty", ""}};
+
+MultiProblem five_variables() {
+  MultiProblem problem = two_centres();
+  for (const char* name : {"c", "d", "e"}) problem.variables.push_back(variable(name, 0, 1));
+  return problem;
+}
+
+Task numbered(double bound) {
+  Task task;
+  task.part = 3;
+  task.sought = 1;
+  task.bounds = {bound, kInfinity};
+  return task;
+}
+
+/// What opening a file says; empty where it opens.
+std::string complaint(const std::string& path) {
+  std::string said[2];
+  for (const bool reads : {false, true}) {
+    try {
+      const StudyRecord record = reads ? StudyRecord::read(path) : StudyRecord::open(path);
+    } catch (const std::invalid_argument& error) {
+      said[reads] = error.what();
+      CHECK_THAT(said[reads], Contains(path));
+    }
+  }
+  CHECK(said[0] == said[1]);
+  return said[0];
+}
+
+/// Carries out so many tasks and then stops as a study does that is interrupted.
+class Interrupted final : public Executor {
+ public:
+  Interrupted(Executor& executor, std::size_t tasks) : executor_(executor), left_(tasks) {}
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    std::vector<Task> some(
+        tasks.begin(), tasks.begin() + static_cast<std::ptrdiff_t>(std::min(left_, tasks.size())));
+    left_ -= some.size();
+    return executor_.run(some, on_outcome);
+  }
+
+ private:
+  Executor& executor_;
+  std::size_t left_;
+};
+
+ParetoOptions with_points(std::size_t points) {
+  ParetoOptions options;
+  options.points = points;
+  return options;
+}
+
+/// Makes a study of two rooms in a file.
+std::string made_study(const std::string& path, std::size_t points) {
+  const MultiSpace space = two_rooms();
+  const ParetoOptions options = with_points(points);
+  StudyRecord record = StudyRecord::create(path, kSettings);
+  DirectExecutor direct(space, options.solve);
+  RecordedExecutor recorded(space, record, &direct);
+  return bits(pareto(space, options, recorded));
+}
+
+/// The front of two rooms from a file alone.
+std::string read_study(const std::string& path, std::size_t points) {
+  const MultiSpace space = two_rooms();
+  StudyRecord record = StudyRecord::read(path);
+  RecordedExecutor recorded(space, record, nullptr);
+  return bits(pareto(space, with_points(points), recorded));
+}
+
+}  // namespace
+
+TEST_CASE("a study keeps settings and outcomes to the last bit", "[study]") {
+  const Folder folder;
+  const std::string path = folder / "s.db";
+  Outcome infeasible, failed, long_one = odd_outcome();
+  infeasible.infeasible = true;
+  failed.failure = "the process was killed; it's 'gone'";
+  long_one.points.resize(60, odd_point());
+  const std::vector<Outcome> outcomes{odd_outcome(), Outcome{}, infeasible, failed, long_one};
+  {
+    StudyRecord record = StudyRecord::create(path, kSettings);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      record.add(numbered(double(i)), outcomes[i], five_variables());
+    }
+    CHECK(record.size() == outcomes.size());
+    CHECK(bits(*record.find(numbered(0), five_variables())) == bits(outcomes[0]));
+  }
+  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+  for (const bool reads : {true, false}) {
+    const StudyRecord record = reads ? StudyRecord::read(path) : StudyRecord::open(path);
+    CHECK(record.settings() == kSettings);
+    CHECK(record.size() == outcomes.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      const auto found = record.find(numbered(double(i)), five_variables());
+      REQUIRE(found);
+      CHECK(bits(*found) == bits(outcomes[i]));
+    }
+    CHECK_FALSE(record.find(numbered(0.5), five_variables()));
+    Task other = numbered(0);
+    other.seed = 2;
+    CHECK_FALSE(record.find(other, five_variables()));
+  }
+  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+}
+
+TEST_CASE("an outcome that is there already stays", "[study]") {
+  const Folder folder;
+  StudyRecord record = StudyRecord::create(folder / "s.db", {});
+  record.add(numbered(1), odd_outcome(), five_variables());
+  record.add(numbered(1), Outcome{}, five_variables());
+  CHECK(record.size() == 1);
+  CHECK(bits(*record.find(numbered(1), five_variables())) == bits(odd_outcome()));
+}
+
+TEST_CASE("settings can be set anew", "[study]") {
+  const Folder folder;
+  {
+    StudyRecord record = StudyRecord::create(folder / "s.db", kSettings);
+    record.put({{"points", "50"}, {"method", "sweep"}});
+  }
+  StudySettings expected = kSettings;
+  expected["points"] = "50";
+  expected["method"] = "sweep";
+  CHECK(StudyRecord::read(folder / "s.db").settings() == expected);
+}
+
+TEST_CASE("what is left of a study that was begun is no hindrance", "[study]") {
+  const Folder folder;
+  write(folder / "s.db.new", "half of it");
+  { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
+  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+  CHECK(StudyRecord::read(folder / "s.db").settings() == kSettings);
+}
+
+TEST_CASE("tasks that differ in the last bit of anything are different", "[study]") {
+  Task task = numbered(0.1);
+  task.origin = {1, 2};
+  task.starts = {{1, 2}, {3}};
+  const std::string text = task.text();
+  const auto differs = [&](auto change) {
+    Task other = task;
+    change(other);
+    return other.text() != text;
+  };
+  CHECK(differs([](Task& t) { t.bounds[0] = std::nextafter(t.bounds[0], 1); }));
+  CHECK(differs([](Task& t) { t.bounds[1] = -kInfinity; }));
+  CHECK(differs([](Task& t) { t.sought = 0; }));
+  CHECK(differs([](Task& t) { t.part = 4; }));
+  CHECK(differs([](Task& t) { t.seed = 2; }));
+  CHECK(differs([](Task& t) { t.kind = Task::Kind::Toward; }));
+  CHECK(differs([](Task& t) { t.starts = {{1}, {2, 3}}; }));
+  CHECK(differs([](Task& t) { std::swap(t.origin, t.direction); }));
+  Task scout = task;
+  scout.kind = Task::Kind::Scout;
+  Task longer = scout;
+  longer.generations = 7;
+  CHECK(scout.text() != longer.text());
+}
+
+TEST_CASE("a study is not made over a file that is there", "[study]") {
+  const Folder folder;
+  write(folder / "notes.txt", "mine");
+  for (const std::string& path : {folder / "notes.txt", folder / ""}) {
+    CHECK_THROWS_AS(StudyRecord::create(path, kSettings), std::invalid_argument);
+    CHECK_THROWS_WITH(StudyRecord::create(path, kSettings),
+                      Contains(path) && Contains("exists already"));
+  }
+  CHECK(content(folder / "notes.txt") == "mine");
+  CHECK(folder.content() == std::vector<std::string>{"notes.txt"});
+}
+
+TEST_CASE("where no file can be made a study cannot be", "[study]") {
+  const Folder folder;
+  write(folder / "plain", "");
+  for (const std::string& path : {folder / "plain/s.db", folder / "none/s.db",
+                                  std::string("/proc/s.db"), std::string("/dev/full/s.db")}) {
+    CHECK_THROWS_WITH(StudyRecord::create(path, kSettings),
+                      Contains(path) && Contains("cannot be written"));
+    CHECK_THROWS_AS(StudyRecord::create(path, kSettings), std::runtime_error);
+  }
+  CHECK(folder.content() == std::vector<std::string>{"plain"});
+}
+
+TEST_CASE("names that SQLite reads as something else are names of files", "[study]") {
+  const Folder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder / "");
+  for (const std::string name : {":memory:", "file:s.db?mode=memory"}) {
+    { const StudyRecord record = StudyRecord::create(name, kSettings); }
+    CHECK(fs::exists(name));
+    CHECK(StudyRecord::read(name).settings() == kSettings);
+  }
+  CHECK_THROWS_AS(StudyRecord::create("", kSettings), std::invalid_argument);
+  fs::current_path(before);
+}
+
+TEST_CASE("what is no study is refused and left as it is", "[study]") {
+  const Folder folder;
+  CHECK_THAT(complaint(folder / "none.db"), Contains("no such study"));
+  CHECK_THAT(complaint(folder / ""), Contains("no such study"));
+  CHECK_THAT(complaint("/dev/null"), Contains("no such study"));
+  write(folder / "empty.db", "");
+  write(folder / "text.db", std::string(5000, 'x') + "\n");
+  write(folder / "short.db", "SQLite format 3");
+  for (const bool wal : {false, true}) {
+    SQLite::Database base(folder / (wal ? "wal.db" : "foreign.db"),
+                          SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    if (wal) base.exec("PRAGMA journal_mode = WAL");
+    base.exec("CREATE TABLE task (text TEXT); INSERT INTO task VALUES ('mine')");
+  }
+  const auto names = folder.content();
+  for (const std::string name : {"empty.db", "text.db", "short.db", "foreign.db", "wal.db"}) {
+    INFO(name);
+    const std::string bytes = content(folder / name);
+    CHECK_THAT(complaint(folder / name), Contains("no study of camlaw"));
+    CHECK(content(folder / name) == bytes);
+  }
+  CHECK(folder.content() == names);
+}
+
+TEST_CASE("a study of another version is refused with both versions", "[study]") {
+  const Folder folder;
+  made_study(folder / "s.db", 4);
+  { SQLite::Database(folder / "s.db", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7"); }
+  const std::string bytes = content(folder / "s.db");
+  CHECK_THAT(complaint(folder / "s.db"), Contains("version 7") && Contains("version 1"));
+  CHECK(content(folder / "s.db") == bytes);
+}
+
+TEST_CASE("a study that was cut off says so", "[study]") {
+  const Folder folder;
+  made_study(folder / "s.db", 8);
+  const std::string bytes = content(folder / "s.db");
+  for (std::size_t size = 0; size < bytes.size(); size += 1000) {
+    write(folder / "t.db", bytes.substr(0, size));
+    INFO(size << " of " << bytes.size());
+    const std::string said = complaint(folder / "t.db");
+    CHECK_FALSE(said.empty());
+    CHECK(content(folder / "t.db").size() == size);
+  }
+}
+
+TEST_CASE("a damaged study is refused, or read as far as it goes", "[study]") {
+  const Folder folder;
+  const std::string whole = made_study(folder / "s.db", 8);
+  const std::string bytes = content(folder / "s.db");
+  std::size_t refused = 0, read = 0;
+  const auto check = [&](std::string damaged) {
+    write(folder / "t.db", damaged);
+    try {
+      read_study(folder / "t.db", 8);
+      ++read;
+    } catch (const std::exception& error) {
+      CHECK_FALSE(std::string(error.what()).empty());
+      ++refused;
+    }
+    CHECK(content(folder / "t.db") == damaged);
+  };
+  for (std::size_t at = 100; at < bytes.size(); at += 197) {
+    INFO("byte " << at);
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    check(damaged);
+  }
+  for (std::size_t at = 4096; at < bytes.size(); at += 1024) {
+    INFO("stretch from " << at);
+    std::string damaged = bytes;
+    for (std::size_t i = at; i < std::min(at + 64, bytes.size()); ++i) damaged[i] = '\xa5';
+    check(damaged);
+  }
+  CHECK(refused > 10);
+  CHECK(read > 10);
+}
+
+TEST_CASE("rows that do not belong to the problem are damage", "[study]") {
+  const Folder folder;
+  const std::string whole = made_study(folder / "s.db", 8);
+  const std::string bytes = content(folder / "s.db");
+  for (const std::string change :
+       {"DELETE FROM objective WHERE place = 1", "DELETE FROM objective",
+        "DELETE FROM variable WHERE place = 0", "DELETE FROM variable",
+        "INSERT INTO objective SELECT id, 2, 'f', 'N', 0, 0, 1 FROM design",
+        "INSERT INTO variable SELECT id, 2, 'z', '1', 0 FROM design",
+        "UPDATE objective SET weight = NULL WHERE place = 0",
+        "UPDATE design SET verdict = 'splendid'"}) {
+    INFO(change);
+    write(folder / "t.db", bytes);
+    { SQLite::Database(folder / "t.db", SQLite::OPEN_READWRITE).exec(change); }
+    CHECK_THROWS_WITH(read_study(folder / "t.db", 8), Contains("damaged"));
+  }
+  write(folder / "t.db", bytes);
+  CHECK(read_study(folder / "t.db", 8) == whole);
+}
+
+TEST_CASE("a study that was interrupted after any task goes on to the same front", "[study]") {
+  const Folder folder;
+  const MultiSpace space = two_rooms();
+  const ParetoOptions options = with_points(6);
+  const Front undisturbed = pareto(space, options);
+  for (std::size_t tasks = 0; tasks <= undisturbed.tasks; ++tasks) {
+    INFO("after " << tasks);
+    const std::string path = folder / (std::to_string(tasks) + ".db");
+    DirectExecutor direct(space, options.solve);
+    {
+      StudyRecord record = StudyRecord::create(path, kSettings);
+      Interrupted interrupted(direct, tasks);
+      RecordedExecutor recorded(space, record, &interrupted);
+      const Front front = pareto(space, options, recorded);
+      CHECK(front.complete == (tasks >= undisturbed.tasks));
+      CHECK(record.size() == tasks);
+    }
+    StudyRecord record = StudyRecord::open(path);
+    RecordedExecutor recorded(space, record, &direct);
+    CHECK(bits(pareto(space, options, recorded)) == bits(undisturbed));
+  }
+}
+
+TEST_CASE("a study can be asked for more points, which what is there serves", "[study]") {
+  const Folder folder;
+  const MultiSpace space = two_rooms();
+  made_study(folder / "s.db", 6);
+  const ParetoOptions options = with_points(20);
+  const Front afresh = pareto(space, options);
+  StudyRecord record = StudyRecord::open(folder / "s.db");
+  const std::size_t before = record.size();
+  DirectExecutor direct(space, options.solve);
+  RecordedExecutor recorded(space, record, &direct);
+  const Front extended = pareto(space, options, recorded);
+  CHECK(extended.complete);
+  CHECK(extended.points.size() >= 20);
+  CHECK(extended.hypervolume == Approx(afresh.hypervolume).epsilon(0.02));
+  CHECK(record.size() >= before);
+  CHECK(bits(pareto(space, options, recorded)) == bits(extended));
+  // Now it is all there.
+  CHECK(read_study(folder / "s.db", 20) == bits(extended));
+}
+
+TEST_CASE("without others a study stops at the first task that is not there", "[study]") {
+  const Folder folder;
+  const MultiSpace space = two_rooms();
+  StudyRecord record = StudyRecord::create(folder / "s.db", kSettings);
+  RecordedExecutor recorded(space, record, nullptr);
+  const Front front = pareto(space, with_points(5), recorded);
+  CHECK_FALSE(front.complete);
+  CHECK(front.points.empty());
+  CHECK(front.tasks == 0);
+}
+
+TEST_CASE("a study can be read while it is written", "[study]") {
+  const Folder folder;
+  const std::string path = folder / "s.db";
+  StudyRecord writer = StudyRecord::create(path, kSettings);
+  for (int i = 0; i < 20; ++i) {
+    writer.add(numbered(i), odd_outcome(), five_variables());
+    const StudyRecord reader = StudyRecord::read(path);
+    CHECK(reader.settings() == kSettings);
+    CHECK(reader.size() == static_cast<std::size_t>(i) + 1);
+    CHECK(reader.find(numbered(i), five_variables()).has_value());
+    writer.add(numbered(i), odd_outcome(), five_variables());  // with a reader there
+  }
+}
+
+TEST_CASE("what was written whole outlives a writer that is killed", "[study]") {
+  const Folder folder;
+  const std::string path = folder / "s.db";
+  const pid_t child = fork();
+  if (child == 0) {
+    StudyRecord record = StudyRecord::create(path, kSettings);
+    for (int i = 0; i < 5; ++i) record.add(numbered(i), odd_outcome(), five_variables());
+    _exit(0);  // without closing anything
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(status == 0);
+  CHECK(StudyRecord::read(path).size() == 5);
+  const StudyRecord record = StudyRecord::open(path);
+  CHECK(record.size() == 5);
+  for (int i = 0; i < 5; ++i)
+    CHECK(bits(*record.find(numbered(i), five_variables())) == bits(odd_outcome()));
+}
+
+}  // namespace camlaw::optim

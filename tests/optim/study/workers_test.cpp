@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/workers.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include "tests/optim/pareto/outcomes.h"
+#include "tests/optim/pareto/small_fronts.h"
+
+namespace camlaw::optim {
+
+using namespace study_tests;
+using namespace front_tests;
+
+namespace {
+
+/// Ends this process as a fault does: with the usual action, not the test runner's.
+void fall(int signal) {
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+/// Two centres, where something happens at designs with x = 0.9.
+MultiSpace dangerous(void (*happening)()) {
+  MultiProblem problem = two_centres();
+  problem.objectives[0].response.measure =
+      observed(distance(0, 0), [happening](std::span<const double> u) {
+        if (u[0] == 0.9) happening();
+      });
+  return MultiSpace::of(std::move(problem));
+}
+
+/// Searches for the least f2 with f1 at most so much: x goes up to the square root of it.
+std::vector<Task> bounded_tasks(const std::vector<double>& bounds) {
+  std::vector<Task> tasks;
+  for (const double bound : bounds) {
+    Task task;
+    task.sought = 1;
+    task.bounds = {bound, kInfinity};
+    tasks.push_back(task);
+  }
+  return tasks;
+}
+
+std::size_t open_files() {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    count += entry.exists();
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("workers give what this process gives, to the last bit", "[study]") {
+  for (const MultiSpace& space :
+       {MultiSpace::of(two_centres_limited()), two_rooms(), MultiSpace::of(three_centres())}) {
+    ParetoOptions options;
+    options.points = 12;
+    const std::string expected = bits(pareto(space, options));
+    for (const int workers : {1, 2, 5}) {
+      INFO(workers);
+      ProcessExecutor executor(space, options.solve, workers);
+      CHECK(bits(pareto(space, options, executor)) == expected);
+    }
+  }
+}
+
+TEST_CASE("workers give each outcome, in the order of the tasks", "[study]") {
+  const MultiSpace space = MultiSpace::of(two_centres());
+  const auto tasks = bounded_tasks({0.5, 0.04, 0.3, 0.01, 0.16, 0.2, 0.09});
+  const OptimiseOptions options;
+  DirectExecutor direct(space, options);
+  const std::string expected = bits(direct.run(tasks, {}));
+  for (const int workers : {1, 3, 20}) {
+    ProcessExecutor executor(space, options, workers);
+    std::multiset<std::string> told, given;
+    const auto outcomes = executor.run(tasks, [&](const Task& task, const Outcome& outcome) {
+      told.insert(task.text() + bits(outcome));
+    });
+    CHECK(bits(outcomes) == expected);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      given.insert(tasks[i].text() + bits(outcomes.at(i)));
+    }
+    CHECK(told == given);
+  }
+  ProcessExecutor executor(space, options, 2);
+  CHECK(executor.run({}, {}).empty());
+}
+
+TEST_CASE("no workers at all are refused", "[study]") {
+  const MultiSpace space = MultiSpace::of(two_centres());
+  const OptimiseOptions options;
+  CHECK_THROWS_AS(ProcessExecutor(space, options, 0), std::invalid_argument);
+  CHECK_THROWS_AS(ProcessExecutor(space, options, -3), std::invalid_argument);
+}
+
+TEST_CASE("a process that dies takes its own task with it only", "[study]") {
+  struct Case {
+    void (*happening)();
+    std::string said;
+  };
+  const std::vector<Case> cases{
+      {[] { fall(SIGABRT); }, "killed by signal 6"},
+      {[] { fall(SIGSEGV); }, "killed by signal 11"},
+      {[] { fall(SIGKILL); }, "killed by signal 9"},
+      {[] { _exit(3); }, "ended by itself with status 3"},
+      {[] { _exit(0); }, "ended by itself with status 0"},
+      {[] { throw std::runtime_error("no such cam"); }, "no such cam"},
+  };
+  for (const Case& c : cases) {
+    INFO(c.said);
+    const MultiSpace space = dangerous(c.happening);
+    const OptimiseOptions options;
+    ProcessExecutor executor(space, options, 2);
+    auto tasks = bounded_tasks({0.25, 0.81, 0.16});
+    for (Task& task : tasks) task.starts = {{0.1, 0}};
+    tasks[1].starts = {{0.9, 0}};
+    const auto outcomes = executor.run(tasks, {});
+    REQUIRE(outcomes.size() == 3);
+    CHECK_THAT(outcomes[1].failure, Catch::Contains(c.said));
+    CHECK(outcomes[1].points.empty());
+    for (const std::size_t i : {0, 2}) {
+      INFO(outcomes[i].failure);
+      REQUIRE(outcomes[i].points.size() == 1);
+      CHECK(outcomes[i].points[0].costs[0] == Approx(tasks[i].bounds[0]));
+    }
+  }
+}
+
+TEST_CASE("a study goes on where processes die", "[study]") {
+  MultiProblem problem = two_centres();
+  problem.objectives[0].response.measure = observed(distance(0, 0), [](std::span<const double> u) {
+    if (u[0] > 0.72 && u[0] < 0.77 && std::abs(u[1]) < 1e-3) fall(SIGSEGV);
+  });
+  const MultiSpace space = MultiSpace::of(std::move(problem));
+  ParetoOptions options;
+  options.points = 8;
+  options.method = ParetoMethod::Sweep;
+  ProcessExecutor executor(space, options.solve, 2);
+  const Front front = pareto(space, options, executor);
+  CHECK(front.complete);
+  CHECK_FALSE(front.failures.empty());
+  for (const FailedTask& failed : front.failures) {
+    CHECK_THAT(failed.why, Catch::Contains("signal 11"));
+  }
+  CHECK(front.points.size() >= 4);
+}
+
+TEST_CASE("nothing is left open after a run", "[study]") {
+  const MultiSpace space = dangerous([] { _exit(3); });
+  const OptimiseOptions options;
+  const auto tasks = bounded_tasks({0.25, 0.81, 0.16, 0.9});
+  const std::size_t before = open_files();
+  ProcessExecutor executor(space, options, 3);
+  executor.run(tasks, {});
+  CHECK(open_files() == before);
+  // Nor after one that is given up because an outcome could not be taken.
+  for (int round = 0; round < 5; ++round) {
+    CHECK_THROWS_WITH(
+        executor.run(tasks, [](const Task&,
+                               const Outcome&) { throw std::runtime_error("the disk is full"); }),
+        "the disk is full");
+    CHECK(open_files() == before);
+  }
+}
+
+TEST_CASE("a run that is given up closes no file of others", "[study]") {
+  const MultiSpace space = MultiSpace::of(two_centres());
+  const OptimiseOptions options;
+  ProcessExecutor executor(space, options, 1);
+  int opened = -1;
+  CHECK_THROWS(executor.run(bounded_tasks({0.25}), [&](const Task&, const Outcome&) {
+    opened = dup(STDIN_FILENO);  // takes the number that the worker's pipe had
+    throw std::runtime_error("given up");
+  }));
+  REQUIRE(opened >= 0);
+  CHECK(close(opened) == 0);
+}
+
+TEST_CASE("a study that is to stop starts nothing, or gives what is done", "[study]") {
+  const MultiSpace space = MultiSpace::of(two_centres());
+  std::atomic<bool> stop = true;
+  OptimiseOptions options;
+  options.stop = &stop;
+  const auto tasks = bounded_tasks({0.25, 0.81, 0.16, 0.5, 0.4});
+  ProcessExecutor executor(space, options, 2);
+  DirectExecutor direct(space, options);
+  CHECK(executor.run(tasks, {}).empty());
+  CHECK(direct.run(tasks, {}).empty());
+  stop = false;
+  const std::string all = bits(direct.run(tasks, {}));
+  std::size_t told = 0;
+  const auto outcomes = executor.run(tasks, [&](const Task&, const Outcome&) {
+    if (++told == 2) stop = true;
+  });
+  CHECK(told <= 4);
+  CHECK(outcomes.size() <= told);
+  CHECK(all.starts_with(bits(outcomes)));
+}
+
+}  // namespace camlaw::optim
