@@ -57,8 +57,8 @@ std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& pa
                                             const problems::FrontStudy& study, bool resume) {
   if (!path) return {};
   if (resume && fs::exists(*path)) {
+    study.check_same(optim::StudyRecord::read(*path));  // first without a hand on it
     std::optional<optim::StudyRecord> record = optim::StudyRecord::open(*path);
-    study.check_same(*record);
     const optim::StudySettings mine = study.settings();  // points and method may be others now
     if (record->settings() != mine) record->put(mine);
     return record;

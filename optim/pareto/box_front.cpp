@@ -73,6 +73,12 @@ class BoxFront final : public PartFront {
       const double w = box.width(0) / front.range[0], h = box.width(1) / front.range[1];
       constexpr double kClosed = 1e-5;
       if (!(std::hypot(w, h) > kClosed) || !(w > 0) || !(h > 0)) continue;
+      if (const FrontPoint* rival = find_rival(box, front)) {
+        Task task = bounded(1, rival->costs[0]);
+        task.starts = {halfway(box.left->x, box.right->x), box.left->x};
+        places.push_back({std::hypot(w, h), std::move(task), true});
+        continue;
+      }
       places.push_back({std::hypot(w, h), split(box, w >= h ? 0 : 1)});
     }
     return places;
@@ -144,11 +150,29 @@ class BoxFront final : public PartFront {
     const std::size_t end = 1 - task.sought;
     if (task.bounds.empty() || !alone_[end] || !alone_[task.sought]) return true;
     const Costs &at_end = alone_[end]->costs, &opposite = alone_[task.sought]->costs;
+    if (!std::isfinite(at_end[task.sought])) return true;
     if (task.bounds[end] != at_end[end] + slack(end)) return true;
     const double gain = at_end[task.sought] - point.costs[task.sought];
     if (!(gain > kWorth * (at_end[task.sought] - opposite[task.sought]))) return false;
     std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == at_end; });
     return true;
+  }
+
+  /// A point of another combination that this one may beat, as far as it has been looked at.
+  const FrontPoint* find_rival(const Box& box, const FrontSoFar& front) const {
+    constexpr double kSame = 1e-6;
+    const auto is_rival = [&](const FrontPoint& p) {
+      if (p.part == part_) return false;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double room = p.costs[i] - box.corner[i];
+        if (!(room > kSame * front.range[i]) || !(room < box.width(i))) return false;
+      }
+      return std::none_of(facts_.begin(), facts_.end(), [&](const Fact& fact) {
+        return fact.sought == 1 && std::abs(fact.bound - p.costs[0]) <= kSame * front.range[0];
+      });
+    };
+    const auto at = std::find_if(front.points.begin(), front.points.end(), is_rival);
+    return at == front.points.end() ? nullptr : &*at;
   }
 
   std::vector<Box> boxes() const {

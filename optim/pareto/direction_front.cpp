@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "optim/pareto/part_front.h"
 
@@ -37,7 +38,10 @@ class DirectionFront final : public PartFront {
 
   void take(const Task& task, const Outcome& outcome) override {
     for (const FrontPoint& point : outcome.points) insert(point);
-    if (task.kind != Task::Kind::Toward) return;
+    if (task.kind != Task::Kind::Toward) {
+      challenged_.insert(task.bounds);
+      return;
+    }
     const std::size_t vertex = vertices_.size();
     vertices_.push_back({asked_.at(task.direction), std::nullopt});
     if (!outcome.points.empty()) vertices_.back().point = outcome.points.front();
@@ -58,7 +62,7 @@ class DirectionFront final : public PartFront {
       const auto longest = longest_edge(simplex, front);
       if (longest && !front.covers(corner(simplex))) edges.insert(*longest);
     }
-    std::vector<OpenPlace> places;
+    std::vector<OpenPlace> places = challenges(front);
     for (const auto& [edge, length] : edges) {
       constexpr double kClosed = 1e-4;
       if (length > kClosed) places.push_back({length, halving(edge)});
@@ -95,6 +99,41 @@ class DirectionFront final : public PartFront {
       }
       return by_enough;
     });
+  }
+
+  /// Searches for what beats points of other combinations.
+  std::vector<OpenPlace> challenges(const FrontSoFar& front) const {
+    std::vector<OpenPlace> places;
+    for (const FrontPoint& rival : front.points) {
+      if (rival.part == part_ || points_.empty()) continue;
+      bool reachable = true;
+      for (std::size_t i = 0; i < objectives_; ++i) {
+        reachable = reachable && least_[i] < rival.costs[i];
+      }
+      Task task;
+      task.part = part_;
+      task.sought = objectives_ - 1;
+      task.bounds = rival.costs;
+      task.bounds.back() = kInfinity;
+      if (!reachable || challenged_.count(task.bounds) > 0) continue;
+      task.starts = {nearest(rival, front).x};
+      places.push_back({1, std::move(task), true});
+    }
+    return places;
+  }
+
+  const FrontPoint& nearest(const FrontPoint& point, const FrontSoFar& front) const {
+    const auto distance = [&](const FrontPoint& p) {
+      double sum = 0;
+      for (std::size_t i = 0; i < objectives_; ++i) {
+        const double step = (p.costs[i] - point.costs[i]) / front.range[i];
+        sum += step * step;
+      }
+      return sum;
+    };
+    return *std::min_element(
+        points_.begin(), points_.end(),
+        [&](const FrontPoint& a, const FrontPoint& b) { return distance(a) < distance(b); });
   }
 
   Task toward(const std::vector<double>& direction, std::vector<std::vector<double>> starts) const {
@@ -196,6 +235,7 @@ class DirectionFront final : public PartFront {
   }
 
   Costs scale_;
+  std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
   std::vector<Vertex> vertices_;
   std::vector<Simplex> simplices_;
   // Of each direction that was asked for: where it lies on the simplex, and the edge it halves.

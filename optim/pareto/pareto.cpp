@@ -173,8 +173,7 @@ class Study {
     const std::size_t limit = front_.tasks + kTasksPerPoint * options_.points + 64 * parts_.size();
     while (front_.tasks < limit) {
       const FrontSoFar front = so_far();
-      if (front.points.size() >= options_.points) return true;
-      const auto tasks = largest(front, options_.points - front.points.size());
+      const auto tasks = largest(front);
       if (tasks.empty()) return true;
       if (!carry_out_and_give(tasks)) return false;
     }
@@ -183,18 +182,25 @@ class Study {
 
   /// Tasks of places at least half as large as the largest, as many as a round has: not as many as
   /// there are workers, so that their number does not show.
-  std::vector<Task> largest(const FrontSoFar& front, std::size_t missing) const {
+  std::vector<Task> largest(const FrontSoFar& front) const {
     constexpr std::size_t kRound = 16;
+    const std::size_t missing = options_.points - std::min(options_.points, front.points.size());
     std::vector<OpenPlace> places;
     for (const auto& part : parts_) {
       if (part->is_empty()) continue;
       for (OpenPlace& place : part->open(front)) places.push_back(std::move(place));
     }
+    // Before the front grows, what is on it must be there by right.
+    const auto challenges = std::stable_partition(
+        places.begin(), places.end(), [](const OpenPlace& place) { return place.is_challenge; });
+    const bool challenged = challenges != places.begin();
+    if (challenged) places.erase(challenges, places.end());
     std::stable_sort(places.begin(), places.end(),
                      [](const OpenPlace& a, const OpenPlace& b) { return a.size > b.size; });
     std::vector<Task> tasks;
     for (const OpenPlace& place : places) {
-      if (tasks.size() == std::min(kRound, missing) || place.size < places.front().size / 2) break;
+      const std::size_t most = challenged ? kRound : std::min(kRound, missing);
+      if (tasks.size() == most || (!challenged && place.size < places.front().size / 2)) break;
       tasks.push_back(place.task);
       tasks.back().seed = options_.seed;
     }

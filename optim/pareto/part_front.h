@@ -25,6 +25,9 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points);
 struct OpenPlace {
   double size = 0;  ///< by the range of each cost
   Task task;
+  /// A point of another combination is on the front only if this finds nothing better: that is to
+  /// be known before the front is called one.
+  bool is_challenge = false;
 };
 
 /// What a sweep knows of one combination's front, and where it looks next. All that it does

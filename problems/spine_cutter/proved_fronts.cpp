@@ -12,7 +12,8 @@
 namespace camlaw::problems {
 namespace {
 
-/// A family with what of it varies, as a problem file states it.
+/// A family with what of it varies, as a problem file states it. Ramps of the trapezoidal
+/// acceleration take a hundredth of the stroke at least: the shorter, the better, down to a jump.
 struct VaryingFamily {
   const char *name, *variables;
   bool smooth;  ///< acceleration goes on through both turns
@@ -25,14 +26,9 @@ constexpr std::array kFamilies{
                   "[variables.c]\nstart = [-1.8, 0, 0, 0]\nlower = -20\nupper = 20\nscale = 1\n",
                   true},
     VaryingFamily{"elliptic", "[variables.n]\nlower = 0.82\nupper = 1.3\nstart = 1\n", true},
-    VaryingFamily{"scca",
-                  "[variables.a]\nlower = 0.02\nupper = 0.32\nstart = 0.05\n"
-                  "[variables.b]\nlower = 0\nupper = 0.32\n"
-                  "[variables.c]\nlower = 0.02\nupper = 0.32\n",
-                  true},
     VaryingFamily{"trapezoidal-acceleration",
-                  "[variables.ramp]\nlower = 0.005\nupper = 0.124\nstart = 0.05\n"
-                  "[variables.constant]\nlower = 0.05\nupper = 0.25\nstart = 0.2\n",
+                  "[variables.ramp]\nlower = 0.01\nupper = 0.02\n"
+                  "[variables.constant]\nlower = 0.05\nupper = 0.45\nstart = 0.2\n",
                   true},
     VaryingFamily{"trapezoidal-velocity",
                   "[variables.t1]\nlower = 0.1\nupper = 0.5\n"
