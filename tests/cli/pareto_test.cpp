@@ -53,6 +53,32 @@ Outcome shell(const std::string& script, const Folder& folder) {
 
 const std::string kProgram = "'" CAMLAW_PROGRAM "'";
 
+/// The program in a process group of its own, which after a while gets a signal: it and all its
+/// workers at once, as a terminal or a service manager sends it.
+Outcome of_group(Words words, int ms, int signal) {
+  const Folder folder;
+  const std::string out = folder / "out", err = folder / "err";
+  words.insert(words.begin(), CAMLAW_PROGRAM);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+    dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+    execv(CAMLAW_PROGRAM, arguments.data());
+    _exit(127);
+  }
+  if (child < 0) throw std::runtime_error("no process");
+  setpgid(child, child);
+  std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+  kill(-child, signal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+}
+
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -151,10 +177,10 @@ TEST_CASE("a study goes on with more points, and the record knows", "[program]")
 TEST_CASE("a study that is killed at any moment goes on to the same front", "[program]") {
   const Folder folder;
   const std::string file = written(folder, "choices.toml", with_choices());
-  const Words how{"--points", "40", "--json", "--workers", "2"};
+  const Words how{"--points", "24", "--json", "--workers", "2"};
   const std::string expected = done(pareto(file, how));
   int interrupted = 0;
-  for (const int ms : {1, 5, 12, 25, 40, 60, 90, 130, 180, 250}) {
+  for (const int ms : {2, 12, 30, 60, 100}) {
     INFO("after " << ms << " ms");
     const std::string db = folder / ("s" + std::to_string(ms) + ".db");
     Words words = pareto(file, how);
@@ -167,7 +193,7 @@ TEST_CASE("a study that is killed at any moment goes on to the same front", "[pr
     CHECK(done(words) == expected);
     CHECK(done({"front", db, "--json"}) == expected);
   }
-  CHECK(interrupted > 2);
+  CHECK(interrupted > 1);
   for (const std::string& name : folder.content()) {
     INFO(name);
     CHECK((name.ends_with(".db") || name.ends_with(".toml")));
@@ -177,27 +203,23 @@ TEST_CASE("a study that is killed at any moment goes on to the same front", "[pr
 TEST_CASE("a study that is asked to end stops with what it has", "[program]") {
   const Folder folder;
   const std::string file = written(folder, "choices.toml", with_choices());
-  const Words how{"--points", "60", "--json", "--workers", "2"};
+  const Words how{"--points", "40", "--json", "--workers", "2"};
   const std::string expected = done(pareto(file, how));
   int stopped = 0;
   for (const int signal : {SIGINT, SIGTERM}) {
-    for (const int ms : {40, 120}) {
+    for (const int ms : {40, 90}) {
       INFO("signal " << signal << " after " << ms << " ms");
       const std::string db = folder / ("s" + std::to_string(signal) + std::to_string(ms) + ".db");
-      // To all of its processes at once, as a terminal or a service manager does.
-      const Outcome outcome = shell(
-          "setsid " + kProgram + " pareto '" + file + "' --points 60 --json --workers 2 --db '" +
-              db + "' & child=$!; sleep " + std::to_string(ms / 1000.0) + "; kill -" +
-              std::to_string(signal) + " -- -$child; wait $child",
-          folder);
+      Words words = pareto(file, how);
+      words.insert(words.end(), {"--db", db});
+      const Outcome outcome = of_group(words, ms, signal);
       if (outcome.status == 4) {
         ++stopped;
         const Json part = Json::parse(outcome.out);
         CHECK(part["complete"] == false);
         CHECK(part["failures"].empty());
       }
-      Words words = pareto(file, how);
-      words.insert(words.end(), {"--db", db, "--resume"});
+      words.push_back("--resume");
       CHECK(done(words) == expected);
     }
   }
@@ -209,7 +231,7 @@ TEST_CASE("a full disk ends a study with one line, and later it goes on", "[prog
   const std::string file = written(folder, "choices.toml", with_choices());
   const std::string expected = done(pareto(file, {"--points", "40", "--json"}));
   int begun = 0;
-  for (const int blocks : {1, 8, 60, 90, 130, 200}) {  // of 512 or 1024 bytes
+  for (const int blocks : {1, 100, 140}) {  // of 512 or 1024 bytes
     INFO(blocks << " blocks");
     const std::string db = folder / ("s" + std::to_string(blocks) + ".db");
     const Outcome outcome =
@@ -223,7 +245,7 @@ TEST_CASE("a full disk ends a study with one line, and later it goes on", "[prog
     begun += fs::exists(db);
     CHECK(done(pareto(file, {"--points", "40", "--json", "--db", db, "--resume"})) == expected);
   }
-  CHECK(begun > 1);
+  CHECK(begun > 0);
 }
 
 TEST_CASE("where a study cannot be written it does not begin", "[program]") {
@@ -358,7 +380,12 @@ TEST_CASE("points of a front are chosen by knee, weights and number", "[program]
 TEST_CASE("fewer than three points have no knee to choose", "[program]") {
   const Folder folder;
   const std::string db = folder / "s.db";
-  done(pareto(shipped("front.toml"), {"--points", "2", "--db", db}));
+  const std::string file =
+      written(folder, "two.toml",
+              "mechanism = \"law\"\n[law]\nname = [\"cosine\", \"parabolic\"]\n"
+              "[[objectives]]\nminimize = \"B\"\n[[objectives]]\nminimize = \"C\"\n");
+  done(pareto(file, {"--db", db, "--out", folder / "out"}));
+  check_svg(folder / "out/front.svg");
   const Json all = json_of({"front", db, "--json"});
   REQUIRE(all["points"].size() == 2);
   CHECK(all["knee"].is_null());

@@ -356,16 +356,10 @@ TEST_CASE("the ruler is of laws from rest to rest", "[fronts]") {
              "lower = -5\nupper = 5\nstart = -3\n"));
 }
 
-TEST_CASE("known fronts are problems with the hypervolumes that they state", "[fronts]") {
+TEST_CASE("the area that a list of points dominates", "[fronts]") {
   CHECK(area_dominated({{0, 2}, {1, 1}, {2, 0}, {2, 2}}, 3, 3) == 6);
   CHECK(area_dominated({}, 3, 3) == 0);
   CHECK(area_dominated({{3, 0}, {0, 3}}, 3, 3) == 0);
-  for (const KnownFront& known : known_fronts()) {
-    INFO(known.problem.name);
-    CHECK_NOTHROW(known.problem.check());
-    CHECK(known.reference.size() == known.problem.objectives.size());
-    CHECK(known.hypervolume > 0);
-  }
 }
 
 }  // namespace camlaw::problems
