@@ -42,7 +42,9 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
   const auto all = answer.costs();
   if (options.knee) {
     const auto knee = optim::knee(all);
-    if (!knee) throw std::invalid_argument("--knee: a front of fewer than three points has none");
+    if (!knee)
+      throw std::invalid_argument(
+          "--knee: this front has none; no point lies below the line through its ends");
     result.emplace_back("knee", knee->point);
   }
   if (options.weights) {

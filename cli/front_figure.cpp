@@ -17,8 +17,8 @@ Axis axis_of(const optim::ObjectiveName& o) {
 /// The name under which points stand in the legend: their law's family, or the choice.
 std::string group_of(const FrontAnswer& answer, const optim::FrontPoint& point) {
   if (answer.study.space().choices.empty()) return "the front";
-  const std::string law = answer.law(point);
-  if (!law.empty()) return law.substr(0, law.find(' '));
+  const std::string family = answer.family(point);
+  if (!family.empty()) return family;
   std::string group;
   for (const auto& value : answer.values(point)) {
     if (group.empty()) group = fmt::format("{} {}", value.name, value.text);

@@ -43,9 +43,6 @@ std::optional<problems::FrontRuler> ruler(const FrontAnswer& answer) {
   return problems::front_ruler(answer.study.bound().statement());
 }
 
-/// A law's name without its parameters, which the design lists.
-std::string family_of(const std::string& law) { return law.substr(0, law.find(' ')); }
-
 /// More variables than this are not listed in tables.
 constexpr std::size_t kListed = 6;
 
@@ -72,7 +69,7 @@ std::string table_text(const FrontAnswer& answer) {
       row.push_back(shown(answer.slope(point, i, 0), 4));
     }
     row.push_back(verdict_text(point));
-    if (laws) row.push_back(family_of(answer.law(point)));
+    if (laws) row.push_back(answer.family(point));
     std::vector<std::string> design;
     const auto values = answer.values(point);
     for (const auto& value : values) {
@@ -249,18 +246,27 @@ std::vector<FrontAnswer::Value> FrontAnswer::values(const FrontPoint& point) con
 }
 
 std::string FrontAnswer::law(const FrontPoint& point) const {
+  const auto law = study.law(point);
+  if (!law) return "";
+  const bool program = study.bound().statement().mechanism->moved_by == problems::MovedBy::Program;
+  return program ? law->family->formula : law->label();
+}
+
+std::string FrontAnswer::family(const FrontPoint& point) const {
   const auto& statement = study.bound().statement();
-  if (statement.mechanism->moved_by != problems::MovedBy::Law) {
-    for (const Value& value : values(point)) {
-      if (value.name == "law") return value.text;
-    }
-    return "";
+  if (statement.mechanism->moved_by == problems::MovedBy::Program) {
+    if (statement.laws.size() == 1) return "program";
+    return fmt::format("program {}", study.space().options(point.part).front() + 1);
   }
-  return study.law(point)->label();
+  const std::string its_law = law(point);
+  return its_law.substr(0, its_law.find(' '));
 }
 
 double FrontAnswer::slope(const FrontPoint& point, std::size_t of, std::size_t per) const {
-  if (point.weights.empty()) return std::nan("");
+  // At an end one of the costs counts nothing: there the front goes on in one direction only.
+  if (point.weights.empty() || !(point.weights[of] > 0) || !(point.weights[per] > 0)) {
+    return std::nan("");
+  }
   const double sign = (value(of, 1) > 0) == (value(per, 1) > 0) ? 1 : -1;
   return -sign * point.weights[per] / point.weights[of];
 }

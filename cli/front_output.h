@@ -19,8 +19,11 @@ struct FrontAnswer {
     double number;  ///< NaN for a choice in words
   };
   std::vector<Value> values(const optim::FrontPoint& point) const;
-  /// The law of a point in a few words; empty where the mechanism takes none.
+  /// The law of a point in a few words, of a program its segments; empty where the mechanism takes
+  /// none.
   std::string law(const optim::FrontPoint& point) const;
+  /// Its family's name; of programs, where there are several, "program 2".
+  std::string family(const optim::FrontPoint& point) const;
   /// By how much objective `of` changes along the front per unit of objective `per`.
   double slope(const optim::FrontPoint& point, std::size_t of, std::size_t per) const;
   std::vector<optim::Costs> costs() const;

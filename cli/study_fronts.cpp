@@ -40,8 +40,9 @@ std::vector<std::size_t> some_of(const optim::Front& front) {
 std::string front_lines(const ProvedFront& front) {
   if (front.front.points.empty()) return fmt::format("{}: no design was found\n", front.name);
   std::string text = fmt::format(
-      "{}: {} of {} points certified; hypervolume {:.2f} % of the limit's\n", front.name,
-      certified(front.front), front.front.points.size(), 100 * front.share_of_limit);
+      "{}: {} of {} points certified in {} searches; hypervolume {:.2f} % of the limit's\n",
+      front.name, certified(front.front), front.front.points.size(), front.front.tasks,
+      100 * front.share_of_limit);
   TextTable table({{"R, mm"}, {"F, N"}, {"N per mm"}, {"law", TextTable::Align::Left}});
   for (const std::size_t k : some_of(front.front)) {
     const optim::FrontPoint& p = front.front.points[k];

@@ -87,6 +87,8 @@ std::optional<Knee> knee(std::span<const Costs> front) {
   const std::vector<Costs> u = normalised(front);
   const auto least = std::min_element(
       u.begin(), u.end(), [](const Costs& a, const Costs& b) { return sum(a) < sum(b); });
+  const bool is_end = least->size() == 2 && ((*least)[0] == 0 || (*least)[1] == 0);
+  if (is_end) return {};
   Knee result;
   result.point = static_cast<std::size_t>(least - u.begin());
   const std::size_t objectives = u.front().size();

@@ -50,7 +50,8 @@ struct Knee {
   /// they are, with this point still the knee. Wide ranges tell a sharp knee.
   std::vector<double> low, high;
 };
-/// Empty for a front of fewer than three points.
+/// Empty for a front of fewer than three points, and of two objectives where an end has the least
+/// sum.
 std::optional<Knee> knee(std::span<const Costs> front);
 
 /// The point with the least of the greatest weighed normalised cost (Chebyshev); of several the one

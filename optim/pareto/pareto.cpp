@@ -307,7 +307,9 @@ class Study {
     front_.nadir = nadir(all);
     front_.reference = reference(all);
     front_.hypervolume = hypervolume(all, front_.reference);
-    if (objectives() != 2 || options_.method == ParetoMethod::Nsga2) return;
+    // A search that failed tells nothing of what it left out.
+    const bool bounded = objectives() == 2 && front_.failures.empty();
+    if (!bounded || options_.method == ParetoMethod::Nsga2) return;
     for (const auto& part : parts_) {
       for (Costs& corner : part->corners()) all.push_back(std::move(corner));
     }
