@@ -172,9 +172,7 @@ std::string Member::label() const {
   });
 }
 
-Member Member::listed() const {
-  return family->listed ? family->listed(arguments) : *this;
-}
+Member Member::listed() const { return family->listed ? family->listed(arguments) : *this; }
 
 std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
   const std::string wanted = folded(typed);

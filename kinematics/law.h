@@ -140,8 +140,8 @@ Law<T>::Law(std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)
 
 template <class T>
 std::size_t Law<T>::piece_at(double x, Side side) const {
-  const auto holds = std::partition_point(
-      pieces_.begin(), pieces_.end() - 1, [&](const Piece<T>& piece) {
+  const auto holds =
+      std::partition_point(pieces_.begin(), pieces_.end() - 1, [&](const Piece<T>& piece) {
         const double end = value_of(piece.end);
         return !(x < end || (x == end && side == Side::Left));
       });

@@ -43,7 +43,7 @@ constexpr Case kCases[] = {
 
 /// Evaluations until NSGA-II reaches a hypervolume; none within the most that are allowed.
 std::optional<long> evaluations_of_nsga2(const problems::FrontStudy& study, double wanted) {
-  constexpr std::size_t kPopulation = 100, kMostGenerations = 4096;
+  constexpr std::size_t kPopulation = 100, kMostGenerations = 1024;
   const optim::MultiProblem problem = study.space().problem({});
   for (std::size_t generations = 1; generations <= kMostGenerations; generations *= 2) {
     optim::Task task;
@@ -72,7 +72,7 @@ void print_case(const Case& one) {
   const auto ruler = problems::front_ruler(study.bound().statement());
   const double most = ruler->hypervolume(front.reference);
   const auto scouted = evaluations_of_nsga2(study, front.hypervolume);
-  const long at_most = 100 * 4097;
+  const long at_most = 100 * 1025;
   fmt::print(
       "| {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} | {}{:.1f} |\n", one.name,
       front.points.size(), certified, alone, shared,

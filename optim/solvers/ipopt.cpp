@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <IpoptConfig.h>
+
 #include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
-#include <IpoptConfig.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
