@@ -122,9 +122,13 @@ std::string measures_text(const FrontAnswer& answer) {
   }
   if (front.hypervolume_at_most) {
     const double more = 100 * (*front.hypervolume_at_most / front.hypervolume - 1);
-    text += fmt::format("  whatever lies between the points, it is at most {}{}\n",
-                        number(*front.hypervolume_at_most),
-                        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
+    const bool global = std::all_of(front.points.begin(), front.points.end(),
+                                    [](const FrontPoint& p) { return p.is_global; });
+    text += fmt::format(
+        "  {}, it is at most {}{}\n",
+        global ? "whatever lies between the points" : "if each search found the best there is",
+        number(*front.hypervolume_at_most),
+        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
   }
   const auto limit = ruler(answer);
   if (const double most = limit ? limit->hypervolume(front.reference) : 0; most > 0) {
