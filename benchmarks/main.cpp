@@ -7,9 +7,9 @@
 #include "benchmarks/timing.h"
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
-/// --search, --cam-shape, --cams and --fronts print those tables of speed alone, --known-fronts that
-/// table of accuracy. Any other arguments are Google Benchmark's (--benchmark_filter=peaks and so
-/// on).
+/// --search, --cam-shape, --cams and --fronts print those tables of speed alone, --known-fronts
+/// that table of accuracy. Any other arguments are Google Benchmark's (--benchmark_filter=peaks and
+/// so on).
 int main(int argc, char* argv[]) {
   namespace measures = camlaw::benchmarks;
   const std::string_view wanted = argc == 2 ? argv[1] : "";
