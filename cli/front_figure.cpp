@@ -44,17 +44,17 @@ std::string tooltip(const FrontAnswer& answer, const optim::FrontPoint& point, s
   return text + fmt::format(": {}", to_string(point.verdict));
 }
 
-/// The analytic limit over the range of the first axis.
+/// The analytic limit over the range of the lower derivative.
 Line limit_line(const FrontAnswer& answer, const problems::FrontRuler& ruler) {
   constexpr int kSamples = 200;
   Line line{.name = "no law is below", .colour = "#000000", .dashed = true};
   const auto& front = answer.front;
-  const std::size_t B = ruler.of_velocity;
+  const std::size_t lower = ruler.pair().first.objective;
   for (int i = 0; i <= kSamples; ++i) {
-    const double v = front.ideal[B] + (front.nadir[B] - front.ideal[B]) * i / kSamples;
-    const double a = ruler.least_acceleration_value(v);
-    line.x.push_back(B == 0 ? v : a);
-    line.y.push_back(B == 0 ? a : v);
+    const double x = front.ideal[lower] + (front.nadir[lower] - front.ideal[lower]) * i / kSamples;
+    const double y = ruler.least(x);
+    line.x.push_back(lower == 0 ? x : y);
+    line.y.push_back(lower == 0 ? y : x);
   }
   return line;
 }
@@ -97,18 +97,13 @@ Figure front_figure(const FrontAnswer& answer) {
   if (answer.front.points.empty() || objectives > 3) return figure;
   const std::string& title = answer.study.bound().statement().title;
   figure.title = title.empty() ? "Front" : title;
-  const auto certified =
-      std::count_if(answer.front.points.begin(), answer.front.points.end(),
-                    [](const auto& p) { return p.verdict == optim::Verdict::Certified; });
-  figure.subtitle =
-      fmt::format("{} points, {} of them certified", answer.front.points.size(), certified);
+  figure.subtitle = fmt::format("{} points, {} of them certified", answer.front.points.size(),
+                                answer.front.certified());
   for (std::size_t up = 1; up < objectives; ++up) {
     for (std::size_t across = 0; across < up; ++across) {
       Panel panel = panel_of(answer, across, up);
-      if (objectives == 2) {
-        if (const auto ruler = problems::front_ruler(answer.study.bound().statement())) {
-          panel.lines.push_back(limit_line(answer, *ruler));
-        }
+      if (objectives == 2 && answer.ruler) {
+        panel.lines.push_back(limit_line(answer, *answer.ruler));
       }
       mark_knee(answer, panel, across, up);
       figure.panels.push_back(std::move(panel));

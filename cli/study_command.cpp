@@ -65,6 +65,7 @@ void run_study(const StudyOptions& options) {
     throw std::invalid_argument("--out: a folder's name is wanted");
   }
   const std::filesystem::path out = options.out.value_or("");
+  if (options.out) check_writable({out / "study.json"});
   StudyOutput study;
   if (options.system == "spine-cutter") {
     study = study_cutter(options, out);

@@ -19,10 +19,9 @@ std::array<const ProvedFront*, 3> all(const SpineCutterFronts& fronts) {
   return {&fronts.families, &fronts.smooth, &fronts.free};
 }
 
-std::ptrdiff_t certified(const optim::Front& front) {
-  return std::count_if(front.points.begin(), front.points.end(), [](const auto& point) {
-    return point.verdict == optim::Verdict::Certified;
-  });
+/// By how much the force changes per mm of radius.
+double slope(const optim::FrontPoint& p) {
+  return p.weights.empty() ? std::nan("") : -p.weights[0] / p.weights[1];
 }
 
 /// About eight points of a front, its ends among them.
@@ -41,14 +40,13 @@ std::string front_lines(const ProvedFront& front) {
   if (front.front.points.empty()) return fmt::format("{}: no design was found\n", front.name);
   std::string text = fmt::format(
       "{}: {} of {} points certified in {} searches; hypervolume {:.2f} % of the limit's\n",
-      front.name, certified(front.front), front.front.points.size(), front.front.tasks,
+      front.name, front.front.certified(), front.front.points.size(), front.front.tasks,
       100 * front.share_of_limit);
   TextTable table({{"R, mm"}, {"F, N"}, {"N per mm"}, {"law", TextTable::Align::Left}});
   for (const std::size_t k : some_of(front.front)) {
     const optim::FrontPoint& p = front.front.points[k];
-    const double slope = p.weights.empty() ? std::nan("") : -p.weights[0] / p.weights[1];
     table.add(
-        {shown(p.objectives[0], 2), shown(p.objectives[1], 3), shown(slope, 3), front.laws[k]});
+        {shown(p.objectives[0], 2), shown(p.objectives[1], 3), shown(slope(p), 3), front.laws[k]});
   }
   return text + table.text();
 }
@@ -80,8 +78,7 @@ std::string fronts_csv(const SpineCutterFronts& fronts) {
   for (const ProvedFront* front : all(fronts)) {
     for (std::size_t k = 0; k < front->front.points.size(); ++k) {
       const optim::FrontPoint& p = front->front.points[k];
-      const double slope = p.weights.empty() ? std::nan("") : -p.weights[0] / p.weights[1];
-      rows.push_back({front->name, exact(p.objectives[0]), exact(p.objectives[1]), exact(slope),
+      rows.push_back({front->name, exact(p.objectives[0]), exact(p.objectives[1]), exact(slope(p)),
                       front->laws[k], std::string(to_string(p.verdict))});
     }
   }

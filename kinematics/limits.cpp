@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/limits.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camlaw {
 
@@ -22,6 +24,15 @@ double least_time(double B, double C, double D) {
   if (C * C * C * 2 >= D * D) return 2 * std::cbrt(4 / D);  // nor is C reached: 2 v sqrt(v/D) = 1
   const double v = 0.5 * (std::sqrt(C * C * C * C / (D * D) + 4 * C) - C * C / D);
   return 2 * ramp(v);
+}
+
+double least_jerk(double B, double C) {
+  if (std::isnan(B + C)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(C > least_acceleration(B))) return std::numeric_limits<double>::infinity();
+  // Beyond these no law needs more: D4 and D5.
+  const double b = std::min(B, 2.0);
+  const double c = std::min(C, 2 * b * b / (b - 1));
+  return b * c * c / (c * (b - 1) - b * b);
 }
 
 std::optional<double> limit_index(const Peaks<double>& peaks) {

@@ -18,6 +18,12 @@ double least_acceleration(double B);
 /// time of the S-curve that does without the phases it cannot reach elsewhere.
 double least_time(double B, double C, double D);
 
+/// Least peak jerk D of any rest-to-rest law whose peaks of velocity and acceleration are at most B
+/// and C, each of which may be infinite: with b = min(B, 2) and c = min(C, 2 b^2 / (b - 1)) it is
+/// b c^2 / (c (b - 1) - b^2), where least_time(B, C, D) = 1. Infinite where C <=
+/// least_acceleration.
+double least_jerk(double B, double C);
+
 /// The limit index lambda = least_time(B, C, D) of a law's own peaks: 1 for a law than which none
 /// is faster with these peaks, less for every other. Only rest-to-rest laws have it.
 std::optional<double> limit_index(const Peaks<double>& peaks);

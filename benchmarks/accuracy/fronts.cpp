@@ -27,12 +27,10 @@ void print_row(const problems::KnownFront& known, const Way& way) {
   options.reference = known.reference;
   optim::Front front;
   const double spent = seconds([&] { front = optim::pareto(known.problem, options); });
-  const auto certified = std::count_if(front.points.begin(), front.points.end(), [](const auto& p) {
-    return p.verdict == optim::Verdict::Certified;
-  });
   fmt::print("| {} | {} | {} | {} | {:.3f} | {} | {} | {} | {:.1f} |\n", known.problem.name,
-             way.name, front.points.size(), certified, 100 * front.hypervolume / known.hypervolume,
-             front.tasks, front.evaluations, front.failures.size(), spent);
+             way.name, front.points.size(), front.certified(),
+             100 * front.hypervolume / known.hypervolume, front.tasks, front.evaluations,
+             front.failures.size(), spent);
   std::fflush(stdout);
 }
 

@@ -8,6 +8,7 @@
 #include "optim/pareto/scout.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
+#include "problems/fronts/ruler.h"
 
 namespace camlaw::benchmarks {
 namespace {
@@ -51,9 +52,8 @@ std::optional<long> evaluations_of_nsga2(const problems::FrontStudy& study, doub
     task.population = kPopulation;
     task.generations = generations;
     const optim::Outcome outcome = optim::scout(task, problem);
-    std::vector<optim::Costs> costs;
-    for (const auto& point : outcome.points) costs.push_back(point.costs);
-    if (optim::hypervolume(costs, *study.options().reference) >= wanted) return outcome.evaluations;
+    if (optim::hypervolume(optim::costs_of(outcome.points), *study.options().reference) >= wanted)
+      return outcome.evaluations;
   }
   return {};
 }
@@ -66,16 +66,13 @@ void print_case(const Case& one) {
   const double alone = seconds([&] { front = optim::pareto(study.space(), study.options()); });
   optim::ProcessExecutor workers(study.space(), study.options().solve, 2);
   const double shared = seconds([&] { study.run(workers); });
-  const auto certified = std::count_if(front.points.begin(), front.points.end(), [](const auto& p) {
-    return p.verdict == optim::Verdict::Certified;
-  });
   const auto ruler = problems::front_ruler(study.bound().statement());
   const double most = ruler->hypervolume(front.reference);
   const auto scouted = evaluations_of_nsga2(study, front.hypervolume);
   const long at_most = 100 * 1025;
   fmt::print(
       "| {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} | {}{:.1f} |\n", one.name,
-      front.points.size(), certified, alone, shared,
+      front.points.size(), front.certified(), alone, shared,
       100 * front.hypervolume_of_mixtures.value_or(front.hypervolume) / most, front.evaluations,
       scouted ? fmt::format("{}", *scouted) : "not reached", scouted ? "" : "> ",
       static_cast<double>(scouted.value_or(at_most)) / static_cast<double>(front.evaluations));

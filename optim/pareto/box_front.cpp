@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "optim/pareto/part_front.h"
 
@@ -26,20 +27,14 @@ struct Box {
   }
 };
 
-std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> result(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) / 2;
-  return result;
-}
-
 class BoxFront final : public PartFront {
  public:
   explicit BoxFront(std::size_t part) : PartFront(part, 2) {}
 
   /// The other cost's least where one is at its own: the ends of the front.
-  std::vector<Task> second_tasks() override {
+  std::vector<Task> next_tasks() override {
     std::vector<Task> tasks;
-    if (!alone_[0] || !alone_[1]) return tasks;
+    if (std::exchange(set_up_, true) || !alone_[0] || !alone_[1]) return tasks;
     for (std::size_t i = 0; i < 2; ++i) {
       const double range = std::abs(alone_[1 - i]->costs[i] - alone_[i]->costs[i]);
       if (range <= slack(i)) continue;  // the other end is as good
@@ -197,6 +192,7 @@ class BoxFront final : public PartFront {
     box.corner[along] = fact.bound;
   }
 
+  bool set_up_ = false;
   std::vector<Fact> facts_;
 };
 

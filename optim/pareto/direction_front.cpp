@@ -16,27 +16,33 @@ class DirectionFront final : public PartFront {
  public:
   using PartFront::PartFront;
 
-  /// The corners of the simplex of directions.
-  std::vector<Task> second_tasks() override {
+  /// At the optimum of each cost alone the others need not be least: they are sought there, one
+  /// after the other. Then the corners of the simplex of directions.
+  std::vector<Task> next_tasks() override {
     std::vector<Task> tasks;
     if (std::any_of(alone_.begin(), alone_.end(), [](const auto& p) { return !p; })) return tasks;
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      double worst = least_[i];
-      for (const auto& point : alone_) {
-        if (std::isfinite(point->costs[i])) worst = std::max(worst, point->costs[i]);
+    if (stage_ == 0) measure();
+    ++stage_;
+    if (stage_ < objectives_) {
+      for (std::size_t i = 0; i < objectives_; ++i) {
+        tasks.push_back(beside(i, (i + stage_) % objectives_));
       }
-      const double range = worst - least_[i];
-      scale_.push_back(range > 0 ? range : std::max(std::abs(worst), 1.0));
-    }
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      std::vector<double> corner(objectives_, 0.0);
-      corner[i] = 1;
-      tasks.push_back(toward(corner, {alone_[i]->x}));
+    } else if (stage_ == objectives_) {
+      measure();
+      for (std::size_t i = 0; i < objectives_; ++i) {
+        std::vector<double> corner(objectives_, 0.0);
+        corner[i] = 1;
+        tasks.push_back(toward(corner, {alone_[i]->x}));
+      }
     }
     return tasks;
   }
 
   void take(const Task& task, const Outcome& outcome) override {
+    if (stage_ < objectives_) {
+      move_ends(task, outcome);
+      return;
+    }
     for (const FrontPoint& point : outcome.points) insert(point);
     if (task.kind != Task::Kind::Toward) {
       challenged_.insert(task.bounds);
@@ -73,11 +79,7 @@ class DirectionFront final : public PartFront {
   std::optional<Task> task_for(const FrontPoint& scouted, const FrontSoFar& front) const override {
     constexpr double kNoticed = 1e-3;
     if (!improves(scouted, front, kNoticed)) return {};
-    Task task;
-    task.part = part_;
-    task.sought = 0;
-    task.bounds = scouted.costs;
-    task.bounds[0] = kInfinity;
+    Task task = as_good_as(scouted, part_, 0);
     task.starts = {scouted.x};
     return task;
   }
@@ -110,11 +112,7 @@ class DirectionFront final : public PartFront {
       for (std::size_t i = 0; i < objectives_; ++i) {
         reachable = reachable && least_[i] < rival.costs[i];
       }
-      Task task;
-      task.part = part_;
-      task.sought = objectives_ - 1;
-      task.bounds = rival.costs;
-      task.bounds.back() = kInfinity;
+      Task task = as_good_as(rival, part_, objectives_ - 1);
       if (!reachable || challenged_.count(task.bounds) > 0) continue;
       task.starts = {nearest(rival, front).x};
       places.push_back({1, std::move(task), true});
@@ -123,17 +121,59 @@ class DirectionFront final : public PartFront {
   }
 
   const FrontPoint& nearest(const FrontPoint& point, const FrontSoFar& front) const {
-    const auto distance = [&](const FrontPoint& p) {
-      double sum = 0;
-      for (std::size_t i = 0; i < objectives_; ++i) {
-        const double step = (p.costs[i] - point.costs[i]) / front.range[i];
-        sum += step * step;
-      }
-      return sum;
-    };
     return *std::min_element(
-        points_.begin(), points_.end(),
-        [&](const FrontPoint& a, const FrontPoint& b) { return distance(a) < distance(b); });
+        points_.begin(), points_.end(), [&](const FrontPoint& a, const FrontPoint& b) {
+          return square_of_distance(a, point, front) < square_of_distance(b, point, front);
+        });
+  }
+
+  /// By the range of each cost.
+  static double square_of_distance(const FrontPoint& a, const FrontPoint& b,
+                                   const FrontSoFar& front) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.costs.size(); ++i) {
+      const double step = (a.costs[i] - b.costs[i]) / front.range[i];
+      sum += step * step;
+    }
+    return sum;
+  }
+
+  /// How far each cost goes on the front, as far as the ends tell.
+  void measure() {
+    scale_.clear();
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      double worst = least_[i];
+      for (const auto& point : alone_) {
+        if (std::isfinite(point->costs[i])) worst = std::max(worst, point->costs[i]);
+      }
+      const double range = worst - least_[i];
+      scale_.push_back(range > 0 ? range : std::max(std::abs(worst), 1.0));
+    }
+  }
+
+  /// The least of another cost where one is at its own, which is eased so that there is room.
+  Task beside(std::size_t end, std::size_t sought) const {
+    constexpr double kShare = 1e-6;
+    Task task = as_good_as(*alone_[end], part_, sought);
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      task.bounds[i] += kShare * std::max(std::abs(task.bounds[i]), scale_[i]);
+    }
+    task.starts = {alone_[end]->x};
+    return task;
+  }
+
+  /// An end at which another cost falls steeply is left for the point beside it, which is better by
+  /// a part of the range there. A point that gains less is none of its own.
+  void move_ends(const Task& task, const Outcome& outcome) {
+    constexpr double kWorth = 1e-3;
+    if (outcome.points.empty()) return;
+    const FrontPoint& point = outcome.points.front();
+    FrontPoint& end = *alone_[(task.sought + objectives_ - stage_) % objectives_];
+    const double gain = end.costs[task.sought] - point.costs[task.sought];
+    if (!(gain > kWorth * scale_[task.sought])) return;
+    std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
+    end = point;
+    insert(end);
   }
 
   Task toward(const std::vector<double>& direction, std::vector<std::vector<double>> starts) const {
@@ -159,13 +199,7 @@ class DirectionFront final : public PartFront {
 
   double length(const Edge& edge, const FrontSoFar& front) const {
     const auto &a = vertices_[edge.first].point, &b = vertices_[edge.second].point;
-    if (!a || !b) return 0;
-    double sum = 0;
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      const double step = (a->costs[i] - b->costs[i]) / front.range[i];
-      sum += step * step;
-    }
-    return std::sqrt(sum);
+    return a && b ? std::sqrt(square_of_distance(*a, *b, front)) : 0;
   }
 
   /// An edge of the simplex that was the first. Each of those is halved, even where its ends have
@@ -204,12 +238,11 @@ class DirectionFront final : public PartFront {
 
   Task halving(const Edge& edge) const {
     const Vertex &a = vertices_[edge.first], &b = vertices_[edge.second];
-    std::vector<double> middle(objectives_), x(a.point->x);
+    std::vector<double> middle(objectives_);
     for (std::size_t i = 0; i < objectives_; ++i) {
       middle[i] = (a.direction[i] + b.direction[i]) / 2;
     }
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += (b.point->x[i] - x[i]) / 2;
-    Task task = toward(middle, {x, a.point->x});
+    Task task = toward(middle, {halfway(a.point->x, b.point->x), a.point->x});
     parents_[task.direction] = edge;
     return task;
   }
@@ -234,6 +267,7 @@ class DirectionFront final : public PartFront {
     simplices_ = std::move(result);
   }
 
+  std::size_t stage_ = 0;  ///< of setting up; `objectives_`: the corners
   Costs scale_;
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
   std::vector<Vertex> vertices_;

@@ -49,15 +49,22 @@ Costs nadir(std::span<const Costs> front) {
   return best_of_each(front, [](double a, double b) { return a > b; });
 }
 
+Costs ranges(std::span<const Costs> front) {
+  const Costs best = ideal(front), worst = nadir(front);
+  Costs result;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const double range = worst[i] - best[i];
+    const double size = std::abs(worst[i]) > 0 ? std::abs(worst[i]) : 1;
+    result.push_back(range > 0 ? range : size);
+  }
+  return result;
+}
+
 Costs default_reference(std::span<const Costs> front) {
   constexpr double kShare = 0.1;
-  const Costs best = ideal(front);
+  const Costs range = ranges(front);
   Costs reference = nadir(front);
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    const double range = reference[i] - best[i];
-    const double size = std::abs(reference[i]) > 0 ? std::abs(reference[i]) : 1;
-    reference[i] += kShare * (range > 0 ? range : size);
-  }
+  for (std::size_t i = 0; i < reference.size(); ++i) reference[i] += kShare * range[i];
   return reference;
 }
 

@@ -17,8 +17,11 @@ Costs ideal(std::span<const Costs> front);
 /// The greatest of each cost on the front.
 Costs nadir(std::span<const Costs> front);
 
+/// The way from ideal to nadir; of a cost that does not vary its size, or one.
+Costs ranges(std::span<const Costs> front);
+
 /// The reference that hypervolumes are measured from where none is stated: the nadir and a tenth
-/// of the way from the ideal to it (in a cost that does not vary, a tenth of its size, or of one).
+/// of ranges() beyond it.
 Costs default_reference(std::span<const Costs> front);
 
 /// Measure of what the front dominates, bounded by the reference (Zitzler and Thiele 1998; pagmo).

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "optim/problem/combinations.h"
 #include "optim/problem/sizes.h"
 
 namespace camlaw::optim {
@@ -28,20 +29,7 @@ MultiSpace MultiSpace::of(MultiProblem problem) {
   return {{}, [problem = std::move(problem)](const auto&) { return problem; }};
 }
 
-std::size_t MultiSpace::parts() const {
-  std::size_t product = 1;
-  for (const Choice& choice : choices) {
-    if (choice.options.empty()) {
-      throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
-    }
-    product *= choice.options.size();
-    if (product > kMostCombinations) {
-      throw std::invalid_argument(
-          fmt::format("choice '{}': more than {} combinations", choice.name, kMostCombinations));
-    }
-  }
-  return product;
-}
+std::size_t MultiSpace::parts() const { return combinations_of(choices); }
 
 std::vector<std::size_t> MultiSpace::options(std::size_t part) const {
   std::vector<std::size_t> result(choices.size());

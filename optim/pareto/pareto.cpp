@@ -148,13 +148,19 @@ class Study {
 
   /// Combinations whose ideal point something dominates are left alone.
   bool set_up() {
-    const FrontSoFar front = so_far();
-    std::vector<Task> tasks;
-    for (const auto& part : parts_) {
-      if (part->is_empty() || front.covers(part->least())) continue;
-      for (Task& task : part->second_tasks()) tasks.push_back(std::move(task));
+    for (;;) {
+      const FrontSoFar front = so_far();
+      std::vector<Task> tasks;
+      for (const auto& part : parts_) {
+        if (part->is_empty() || front.covers(part->least())) continue;
+        for (Task& task : part->next_tasks()) {
+          task.seed = options_.seed;
+          tasks.push_back(std::move(task));
+        }
+      }
+      if (tasks.empty()) return true;
+      if (!carry_out_and_give(tasks)) return false;
     }
-    return carry_out_and_give(tasks);
   }
 
   bool carry_out_and_give(const std::vector<Task>& tasks) {
@@ -181,10 +187,11 @@ class Study {
   }
 
   /// Tasks of places at least half as large as the largest, as many as a round has: not as many as
-  /// there are workers, so that their number does not show.
+  /// there are workers, so that their number does not show. Of many points that are missing a
+  /// quarter, as each round looks at the whole front.
   std::vector<Task> largest(const FrontSoFar& front) const {
-    constexpr std::size_t kRound = 16;
     const std::size_t missing = options_.points - std::min(options_.points, front.points.size());
+    const std::size_t round = std::min(missing, std::max(kRound, missing / 4));
     std::vector<OpenPlace> places;
     for (const auto& part : parts_) {
       if (part->is_empty()) continue;
@@ -199,7 +206,7 @@ class Study {
                      [](const OpenPlace& a, const OpenPlace& b) { return a.size > b.size; });
     std::vector<Task> tasks;
     for (const OpenPlace& place : places) {
-      const std::size_t most = challenged ? kRound : std::min(kRound, missing);
+      const std::size_t most = challenged ? kRound : round;
       if (tasks.size() == most || (!challenged && place.size < places.front().size / 2)) break;
       tasks.push_back(place.task);
       tasks.back().seed = options_.seed;
@@ -219,21 +226,15 @@ class Study {
 
   /// Designs of the scout, as many as points are wanted, as the starts of searches for better ones.
   bool polish() {
-    constexpr std::size_t kRound = 16;
     const FrontSoFar front = so_far();
     std::vector<FrontPoint> all;
     for (const auto& found : scouted_) all.insert(all.end(), found.begin(), found.end());
     std::vector<Task> tasks;
     for (const FrontPoint& point : evenly(front_of(all).points, options_.points)) {
       if (parts_[point.part]->is_empty() || front.covers(point.costs)) continue;
-      Task task;
-      task.part = point.part;
-      task.sought = objectives() - 1;
-      task.bounds = point.costs;
-      task.bounds.back() = kInfinity;
-      task.starts = {point.x};
-      task.seed = options_.seed;
-      tasks.push_back(std::move(task));
+      tasks.push_back(as_good_as(point, point.part, objectives() - 1));
+      tasks.back().starts = {point.x};
+      tasks.back().seed = options_.seed;
     }
     for (std::size_t i = 0; i < tasks.size(); i += kRound) {
       const auto from = tasks.begin() + static_cast<std::ptrdiff_t>(i);
@@ -247,7 +248,6 @@ class Study {
   /// to is refined as well.
   bool look_again() {
     constexpr int kRounds = 5;
-    constexpr std::size_t kRound = 16;
     if (options_.method == ParetoMethod::Nsga2) return true;
     for (int round = 0; round < kRounds; ++round) {
       const FrontSoFar front = so_far();
@@ -273,12 +273,6 @@ class Study {
       points.insert(points.end(), part->points().begin(), part->points().end());
     }
     return front_of(points);
-  }
-
-  static std::vector<Costs> costs_of(const std::vector<FrontPoint>& points) {
-    std::vector<Costs> result;
-    for (const FrontPoint& point : points) result.push_back(point.costs);
-    return result;
   }
 
   Costs reference(const std::vector<Costs>& all) const {
@@ -333,6 +327,7 @@ class Study {
   }
 
   static constexpr std::size_t kTasksPerPoint = 20;
+  static constexpr std::size_t kRound = 16;  ///< tasks of a round
 
   const MultiSpace& space_;
   const ParetoOptions& options_;
@@ -344,6 +339,12 @@ class Study {
 };
 
 }  // namespace
+
+std::size_t Front::certified() const {
+  return static_cast<std::size_t>(
+      std::count_if(points.begin(), points.end(),
+                    [](const FrontPoint& p) { return p.verdict == Verdict::Certified; }));
+}
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");

@@ -55,6 +55,9 @@ struct Front {
   long evaluations = 0;
   std::vector<FailedTask> failures;
   bool complete = false;  ///< false: it was stopped
+
+  /// How many of the points are certified.
+  std::size_t certified() const;
 };
 
 /// The front of a space. What is done is decided by outcomes alone, in their order: the same

@@ -27,17 +27,6 @@ bool lie_together(const Costs& a, const Costs& b, const Costs& range) {
   return true;
 }
 
-Costs range_of(const std::vector<Costs>& front) {
-  const Costs best = ideal(front), worst = nadir(front);
-  Costs range;
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    const double width = worst[i] - best[i];
-    const double size = std::abs(worst[i]) > 0 ? std::abs(worst[i]) : 1;
-    range.push_back(width > 0 ? width : size);
-  }
-  return range;
-}
-
 }  // namespace
 
 bool FrontSoFar::covers(const Costs& costs) const {
@@ -46,19 +35,15 @@ bool FrontSoFar::covers(const Costs& costs) const {
 }
 
 FrontSoFar front_of(const std::vector<FrontPoint>& points) {
-  std::vector<Costs> all;
-  for (const FrontPoint& p : points) all.push_back(p.costs);
-  const std::vector<bool> kept = non_dominated(all);
+  const std::vector<bool> kept = non_dominated(costs_of(points));
   FrontSoFar front;
-  std::vector<Costs> left;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!kept[i]) continue;
-    front.points.push_back(points[i]);
-    left.push_back(points[i].costs);
+    if (kept[i]) front.points.push_back(points[i]);
   }
-  if (left.empty()) return front;
+  if (front.points.empty()) return front;
+  const std::vector<Costs> left = costs_of(front.points);
   front.ideal = ideal(left);
-  front.range = range_of(left);
+  front.range = ranges(left);
   std::stable_sort(front.points.begin(), front.points.end(),
                    [](const FrontPoint& a, const FrontPoint& b) { return a.costs < b.costs; });
   std::vector<FrontPoint> apart;
@@ -74,6 +59,21 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points) {
   }
   front.points = std::move(apart);
   return front;
+}
+
+Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
+  Task task;
+  task.part = part;
+  task.sought = sought;
+  task.bounds = point.costs;
+  task.bounds[sought] = kInfinity;
+  return task;
+}
+
+std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> result(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) / 2;
+  return result;
 }
 
 std::vector<Task> PartFront::first_tasks(

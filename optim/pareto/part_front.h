@@ -21,6 +21,12 @@ struct FrontSoFar {
 /// together (1e-7 of the range) the one with the better verdict.
 FrontSoFar front_of(const std::vector<FrontPoint>& points);
 
+/// The least of one cost in a part, the others no greater than a point's.
+Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought);
+
+/// Half way from one design to another.
+std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b);
+
 /// A place where the front is not known well, and the task that would tell more.
 struct OpenPlace {
   double size = 0;  ///< by the range of each cost
@@ -47,8 +53,8 @@ class PartFront {
   /// Each cost alone.
   std::vector<Task> first_tasks(const std::vector<std::vector<double>>& starts_of_each) const;
   void take_first(const std::vector<Outcome>& outcomes);
-  /// What sets the sweep up, after the first tasks.
-  virtual std::vector<Task> second_tasks() = 0;
+  /// What sets the sweep up after the first tasks; asked for again until there is nothing left.
+  virtual std::vector<Task> next_tasks() = 0;
 
   virtual void take(const Task& task, const Outcome& outcome) = 0;
   /// Places that are open as far as the whole front tells.

@@ -131,6 +131,48 @@ Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& tas
   return std::move(*best);
 }
 
+FrontPoint point_of(const MultiProblem& multi, const Task& task, const Stated& stated,
+                    const Found& found) {
+  const Assessment& a = found.assessment;
+  FrontPoint point = point_of(multi, task.part, found.x);
+  point.verdict = a.verdict;
+  point.reason = a.reason;
+  point.is_global = a.global.has_value();
+  point.limits = standings(a.limits, multi.constraints.size());
+  point.weights = weights_of(multi, stated, task, a.limits);
+  point.solver = found.solver;
+  return point;
+}
+
+/// Where a cost keeps clear of its limit on the way along a direction, the distance does not tell
+/// how small it could be: it is sought with the others held, eased so that there is room.
+FrontPoint pressed(FrontPoint point, const MultiProblem& multi, const Task& task,
+                   const OptimiseOptions& options, long& evaluations) {
+  constexpr double kSlack = 1e-6;
+  for (std::size_t i = 0; i < point.costs.size(); ++i) {
+    if (point.weights[i] * task.direction[i] > kSlack) continue;
+    Task beside;
+    beside.part = task.part;
+    beside.sought = i;
+    beside.bounds = point.costs;
+    for (std::size_t k = 0; k < point.costs.size(); ++k) {
+      const double way = std::abs(point.costs[k] - task.origin[k]);
+      beside.bounds[k] += kSlack * std::max(std::abs(point.costs[k]), way);
+    }
+    const double room = beside.bounds[i] - point.costs[i];
+    beside.bounds[i] = kInfinity;
+    beside.starts = {point.x};
+    const Stated stated = bounded(multi, beside);
+    const Found found = best_of_starts(stated.problem, multi, beside, options, evaluations);
+    const bool sound = is_certified(found) || (point.verdict != Verdict::Certified &&
+                                               found.assessment.verdict == Verdict::Feasible);
+    if (!sound) continue;
+    FrontPoint better = point_of(multi, beside, stated, found);
+    if (better.costs[i] < point.costs[i] - room) point = std::move(better);
+  }
+  return point;
+}
+
 Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOptions& options) {
   Outcome outcome;
   const Stated stated =
@@ -146,18 +188,21 @@ Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOption
     outcome.failure = a.reason;
     return outcome;
   }
-  FrontPoint point = point_of(multi, task.part, found.x);
-  point.verdict = a.verdict;
-  point.reason = a.reason;
-  point.is_global = a.global.has_value();
-  point.limits = standings(a.limits, multi.constraints.size());
-  point.weights = weights_of(multi, stated, task, a.limits);
-  point.solver = found.solver;
+  FrontPoint point = point_of(multi, task, stated, found);
+  if (task.kind == Task::Kind::Toward) {
+    point = pressed(std::move(point), multi, task, options, outcome.evaluations);
+  }
   outcome.points.push_back(std::move(point));
   return outcome;
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points) {
+  std::vector<std::vector<double>> result;
+  for (const FrontPoint& point : points) result.push_back(point.costs);
+  return result;
+}
 
 FrontPoint looked_at(const MultiProblem& multi, std::size_t part, Design x) {
   const Problem problem = multi.alone(0);

@@ -57,6 +57,9 @@ struct FrontPoint {
   std::string solver;
 };
 
+/// The costs of each.
+std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points);
+
 struct Outcome {
   std::vector<FrontPoint> points;
   bool infeasible = false;  ///< no design meets limits and bounds, or none was found

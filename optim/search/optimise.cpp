@@ -7,25 +7,11 @@
 #include <chrono>
 #include <limits>
 
+#include "optim/problem/combinations.h"
 #include "optim/search/discrete.h"
 
 namespace camlaw::optim {
 namespace {
-
-std::size_t combinations_of(const std::vector<Choice>& choices) {
-  std::size_t product = 1;
-  for (const Choice& choice : choices) {
-    if (choice.options.empty()) {
-      throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
-    }
-    product *= choice.options.size();
-    if (product > kMostCombinations) {
-      throw std::invalid_argument(
-          fmt::format("choice '{}': more than {} combinations", choice.name, kMostCombinations));
-    }
-  }
-  return product;
-}
 
 /// The n-th option of a choice, counted from the one it starts with outwards: 5, 6, 4, 7, 3, ...
 std::size_t nth_option(const Choice& choice, std::size_t n) {

@@ -51,17 +51,4 @@ class FrontStudy {
   optim::ParetoOptions options_;
 };
 
-/// The hypervolume that no law can exceed (theory: "Analytic limits"), from the same reference:
-/// where of two objectives one is a multiple of the law's B and the other of its C, whatever else
-/// may vary. None elsewhere. What is a multiple is found by trying laws.
-struct FrontRuler {
-  std::size_t of_velocity, of_acceleration;  ///< which objective is which
-  double velocity_factor, acceleration_factor;
-
-  /// The least possible of the one for the other: an objective's value.
-  double least_acceleration_value(double velocity_value) const;
-  double hypervolume(const optim::Costs& reference) const;
-};
-std::optional<FrontRuler> front_ruler(const ProblemStatement& statement);
-
 }  // namespace camlaw::problems

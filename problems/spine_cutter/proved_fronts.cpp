@@ -8,6 +8,7 @@
 
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
+#include "problems/fronts/ruler.h"
 
 namespace camlaw::problems {
 namespace {
@@ -77,10 +78,6 @@ double share_of(const FrontStudy& study, const optim::Front& front) {
   return reached / ruler->hypervolume(front.reference);
 }
 
-std::string word_for(const Member& member, bool is_free) {
-  return is_free ? "free law" : member.label();
-}
-
 ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers) {
   std::vector<FrontStudy> studies;
   std::vector<optim::MultiSpace> spaces;
@@ -100,7 +97,7 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
   for (const optim::FrontPoint& point : result.front.points) {
     optim::FrontPoint of_study = point;
     of_study.part = 0;
-    result.laws.push_back(word_for(*studies[point.part].law(of_study), false));
+    result.laws.push_back(studies[point.part].law(of_study)->label());
   }
   result.share_of_limit = share_of(studies.front(), result.front);
   return result;
@@ -110,9 +107,7 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers) {
   const FrontStudy study = study_of(front_text(cutter, kFreeLaw));
   optim::ProcessExecutor executor(study.space(), study.options().solve, workers);
   ProvedFront result{"free law (degree 2, 64 even knots)", study.run(executor), {}, 0};
-  for (const optim::FrontPoint& point : result.front.points) {
-    result.laws.push_back(word_for(*study.law(point), true));
-  }
+  result.laws.assign(result.front.points.size(), "free law");
   result.share_of_limit = share_of(study, result.front);
   return result;
 }

@@ -12,44 +12,15 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/temporary_folder.h"
+
 namespace camlaw::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-/// A folder of its own for one test, gone afterwards.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "camlaw-files-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-  /// Everything below it, folders included.
-  std::set<std::string> content() const {
-    std::set<std::string> result;
-    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-      result.insert(entry.path().lexically_relative(path_).string());
-    }
-    return result;
-  }
-
- private:
-  fs::path path_;
-};
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using testing::Folder, testing::read;
 
 void write(const fs::path& path, const std::string& content) { std::ofstream(path) << content; }
 
@@ -99,7 +70,7 @@ TEST_CASE("a folder is not a file", "[files]") {
   const Folder folder;
   fs::create_directory(folder / "results");
   CHECK_THROWS_WITH(write_files({{folder / "results", "1"}}),
-                    Contains((folder / "results").string()) && Contains("folder"));
+                    Contains((folder / "results")) && Contains("folder"));
   CHECK(folder.content() == Names{"results"});
 }
 

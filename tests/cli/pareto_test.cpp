@@ -98,7 +98,7 @@ TEST_CASE("pareto gives the front with every key", "[program]") {
   double last = 0;
   for (const Json& point : result["points"]) {
     for (const char* key : {"objectives", "variables", "law", "verdict", "reason", "global",
-                            "slopes", "limits", "solver"}) {
+                            "slopes", "limits", "lambda", "solver"}) {
       INFO(key);
       CHECK(point.contains(key));
     }
@@ -207,25 +207,26 @@ TEST_CASE("a study that is asked to end stops with what it has", "[program]") {
   const std::string file = written(folder, "choices.toml", with_choices());
   const Words how{"--points", "40", "--json", "--workers", "2"};
   const std::string expected = done(pareto(file, how));
-  int stopped = 0;
   for (const int signal : {SIGINT, SIGTERM}) {
-    for (const int ms : {40, 90}) {
+    // Ever later, until it comes in the midst of the study: how fast a machine is does not matter.
+    bool stopped = false, finished = false;
+    for (int ms = 10; !stopped && !finished; ms += ms / 2) {
       INFO("signal " << signal << " after " << ms << " ms");
       const std::string db = folder / ("s" + std::to_string(signal) + std::to_string(ms) + ".db");
       Words words = pareto(file, how);
       words.insert(words.end(), {"--db", db});
       const Outcome outcome = of_group(words, ms, signal);
-      if (outcome.status == 4) {
-        ++stopped;
-        const Json part = Json::parse(outcome.out);
-        CHECK(part["complete"] == false);
-        CHECK(part["failures"].empty());
-      }
+      finished = outcome.status == 0;
+      if (outcome.status != 4) continue;
+      const Json part = Json::parse(outcome.out);
+      CHECK(part["complete"] == false);
+      CHECK(part["failures"].empty());
+      stopped = true;
       words.push_back("--resume");
       CHECK(done(words) == expected);
     }
+    CHECK(stopped);
   }
-  CHECK(stopped > 0);
 }
 
 TEST_CASE("a full disk ends a study with one line, and later it goes on", "[program]") {

@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "tests/kinematics/reference_data.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::cli {
 
@@ -25,36 +26,7 @@ using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-inline std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// A folder of its own for one test, gone afterwards.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "camlaw-program-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::set<std::string> content() const {
-    std::set<std::string> result;
-    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-      result.insert(fs::relative(entry.path(), path_).string());
-    }
-    return result;
-  }
-
- private:
-  fs::path path_;
-};
+using testing::Folder, testing::read;
 
 struct Outcome {
   int status = -1;

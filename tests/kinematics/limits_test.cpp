@@ -179,5 +179,23 @@ TEST_CASE("Only rest-to-rest laws have a limit index", "[limits]") {
   CHECK_FALSE(limit_index(peaks(double_harmonic<double>())).has_value());
 }
 
+TEST_CASE("The least jerk is where the least time is one", "[limits]") {
+  for (const double b : {1.05, 1.3, 1.6, 1.99, 2.0, 2.5, 40.0, kInfinity}) {
+    for (const double over : {1.01, 1.3, 1.9, 2.0, 3.0, 1e3, kInfinity}) {
+      const double c = over * least_acceleration(b);
+      INFO("B = " << b << ", C = " << c);
+      const double d = least_jerk(b, c);
+      CHECK(least_time(b, c, d) == Approx(1).epsilon(1e-12));
+      CHECK(least_time(b, c, 0.999 * d) > 1);
+    }
+    CHECK(least_jerk(b, least_acceleration(b)) == kInfinity);
+    CHECK(least_jerk(b, 3.9) == kInfinity);
+  }
+  CHECK(least_jerk(2, 8) == 32);
+  CHECK(least_jerk(kInfinity, kInfinity) == 32);
+  CHECK(least_jerk(1, 100) == kInfinity);
+  CHECK(std::isnan(least_jerk(std::nan(""), 8)));
+}
+
 }  // namespace
 }  // namespace camlaw

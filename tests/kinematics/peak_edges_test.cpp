@@ -104,7 +104,7 @@ TEST_CASE("a law of coefficients that are not finite is refused") {
   CHECK_THROWS_WITH(polynomial_law<Interval>({Interval::whole()}), Catch::Contains("not finite"));
 }
 
-TEST_CASE("Legendre laws of high order have close enclosures") {
+TEST_CASE("Legendre laws of high order have close enclosures", "[heavy]") {
   for (const int terms : {8, 16, 40}) {
     std::string name = "legendre c=";
     for (int i = 0; i < terms; ++i) {

@@ -31,7 +31,7 @@ double coefficient(const PlanarBalancingCam<double>& machine) {
 }  // namespace
 
 TEST_CASE("curves of the balancing cams have exact derivatives and bounds",
-          "[balancing-cam][problem-files]") {
+          "[balancing-cam][problem-files][heavy]") {
   for (const char* name : {"balancing-cam", "balancing-cam-spherical"}) {
     INFO(name);
     const Mechanism& mechanism = find_mechanism(name);
@@ -82,7 +82,8 @@ TEST_CASE("the profile touches the roller and nothing of it lies deeper", "[bala
   }
 }
 
-TEST_CASE("the fewest springs are those of a loop over all", "[balancing-cam][problem-files]") {
+TEST_CASE("the fewest springs are those of a loop over all",
+          "[balancing-cam][problem-files][heavy]") {
   const BoundProblem bound = testing::shipped("balancing_cam/fewest_springs.toml");
   const auto optimum = optim::optimise(bound.space());
   CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);

@@ -252,7 +252,7 @@ TEST_CASE("the recursion's own cam is certified", "[cam-shape]") {
   CHECK(judge(problem, problem.known->x).verdict == optim::Verdict::Certified);
 }
 
-TEST_CASE("every printed cam-shape value is reproduced or explained", "[cam-shape]") {
+TEST_CASE("every printed cam-shape value is reproduced or explained", "[cam-shape][heavy]") {
   const SystemReproduction result = reproduce_cam_shape();
   CHECK(result.system == "cam-shape");
   REQUIRE(result.values.size() == 5);

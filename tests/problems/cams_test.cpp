@@ -11,6 +11,7 @@
 #include "kinematics/program/program.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
+#include "tests/problems/complaint.h"
 
 namespace camlaw::problems {
 namespace {
@@ -33,14 +34,7 @@ double least_over(const F& f, int count = 20000) {
   return least;
 }
 
-std::string complaint(const std::string& text) {
-  try {
-    read_problem(text, "f.toml");
-    return "accepted";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
+using testing::complaint;
 
 /// A cam's file with these segments.
 std::string with_segments(const std::string& segments, const std::string& head = "") {

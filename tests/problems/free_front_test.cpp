@@ -3,6 +3,7 @@
 
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
+#include "problems/fronts/ruler.h"
 
 /// Fronts of the free law against the limit that no law passes.
 namespace camlaw::problems {
@@ -28,7 +29,7 @@ double share_at_same_radii(const Solved& s) {
   REQUIRE(ruler);
   std::vector<optim::Costs> found, limit;
   for (const optim::FrontPoint& point : s.front.points) {
-    const double least = ruler->least_acceleration_value(point.costs[0]);
+    const double least = ruler->least(point.costs[0]);
     CHECK(point.costs[1] >= least * (1 - 1e-9));
     found.push_back(point.costs);
     limit.push_back({point.costs[0], least});
@@ -48,7 +49,7 @@ void check_certified(const optim::Front& front) {
 }  // namespace
 
 TEST_CASE("64 even knots come within a thousandth of the limit's front, each point global",
-          "[fronts][free]") {
+          "[fronts][free][heavy]") {
   const Solved even = solved("free_front.toml", 12);
   check_certified(even.front);
   for (const auto& point : even.front.points) CHECK(point.is_global);
@@ -61,7 +62,7 @@ TEST_CASE("64 even knots come within a thousandth of the limit's front, each poi
   CHECK(*even.front.hypervolume_of_mixtures < *even.front.hypervolume_at_most);
 }
 
-TEST_CASE("few knots that move come within a ten-thousandth", "[fronts][free]") {
+TEST_CASE("few knots that move come within a ten-thousandth", "[fronts][free][heavy]") {
   const Solved moving = solved("moving_front.toml", 8);
   check_certified(moving.front);
   CHECK(share_at_same_radii(moving) > 0.9999);

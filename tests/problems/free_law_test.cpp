@@ -94,7 +94,7 @@ TEST_CASE("Least jerk is 32, at B = 2 and C = 8", "[free]") {
   CHECK(peak.C() == Approx(8).epsilon(1e-6));
 }
 
-TEST_CASE("Least acceleration for given velocity and jerk lies on lambda = 1", "[free]") {
+TEST_CASE("Least acceleration for given velocity and jerk lies on lambda = 1", "[free][heavy]") {
   // 1/B + B/C + C/D = 1 solved for C.
   const double b = 1.6, d = 60;
   const double half = (1 - 1 / b) * d / 2;
@@ -189,6 +189,19 @@ TEST_CASE("A free law is one of several to choose from", "[free]") {
   CHECK(best.objective() < peaks(find_law("modified-trapezoid").law()).C());
 }
 
+namespace {
+
+/// Every derivative agrees with differences, and the shapes hold.
+optim::DerivativeCheck agreeing_derivatives(const optim::Problem& problem) {
+  auto check = optim::check_derivatives(problem, problem.start());
+  INFO(check.worst.response << " " << check.worst.variable << " " << check.worst.second);
+  CHECK(check.agrees);
+  CHECK(check.shapes.empty());
+  return check;
+}
+
+}  // namespace
+
 TEST_CASE("Derivatives by coefficients and knots are those of differences", "[free]") {
   for (const char* table : {"degree = 3\nknots = 5", "degree = 3\nknots = 5\nmoving_knots = true",
                             "degree = 4\nknots = 4\ncontinuity = 2\nsymmetric = true\n"
@@ -201,10 +214,7 @@ TEST_CASE("Derivatives by coefficients and knots are those of differences", "[fr
             "[[constraints]]\nresponse = 'displacement'\nlower = 0\n",
         "f.toml"));
     const optim::Problem problem = bound.problem({}).alone(0);
-    const auto check = optim::check_derivatives(problem, problem.start());
-    INFO(check.worst.response << " " << check.worst.variable << " " << check.worst.second);
-    CHECK(check.agrees);
-    CHECK(check.shapes.empty());
+    const auto check = agreeing_derivatives(problem);
     CHECK(check.entries > 0);
   }
 }
@@ -307,7 +317,7 @@ TEST_CASE("Mean squares are those of quadrature, for every kind of law", "[free]
   CHECK(value_of_response(law_alone("parabolic"), "mean_square_acceleration") == Approx(16));
 }
 
-TEST_CASE("Least dynamic moment is 9/4", "[free]") {
+TEST_CASE("Least dynamic moment is 9/4", "[free][heavy]") {
   // A moment of at most M leaves s' at most sqrt(2 M min(x, 1 - x)), whose integral must be 1.
   const auto root = [](double x) { return std::sqrt(2 * 2.25 * std::min(x, 1 - x)); };
   // x = u^2 / 2 makes the first half smooth.
@@ -385,10 +395,7 @@ TEST_CASE("Numbers of the whole law have exact derivatives and the shapes they s
           "[[constraints]]\nresponse = 'residual_amplitude_2'\nupper = 0.01\n",
       "f.toml"));
   const optim::Problem problem = bound.problem({}).alone(0);
-  const auto check = optim::check_derivatives(problem, problem.start());
-  INFO(check.worst.response << " " << check.worst.variable << " " << check.worst.second);
-  CHECK(check.agrees);
-  CHECK(check.shapes.empty());
+  agreeing_derivatives(problem);
   // The quadratic form, put together piece by piece, lies in the enclosure of the law's own number.
   const double form = problem.objective.response.function().value(problem.start());
   const auto proved = problem.objective.response.function().enclose(problem.start());

@@ -8,83 +8,21 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "kinematics/limits.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/known_fronts.h"
+#include "tests/problems/complaint.h"
+#include "tests/problems/front_files.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::problems {
 namespace {
 
 using Catch::Contains;
-using optim::Costs;
-
-std::string shipped_front() {
-  std::ifstream file(std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-const std::string kCutter =
-    "mechanism = 'spine-cutter'\n"
-    "[law]\nname = 'polynomial-5'\n"
-    "[variables.alpha]\nlower = -10\nupper = 10\nstart = -3\n";
-
-/// The file of mechanism, law and variables with these objectives, each "minimize R".
-std::string front_of(const std::string& head, const std::vector<std::string>& objectives) {
-  std::string text = head;
-  for (const std::string& o : objectives) {
-    const std::size_t space = o.find(' ');
-    text += "[[objectives]]\n" + o.substr(0, space) + " = '" + o.substr(space + 1) + "'\n";
-  }
-  return text;
-}
-
-std::optional<FrontRuler> ruler_of(const std::string& text) {
-  return front_ruler(read_problem(text, "f.toml"));
-}
-
-std::string complaint(const std::string& text) {
-  try {
-    read_problem(text, "f.toml");
-    return "accepted";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
-/// What the ruler says, by a dense list of points of its own curve.
-double by_points(const FrontRuler& ruler, const Costs& reference) {
-  std::vector<std::pair<double, double>> points;
-  const double most = reference[ruler.of_velocity] / ruler.velocity_factor;
-  constexpr int kPoints = 400'000;
-  for (int i = 1; i <= kPoints; ++i) {
-    const double v = (1 + (most - 1) * i / kPoints) * ruler.velocity_factor;
-    const double a = ruler.least_acceleration_value(v);
-    if (a < reference[ruler.of_acceleration]) points.emplace_back(v, a);
-  }
-  return area_dominated(points, reference[ruler.of_velocity], reference[ruler.of_acceleration]);
-}
-
-const std::string kLaw =
-    "mechanism = 'law'\n[law]\nname = 'polynomial-5'\n"
-    "[variables.alpha]\nlower = -10\nupper = 10\nstart = -3\n";
-
-class File {
- public:
-  File() {
-    std::string name = (std::filesystem::temp_directory_path() / "camlaw-front-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = name;
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { std::filesystem::remove_all(folder_); }
-  std::string path() const { return (folder_ / "s.db").string(); }
-
- private:
-  std::filesystem::path folder_;
-};
+using testing::complaint;
+using testing::front_of;
+using testing::kCutter;
+using testing::kLaw;
+using testing::shipped_front;
 
 }  // namespace
 
@@ -198,7 +136,7 @@ TEST_CASE("methods have names", "[fronts]") {
 }
 
 TEST_CASE("a study goes into a record and comes back", "[fronts]") {
-  const File file;
+  const testing::Folder folder;
   FrontStudy study(shipped_front(), "front.toml", {.points = 7, .method = parse_method("sweep")});
   CHECK(study.options().points == 7);
   CHECK(study.options().method == optim::ParetoMethod::Sweep);
@@ -207,7 +145,7 @@ TEST_CASE("a study goes into a record and comes back", "[fronts]") {
   CHECK(settings.at("points") == "7");
   CHECK(settings.at("method") == "sweep");
   CHECK_THAT(settings.at("versions"), Contains("camlaw") && Contains("pagmo"));
-  optim::StudyRecord record = optim::StudyRecord::create(file.path(), settings);
+  optim::StudyRecord record = optim::StudyRecord::create(folder / "s.db", settings);
   const FrontStudy back = FrontStudy::of(record);
   CHECK(back.settings() == settings);
   CHECK_NOTHROW(back.check_same(record));
@@ -234,25 +172,25 @@ TEST_CASE("a study goes into a record and comes back", "[fronts]") {
 TEST_CASE("a record that lacks a setting or has another version says which", "[fronts]") {
   const FrontStudy study(shipped_front(), "front.toml", {});
   for (const std::string name : {"problem", "source", "points", "method"}) {
-    const File file;
+    const testing::Folder folder;
     optim::StudySettings settings = study.settings();
     settings.erase(name);
-    const optim::StudyRecord record = optim::StudyRecord::create(file.path(), settings);
+    const optim::StudyRecord record = optim::StudyRecord::create(folder / "s.db", settings);
     CHECK_THROWS_WITH(FrontStudy::of(record), Contains("'" + name + "'"));
   }
   for (const std::string name : {"versions", "seed", "solver"}) {
-    const File file;
+    const testing::Folder folder;
     optim::StudySettings settings = study.settings();
     settings[name] = "other 9.9";
-    const optim::StudyRecord record = optim::StudyRecord::create(file.path(), settings);
+    const optim::StudyRecord record = optim::StudyRecord::create(folder / "s.db", settings);
     CHECK_THROWS_WITH(study.check_same(record), Contains(name) && Contains("other 9.9"));
   }
   for (const std::string points : {"", "many", "1", "-5", "99999999999999999999", "12x"}) {
     INFO(points);
-    const File file;
+    const testing::Folder folder;
     optim::StudySettings settings = study.settings();
     settings["points"] = points;
-    const optim::StudyRecord record = optim::StudyRecord::create(file.path(), settings);
+    const optim::StudyRecord record = optim::StudyRecord::create(folder / "s.db", settings);
     CHECK_THROWS_AS(FrontStudy::of(record), std::invalid_argument);
   }
 }
@@ -261,99 +199,6 @@ TEST_CASE("a file with one objective has no front, and says what has", "[fronts]
   const std::string text = kCutter + "[objective]\nminimize = 'minimum_cam_radius'\n";
   CHECK_THROWS_WITH(FrontStudy(text, "one.toml", {}),
                     Contains("one.toml") && Contains("camlaw optimize"));
-}
-
-TEST_CASE("the ruler of the spine cutter: radius by B, force by C", "[fronts]") {
-  const std::string R = "minimize minimum_cam_radius", F = "minimize peak_inertia_force";
-  for (const bool swapped : {false, true}) {
-    const auto ruler = ruler_of(swapped ? front_of(kCutter, {F, R}) : front_of(kCutter, {R, F}));
-    REQUIRE(ruler);
-    CHECK(ruler->of_velocity == (swapped ? 1 : 0));
-    CHECK(ruler->of_acceleration == (swapped ? 0 : 1));
-  }
-  const FrontStudy study(shipped_front(), "front.toml", {.points = 12});
-  const auto ruler = front_ruler(study.bound().statement());
-  REQUIRE(ruler);
-  const optim::Front front = optim::pareto(study.space(), study.options());
-  // No law is below, and the areas agree.
-  for (const auto& p : front.points) {
-    CHECK(p.costs[1] >= ruler->least_acceleration_value(p.costs[0]) * (1 - 1e-9));
-    const Member law = *study.law(p);
-    CHECK(p.costs[0] == Approx(ruler->velocity_factor * peaks(law.law()).B()).epsilon(1e-9));
-    CHECK(p.costs[1] == Approx(ruler->acceleration_factor * peaks(law.law()).C()).epsilon(1e-9));
-  }
-  CHECK(front.hypervolume < ruler->hypervolume(front.reference));
-  CHECK(ruler->hypervolume(front.reference) ==
-        Approx(by_points(*ruler, front.reference)).epsilon(1e-4));
-}
-
-TEST_CASE("the ruler of a law alone: B and C themselves", "[fronts]") {
-  const auto ruler = ruler_of(front_of(kLaw, {"minimize B", "minimize C"}));
-  REQUIRE(ruler);
-  CHECK(ruler->velocity_factor == Approx(1).epsilon(1e-12));
-  CHECK(ruler->acceleration_factor == Approx(1).epsilon(1e-12));
-  for (const Costs& reference :
-       std::vector<Costs>{{1.5, 6}, {1.9, 5}, {2, 4.2}, {2.5, 6}, {3, 100}, {1.05, 100}}) {
-    CHECK(ruler->hypervolume(reference) ==
-          Approx(by_points(*ruler, reference)).epsilon(2e-4).margin(1e-4));
-  }
-  // Beyond what any law reaches there is nothing.
-  for (const Costs& reference :
-       std::vector<Costs>{{1, 100}, {0.5, 6}, {3, 4}, {3, 3}, {1.2, 7.1}, {-1, -1}}) {
-    CHECK(ruler->hypervolume(reference) == 0);
-  }
-  // However far the reference: (B - 2) (C - 4) and a little at its edge.
-  for (const double far : {1e6, 1e9, 1e12, 1e16, 1e18}) {
-    INFO(far);
-    CHECK(ruler->hypervolume({3, far}) == Approx(2 * far).epsilon(1e-4));
-    CHECK(ruler->hypervolume({far, 6}) == Approx(2 * far).epsilon(1e-4));
-  }
-}
-
-TEST_CASE("other pairs have no ruler", "[fronts]") {
-  const std::string R = "minimize minimum_cam_radius", F = "minimize peak_inertia_force",
-                    M = "minimize peak_drive_torque";
-  CHECK_FALSE(ruler_of(front_of(kCutter, {R, M})));
-  CHECK_FALSE(ruler_of(front_of(kCutter, {M, F})));
-  CHECK_FALSE(ruler_of(front_of(kCutter, {R, F, M})));
-  CHECK_FALSE(ruler_of(front_of(kCutter, {R, "maximize lowest inertia_force"})));
-  CHECK_FALSE(ruler_of(front_of(kLaw, {"minimize B", "minimize D"})));
-  CHECK_FALSE(ruler_of(front_of(kLaw, {"minimize C", "minimize Cm"})));
-  CHECK_FALSE(ruler_of(front_of(kLaw, {"minimize B", "minimize highest acceleration"})));
-  CHECK_FALSE(ruler_of(kCutter + "[objective]\nminimize = 'minimum_cam_radius'\n"));
-  // The same two by other words.
-  CHECK(ruler_of(
-      front_of(kCutter, {"minimize peak required_cam_radius", "minimize peak inertia_force"})));
-}
-
-TEST_CASE("what moves the objectives beside the law takes the ruler away", "[fronts]") {
-  const std::vector<std::string> both{"minimize minimum_cam_radius", "minimize peak_inertia_force"};
-  const auto with = [&](const std::string& name, const std::string& bounds) {
-    return ruler_of(front_of(kCutter + "[variables." + name + "]\n" + bounds, both));
-  };
-  CHECK_FALSE(with("mass", "lower = '1 kg'\nupper = '3 kg'\n"));
-  CHECK_FALSE(with("stroke", "lower = '30 mm'\nupper = '50 mm'\n"));
-  CHECK_FALSE(with("pressure_angle", "lower = '20 deg'\nupper = '40 deg'\n"));
-  CHECK_FALSE(with("mass", "values = ['1 kg', '3 kg']\n"));
-  // What moves neither leaves it.
-  CHECK(with("blades", "values = [17, 21]\n"));
-}
-
-TEST_CASE("the ruler is of laws from rest to rest", "[fronts]") {
-  const auto of_law = [](const std::string& law) {
-    return ruler_of(front_of("mechanism = 'law'\n[law]\n" + law, {"minimize B", "minimize C"}));
-  };
-  const std::string bounds = "lower = 0\nupper = 1\nstart = 0\n";
-  CHECK(of_law("name = 'boundary-5'\n[variables.a0]\n" + bounds));
-  CHECK_FALSE(of_law("name = 'boundary-5'\nv0 = 0.5\n[variables.a0]\n" + bounds));
-  CHECK_FALSE(of_law("name = 'boundary-5'\n[variables.v0]\n" + bounds));
-  CHECK_FALSE(of_law("name = 'boundary-5'\n[variables.v1]\n" + bounds));
-  CHECK_FALSE(
-      of_law("name = ['polynomial-5', 'constant-velocity']\n[variables.alpha]\n"
-             "lower = -5\nupper = 5\nstart = -3\n"));
-  CHECK(
-      of_law("name = ['polynomial-5', 'cycloidal']\n[variables.alpha]\n"
-             "lower = -5\nupper = 5\nstart = -3\n"));
 }
 
 TEST_CASE("the area that a list of points dominates", "[fronts]") {

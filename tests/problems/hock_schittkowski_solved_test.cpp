@@ -48,7 +48,7 @@ Score score(const std::string& solver) {
 }  // namespace
 
 TEST_CASE("every back end solves the Hock-Schittkowski problems that it accepts",
-          "[hock-schittkowski]") {
+          "[hock-schittkowski][heavy]") {
   // mma and ccsaq take no equations, lbfgs and bobyqa no rows, the global ones want finite boxes.
   // With exact gradients all are solved. Of the others one problem may miss the known optimum: mma
   // may stop short in 12, esch's best point of 71 lies in another valley.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "problems/statement/statement.h"
+#include "tests/problems/complaint.h"
 
 namespace camlaw::problems {
 namespace {
@@ -14,14 +15,7 @@ struct Case {
   std::vector<std::string> fragments;
 };
 
-std::string complaint(const std::string& text) {
-  try {
-    read_problem(text, "f.toml");
-    return "accepted";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
+using testing::complaint;
 
 void check(const std::vector<Case>& cases) {
   for (const Case& c : cases) {

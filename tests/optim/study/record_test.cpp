@@ -13,6 +13,7 @@
 
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::optim {
 
@@ -24,36 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "camlaw-study-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::vector<std::string> content() const {
-    std::vector<std::string> result;
-    for (const auto& entry : fs::directory_iterator(path_)) {
-      result.push_back(entry.path().filename().string());
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
- private:
-  fs::path path_;
-};
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using testing::Folder, testing::read;
 
 void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
@@ -148,7 +120,7 @@ TEST_CASE("a study keeps settings and outcomes to the last bit", "[study]") {
     CHECK(record.size() == outcomes.size());
     CHECK(bits(*record.find(numbered(0), five_variables())) == bits(outcomes[0]));
   }
-  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+  CHECK(folder.content() == std::set<std::string>{"s.db"});
   for (const bool reads : {true, false}) {
     const StudyRecord record = reads ? StudyRecord::read(path) : StudyRecord::open(path);
     CHECK(record.settings() == kSettings);
@@ -163,7 +135,7 @@ TEST_CASE("a study keeps settings and outcomes to the last bit", "[study]") {
     other.seed = 2;
     CHECK_FALSE(record.find(other, five_variables()));
   }
-  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+  CHECK(folder.content() == std::set<std::string>{"s.db"});
 }
 
 TEST_CASE("an outcome that is there already stays", "[study]") {
@@ -191,7 +163,7 @@ TEST_CASE("what is left of a study that was begun is no hindrance", "[study]") {
   const Folder folder;
   write(folder / "s.db.new", "half of it");
   { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
-  CHECK(folder.content() == std::vector<std::string>{"s.db"});
+  CHECK(folder.content() == std::set<std::string>{"s.db"});
   CHECK(StudyRecord::read(folder / "s.db").settings() == kSettings);
 }
 
@@ -228,8 +200,8 @@ TEST_CASE("a study is not made over a file that is there", "[study]") {
     CHECK_THROWS_WITH(StudyRecord::create(path, kSettings),
                       Contains(path) && Contains("exists already"));
   }
-  CHECK(content(folder / "notes.txt") == "mine");
-  CHECK(folder.content() == std::vector<std::string>{"notes.txt"});
+  CHECK(read(folder / "notes.txt") == "mine");
+  CHECK(folder.content() == std::set<std::string>{"notes.txt"});
 }
 
 TEST_CASE("where no file can be made a study cannot be", "[study]") {
@@ -241,7 +213,7 @@ TEST_CASE("where no file can be made a study cannot be", "[study]") {
                       Contains(path) && Contains("cannot be written"));
     CHECK_THROWS_AS(StudyRecord::create(path, kSettings), std::runtime_error);
   }
-  CHECK(folder.content() == std::vector<std::string>{"plain"});
+  CHECK(folder.content() == std::set<std::string>{"plain"});
 }
 
 TEST_CASE("names that SQLite reads as something else are names of files", "[study]") {
@@ -274,9 +246,9 @@ TEST_CASE("what is no study is refused and left as it is", "[study]") {
   const auto names = folder.content();
   for (const std::string name : {"empty.db", "text.db", "short.db", "foreign.db", "wal.db"}) {
     INFO(name);
-    const std::string bytes = content(folder / name);
+    const std::string bytes = read(folder / name);
     CHECK_THAT(complaint(folder / name), Contains("no study of camlaw"));
-    CHECK(content(folder / name) == bytes);
+    CHECK(read(folder / name) == bytes);
   }
   CHECK(folder.content() == names);
 }
@@ -285,39 +257,39 @@ TEST_CASE("a study of another version is refused with both versions", "[study]")
   const Folder folder;
   made_study(folder / "s.db", 4);
   { SQLite::Database(folder / "s.db", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7"); }
-  const std::string bytes = content(folder / "s.db");
+  const std::string bytes = read(folder / "s.db");
   CHECK_THAT(complaint(folder / "s.db"), Contains("version 7") && Contains("version 1"));
-  CHECK(content(folder / "s.db") == bytes);
+  CHECK(read(folder / "s.db") == bytes);
 }
 
 TEST_CASE("a study that was cut off says so", "[study]") {
   const Folder folder;
   made_study(folder / "s.db", 8);
-  const std::string bytes = content(folder / "s.db");
+  const std::string bytes = read(folder / "s.db");
   for (std::size_t size = 0; size < bytes.size(); size += 1000) {
     write(folder / "t.db", bytes.substr(0, size));
     INFO(size << " of " << bytes.size());
     const std::string said = complaint(folder / "t.db");
     CHECK_FALSE(said.empty());
-    CHECK(content(folder / "t.db").size() == size);
+    CHECK(read(folder / "t.db").size() == size);
   }
 }
 
 TEST_CASE("a damaged study is refused, or read as far as it goes", "[study]") {
   const Folder folder;
   const std::string whole = made_study(folder / "s.db", 8);
-  const std::string bytes = content(folder / "s.db");
-  std::size_t refused = 0, read = 0;
+  const std::string bytes = read(folder / "s.db");
+  std::size_t refused = 0, taken = 0;
   const auto check = [&](std::string damaged) {
     write(folder / "t.db", damaged);
     try {
       read_study(folder / "t.db", 8);
-      ++read;
+      ++taken;
     } catch (const std::exception& error) {
       CHECK_FALSE(std::string(error.what()).empty());
       ++refused;
     }
-    CHECK(content(folder / "t.db") == damaged);
+    CHECK(read(folder / "t.db") == damaged);
   };
   for (std::size_t at = 100; at < bytes.size(); at += 197) {
     INFO("byte " << at);
@@ -332,13 +304,13 @@ TEST_CASE("a damaged study is refused, or read as far as it goes", "[study]") {
     check(damaged);
   }
   CHECK(refused > 10);
-  CHECK(read > 10);
+  CHECK(taken > 10);
 }
 
 TEST_CASE("rows that do not belong to the problem are damage", "[study]") {
   const Folder folder;
   const std::string whole = made_study(folder / "s.db", 8);
-  const std::string bytes = content(folder / "s.db");
+  const std::string bytes = read(folder / "s.db");
   for (const std::string change :
        {"DELETE FROM objective WHERE place = 1", "DELETE FROM objective",
         "DELETE FROM variable WHERE place = 0", "DELETE FROM variable",

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/fronts/front_study.h"
+#include "problems/fronts/ruler.h"
+
+namespace camlaw::cli {
+
+/// A front with what it is the front of.
+struct FrontAnswer {
+  const problems::FrontStudy& study;
+  const optim::Front& front;
+  std::optional<problems::FrontRuler> ruler;
+
+  FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
+
+  /// A point's option of each choice and the values of its variables, with units.
+  struct Value {
+    std::string name, unit, text;
+    double number;  ///< NaN for a choice in words
+  };
+  std::vector<Value> values(const optim::FrontPoint& point) const;
+  /// The law of a point in a few words, of a program its segments; empty where the mechanism takes
+  /// none.
+  std::string law(const optim::FrontPoint& point) const;
+  /// Its family's name; of programs, where there are several, "program 2".
+  std::string family(const optim::FrontPoint& point) const;
+  /// By how much objective `of` changes along the front per unit of objective `per`.
+  double slope(const optim::FrontPoint& point, std::size_t of, std::size_t per) const;
+  std::vector<optim::Costs> costs() const;
+  /// A cost as the objective's value.
+  double value(std::size_t objective, double cost) const;
+};
+
+}  // namespace camlaw::cli
