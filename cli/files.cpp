@@ -178,4 +178,14 @@ std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
   return removed;
 }
 
+void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
+  std::fflush(stdout);
+  write_files(files);
+  for (const OutputFile& file : files) std::erase(possible, file.path);
+  const auto removed = remove_files(possible);
+  if (!says) return;
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  for (const auto& path : removed) fmt::print("removed {}, of an earlier run\n", path.string());
+}
+
 }  // namespace camlaw::cli

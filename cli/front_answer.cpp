@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "cli/commands.h"
+
 namespace camlaw::cli {
 
 using optim::FrontPoint;
@@ -50,15 +52,12 @@ std::string FrontAnswer::family(const FrontPoint& point) const {
   return its_law.substr(0, its_law.find(' '));
 }
 
-double FrontAnswer::slope(const FrontPoint& point, std::size_t of, std::size_t per) const {
-  // At an end one of the costs counts nothing: there the front goes on in one direction only.
-  if (point.weights.empty() || !(point.weights[of] > 0) || !(point.weights[per] > 0)) {
-    return std::nan("");
-  }
-  const double sign = (value(of, 1) > 0) == (value(per, 1) > 0) ? 1 : -1;
-  return -sign * point.weights[per] / point.weights[of];
-}
-
 std::vector<optim::Costs> FrontAnswer::costs() const { return optim::costs_of(front.points); }
+
+int status_of(const optim::Front& front) {
+  if (!front.complete) return kNotSolved;
+  if (!front.points.empty()) return kDone;
+  return front.failures.empty() ? kInfeasible : kNotSolved;
+}
 
 }  // namespace camlaw::cli

@@ -25,11 +25,12 @@ struct FrontAnswer {
   std::string law(const optim::FrontPoint& point) const;
   /// Its family's name; of programs, where there are several, "program 2".
   std::string family(const optim::FrontPoint& point) const;
-  /// By how much objective `of` changes along the front per unit of objective `per`.
-  double slope(const optim::FrontPoint& point, std::size_t of, std::size_t per) const;
   std::vector<optim::Costs> costs() const;
   /// A cost as the objective's value.
   double value(std::size_t objective, double cost) const;
 };
+
+/// The exit status that a front gives.
+int status_of(const optim::Front& front);
 
 }  // namespace camlaw::cli

@@ -78,7 +78,7 @@ void run_front(const FrontCommand& options, int& status) {
   const FrontAnswer answer{study, front};
   if (front.points.empty()) {
     fmt::print("{}", options.json ? front_json(answer).dump(2) + "\n" : front_text(answer));
-    status = front.complete ? kInfeasible : kNotSolved;
+    status = status_of(front);
     return;
   }
   std::vector<OutputFile> files;

@@ -39,7 +39,7 @@ std::string front_csv(const FrontAnswer& answer) {
     std::vector<std::string> row;
     for (const double value : point.objectives) row.push_back(exact(value));
     for (std::size_t i = 1; i < front.objectives.size(); ++i) {
-      row.push_back(exact(answer.slope(point, i, 0)));
+      row.push_back(exact(answer.front.slope(point, i, 0)));
     }
     row.emplace_back(to_string(point.verdict));
     row.emplace_back(point.is_global ? "yes" : "no");

@@ -30,7 +30,7 @@ Json point_object(const FrontAnswer& answer, std::size_t k) {
   for (std::size_t i = 1; i < point.objectives.size(); ++i) {
     slopes.push_back({{"of", answer.front.objectives[i].name},
                       {"per", answer.front.objectives[0].name},
-                      {"value", to_json(answer.slope(point, i, 0))}});
+                      {"value", to_json(answer.front.slope(point, i, 0))}});
   }
   const auto law = answer.study.law(point);
   Json limits = Json::array();
@@ -41,7 +41,7 @@ Json point_object(const FrontAnswer& answer, std::size_t k) {
                       {"worst_angle", limit.angle ? to_json(*limit.angle) : Json(nullptr)},
                       {"met", limit.met},
                       {"proved", limit.proved},
-                      {"price", to_json(limit.price)}});
+                      {"price", to_json(answer.front.price(point, limit))}});
   }
   return {{"objectives", std::move(objectives)},
           {"variables", std::move(variables)},
@@ -103,6 +103,7 @@ Json front_json(const FrontAnswer& answer) {
           {"hypervolume", to_json(front.hypervolume)},
           {"hypervolume_at_most",
            front.hypervolume_at_most ? to_json(*front.hypervolume_at_most) : Json(nullptr)},
+          {"hypervolume_at_most_proved", front.hypervolume_at_most && front.each_is_global},
           {"hypervolume_of_mixtures",
            front.hypervolume_of_mixtures ? to_json(*front.hypervolume_of_mixtures) : Json(nullptr)},
           {"limit_hypervolume", limit && !front.reference.empty()
@@ -114,6 +115,7 @@ Json front_json(const FrontAnswer& answer) {
           {"evaluations", front.evaluations},
           {"combinations", front.parts},
           {"empty_combinations", front.empty_parts},
+          {"combinations_without_end", front.without_end},
           {"failures", std::move(failures)},
           {"seed", answer.study.options().seed}};
 }

@@ -67,7 +67,7 @@ std::string table_text(const FrontAnswer& answer) {
     std::vector<std::string> row{fmt::format("{}", k + 1)};
     for (const double value : point.objectives) row.push_back(number(value));
     for (std::size_t i = 1; i < objectives; ++i) {
-      row.push_back(shown(answer.slope(point, i, 0), 4));
+      row.push_back(shown(answer.front.slope(point, i, 0), 4));
     }
     row.push_back(verdict_text(point));
     if (laws) row.push_back(answer.family(point));
@@ -124,13 +124,11 @@ std::string measures_text(const FrontAnswer& answer) {
   }
   if (front.hypervolume_at_most) {
     const double more = 100 * (*front.hypervolume_at_most / front.hypervolume - 1);
-    const bool global = std::all_of(front.points.begin(), front.points.end(),
-                                    [](const FrontPoint& p) { return p.is_global; });
-    text += fmt::format(
-        "  {}, it is at most {}{}\n",
-        global ? "whatever lies between the points" : "if each search found the best there is",
-        number(*front.hypervolume_at_most),
-        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
+    text += fmt::format("  {}, it is at most {}{}\n",
+                        front.each_is_global ? "whatever lies between the points"
+                                             : "if each search found the best there is",
+                        number(*front.hypervolume_at_most),
+                        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
   }
   const auto& limit = answer.ruler;
   if (const double most = limit ? limit->hypervolume(front.reference) : 0; most > 0) {
@@ -149,7 +147,8 @@ std::string measures_text(const FrontAnswer& answer) {
     double sum = 0;
     for (const double l : lengths) sum += l;
     text += fmt::format("largest step between neighbours: {:.2f} times the mean\n",
-                        *std::max_element(lengths.begin(), lengths.end()) * lengths.size() / sum);
+                        *std::max_element(lengths.begin(), lengths.end()) / sum *
+                            static_cast<double>(lengths.size()));
   }
   return text;
 }
@@ -164,6 +163,10 @@ std::string work_text(const FrontAnswer& answer) {
                         front.empty_parts > 0
                             ? fmt::format(", {} of them without a design", front.empty_parts)
                             : "");
+  }
+  if (front.without_end > 0) {
+    text += fmt::format("the front may lack a part: the least of an objective was not found{}\n",
+                        front.parts > 1 ? fmt::format(" in {} of them", front.without_end) : "");
   }
   for (const optim::FailedTask& failed : front.failures) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
@@ -208,9 +211,12 @@ std::string point_text(const FrontAnswer& answer, std::size_t k) {
     for (const optim::Standing& limit : point.limits) {
       table.add({limit.name, fmt::format("{:.4g}", limit.margin), limit.unit,
                  limit.angle ? fmt::format("{:.4g}", *limit.angle) : "",
-                 limit.proved ? "yes" : "no", fmt::format("{:.4g}", limit.price)});
+                 limit.proved ? "yes" : "no", shown(answer.front.price(point, limit), 4)});
     }
-    text += "\n" + table.text();
+    const auto& first = answer.front.objectives.front();
+    text += "\n" + table.text() +
+            fmt::format("price: by how much {} improves{} per unit of the limit's bound\n",
+                        first.name, first.unit == "1" ? "" : fmt::format(", in {},", first.unit));
   }
   constexpr double kTenth = 0.1;
   const auto all = answer.costs();

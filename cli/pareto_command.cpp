@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ParetoCommand {
-  std::string file, method = "auto";
-  std::optional<std::string> points, workers, db, out;
+  std::string file;
+  std::optional<std::string> method, points, workers, db, out;
   bool resume = false, json = false;
 };
 
@@ -34,12 +34,25 @@ int workers_of(const ParetoCommand& options) {
   return count_of_workers();
 }
 
-optim::ParetoMethod method_of(const ParetoCommand& options) {
-  try {
-    return problems::parse_method(options.method);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("--method: {}", error.what()));
+/// As asked for; what is not, as the study that is gone on with has it.
+problems::FrontSettings settings_of(const ParetoCommand& options,
+                                    const std::optional<std::string>& study) {
+  problems::FrontSettings settings;
+  if (options.resume && study && fs::exists(*study)) {
+    settings = problems::FrontStudy::settings_of(optim::StudyRecord::read(*study));
   }
+  if (options.method) {
+    try {
+      settings.method = problems::parse_method(*options.method);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("--method: {}", error.what()));
+    }
+  }
+  if (options.points) {
+    settings.points = static_cast<std::size_t>(
+        problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));
+  }
+  return settings;
 }
 
 /// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
@@ -84,16 +97,12 @@ std::string progress_text(const optim::StudyProgress& progress, double seconds) 
 
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string& json,
                                     const fs::path& out) {
-  std::vector<OutputFile> files{{out / "front.json", json}, {out / "front.csv", front_csv(answer)}};
+  std::vector<OutputFile> files{{out / "front.json", json}};
+  if (answer.front.points.empty()) return files;
+  files.push_back({out / "front.csv", front_csv(answer)});
   const Figure figure = front_figure(answer);
   if (!figure.panels.empty()) files.push_back({out / "front.svg", to_svg(figure)});
   return files;
-}
-
-int status_of(const optim::Front& front) {
-  if (!front.complete) return kNotSolved;
-  if (!front.points.empty()) return kDone;
-  return front.failures.empty() ? kInfeasible : kNotSolved;
 }
 
 optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
@@ -116,17 +125,13 @@ void run_pareto(const ParetoCommand& options, int& status) {
   if (options.out && options.out->empty()) {
     throw std::invalid_argument("--out: a folder's name is wanted");
   }
-  problems::FrontSettings settings;
-  settings.method = method_of(options);
-  if (options.points) {
-    settings.points = static_cast<std::size_t>(
-        problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));
-  }
   workers_of(options);  // refused before anything is written
-  problems::FrontStudy study(problems::problem_text(options.file), options.file, settings);
-  const fs::path out = options.out.value_or("");
-  if (options.out) check_writable({out / "front.json", out / "front.csv", out / "front.svg"});
   const auto path = study_file(options);
+  problems::FrontStudy study(problems::problem_text(options.file), options.file,
+                             settings_of(options, path));
+  const fs::path out = options.out.value_or("");
+  const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
+  if (options.out) check_writable(possible);
   auto record = record_of(path, study, options.resume);
   const optim::Front front = look(study, record, options);
   const FrontAnswer answer{study, front};
@@ -134,12 +139,7 @@ void run_pareto(const ParetoCommand& options, int& status) {
   fmt::print("{}", options.json ? json : front_text(answer));
   status = status_of(front);
   if (path && !options.json) fmt::print("study {}\n", *path);
-  if (!options.out || front.points.empty()) return;
-  std::fflush(stdout);
-  const auto files = front_files(answer, json, out);
-  write_files(files);
-  if (options.json) return;
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
 }
 
 }  // namespace

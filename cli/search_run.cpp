@@ -70,24 +70,6 @@ std::vector<std::filesystem::path> possible_files(const std::filesystem::path& o
   return paths;
 }
 
-/// Those of an earlier run that this one does not write: they must not stay beside its own.
-std::vector<std::filesystem::path> remove_stale(std::vector<std::filesystem::path> possible,
-                                                const std::vector<OutputFile>& written) {
-  for (const OutputFile& file : written) std::erase(possible, file.path);
-  return remove_files(possible);
-}
-
-/// Writes the files of --out, and says so unless only JSON is wanted.
-void write_out(const std::vector<std::filesystem::path>& possible,
-               const std::vector<OutputFile>& files, bool says) {
-  std::fflush(stdout);
-  write_files(files);
-  const auto removed = remove_stale(possible, files);
-  if (!says) return;
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
-  for (const auto& path : removed) fmt::print("removed {}, of an earlier run\n", path.string());
-}
-
 }  // namespace
 
 std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem::path& out) {

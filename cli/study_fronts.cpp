@@ -19,11 +19,6 @@ std::array<const ProvedFront*, 3> all(const SpineCutterFronts& fronts) {
   return {&fronts.families, &fronts.smooth, &fronts.free};
 }
 
-/// By how much the force changes per mm of radius.
-double slope(const optim::FrontPoint& p) {
-  return p.weights.empty() ? std::nan("") : -p.weights[0] / p.weights[1];
-}
-
 /// About eight points of a front, its ends among them.
 std::vector<std::size_t> some_of(const optim::Front& front) {
   constexpr std::size_t kShown = 8;
@@ -39,14 +34,15 @@ std::vector<std::size_t> some_of(const optim::Front& front) {
 std::string front_lines(const ProvedFront& front) {
   if (front.front.points.empty()) return fmt::format("{}: no design was found\n", front.name);
   std::string text = fmt::format(
-      "{}: {} of {} points certified in {} searches; hypervolume {:.2f} % of the limit's\n",
+      "{}: {} of {} points certified in {} searches; hypervolume{} {:.2f} % of the limit's\n",
       front.name, front.front.certified(), front.front.points.size(), front.front.tasks,
+      front.with_mixtures ? " with mixtures of neighbours" : " of the points alone",
       100 * front.share_of_limit);
   TextTable table({{"R, mm"}, {"F, N"}, {"N per mm"}, {"law", TextTable::Align::Left}});
   for (const std::size_t k : some_of(front.front)) {
     const optim::FrontPoint& p = front.front.points[k];
-    table.add(
-        {shown(p.objectives[0], 2), shown(p.objectives[1], 3), shown(slope(p), 3), front.laws[k]});
+    table.add({shown(p.objectives[0], 2), shown(p.objectives[1], 3),
+               shown(front.front.slope(p, 1, 0), 3), front.laws[k]});
   }
   return text + table.text();
 }
@@ -66,7 +62,7 @@ std::string saving_text(const problems::Saving& saving) {
 
 std::string fronts_text(const SpineCutterFronts& fronts) {
   std::string text = "proved fronts: the least force for a cam radius, from B = 1.17 to 2\n";
-  for (const ProvedFront* front : all(fronts)) text += "\n" + front_lines(*front);
+  for (const ProvedFront* front : all(fronts)) text += fmt::format("\n{}", front_lines(*front));
   text += "\nagainst the published choices, the free law:\n";
   for (const problems::Saving& saving : fronts.savings) text += "  " + saving_text(saving);
   return text;
@@ -78,8 +74,9 @@ std::string fronts_csv(const SpineCutterFronts& fronts) {
   for (const ProvedFront* front : all(fronts)) {
     for (std::size_t k = 0; k < front->front.points.size(); ++k) {
       const optim::FrontPoint& p = front->front.points[k];
-      rows.push_back({front->name, exact(p.objectives[0]), exact(p.objectives[1]), exact(slope(p)),
-                      front->laws[k], std::string(to_string(p.verdict))});
+      rows.push_back({front->name, exact(p.objectives[0]), exact(p.objectives[1]),
+                      exact(front->front.slope(p, 1, 0)), front->laws[k],
+                      std::string(to_string(p.verdict))});
     }
   }
   return to_csv(rows);

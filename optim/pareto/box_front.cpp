@@ -102,6 +102,7 @@ class BoxFront final : public PartFront {
   std::vector<Costs> corners() const override {
     std::vector<Costs> result;
     for (const Box& box : boxes()) result.push_back(box.corner);
+    result.insert(result.end(), left_.begin(), left_.end());
     return result;
   }
 
@@ -109,10 +110,9 @@ class BoxFront final : public PartFront {
   static constexpr double kNoticed = 1e-3;  ///< of the range: what a scout must be better by
 
   double slack(std::size_t objective) const {
-    constexpr double kShare = 1e-6;
     const double here = alone_[objective]->costs[objective];
     const double range = std::abs(alone_[1 - objective]->costs[objective] - here);
-    return kShare * std::max(std::abs(here), std::isfinite(range) ? range : 0);
+    return ease(here, std::isfinite(range) ? range : 0);
   }
 
   Task bounded(std::size_t sought, double bound) const {
@@ -149,6 +149,10 @@ class BoxFront final : public PartFront {
     if (task.bounds[end] != at_end[end] + slack(end)) return true;
     const double gain = at_end[task.sought] - point.costs[task.sought];
     if (!(gain > kWorth * (at_end[task.sought] - opposite[task.sought]))) return false;
+    if (!is_as_sound(point, *alone_[end])) return false;
+    Costs corner = at_end;
+    corner[task.sought] = point.costs[task.sought];
+    left_.push_back(std::move(corner));
     std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == at_end; });
     return true;
   }
@@ -194,6 +198,7 @@ class BoxFront final : public PartFront {
 
   bool set_up_ = false;
   std::vector<Fact> facts_;
+  std::vector<Costs> left_;  ///< beside ends that were left: what there may be between them
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ struct Point {
 /// Area between the straight piece from a to b and the reference, left of it and below it.
 double area_above(Point a, Point b, const Costs& reference) {
   if (a.x >= reference[0] || b.y >= reference[1]) return 0;
-  const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0;
+  if (!(b.x > a.x)) return 0;
+  const double slope = (b.y - a.y) / (b.x - a.x);
   if (a.y > reference[1]) a = {a.x + (reference[1] - a.y) / slope, reference[1]};
   if (b.x > reference[0]) b = {reference[0], a.y + slope * (reference[0] - a.x)};
   if (!(b.x > a.x)) return 0;

@@ -39,7 +39,7 @@ class DirectionFront final : public PartFront {
   }
 
   void take(const Task& task, const Outcome& outcome) override {
-    if (stage_ < objectives_) {
+    if (stage_ > 0 && stage_ < objectives_) {
       move_ends(task, outcome);
       return;
     }
@@ -110,7 +110,7 @@ class DirectionFront final : public PartFront {
       if (rival.part == part_ || points_.empty()) continue;
       bool reachable = true;
       for (std::size_t i = 0; i < objectives_; ++i) {
-        reachable = reachable && least_[i] < rival.costs[i];
+        reachable = reachable && std::isfinite(least_[i]) && least_[i] < rival.costs[i];
       }
       Task task = as_good_as(rival, part_, objectives_ - 1);
       if (!reachable || challenged_.count(task.bounds) > 0) continue;
@@ -153,11 +153,8 @@ class DirectionFront final : public PartFront {
 
   /// The least of another cost where one is at its own, which is eased so that there is room.
   Task beside(std::size_t end, std::size_t sought) const {
-    constexpr double kShare = 1e-6;
     Task task = as_good_as(*alone_[end], part_, sought);
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      task.bounds[i] += kShare * std::max(std::abs(task.bounds[i]), scale_[i]);
-    }
+    for (std::size_t i = 0; i < objectives_; ++i) task.bounds[i] += ease(task.bounds[i], scale_[i]);
     task.starts = {alone_[end]->x};
     return task;
   }
@@ -170,7 +167,7 @@ class DirectionFront final : public PartFront {
     const FrontPoint& point = outcome.points.front();
     FrontPoint& end = *alone_[(task.sought + objectives_ - stage_) % objectives_];
     const double gain = end.costs[task.sought] - point.costs[task.sought];
-    if (!(gain > kWorth * scale_[task.sought])) return;
+    if (!(gain > kWorth * scale_[task.sought]) || !is_as_sound(point, end)) return;
     std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
     end = point;
     insert(end);

@@ -95,7 +95,9 @@ std::optional<Knee> knee(std::span<const Costs> front) {
   const auto least = std::min_element(
       u.begin(), u.end(), [](const Costs& a, const Costs& b) { return sum(a) < sum(b); });
   const bool is_end = least->size() == 2 && ((*least)[0] == 0 || (*least)[1] == 0);
-  if (is_end) return {};
+  constexpr double kBend = 1e-6;  // less is a straight line, in which rounding picks a point
+  const bool is_straight = least->size() == 2 && !(sum(*least) < 1 - kBend);
+  if (is_end || is_straight) return {};
   Knee result;
   result.point = static_cast<std::size_t>(least - u.begin());
   const std::size_t objectives = u.front().size();

@@ -12,6 +12,9 @@ namespace {
 
 /// Whether every search of the sweep has one optimum, whatever its bounds.
 bool is_convex(const MultiProblem& multi) {
+  const bool steps = std::any_of(multi.variables.begin(), multi.variables.end(),
+                                 [](const Variable& v) { return v.integer && v.lower < v.upper; });
+  if (steps) return false;
   for (std::size_t sought = 0; sought < multi.objectives.size(); ++sought) {
     Problem problem = multi.alone(sought);
     for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
@@ -71,6 +74,8 @@ class Study {
     outcomes = executor_.run(tasks, [this](const auto&, const auto&) { count_task(); });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       front_.evaluations += outcomes[i].evaluations;
+      const bool is_search = tasks[i].kind != Task::Kind::Scout;
+      front_.each_is_global = front_.each_is_global && (outcomes[i].is_global || !is_search);
       if (outcomes[i].failure.empty()) continue;
       front_.failures.push_back({front_.tasks + i, tasks[i].part, outcomes[i].failure});
     }
@@ -143,6 +148,23 @@ class Study {
       parts_[p]->take_first({first, first + static_cast<std::ptrdiff_t>(objectives())});
       front_.empty_parts += parts_[p]->is_empty();
     }
+    return look_for_ends_again();
+  }
+
+  bool look_for_ends_again() {
+    std::vector<Task> tasks;
+    for (const auto& part : parts_) {
+      for (Task& task : part->repeated_tasks()) {
+        task.seed = options_.seed;
+        tasks.push_back(std::move(task));
+      }
+    }
+    std::vector<Outcome> outcomes;
+    if (!carry_out(tasks, outcomes)) return false;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      parts_[tasks[i].part]->take_repeated(tasks[i], outcomes[i]);
+    }
+    for (const auto& part : parts_) front_.without_end += !part->is_empty() && !part->has_ends();
     return true;
   }
 
@@ -339,6 +361,28 @@ class Study {
 };
 
 }  // namespace
+
+bool Front::counts(const FrontPoint& point, std::size_t objective) const {
+  constexpr double kNothing = 1e-6;
+  if (point.weights.empty()) return false;
+  double sum = 0, its = 0;
+  for (std::size_t i = 0; i < point.weights.size(); ++i) {
+    const double range = nadir[i] > ideal[i] ? nadir[i] - ideal[i] : 1;
+    sum += point.weights[i] * range;
+    if (i == objective) its = point.weights[i] * range;
+  }
+  return its > kNothing * sum;
+}
+
+double Front::slope(const FrontPoint& point, std::size_t of, std::size_t per) const {
+  if (!counts(point, of) || !counts(point, per)) return std::nan("");
+  const bool same = objectives[of].sense == objectives[per].sense;
+  return (same ? -1 : 1) * point.weights[per] / point.weights[of];
+}
+
+double Front::price(const FrontPoint& point, const Standing& limit) const {
+  return counts(point, 0) ? limit.price / point.weights[0] : std::nan("");
+}
 
 std::size_t Front::certified() const {
   return static_cast<std::size_t>(

@@ -51,6 +51,10 @@ struct Front {
   /// Of a problem convex in both of two costs: what mixtures of neighbouring designs dominate too.
   std::optional<double> hypervolume_of_mixtures;
   std::size_t parts = 1, empty_parts = 0;  ///< combinations; those without a design
+  /// Combinations of which the least of some cost was not found: the front may lack a part.
+  std::size_t without_end = 0;
+  /// Every search found the best there is in its combination: then the bound from above is proved.
+  bool each_is_global = true;
   std::size_t tasks = 0;
   long evaluations = 0;
   std::vector<FailedTask> failures;
@@ -58,6 +62,17 @@ struct Front {
 
   /// How many of the points are certified.
   std::size_t certified() const;
+  /// By how much objective `of` changes along the front per unit of objective `per`. NaN where one
+  /// of them counts nothing (1e-6, by their ranges): at an end the front goes on in one direction
+  /// only.
+  double slope(const FrontPoint& point, std::size_t of, std::size_t per) const;
+  /// By how much the first objective improves per unit of a limit's bound, the others held. NaN
+  /// where it counts nothing.
+  double price(const FrontPoint& point, const Standing& limit) const;
+
+ private:
+  /// Of a point's weights by the range of each cost.
+  bool counts(const FrontPoint& point, std::size_t objective) const;
 };
 
 /// The front of a space. What is done is decided by outcomes alone, in their order: the same

@@ -70,6 +70,15 @@ Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
   return task;
 }
 
+double ease(double cost, double range) {
+  constexpr double kShare = 1e-6, kTold = 1e-8;
+  return std::max(kShare * range, kTold * std::abs(cost));
+}
+
+bool is_as_sound(const FrontPoint& point, const FrontPoint& other) {
+  return rank(point) <= rank(other);
+}
+
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + (b[i] - a[i]) / 2;
@@ -92,15 +101,40 @@ std::vector<Task> PartFront::first_tasks(
 void PartFront::take_first(const std::vector<Outcome>& outcomes) {
   least_.assign(objectives_, -kInfinity);
   alone_.resize(objectives_);
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    empty_ = empty_ || outcomes[i].infeasible;
-    if (outcomes[i].points.empty()) continue;
-    const FrontPoint& point = outcomes[i].points.front();
-    alone_[i] = point;
-    least_[i] = point.costs[i];
-    insert(point);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) take_alone(i, outcomes[i]);
+  empty_ = std::none_of(alone_.begin(), alone_.end(), [](const auto& p) { return p.has_value(); });
+}
+
+void PartFront::take_alone(std::size_t objective, const Outcome& outcome) {
+  if (outcome.points.empty()) return;
+  const FrontPoint& point = outcome.points.front();
+  alone_[objective] = point;
+  least_[objective] = point.costs[objective];
+  insert(point);
+}
+
+std::vector<Task> PartFront::repeated_tasks() const {
+  std::vector<Task> tasks;
+  const auto found =
+      std::find_if(alone_.begin(), alone_.end(), [](const auto& p) { return p.has_value(); });
+  if (found == alone_.end()) return tasks;
+  for (std::size_t i = 0; i < objectives_; ++i) {
+    if (alone_[i]) continue;
+    Task task;
+    task.part = part_;
+    task.sought = i;
+    task.starts = {(*found)->x};
+    tasks.push_back(std::move(task));
   }
-  if (points_.empty()) empty_ = true;
+  return tasks;
+}
+
+void PartFront::take_repeated(const Task& task, const Outcome& outcome) {
+  take_alone(task.sought, outcome);
+}
+
+bool PartFront::has_ends() const {
+  return std::all_of(alone_.begin(), alone_.end(), [](const auto& p) { return p.has_value(); });
 }
 
 void PartFront::insert(const FrontPoint& point) {

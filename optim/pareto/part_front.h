@@ -24,6 +24,13 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points);
 /// The least of one cost in a part, the others no greater than a point's.
 Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought);
 
+/// By how much a cost's bound is eased so that a search has room beside an optimum: 1e-6 of its
+/// range, and no less than solvers tell apart.
+double ease(double cost, double range);
+
+/// Whether a point's verdict is as good as another's.
+bool is_as_sound(const FrontPoint& point, const FrontPoint& other);
+
 /// Half way from one design to another.
 std::vector<double> halfway(const std::vector<double>& a, const std::vector<double>& b);
 
@@ -53,6 +60,11 @@ class PartFront {
   /// Each cost alone.
   std::vector<Task> first_tasks(const std::vector<std::vector<double>>& starts_of_each) const;
   void take_first(const std::vector<Outcome>& outcomes);
+  /// Of costs whose search failed the same from another's optimum.
+  std::vector<Task> repeated_tasks() const;
+  void take_repeated(const Task& task, const Outcome& outcome);
+  /// Whether the least of each cost is known.
+  bool has_ends() const;
   /// What sets the sweep up after the first tasks; asked for again until there is nothing left.
   virtual std::vector<Task> next_tasks() = 0;
 
@@ -71,6 +83,7 @@ class PartFront {
   /// Takes a point in, unless one is as good or a cost is no finite number; those that it
   /// dominates go.
   void insert(const FrontPoint& point);
+  void take_alone(std::size_t objective, const Outcome& outcome);
 
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost

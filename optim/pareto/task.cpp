@@ -179,6 +179,7 @@ Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOption
       task.kind == Task::Kind::Toward ? toward(multi, task) : bounded(multi, task);
   const Found found = best_of_starts(stated.problem, multi, task, options, outcome.evaluations);
   const Assessment& a = found.assessment;
+  outcome.is_global = a.global.has_value();
   if (a.verdict == Verdict::Infeasible) {
     outcome.infeasible = true;
     return outcome;

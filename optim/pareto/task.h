@@ -37,7 +37,9 @@ struct Standing {
   double margin = 0;                 ///< to the nearer bound, in the unit
   std::optional<double> angle = {};  ///< of a curve, where it is worst
   bool met = false, proved = false;
-  double price = 0;  ///< by how much the objective sought improves per unit of the bound
+  /// By how much the weighed sum of the costs falls per unit of the bound; with the point's
+  /// weights.
+  double price = 0;
 };
 
 /// A design of a study.
@@ -52,7 +54,7 @@ struct FrontPoint {
   std::vector<double> weights;
   Verdict verdict = Verdict::Feasible;
   std::string reason;
-  bool is_global = false;
+  bool is_global = false;  ///< of its part: no design of it is better in all
   std::vector<Standing> limits;
   std::string solver;
 };
@@ -65,6 +67,9 @@ struct Outcome {
   bool infeasible = false;  ///< no design meets limits and bounds, or none was found
   long evaluations = 0;     ///< of objectives and limits together, in designs looked at
   std::string failure;      ///< why there is no answer: the model threw, the process died
+  bool died = false;        ///< the process did, by itself or by another's hand
+  /// Of a search: what it found, or that there is nothing, holds for every design of the part.
+  bool is_global = false;
 };
 
 /// Carries a task out. `options` hold for each solve; starts and seed are the task's.

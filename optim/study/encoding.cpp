@@ -120,6 +120,7 @@ template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, Outcome>
 void visit(Archive& archive, O& o) {
   archive(o.points), archive(o.infeasible), archive(o.evaluations), archive(o.failure);
+  archive(o.died), archive(o.is_global);
 }
 
 }  // namespace

@@ -2,10 +2,15 @@
 #include "optim/study/record.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -18,13 +23,14 @@ namespace fs = std::filesystem;
 
 /// Marks the file as ours: "caml" as four bytes, and the version of the tables.
 constexpr int kApplication = 0x63616d6c;
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 constexpr const char* kTables = R"(
 CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE task (
   id INTEGER PRIMARY KEY, text TEXT NOT NULL UNIQUE, part INTEGER NOT NULL,
-  infeasible INTEGER NOT NULL, evaluations INTEGER NOT NULL, failure TEXT NOT NULL);
+  infeasible INTEGER NOT NULL, evaluations INTEGER NOT NULL, failure TEXT NOT NULL,
+  died INTEGER NOT NULL, is_global INTEGER NOT NULL);
 CREATE TABLE design (
   id INTEGER PRIMARY KEY, task INTEGER NOT NULL REFERENCES task(id), verdict TEXT NOT NULL,
   reason TEXT NOT NULL, is_global INTEGER NOT NULL, solver TEXT NOT NULL);
@@ -75,6 +81,15 @@ std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
   throw std::invalid_argument(fmt::format("{}: {}", path, why));
 }
 
+constexpr int kError = 1, kCorrupt = 11, kNoBase = 26;  // SQLITE_ERROR, _CORRUPT, _NOTADB
+
+/// What an error in reading means.
+std::string why(const SQLite::Exception& error) {
+  const bool damaged = error.getErrorCode() == kCorrupt || error.getErrorCode() == kNoBase ||
+                       error.getErrorCode() == kError;  // such as a table that is not there
+  return fmt::format("{}: {}", damaged ? "the file is damaged" : "it cannot be read", error.what());
+}
+
 constexpr const char* kForeign = "it is no study of camlaw, and is left as it is";
 
 /// Whether the file begins as a study does. Found out without SQLite, which may make files beside
@@ -92,6 +107,25 @@ bool begins_as_study(const std::string& path) {
   return application == kApplication;
 }
 
+/// Where a study is begun: beside its place. What an earlier beginning has left there goes; what
+/// is someone else's is not touched.
+std::string beginning_of(const std::string& path) {
+  std::string begun = path + ".new";
+  if (!fs::exists(begun)) return begun;
+  const bool is_left =
+      fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
+  if (!is_left) refuse(begun, "it is in the way of the study that is to be made");
+  fs::remove(begun);
+  return begun;
+}
+
+/// Gives a file its name, unless another has come to have it.
+void move_to(const std::string& from, const std::string& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return;
+  if (errno != EINVAL && errno != ENOSYS) throw std::runtime_error(std::strerror(errno));
+  fs::rename(from, to);  // a file system that cannot tell
+}
+
 /// Refuses what is no study, is damaged, or was made by another version.
 void check(SQLite::Database& base, const std::string& path) {
   try {
@@ -105,8 +139,7 @@ void check(SQLite::Database& base, const std::string& path) {
     const std::string found = base.execAndGet("PRAGMA integrity_check(1)").getString();
     if (found != "ok") refuse(path, "the file is damaged: " + found);
   } catch (const SQLite::Exception& error) {
-    const bool foreign = error.getErrorCode() == 26;  // SQLITE_NOTADB
-    refuse(path, foreign ? kForeign : fmt::format("the file is damaged: {}", error.what()));
+    refuse(path, error.getErrorCode() == kNoBase ? kForeign : why(error));
   }
 }
 
@@ -137,11 +170,17 @@ class StudyRecord::File {
     base_.exec(fmt::format("PRAGMA application_id = {}", kApplication));
     base_.exec(fmt::format("PRAGMA user_version = {}", kVersion));
     base_.exec(kTables);
-    put(settings);
+    insert(settings);
     all.commit();
   }
 
   void put(const StudySettings& settings) {
+    SQLite::Transaction all(base_);
+    insert(settings);
+    all.commit();
+  }
+
+  void insert(const StudySettings& settings) {
     for (const auto& [name, value] : settings) {
       SQLite::Statement insert(base_, "INSERT OR REPLACE INTO setting VALUES (?, ?)");
       insert.bind(1, name);
@@ -158,13 +197,16 @@ class StudyRecord::File {
 
   std::optional<Outcome> find(const std::string& text, std::size_t part) {
     SQLite::Statement task(base_,
-                           "SELECT id, infeasible, evaluations, failure FROM task WHERE text = ?");
+                           "SELECT id, infeasible, evaluations, failure, died, is_global FROM task "
+                           "WHERE text = ?");
     task.bind(1, text);
     if (!task.executeStep()) return {};
     Outcome outcome;
     outcome.infeasible = task.getColumn(1).getInt() != 0;
     outcome.evaluations = task.getColumn(2).getInt64();
     outcome.failure = task.getColumn(3).getString();
+    outcome.died = task.getColumn(4).getInt() != 0;
+    outcome.is_global = task.getColumn(5).getInt() != 0;
     SQLite::Statement design(base_,
                              "SELECT id, verdict, reason, is_global, solver FROM design "
                              "WHERE task = ? ORDER BY id");
@@ -184,14 +226,19 @@ class StudyRecord::File {
 
   void add(const Task& task, const Outcome& outcome, const MultiProblem& problem) {
     SQLite::Transaction all(base_);
+    SQLite::Statement before(base_, "DELETE FROM task WHERE text = ? AND died = 1");
+    before.bind(1, task.text());
+    before.exec();
     SQLite::Statement insert(base_,
                              "INSERT OR IGNORE INTO task (text, part, infeasible, evaluations, "
-                             "failure) VALUES (?, ?, ?, ?, ?)");
+                             "failure, died, is_global) VALUES (?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, task.text());
     insert.bind(2, whole(task.part));
     insert.bind(3, outcome.infeasible);
     insert.bind(4, static_cast<std::int64_t>(outcome.evaluations));
     insert.bind(5, outcome.failure);
+    insert.bind(6, outcome.died);
+    insert.bind(7, outcome.is_global);
     if (insert.exec() == 1) {
       const std::int64_t id = base_.getLastInsertRowid();
       for (const FrontPoint& point : outcome.points) add_design(id, point, problem);
@@ -310,16 +357,15 @@ StudyRecord StudyRecord::create(const std::string& path, const StudySettings& se
     refuse(path, "the file exists already; resume the study, or name another file");
   }
   // Made beside its place: whatever ends the program, there is a whole study there or none.
-  const std::string begun = path + ".new";
-  std::error_code ignored;
-  fs::remove(begun, ignored);
+  const std::string begun = beginning_of(path);
   try {
     File(begun, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).make(settings);
-    fs::rename(begun, path);
+    move_to(begun, path);
     auto file = std::make_unique<File>(path, SQLite::OPEN_READWRITE);
     file->prepare();
     return StudyRecord(std::move(file));
   } catch (const std::exception& error) {
+    std::error_code ignored;
     fs::remove(begun, ignored);
     throw std::runtime_error(fmt::format("{}: it cannot be written: {}", path, error.what()));
   }
@@ -349,12 +395,16 @@ StudyRecord StudyRecord::read(const std::string& path) {
 }
 
 StudySettings StudyRecord::settings() const {
-  StudySettings result;
-  SQLite::Statement rows(file_->base(), "SELECT name, value FROM setting");
-  while (rows.executeStep()) {
-    result[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+  try {
+    StudySettings result;
+    SQLite::Statement rows(file_->base(), "SELECT name, value FROM setting");
+    while (rows.executeStep()) {
+      result[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+    }
+    return result;
+  } catch (const SQLite::Exception& error) {
+    refuse(file_->path(), why(error));
   }
-  return result;
 }
 
 void StudyRecord::put(const StudySettings& settings) {
@@ -371,6 +421,8 @@ std::optional<Outcome> StudyRecord::find(const Task& task, const MultiProblem& p
     std::optional<Outcome> outcome = file_->find(task.text(), task.part);
     if (outcome) check_fits(*outcome, problem);
     return outcome;
+  } catch (const SQLite::Exception& error) {
+    refuse(file_->path(), why(error));
   } catch (const std::exception& error) {
     refuse(file_->path(), fmt::format("the file is damaged: {}", error.what()));
   }
@@ -402,6 +454,8 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
             ? known->second
             : problems.emplace(task.part, space_.problem(space_.options(task.part))).first->second;
     outcomes.push_back(record_.find(task, problem));
+    // A process that died may have been killed: it is not the task's outcome for good.
+    if (outcomes.back() && outcomes.back()->died && others_ != nullptr) outcomes.back().reset();
     if (!outcomes.back()) {
       missing.push_back(task);
     } else if (on_outcome) {

@@ -135,6 +135,7 @@ class Crew {
     if (outcome && WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::move(*outcome);
     Outcome failed;
     failed.failure = how_it_died(status);
+    failed.died = true;
     return failed;
   }
 

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <stdexcept>
 
 #include "optim/pareto/scout.h"
+#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::problems {
 namespace {
@@ -32,6 +35,29 @@ std::string versions() {
   all.insert(all.begin(), kProgram);
   all.push_back(optim::pagmo_version());
   return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// The laws that are not the catalogue's, name and pieces: what a problem's text does not hold.
+std::string laws_of_files(const ProblemStatement& statement) {
+  Json laws = Json::object();
+  for (const Member& law : statement.laws) {
+    const auto& all = catalogue();
+    const bool listed = std::any_of(all.begin(), all.end(),
+                                    [&](const Family& family) { return law.family == &family; });
+    if (!listed) laws[law.family->name] = pieces_to_json(law.law());
+  }
+  return laws.dump();
+}
+
+void check_laws(const std::string& its, const std::string& now) {
+  if (its == now) return;
+  const Json before = Json::parse(its), after = Json::parse(now);
+  for (const auto& [name, pieces] : before.items()) {
+    if (after.contains(name) && after[name] == pieces) continue;
+    throw std::invalid_argument(
+        fmt::format("the law '{}' is not the one that the study was made with", name));
+  }
+  throw std::invalid_argument("the laws are not those that the study was made with");
 }
 
 std::size_t points_of(const std::string& text) {
@@ -77,14 +103,20 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
 
 FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
   const optim::StudySettings settings = record.settings();
-  return {find(settings, "problem"),
-          find(settings, "source"),
-          {points_of(find(settings, "points")), parse_method(find(settings, "method"))}};
+  FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(record));
+  check_laws(find(settings, "laws"), study.settings().at("laws"));
+  return study;
+}
+
+FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
+  const optim::StudySettings settings = record.settings();
+  return {points_of(find(settings, "points")), parse_method(find(settings, "method"))};
 }
 
 optim::StudySettings FrontStudy::settings() const {
   return {{"problem", text_},
-          {"source", source_},
+          {"source", std::filesystem::absolute(source_).lexically_normal().string()},
+          {"laws", laws_of_files(bound_.statement())},
           {"points", fmt::format("{}", options_.points)},
           {"method", std::string(to_string(options_.method))},
           {"seed", fmt::format("{}", options_.seed)},
@@ -100,6 +132,7 @@ void FrontStudy::check_same(const optim::StudyRecord& record) const {
   if (find(its, "problem") != text_) {
     refuse("the problem file is not the one that it was made with");
   }
+  check_laws(find(its, "laws"), mine.at("laws"));
   for (const char* name : {"versions", "seed", "solver"}) {
     if (find(its, name) == mine.at(name)) continue;
     refuse(

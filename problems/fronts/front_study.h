@@ -24,8 +24,11 @@ class FrontStudy {
  public:
   /// `text` is that of a problem file with two objectives or more, `source` names it in errors.
   FrontStudy(std::string text, const std::string& source, const FrontSettings& settings);
-  /// As a record has it; to be looked at, or gone on with.
+  /// As a record has it; to be looked at, or gone on with. Throws std::invalid_argument where a law
+  /// file of the problem is not what it was.
   static FrontStudy of(const optim::StudyRecord& record);
+  /// What a record says of how its front is looked for.
+  static FrontSettings settings_of(const optim::StudyRecord& record);
 
   const BoundProblem& bound() const { return bound_; }
   const optim::MultiSpace& space() const { return space_; }

@@ -176,6 +176,40 @@ TEST_CASE("a study goes on with more points, and the record knows", "[program]")
   CHECK(done({"front", db, "--json"}) == more);
 }
 
+TEST_CASE("a study that goes on keeps its points and method unless told otherwise", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "s.db", file = shipped("front.toml");
+  const std::string first =
+      done(pareto(file, {"--points", "5", "--method", "sweep", "--db", db, "--json"}));
+  CHECK(done(pareto(file, {"--db", db, "--resume", "--json"})) == first);
+  CHECK(done({"front", db, "--json"}) == first);
+}
+
+TEST_CASE("a study knows the law files of its problem", "[program]") {
+  const Folder folder;
+  done({"synthesize", std::string(CAMLAW_SOURCE_DIR) + "/problems/free_law/quiet_rise.toml",
+        "--out", folder / "laws"});
+  const std::string law = folder / "laws/law.json";
+  const std::string file = written(folder, "mine.toml",
+                                   "mechanism = 'law'\n[law]\nname = ['laws/law.json', "
+                                   "'polynomial-5']\n[variables.alpha]\nlower = -10\nupper = "
+                                   "10\nstart = -3\n[[objectives]]\nminimize = 'B'\n"
+                                   "[[objectives]]\nminimize = 'C'\n");
+  const std::string db = folder / "s.db";
+  const Words words = pareto(file, {"--points", "5", "--db", db, "--json"});
+  const std::string expected = done(words);
+  CHECK(done({"front", db, "--json"}) == expected);
+  // From anywhere: the study knows where the file was.
+  CHECK(shell("cd / && " + kProgram + " front '" + db + "' --json", folder).out == expected);
+  // Another law by the same name is noticed.
+  const std::string text = read(law);
+  done({"synthesize", std::string(CAMLAW_SOURCE_DIR) + "/problems/free_law/least_acceleration.toml",
+        "--out", folder / "laws"});
+  REQUIRE(read(law) != text);
+  CHECK_THAT(failed({"front", db}, 2), Contains("law 'law' is not the one"));
+  CHECK_THAT(failed(pareto(file, {"--db", db, "--resume"}), 2), Contains("law 'law' is not"));
+}
+
 TEST_CASE("a study that is killed at any moment goes on to the same front", "[program]") {
   const Folder folder;
   const std::string file = written(folder, "choices.toml", with_choices());

@@ -60,6 +60,8 @@ TEST_CASE("64 even knots come within a thousandth of the limit's front, each poi
       front_ruler(even.study.bound().statement())->hypervolume(even.front.reference);
   CHECK(*even.front.hypervolume_of_mixtures > even.front.hypervolume);
   CHECK(*even.front.hypervolume_of_mixtures < *even.front.hypervolume_at_most);
+  CHECK(*even.front.hypervolume_of_mixtures < most);
+  CHECK(*even.front.hypervolume_at_most < 1.005 * most);
 }
 
 TEST_CASE("few knots that move come within a ten-thousandth", "[fronts][free][heavy]") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fronts that are known, and problems that are odd.
 #include <atomic>
+#include <set>
 #include <stdexcept>
 
 #include "optim/pareto/dominance.h"
@@ -100,6 +101,28 @@ bool has_as_good(const Front& front, const Costs& costs, double share) {
     return true;
   });
 }
+
+/// Carries tasks out, but for some that it says have failed.
+class Failing final : public Executor {
+ public:
+  Failing(const MultiSpace& space, std::set<std::size_t> which)
+      : which_(std::move(which)), others_(space, options_) {}
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    std::vector<Outcome> outcomes = others_.run(tasks, on_outcome);
+    for (Outcome& outcome : outcomes) {
+      if (which_.count(count_++) == 0) continue;
+      outcome = {};
+      outcome.failure = "no answer";
+    }
+    return outcomes;
+  }
+
+ private:
+  std::set<std::size_t> which_;
+  std::size_t count_ = 0;
+  OptimiseOptions options_;
+  DirectExecutor others_;
+};
 
 /// Least f1 = x and f2 of x, in [lower, upper].
 template <class F>
@@ -430,6 +453,73 @@ TEST_CASE("a model that always throws: failures and no front", "[front]") {
     REQUIRE_FALSE(front.failures.empty());
     for (const FailedTask& task : front.failures) CHECK_THAT(task.why, Contains("no such cam"));
   }
+}
+
+TEST_CASE("a search that fails costs what it looked for, and no more", "[front]") {
+  for (const MultiProblem& problem : {two_centres(), three_centres()}) {
+    const MultiSpace space = MultiSpace::of(problem);
+    const ParetoOptions options = options_of(12, ParetoMethod::Sweep);
+    const Front whole = pareto(space, options);
+    const std::size_t objectives = problem.objectives.size();
+    for (std::size_t k = 0; k < 12; ++k) {
+      INFO(problem.name << ", search " << k);
+      Failing executor(space, {k});
+      const Front front = pareto(space, options, executor);
+      check_front(problem, front);
+      CHECK(front.complete);
+      CHECK(front.failures.size() == 1);
+      CHECK(front.without_end == 0);  // one more search finds the end that was missed
+      CHECK(front.points.size() >= 12);
+      if (k >= objectives) continue;
+      for (std::size_t i = 0; i < objectives; ++i) {
+        CHECK(front.ideal[i] == Approx(whole.ideal[i]).margin(1e-3));
+      }
+    }
+    // Failing twice leaves a gap, which is told.
+    Failing executor(space, {0, objectives});
+    const Front front = pareto(space, options, executor);
+    check_front(problem, front);
+    CHECK(front.without_end == 1);
+    CHECK(front.failures.size() == 2);
+    CHECK(front.points.size() < 12);
+  }
+}
+
+TEST_CASE("whole variables leave no mixtures", "[front]") {
+  MultiProblem problem{
+      "steps",
+      {whole("n", 0, 100000, 3), variable("y", 0, 1)},
+      {cost("f1", linear({0, 1}, [](const auto& u) { return u[0] + u[1]; })),
+       cost("f2", linear({0, 1}, [](const auto& u) { return -1.0 * u[0] - 2.0 * u[1]; }))},
+      {}};
+  const Front front = pareto(problem, options_of(6, ParetoMethod::Sweep));
+  check_front(problem, front);
+  CHECK_FALSE(front.hypervolume_of_mixtures);
+  problem.variables[0].integer = false;
+  CHECK(pareto(problem, options_of(6, ParetoMethod::Sweep)).hypervolume_of_mixtures);
+}
+
+TEST_CASE("slopes and prices are of costs that count", "[front]") {
+  Front front;
+  front.objectives = {{"f1", "N", Sense::Minimize, Part::Value},
+                      {"f2", "mm", Sense::Minimize, Part::Value}};
+  front.ideal = {0, 0};
+  front.nadir = {1, 1000};
+  FrontPoint point;
+  point.weights = {2, 0.01};
+  CHECK(front.slope(point, 1, 0) == Approx(-200));
+  CHECK(front.slope(point, 0, 1) == Approx(-0.005));
+  CHECK(front.price(point, {"width", "mm", 0, {}, true, true, 8}) == Approx(4));
+  front.objectives[1].sense = Sense::Maximize;
+  CHECK(front.slope(point, 1, 0) == Approx(200));
+  point.weights = {1, 1e-12};
+  CHECK(std::isnan(front.slope(point, 1, 0)));
+  CHECK(std::isnan(front.slope(point, 0, 1)));
+  CHECK(front.price(point, {"width", "mm", 0, {}, true, true, 8}) == Approx(8));
+  point.weights = {1e-12, 1};
+  CHECK(std::isnan(front.price(point, {"width", "mm", 0, {}, true, true, 8})));
+  point.weights = {};
+  CHECK(std::isnan(front.slope(point, 1, 0)));
 }
 
 TEST_CASE("a model that throws somewhere leaves a front elsewhere", "[front]") {

@@ -177,6 +177,43 @@ TEST_CASE("fewer than three points have no knee", "[front measures]") {
   CHECK(knee(Points{{0, 3}, {1, 1}, {2, 0}}));
 }
 
+TEST_CASE("a straight front has no knee", "[front measures]") {
+  for (const int count : {3, 5, 9, 17}) {
+    std::vector<Costs> line;
+    for (int i = 0; i <= count; ++i) line.push_back({0.1 * i, 7.0 - 0.3 * i});
+    CHECK_FALSE(knee(line));
+  }
+}
+
+TEST_CASE("what lies around a convex front, from within and from without", "[front measures]") {
+  // f2 = 1 / f1 between 1/2 and 2: measured from (2, 2) the front dominates 4 - 1 - ln 4.
+  const auto front_of = [](int count, std::vector<std::vector<double>>& weights) {
+    std::vector<Costs> front;
+    weights.clear();
+    for (int i = 0; i <= count; ++i) {
+      const double x = 0.5 * std::pow(4.0, static_cast<double>(i) / count);
+      front.push_back({x, 1 / x});
+      weights.push_back({1 / (x * x), 1});
+    }
+    return front;
+  };
+  std::vector<std::vector<double>> weights;
+  const double whole = 3 - std::log(4.0);
+  for (const int count : {2, 5, 50}) {
+    const auto front = front_of(count, weights);
+    const double within = hypervolume_of_mixtures(front, {2, 2});
+    const double without = hypervolume_within(front, weights, {2, 2});
+    CHECK(within < whole);
+    CHECK(without > whole);
+    CHECK(without - within < 3.0 / (count * count));
+    // An end a little above the reference changes little, with an upright line there too.
+    weights.front() = {1, 0};
+    const double upright = hypervolume_within(front, weights, {2, 2});
+    CHECK(std::isfinite(upright));
+    CHECK(hypervolume_within(front, weights, {2, 2 * (1 - 1e-13)}) == Approx(upright));
+  }
+}
+
 TEST_CASE("an end is no knee", "[front measures]") {
   // Bulging away from the ideal point: no point is deeper than the ends.
   CHECK_FALSE(knee(Points{{0, 10}, {6, 9}, {10, 0}}));

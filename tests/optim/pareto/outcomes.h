@@ -39,8 +39,8 @@ inline std::string bits(const FrontPoint& p) {
 }
 
 inline std::string bits(const Outcome& o) {
-  std::string text =
-      std::to_string(o.evaluations) + (o.infeasible ? " infeasible " : " ") + o.failure;
+  std::string text = std::to_string(o.evaluations) + (o.infeasible ? " infeasible " : " ") +
+                     (o.is_global ? "global " : "") + (o.died ? "died " : "") + o.failure;
   for (const FrontPoint& p : o.points) text += bits(p);
   return text;
 }

@@ -161,10 +161,19 @@ TEST_CASE("settings can be set anew", "[study]") {
 
 TEST_CASE("what is left of a study that was begun is no hindrance", "[study]") {
   const Folder folder;
-  write(folder / "s.db.new", "half of it");
+  write(folder / "s.db.new", "");
   { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
   CHECK(folder.content() == std::set<std::string>{"s.db"});
-  CHECK(StudyRecord::read(folder / "s.db").settings() == kSettings);
+  fs::copy(folder / "s.db", folder / "t.db.new");
+  { const StudyRecord record = StudyRecord::create(folder / "t.db", kSettings); }
+  CHECK(folder.content() == std::set<std::string>{"s.db", "t.db"});
+  CHECK(StudyRecord::read(folder / "t.db").settings() == kSettings);
+  // What is someone else's stays.
+  write(folder / "u.db.new", "mine");
+  CHECK_THROWS_WITH(StudyRecord::create(folder / "u.db", kSettings),
+                    Contains("u.db.new") && Contains("in the way"));
+  CHECK(read(folder / "u.db.new") == "mine");
+  CHECK_FALSE(fs::exists(folder / "u.db"));
 }
 
 TEST_CASE("tasks that differ in the last bit of anything are different", "[study]") {
@@ -258,7 +267,7 @@ TEST_CASE("a study of another version is refused with both versions", "[study]")
   made_study(folder / "s.db", 4);
   { SQLite::Database(folder / "s.db", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7"); }
   const std::string bytes = read(folder / "s.db");
-  CHECK_THAT(complaint(folder / "s.db"), Contains("version 7") && Contains("version 1"));
+  CHECK_THAT(complaint(folder / "s.db"), Contains("version 7") && Contains("version 2"));
   CHECK(read(folder / "s.db") == bytes);
 }
 

@@ -10,8 +10,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "optim/study/record.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::optim {
 
@@ -151,6 +153,38 @@ TEST_CASE("a study goes on where processes die", "[study]") {
     CHECK_THAT(failed.why, Catch::Contains("signal 11"));
   }
   CHECK(front.points.size() >= 4);
+}
+
+TEST_CASE("what a killed process left out is searched for when the study goes on", "[study]") {
+  // The first to look at a design near the end is killed, as by someone else; the next is not.
+  const testing::Folder folder;
+  const std::string mark = folder / "killed";
+  MultiProblem problem = two_centres();
+  problem.objectives[0].response.measure =
+      observed(distance(0, 0), [mark](std::span<const double> u) {
+        if (u[0] < 0.72 || u[0] > 0.77 || std::filesystem::exists(mark)) return;
+        std::ofstream(mark) << "once";
+        fall(SIGKILL);
+      });
+  const MultiSpace space = MultiSpace::of(std::move(problem));
+  ParetoOptions options;
+  options.points = 8;
+  options.method = ParetoMethod::Sweep;
+  ProcessExecutor workers(space, options.solve, 1);
+  const auto run = [&](StudyRecord& record, Executor* others) {
+    RecordedExecutor recorded(space, record, others);
+    return pareto(space, options, recorded);
+  };
+  {
+    StudyRecord record = StudyRecord::create(folder / "s.db", {});
+    CHECK(run(record, &workers).failures.size() == 1);
+    CHECK(run(record, nullptr).failures.size() == 1);  // looked at, not gone on with
+  }
+  StudyRecord record = StudyRecord::open(folder / "s.db");
+  const Front resumed = run(record, &workers);
+  CHECK(resumed.failures.empty());
+  CHECK(bits(resumed) == bits(pareto(space, options, workers)));
+  CHECK(bits(run(record, nullptr)) == bits(resumed));
 }
 
 TEST_CASE("nothing is left open after a run", "[study]") {
