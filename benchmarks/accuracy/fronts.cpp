@@ -42,7 +42,7 @@ void print_known_fronts() {
       "| s |\n|---|---|---|---|---|---|---|---|---|\n");
   for (const problems::KnownFront& known : problems::known_fronts()) {
     const bool three = known.problem.objectives.size() == 3;
-    const std::size_t points = three ? 8000 : known.smooth ? 1000 : 600;
+    const std::size_t points = three ? 9000 : known.smooth ? 1000 : 600;
     if (known.smooth) print_row(known, {"sweep", optim::ParetoMethod::Sweep, points});
     if (!known.smooth) {
       print_row(known, {"auto", optim::ParetoMethod::Automatic, points, 200, 500});

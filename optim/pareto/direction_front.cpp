@@ -175,7 +175,7 @@ class DirectionFront final : public PartFront {
 
   Task toward(const std::vector<double>& direction, std::vector<std::vector<double>> starts) const {
     // No cost may be held at its least alone: there are hardly any designs there.
-    constexpr double kLeast = 1e-3;
+    constexpr double kLeast = 1e-5;
     Task task;
     task.kind = Task::Kind::Toward;
     task.part = part_;

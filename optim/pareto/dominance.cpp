@@ -26,13 +26,23 @@ bool has_nan(const std::vector<double>& point) {
 }  // namespace
 
 std::vector<bool> non_dominated(std::span<const std::vector<double>> points, double tolerance) {
-  std::vector<bool> result(points.size(), true);
+  std::vector<bool> result(points.size(), false);
+  std::vector<std::size_t> order;  // by the first objective: what dominates is not far behind
   for (std::size_t i = 0; i < points.size(); ++i) {
-    result[i] = !has_nan(points[i]);
-    for (std::size_t k = 0; k < points.size() && result[i]; ++k) {
-      if (k != i && !has_nan(points[k]) && dominates(points[k], points[i], tolerance)) {
-        result[i] = false;
-      }
+    if (!has_nan(points[i])) order.push_back(i);
+  }
+  const auto first = [&](std::size_t i) { return points[i].empty() ? 0 : points[i][0]; };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return first(a) < first(b); });
+  for (const std::size_t i : order) {
+    const double here = first(i);
+    const double most = std::isinf(here) ? here : here + tolerance * std::abs(here);
+    result[i] = true;
+    for (const std::size_t k : order) {
+      if (first(k) > most) break;
+      if (k == i || !dominates(points[k], points[i], tolerance)) continue;
+      result[i] = false;
+      break;
     }
   }
   return result;

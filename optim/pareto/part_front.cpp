@@ -30,8 +30,11 @@ bool lie_together(const Costs& a, const Costs& b, const Costs& range) {
 }  // namespace
 
 bool FrontSoFar::covers(const Costs& costs) const {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const FrontPoint& p) { return none_greater(p.costs, costs); });
+  for (const FrontPoint& p : points) {  // by the first cost
+    if (p.costs[0] > costs[0]) return false;
+    if (none_greater(p.costs, costs)) return true;
+  }
+  return false;
 }
 
 FrontSoFar front_of(const std::vector<FrontPoint>& points) {
