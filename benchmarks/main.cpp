@@ -8,11 +8,15 @@
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
 /// --search, --cam-shape, --cams and --fronts print those tables of speed alone, --known-fronts
-/// that table of accuracy. Any other arguments are Google Benchmark's (--benchmark_filter=peaks and
-/// so on).
+/// that table of accuracy; --nist FOLDER that of NIST's regression sets. Any other arguments are
+/// Google Benchmark's (--benchmark_filter=peaks and so on).
 int main(int argc, char* argv[]) {
   namespace measures = camlaw::benchmarks;
   const std::string_view wanted = argc == 2 ? argv[1] : "";
+  if (argc == 3 && std::string_view(argv[1]) == "--nist") {
+    measures::print_nist_table(argv[2]);
+    return 0;
+  }
   const bool all = wanted == "--table";
   if (all) {
     measures::print_law_tables();

@@ -92,6 +92,7 @@ int run(int argc, const char* const* argv) {
   add_pareto_command(app, status);
   add_front_command(app, status);
   add_synthesize_command(app, status);
+  add_fit_command(app);
   try {
     app.parse(argc, argv);
     return finish(status);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 /// How near the answers come to known ones: tables of README.md, printed to standard output.
 namespace camlaw::benchmarks {
 
@@ -10,5 +12,7 @@ void print_hock_schittkowski_table();
 void print_known_fronts();
 /// The cam shape by its number of radii.
 void print_cam_shape_accuracy();
+/// Fits of NIST's nonlinear regression sets, whose files lie in a folder.
+void print_nist_table(const std::string& folder);
 
 }  // namespace camlaw::benchmarks

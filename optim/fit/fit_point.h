@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "optim/fit/residuals.h"
+
+/// One point of a fit and what it is worth to go on from there.
+namespace camlaw::optim {
+
+/// The box that the parameters stay in.
+struct FitBox {
+  Eigen::VectorXd lower, upper;
+};
+
+/// The residuals at p with their Jacobian.
+struct FitPoint {
+  Eigen::VectorXd p, r;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian;
+  double sum() const { return r.squaredNorm(); }
+};
+
+/// Nothing where the residuals are undefined.
+std::optional<FitPoint> fit_point(const Residuals& residuals, Eigen::VectorXd p);
+
+/// The Gauss-Newton step from a point within its box, (R2) to (R4) of docs/optimisation.md.
+struct GaussNewton {
+  /// Parameters that stay: their bounds are equal, or they stand at a bound and would leave.
+  std::vector<bool> held;
+  Eigen::VectorXd step;  ///< the shortest, by scaled columns; zero for those held
+  /// |J step|: what the part of r that the model can still follow is long.
+  double reduction = 0;
+  double rounding = 0;    ///< what rounding of the parameters alone makes of |r|
+  bool full_rank = true;  ///< of the columns that are not held
+};
+
+/// Directions that change r by less than `tolerance` of what the strongest does, by columns of
+/// length one, are left out.
+GaussNewton gauss_newton(const FitPoint& point, const FitBox& box, double tolerance);
+
+/// The share of r that the model can still follow, the cosine of (R4); 0 where r is zero.
+double followed(const FitPoint& point, const GaussNewton& step);
+
+/// Whether that is next to nothing: at most 1e-6, or no more than rounding makes.
+bool is_stationary(const FitPoint& point, const GaussNewton& step);
+
+}  // namespace camlaw::optim

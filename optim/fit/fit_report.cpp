@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "optim/fit/fit_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "optim/fit/identifiability.h"
+
+namespace camlaw::optim {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Collects reasons.
+void add(std::string& reason, const std::string& another) {
+  if (!reason.empty()) reason += "; ";
+  reason += another;
+}
+
+/// The loss at each residual.
+std::vector<LossAt> losses(const FitResult& result, Loss loss) {
+  std::vector<LossAt> all;
+  for (const double r : result.residuals) {
+    all.push_back(result.loss_scale ? loss_at(loss, *result.loss_scale, r)
+                                    : loss_at(Loss::None, 1, r));
+  }
+  return all;
+}
+
+/// (R6): sqrt of K^2 (sum psi^2 / dof) / (mean psi')^2.
+double residual_deviation(const std::vector<LossAt>& at, std::size_t rank) {
+  const auto n = static_cast<double>(at.size()), p = static_cast<double>(rank);
+  double squares = 0, mean = 0, variance = 0;
+  for (const LossAt& a : at) squares += a.pull * a.pull, mean += a.slope / n;
+  for (const LossAt& a : at) variance += (a.slope - mean) * (a.slope - mean) / n;
+  if (at.size() <= rank || !(mean > 0)) return kNan;
+  const double correction = 1 + p / n * variance / (mean * mean);
+  return correction * std::sqrt(squares / (n - p)) / mean;
+}
+
+/// What is known of the residuals as numbers.
+void describe_residuals(const FitPoint& point, FitResult& result) {
+  result.residuals.assign(point.r.data(), point.r.data() + point.r.size());
+  result.sum_of_squares = point.sum();
+  result.rms = std::sqrt(result.sum_of_squares / static_cast<double>(point.r.size()));
+  Index largest = 0;
+  point.r.cwiseAbs().maxCoeff(&largest);
+  result.largest = static_cast<std::size_t>(largest);
+}
+
+/// Whether the point is a minimum of the sum of losses. Returns which parameters are held.
+std::vector<bool> judge(const Residuals& residuals, const FitBox& box, Loss loss, const VectorXd& p,
+                        FitResult& result) {
+  const LossResiduals summed(residuals, result.loss_scale ? loss : Loss::None,
+                             result.loss_scale.value_or(1));
+  const auto point = fit_point(summed, p);
+  assert(point);
+  const GaussNewton step = gauss_newton(*point, box, kRankTolerance);
+  result.followed = followed(*point, step);
+  result.converged = is_stationary(*point, step);
+  if (!result.converged) {
+    add(result.reason, fmt::format("not converged: the model can still follow {:.1e} of the "
+                                   "residuals",
+                                   result.followed));
+  }
+  return step.held;
+}
+
+std::string quoted(const FreeDirection& direction, const FitResult& result) {
+  std::vector<std::string> names;
+  for (const std::size_t j : direction.parameters) {
+    names.push_back(fmt::format("'{}'", result.parameters[j].name));
+  }
+  if (names.size() == 1) return "the residuals do not depend on " + names[0];
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("{} and {} cannot be told apart", fmt::join(names, ", "), last);
+}
+
+/// Directions without effect, in the indexes of all parameters.
+void describe_directions(const Identifiability& known, const std::vector<Index>& free,
+                         FitResult& result) {
+  for (const VectorXd& direction : known.directions) {
+    FreeDirection described;
+    for (Index k = 0; k < direction.size(); ++k) {
+      if (direction[k] == 0) continue;
+      const auto j = static_cast<std::size_t>(free[static_cast<std::size_t>(k)]);
+      described.parameters.push_back(j);
+      described.changes.push_back(direction[k]);
+      result.parameters[j].identifiable = false;
+    }
+    add(result.reason, quoted(described, result));
+    result.free_directions.push_back(std::move(described));
+  }
+}
+
+void fill_covariance(const Identifiability& known, const std::vector<Index>& free,
+                     FitResult& result) {
+  const auto m = static_cast<Index>(result.parameters.size());
+  result.covariance = MatrixXd::Zero(m, m);
+  result.covariance(free, free) = result.sigma * result.sigma * known.inverse;
+  for (Index j = 0; j < m; ++j) {
+    if (result.parameters[static_cast<std::size_t>(j)].identifiable) continue;
+    result.covariance.row(j).setConstant(kNan);
+    result.covariance.col(j).setConstant(kNan);
+    result.covariance(j, j) = kInfinity;
+  }
+}
+
+/// Deviation and interval of each parameter.
+void fill_intervals(const std::vector<FitParameter>& given, const std::vector<bool>& held,
+                    double confidence, FitResult& result) {
+  double quantile = kNan;
+  if (result.degrees_of_freedom > 0) {
+    const boost::math::students_t_distribution<double> student(result.degrees_of_freedom);
+    quantile = boost::math::quantile(student, (1 + confidence) / 2);
+  }
+  for (std::size_t j = 0; j < given.size(); ++j) {
+    FittedParameter& p = result.parameters[j];
+    const FitParameter& bounds = given[j];
+    const auto index = static_cast<Index>(j);
+    const bool fixed = bounds.lower == bounds.upper;
+    p.at_bound = held[j] && !fixed;
+    p.standard_deviation = p.at_bound ? kNan : std::sqrt(result.covariance(index, index));
+    const double half = fixed ? 0 : p.identifiable ? quantile * p.standard_deviation : kInfinity;
+    p.low = std::isnan(half) ? kNan : std::max(bounds.lower, p.value - half);
+    p.high = std::isnan(half) ? kNan : std::min(bounds.upper, p.value + half);
+    if (p.at_bound) {
+      const bool low = p.value <= bounds.lower;
+      add(result.reason, fmt::format("'{}' stands at its {} bound {}", p.name,
+                                     low ? "lower" : "upper", low ? bounds.lower : bounds.upper));
+    }
+  }
+}
+
+/// How many residuals there are for how many parameters.
+void judge_counts(std::size_t residuals, std::size_t parameters, FitResult& result) {
+  if (residuals < parameters) {
+    add(result.reason,
+        fmt::format("fewer residuals ({}) than parameters ({})", residuals, parameters));
+  } else if (result.degrees_of_freedom == 0) {
+    add(result.reason, "as many parameters as residuals: no scatter is left to judge them by");
+  }
+}
+
+}  // namespace
+
+FitResult fit_report(const std::vector<FitParameter>& parameters, const Residuals& residuals,
+                     const FitOptions& options, const FitBox& box, const FitEnd& end) {
+  FitResult result;
+  const auto point = fit_point(residuals, end.p);
+  assert(point);
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    result.parameters.push_back({.name = parameters[j].name,
+                                 .unit = parameters[j].unit,
+                                 .value = end.p[static_cast<Index>(j)]});
+  }
+  describe_residuals(*point, result);
+  result.loss_scale = end.loss_scale;
+  result.reason = end.doubt;
+  const std::vector<bool> held = judge(residuals, box, options.loss, end.p, result);
+  std::vector<Index> free;
+  for (std::size_t j = 0; j < held.size(); ++j) {
+    if (!held[j]) free.push_back(static_cast<Index>(j));
+  }
+  const Identifiability known = identify(point->jacobian(Eigen::all, free));
+  result.rank = known.rank;
+  result.condition = known.condition;
+  result.degrees_of_freedom = static_cast<int>(residuals.count() - known.rank);
+  judge_counts(residuals.count(), free.size(), result);
+  describe_directions(known, free, result);
+  const std::vector<LossAt> at = losses(result, options.loss);
+  for (const LossAt& a : at) result.weights.push_back(a.weight);
+  result.sigma = residual_deviation(at, known.rank);
+  if (std::isnan(result.sigma) && result.degrees_of_freedom > 0) {
+    add(result.reason, "most residuals lie beyond the scale of the loss");
+  }
+  fill_covariance(known, free, result);
+  fill_intervals(parameters, held, options.confidence, result);
+  return result;
+}
+
+}  // namespace camlaw::optim

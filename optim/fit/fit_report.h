@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/fit/fit_point.h"
+#include "optim/fit/least_squares.h"
+
+/// From a minimum to what is known of it.
+namespace camlaw::optim {
+
+/// Where a search ended.
+struct FitEnd {
+  Eigen::VectorXd p;
+  std::optional<double> loss_scale;
+  std::string doubt;  ///< what is wrong with an estimated scale; empty where nothing is
+};
+
+/// Everything of a FitResult but the counts.
+FitResult fit_report(const std::vector<FitParameter>& parameters, const Residuals& residuals,
+                     const FitOptions& options, const FitBox& box, const FitEnd& end);
+
+}  // namespace camlaw::optim

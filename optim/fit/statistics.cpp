@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "optim/fit/statistics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace camlaw::optim {
+
+double aicc(std::size_t n, std::size_t p, double sum_of_squares) {
+  if (n <= p + 2) return std::numeric_limits<double>::infinity();
+  const auto points = static_cast<double>(n), k = static_cast<double>(p + 1);
+  return points * std::log(sum_of_squares / points) + 2 * points * k / (points - k - 1);
+}
+
+double quantile(std::span<const double> values, double q) {
+  if (values.empty()) throw std::invalid_argument("a quantile needs at least one value");
+  if (!(q >= 0 && q <= 1)) {
+    throw std::invalid_argument(fmt::format("the share {} of a quantile is not in [0, 1]", q));
+  }
+  std::vector<double> sorted(values.begin(), values.end());
+  for (const double v : sorted) {
+    if (std::isnan(v)) return v;
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const double place = q * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  if (below + 1 == sorted.size() || sorted[below] == sorted[below + 1]) return sorted[below];
+  return std::lerp(sorted[below], sorted[below + 1], place - static_cast<double>(below));
+}
+
+double median(std::span<const double> values) { return quantile(values, 0.5); }
+
+double median_absolute_deviation(std::span<const double> values, std::optional<double> centre) {
+  constexpr double kThirdQuartile = 0.67448975019608174;  // of the standard normal distribution
+  const double middle = centre ? *centre : median(values);
+  std::vector<double> distances;
+  for (const double v : values) distances.push_back(std::abs(v - middle));
+  return median(distances) / kThirdQuartile;
+}
+
+double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& squared_error) {
+  if (folds < 2 || folds > n) {
+    throw std::invalid_argument(
+        fmt::format("{} folds of {} points: from 2 to as many as points are possible", folds, n));
+  }
+  double sum = 0;
+  for (std::size_t fold = 0; fold < folds; ++fold) {
+    std::vector<std::size_t> kept, left_out;
+    for (std::size_t i = 0; i < n; ++i) (i % folds == fold ? left_out : kept).push_back(i);
+    sum += squared_error(kept, left_out);
+  }
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+}  // namespace camlaw::optim

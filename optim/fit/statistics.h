@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Small statistics around a fit. Numbers are in the unit of the values given.
+namespace camlaw::optim {
+
+/// Akaike's information criterion for small samples, to compare models fitted to the same n values
+/// by least squares; less is better, constants that all models share are left out:
+///   n ln(S / n) + 2 n k / (n - k - 1),  k = p + 1
+/// S is the sum of squares, p the number of fitted parameters (the scatter is one more).
+/// Infinite where n - p - 2 <= 0: too few values to judge the model by. Minus infinite where S is
+/// zero. Source: Hurvich and Tsai 1989, Biometrika 76.
+double aicc(std::size_t n, std::size_t p, double sum_of_squares);
+
+/// The value that share q of the sorted values lies below, linear between neighbours (Hyndman and
+/// Fan 1996, definition 7): q = 0 is the least, q = 1 the greatest. NaN where a value is. Throws
+/// std::invalid_argument without values or for q outside [0, 1].
+double quantile(std::span<const double> values, double q);
+/// quantile(values, 0.5)
+double median(std::span<const double> values);
+
+/// A standard deviation that outliers hardly move: the median of |value - centre| over 0.6745, so
+/// that normal values have their standard deviation. By default the centre is the median.
+double median_absolute_deviation(std::span<const double> values, std::optional<double> centre = {});
+
+/// The sum of squared errors of the points `left_out` under a model fitted to the points `kept`.
+using FoldError = std::function<double(const std::vector<std::size_t>& kept,
+                                       const std::vector<std::size_t>& left_out)>;
+
+/// The root mean square error of prediction by cross-validation: each of the points 0 to n - 1 is
+/// left out once, point i with all others of fold i mod `folds`. So neighbours fall into different
+/// folds and nothing is drawn at random. NaN where a fold's error is. Throws std::invalid_argument
+/// for less than two folds or more folds than points.
+double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& squared_error);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fits/law_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "optim/fit/statistics.h"
+#include "problems/mechanism/law_binding.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Where the parameters of a fit stand: begin, end, stroke, zero for displacements, coefficients.
+struct Layout {
+  bool with_zero;
+  std::size_t zero() const { return 3; }
+  std::size_t first() const { return with_zero ? 4 : 3; }
+};
+
+std::vector<LawVariable> coefficients_of(const Member& law, std::size_t first) {
+  std::vector<LawVariable> result;
+  const auto& parameters = law.family->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].structural || parameters[i].name == kCrossover) continue;
+    for (std::size_t k = 0; k < law.arguments.list(i).size(); ++k) {
+      result.push_back({i, k, first + result.size()});
+    }
+  }
+  return result;
+}
+
+std::string name_of(const Member& law, const LawVariable& v) {
+  const Parameter& p = law.family->parameters[v.parameter];
+  return p.list ? fmt::format("{}[{}]", p.name, v.element + 1) : p.name;
+}
+
+/// (P1) y = zero + h s(u) and its derivatives, u = (x - begin) / (end - begin) within 0 and 1.
+class MotionResiduals final : public optim::Residuals {
+ public:
+  MotionResiduals(const MotionSamples& samples, std::vector<std::size_t> which, const Member& law,
+                  Layout layout)
+      : samples_(samples),
+        which_(std::move(which)),
+        layout_(layout),
+        binding_(law, coefficients_of(law, layout.first())) {}
+
+  std::size_t count() const override { return which_.size(); }
+  const LawBinding& binding() const { return binding_; }
+
+  bool evaluate(std::span<const double> p, std::span<double> r,
+                std::span<double> jacobian) const override {
+    const double begin = p[0], length = p[1] - p[0], stroke = p[2];
+    if (!(length > 0)) return false;
+    const std::vector<double> values = binding_.values_at(p);
+    const auto k = static_cast<std::size_t>(samples_.order);
+    const double unit = std::pow(length, -samples_.order);
+    for (std::size_t i = 0; i < which_.size(); ++i) {
+      const double u = (samples_.place[which_[i]] - begin) / length;
+      const bool moves = u > 0 && u < 1;
+      const double at = std::clamp(u, 0.0, 1.0);
+      const double* row = jacobian.empty() ? nullptr : &jacobian[i * p.size()];
+      const MotionDerivatives m =
+          binding_.motion(at, u < 1 ? Side::Right : Side::Left, values, row == nullptr ? 0 : 1);
+      // At rest beyond the ends: displacement stays, derivatives are none.
+      const double own = k == 0 || moves ? m.value[k] : 0;
+      const double zero = layout_.with_zero ? p[layout_.zero()] : 0;
+      r[i] = zero + stroke * unit * own - samples_.value[which_[i]];
+      if (!std::isfinite(r[i])) return false;
+      if (row != nullptr) {
+        fill(&jacobian[i * p.size()], p, m, moves ? u : -1, unit * stroke, own);
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// `u` below 0 at rest; `size` is what s^(k) is multiplied by.
+  void fill(double* row, std::span<const double> p, const MotionDerivatives& m, double u,
+            double size, double own) const {
+    const auto k = static_cast<std::size_t>(samples_.order);
+    const double length = p[1] - p[0];
+    std::fill_n(row, p.size(), 0.0);
+    row[2] = p[2] != 0 ? size / p[2] * own : 0;
+    if (layout_.with_zero) row[layout_.zero()] = 1;
+    const auto& variables = binding_.variables();
+    const bool moves = u >= 0;
+    for (std::size_t j = 0; j < variables.size(); ++j) {
+      if (moves || k == 0) row[variables[j].variable] = size * m.gradient[j][k];
+    }
+    if (!moves) return;
+    // du/dbegin = (u - 1) / length, du/dend = -u / length; the unit length^-k follows both.
+    const double slope = k + 1 < 4 ? m.value[k + 1] : 0;
+    const double stretch = samples_.order * own / length;
+    row[0] = size * (slope * (u - 1) / length + stretch);
+    row[1] = size * (-slope * u / length - stretch);
+  }
+
+  const MotionSamples& samples_;
+  std::vector<std::size_t> which_;
+  Layout layout_;
+  LawBinding binding_;
+};
+
+void check(const MotionSamples& samples, const MotionGuess& guess) {
+  if (samples.place.size() != samples.value.size()) {
+    throw std::invalid_argument("samples: as many values as places are wanted");
+  }
+  if (samples.place.size() < 2) throw std::invalid_argument("samples: two at least are wanted");
+  for (std::size_t i = 0; i < samples.place.size(); ++i) {
+    if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
+    throw std::invalid_argument(fmt::format("sample {} is no finite number", i + 1));
+  }
+  if (!(guess.end > guess.begin) || guess.to == guess.from) {
+    throw std::invalid_argument("samples: they show no motion");
+  }
+}
+
+std::vector<std::size_t> all_of(const MotionSamples& samples) {
+  std::vector<std::size_t> which(samples.place.size());
+  std::iota(which.begin(), which.end(), std::size_t{0});
+  return which;
+}
+
+std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, const Member& law,
+                                               const MotionGuess& guess, Layout layout) {
+  const double length = guess.end - guess.begin, stroke = guess.to - guess.from;
+  constexpr double kBeyond = 0.3;  // of the length: an end is looked for that far off its guess
+  std::vector<optim::FitParameter> result;
+  const std::string& unit = samples.place_unit;
+  result.push_back({"begin", unit, guess.begin - kBeyond * length, guess.begin + kBeyond * length,
+                    guess.begin, length});
+  result.push_back(
+      {"end", unit, guess.end - kBeyond * length, guess.end + kBeyond * length, guess.end, length});
+  result.push_back(
+      {"stroke", samples.unit, -optim::kInfinity, optim::kInfinity, stroke, std::abs(stroke)});
+  if (layout.with_zero) {
+    result.push_back(
+        {"zero", samples.unit, -optim::kInfinity, optim::kInfinity, guess.from, std::abs(stroke)});
+  }
+  for (const LawVariable& v : coefficients_of(law, layout.first())) {
+    const Parameter& p = law.family->parameters[v.parameter];
+    result.push_back(
+        {name_of(law, v), p.unit, p.low, p.high, law.arguments.list(v.parameter)[v.element]});
+  }
+  return result;
+}
+
+optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::size_t>& which,
+                        const Member& law, const MotionGuess& guess, const LawFitOptions& options) {
+  const Layout layout{samples.order == 0};
+  const MotionResiduals residuals(samples, which, law, layout);
+  optim::FitOptions fit;
+  fit.loss = options.loss;
+  fit.confidence = options.confidence;
+  return optim::fit(parameters_of(samples, law, guess, layout), residuals, fit);
+}
+
+std::vector<double> values_of(const optim::FitResult& fit) {
+  std::vector<double> result;
+  for (const auto& p : fit.parameters) result.push_back(p.value);
+  return result;
+}
+
+}  // namespace
+
+double LawFit::value(double place, int order) const {
+  const double length = end - begin;
+  const double u = (place - begin) / length;
+  const auto k = static_cast<std::size_t>(order);
+  if (k > 0 && !(u >= 0 && u <= 1)) return 0;
+  const auto d =
+      law.law().derivatives<4>(std::clamp(u, 0.0, 1.0), u < 1 ? Side::Right : Side::Left);
+  return (k == 0 ? from : 0) + (to - from) * d[k] * std::pow(length, -order);
+}
+
+LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+               const LawFitOptions& options) {
+  check(samples, guess);
+  const Layout layout{samples.order == 0};
+  LawFit result{law, fitted(samples, all_of(samples), law, guess, options)};
+  const std::vector<double> x = values_of(result.fit);
+  for (const LawVariable& v : coefficients_of(law, layout.first())) {
+    result.law.arguments.values()[v.parameter][v.element] = x[v.variable];
+  }
+  result.begin = x[0];
+  result.end = x[1];
+  result.from = layout.with_zero ? x[layout.zero()] : 0;
+  result.to = result.from + x[2];
+  const auto scale = static_cast<double>(samples.place.size());
+  // Under a loss what it sums, so that a far point does not decide which law is best.
+  double sum = 0;
+  for (std::size_t i = 0; i < result.fit.residuals.size(); ++i) {
+    const double r = result.fit.residuals[i];
+    sum += options.loss == optim::Loss::None
+               ? r * r
+               : optim::loss_at(options.loss, result.fit.loss_scale.value_or(1), r).rho;
+  }
+  result.criterion = optim::aicc(static_cast<std::size_t>(scale), x.size(), sum);
+  return result;
+}
+
+MotionGuess guess_motion(const MotionSamples& samples) {
+  const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
+  MotionGuess guess;
+  guess.begin = *low;
+  guess.end = *high;
+  if (samples.order == 0) {
+    guess.from = samples.value[static_cast<std::size_t>(low - samples.place.begin())];
+    guess.to = samples.value[static_cast<std::size_t>(high - samples.place.begin())];
+    return guess;
+  }
+  // Of a derivative: where it is not zero, the stroke by its greatest value.
+  double greatest = 0;
+  for (const double v : samples.value) {
+    if (std::abs(v) > std::abs(greatest)) greatest = v;
+  }
+  constexpr double kRest = 0.01;
+  double begin = guess.end, end = guess.begin;
+  for (std::size_t i = 0; i < samples.place.size(); ++i) {
+    if (!(std::abs(samples.value[i]) > kRest * std::abs(greatest))) continue;
+    begin = std::min(begin, samples.place[i]);
+    end = std::max(end, samples.place[i]);
+  }
+  if (end > begin) guess = {begin, end, 0, 1};
+  constexpr double kTypicalB = 1.8, kTypicalC = 5.5;
+  const double length = guess.end - guess.begin;
+  guess.from = 0;
+  guess.to =
+      samples.order == 1 ? greatest * length / kTypicalB : greatest * length * length / kTypicalC;
+  return guess;
+}
+
+std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
+                              const MotionGuess& guess, const LawFitOptions& options) {
+  check(samples, guess);
+  std::vector<LawFit> result;
+  for (const Member& law : laws) {
+    try {
+      result.push_back(fit_law(samples, law, guess, options));
+    } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const LawFit& a, const LawFit& b) { return a.criterion < b.criterion; });
+  return result;
+}
+
+double cross_validated(const MotionSamples& samples, const LawFit& fit,
+                       const LawFitOptions& options) {
+  constexpr std::size_t kFolds = 10;
+  const Layout layout{samples.order == 0};
+  const std::size_t n = samples.place.size();
+  return optim::cross_validated_error(
+      n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
+        const MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
+        const auto part = fitted(samples, kept, fit.law, guess, options);
+        const MotionResiduals others(samples, left_out, fit.law, layout);
+        std::vector<double> r(left_out.size());
+        if (!others.evaluate(values_of(part), r, {})) return std::nan("");
+        return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
+      });
+}
+
+double neighbour_correlation(const MotionSamples& samples, const LawFit& fit) {
+  std::vector<std::size_t> order = all_of(samples);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return samples.place[a] < samples.place[b]; });
+  double products = 0, squares = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double r = fit.fit.residuals[order[i]];
+    squares += r * r;
+    if (i > 0) products += r * fit.fit.residuals[order[i - 1]];
+  }
+  return squares > 0 ? products / squares : 0;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// Measured tables as people have them.
+namespace camlaw::problems {
+
+struct SampleColumn {
+  std::string name, unit;  ///< as the header has them; unit "" where none is stated
+  std::vector<double> values;
+};
+
+struct SampleTable {
+  std::string source;
+  std::vector<SampleColumn> columns;
+  std::size_t left_out = 0;  ///< rows with an empty cell or a NaN
+
+  std::size_t rows() const { return columns.front().values.size(); }
+  /// The column of that name; throws std::invalid_argument with the ones that there are.
+  const SampleColumn& column(const std::string& name) const;
+};
+
+/// Reads a table with a line of names, each with its unit in brackets or parentheses:
+/// "angle [deg], lift [mm]". Cells are separated by commas, semicolons or tabs, whichever the
+/// header has; beside semicolons and tabs numbers may have a decimal comma. Empty lines and those
+/// that begin with # are passed over; rows that lack a number are left out and counted. Throws
+/// std::invalid_argument naming file, line and cell: no header, too few columns or rows, a row of
+/// another length, text that is no number, infinite numbers.
+SampleTable read_samples(const std::string& path);
+/// The same of a text; `source` names it in errors.
+SampleTable parse_samples(const std::string& text, const std::string& source);
+
+}  // namespace camlaw::problems

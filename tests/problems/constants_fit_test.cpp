@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// From printed constants back to the law: what is printed is an interval.
+#include "problems/fits/constants_fit.h"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "kinematics/peaks.h"
+#include "problems/fits/simplest.h"
+#include "tests/kinematics/reference_data.h"
+#include "tests/problems/complaint.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Catch::Contains;
+
+ProblemStatement law_alone() {
+  ProblemStatement machine;
+  machine.mechanism = &find_mechanism("law");
+  for (const auto& p : machine.mechanism->parameters) machine.constants.push_back(p.standard);
+  return machine;
+}
+
+ProblemStatement cutter() {
+  return read_problem(
+      "mechanism = 'spine-cutter'\n[law]\nname = 'cubic'\n[constants]\ndepth = '1 mm'\n",
+      "cutter.toml");
+}
+
+ConstantsQuestion question_of(ProblemStatement machine, const std::string& constants) {
+  ConstantsQuestion question{std::move(machine), {}};
+  question.constants = parse_constants(constants, *question.machine.mechanism);
+  return question;
+}
+
+ConstantsFit first_of(ProblemStatement machine, const std::string& constants) {
+  const auto fits = rank_laws(question_of(std::move(machine), constants), laws_to_try());
+  REQUIRE_FALSE(fits.empty());
+  return fits.front();
+}
+
+std::vector<std::string> disagreeing(const ConstantsFit& fit) {
+  std::vector<std::string> result;
+  for (const auto& c : fit.constants) {
+    if (!c.agrees) result.push_back(c.printed.name);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a printed number is an interval by its digits", "[constants]") {
+  const Mechanism& law = find_mechanism("law");
+  const Mechanism& machine = find_mechanism("spine-cutter");
+  struct Case {
+    std::string text;
+    double low, high;
+    int digits;
+  };
+  for (const Case& c : std::vector<Case>{{"B=1.6125", 1.61245, 1.61255, 5},
+                                         {"C = 4.66", 4.655, 4.665, 3},
+                                         {"C=4.660", 4.6595, 4.6605, 4},
+                                         {"C=5", 4.5, 5.5, 1},
+                                         {"C=1.5e1", 14.5, 15.5, 2},
+                                         {"C=0.05", 0.045, 0.055, 1},
+                                         {"C=4.66 +- 0.1", 4.56, 4.76, 3}}) {
+    INFO(c.text);
+    const auto constants = parse_constants(c.text, law);
+    REQUIRE(constants.size() == 1);
+    CHECK(constants[0].low == Approx(c.low).epsilon(1e-14));
+    CHECK(constants[0].high == Approx(c.high).epsilon(1e-14));
+    CHECK(constants[0].digits == c.digits);
+  }
+  // In the unit that it is printed in, and by a word that only one name has.
+  const auto mm = parse_constants("minimum_cam_radius = 35.56 mm", machine);
+  const auto cm = parse_constants("minimum_cam_radius=3.556 cm, peak_inertia_force=3.54N", machine);
+  CHECK(mm[0].low == Approx(35.555));
+  CHECK(cm[0].low == Approx(35.555));
+  CHECK(cm[1].high == Approx(3.545));
+  CHECK(std::isinf(parse_constants("D=inf", law)[0].value));
+}
+
+TEST_CASE("constants that are none are refused by name", "[constants]") {
+  const Mechanism& machine = find_mechanism("spine-cutter");
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      parse_constants(text, machine);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(complaint(""), Contains("name=value"));
+  CHECK_THAT(complaint("B"), Contains("'B'") && Contains("name=value"));
+  CHECK_THAT(complaint("B=much"), Contains("'B'") && Contains("much"));
+  CHECK_THAT(complaint("minimum_cam_radius=3 N"), Contains("minimum_cam_radius"));
+  CHECK_THAT(complaint("minimum_cam_radiu=3"), Contains("minimum_cam_radius"));
+  CHECK_THAT(complaint("B=2,B=2"), Contains("'B'") && Contains("twice"));
+  CHECK_THAT(complaint("stroke=40 mm"), Contains("size of the machine"));
+  CHECK_THAT(complaint("inertia_force=3"), Contains("peak inertia_force"));
+  CHECK_THAT(complaint("B=1.6 +- -1"), Contains("above zero"));
+}
+
+TEST_CASE("the simplest number between two", "[constants]") {
+  struct Case {
+    double low, high, value;
+    int digits;
+  };
+  for (const Case& c : std::vector<Case>{{-3.0003, -2.9991, -3, 1},
+                                         {47.6, 48.3, 48, 2},
+                                         {0.16661, 0.16673, 1.0 / 6, 2},
+                                         {0.1249, 0.1252, 0.125, 2},
+                                         {-1, 1, 0, 1},
+                                         {1234.1, 1234.9, 1234.5, 5},
+                                         {5e-7, 6e-7, 5.5e-7, 2},
+                                         {99.5, 100.7, 100, 1}}) {
+    INFO(c.low << " to " << c.high);
+    const SimpleNumber found = simplest_between(c.low, c.high);
+    CHECK(found.value == Approx(c.value).epsilon(1e-12));
+    CHECK(found.digits == c.digits);
+    CHECK(found.value >= c.low);
+    CHECK(found.value <= c.high);
+  }
+  CHECK(simplest_between(0.1, 0.1).value == 0.1);
+}
+
+TEST_CASE("the laws behind the spine cutter's table, from radius and force", "[constants]") {
+  struct Row {
+    std::string law, radius, force;
+  };
+  for (const Row& row : std::vector<Row>{{"polynomial-5 alpha=-3", "35.56", "3.54"},
+                                         {"polynomial-5 alpha=-5", "37.21", "3.63"},
+                                         {"cubic", "33.08", "4.56"},
+                                         {"polynomial-7 A=48", "37.21", "4.33"}}) {
+    INFO(row.law);
+    // The printed forces are half the physical ones (reference: the study's notes).
+    const std::string force = fmt::format("{} +- 0.01", 2 * std::stod(row.force));
+    const ConstantsFit fit =
+        first_of(cutter(), "minimum_cam_radius=" + row.radius + ", peak_inertia_force=" + force);
+    CHECK(fit.consistent);
+    CHECK(fit.law.name() == row.law);
+  }
+}
+
+TEST_CASE("a family's coefficient with the interval that the digits leave", "[constants]") {
+  for (const auto& [alpha, printed] :
+       {std::pair{-3.0, "B=1.6125, C=4.66"}, std::pair{-5.0, "B=1.6875, C=4.782"}}) {
+    const auto fits = fit_constants(question_of(law_alone(), printed), find_law("polynomial-5"));
+    REQUIRE_FALSE(fits.empty());
+    const ConstantsFit& fit = fits.front();
+    CHECK(fit.consistent);
+    CHECK(fit.identifiable);
+    REQUIRE(fit.numbers.size() == 1);
+    const FoundNumber& found = fit.numbers.front();
+    CHECK(found.value == alpha);
+    CHECK(found.low <= alpha);
+    CHECK(found.high >= alpha);
+    CHECK(found.high - found.low < 0.01);
+    // At its ends, and not beyond, both constants agree.
+    const double B_low = fit.constants[0].printed.low, B_high = fit.constants[0].printed.high;
+    for (const double edge : {found.low, found.high}) {
+      Member law = find_law("polynomial-5");
+      const double beyond = edge + (edge - alpha) * 0.2;
+      law.arguments.values()[0][0] = edge;
+      const double B = peaks(law.law()).B();
+      CHECK((B > B_low - 1e-9 && B < B_high + 1e-9));
+      law.arguments.values()[0][0] = beyond;
+      const auto out = peaks(law.law());
+      const bool agrees = out.B() > B_low && out.B() < B_high &&
+                          out.C() > fit.constants[1].printed.low &&
+                          out.C() < fit.constants[1].printed.high;
+      CHECK_FALSE(agrees);
+    }
+  }
+}
+
+TEST_CASE("where the print contradicts itself the constant that does is named", "[constants]") {
+  // The sixth row of the table: radius 46.86 mm belongs to A = 6; the force is off a 20-step grid.
+  const auto fits = fit_constants(
+      question_of(cutter(), "minimum_cam_radius=46.86, peak_inertia_force=10.68 +- 0.01"),
+      find_law("polynomial-7"));
+  REQUIRE_FALSE(fits.empty());
+  CHECK_FALSE(fits.front().consistent);
+  CHECK(fits.front().numbers.at(0).value == 6);
+  CHECK(disagreeing(fits.front()) == std::vector<std::string>{"peak_inertia_force"});
+}
+
+TEST_CASE("what the prints do not determine is said", "[constants]") {
+  const auto fits =
+      fit_constants(question_of(law_alone(), "B=1.6"), find_law("trapezoidal-velocity"));
+  REQUIRE_FALSE(fits.empty());
+  CHECK(fits.front().consistent);
+  CHECK_FALSE(fits.front().identifiable);
+  for (const FoundNumber& n : fits.front().numbers) CHECK_FALSE(n.identifiable);
+}
+
+TEST_CASE("rounded constants of every law of the reference name that law first", "[constants]") {
+  for (auto& row : testing::read_table("problems/laws/motion_laws.csv")) {
+    for (const int digits : {4, 6}) {
+      std::vector<std::string> printed;
+      const auto add = [&](const char* name, double value) {
+        if (std::isnan(value)) return;
+        printed.push_back(std::isinf(value) ? fmt::format("{}={}", name, value > 0 ? "inf" : "-inf")
+                                            : fmt::format("{}={:.{}g}", name, value, digits));
+      };
+      const Member law = find_law(row["law"]);
+      const auto its = peaks(law.law());
+      add("B", its.B());
+      add("C", its.C());
+      add("D", its.D());
+      add("Cm", its.Cm());
+      std::string text;
+      for (const auto& p : printed) text += (text.empty() ? "" : ", ") + p;
+      INFO(row["law"] << ": " << text);
+      const ConstantsFit fit = first_of(law_alone(), text);
+      CHECK(fit.law.name() == law.name());
+      CHECK(fit.consistent);
+    }
+  }
+}
+
+TEST_CASE("an unknown size of the machine: the load factor behind the die press' table",
+          "[constants]") {
+  const auto factor = [](double cam, double spring, const std::string& printed) {
+    const ProblemStatement machine = read_problem(
+        fmt::format(
+            "mechanism = 'die-press'\n[law]\nname = 'cubic'\n[constants]\ncam_force = {}\n"
+            "spring_force = {}\n[variables.load_factor]\nlower = 0\nupper = 2\nstart = 0.5\n",
+            cam, spring),
+        "press.toml");
+    return fit_constants(question_of(machine, printed), find_law("cubic"));
+  };
+  // Three rows were computed with 0.8 of the spring's force (reference: die_press.csv).
+  for (const auto& [cam, spring, stress] :
+       {std::tuple{750.06, 306.92, "164.148"}, std::tuple{889.11, 386.19, "183.886"},
+        std::tuple{815.48, 354.08, "176.099"}}) {
+    const auto fits = factor(cam, spring, fmt::format("contact_stress={}", stress));
+    REQUIRE_FALSE(fits.empty());
+    INFO(stress);
+    REQUIRE(fits.front().numbers.size() == 1);
+    CHECK(fits.front().consistent);
+    CHECK(fits.front().numbers[0].low < 0.8 + 1e-4);
+    CHECK(fits.front().numbers[0].high > 0.8 - 1e-4);
+  }
+}
+
+}  // namespace camlaw::problems
