@@ -51,6 +51,7 @@ void limit_scale(Panel& panel) {
   const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
   std::nth_element(sizes.begin(), tenth, sizes.end());
   const double bound = 2 * *tenth;
+  if (!(bound > 0)) return;  // level but for a few places: the chart's own scale will do
   panel.y.lower = -bound;
   panel.y.upper = bound;
 }

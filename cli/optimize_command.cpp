@@ -12,10 +12,10 @@ void add_optimize_command(CLI::App& app, int& status) {
   const SearchCommand optimize{.files = {"result.json", "law.csv", "law.svg", "cycle.svg"},
                                .check = [](const problems::ProblemStatement&) {},
                                .report =
-                                   [](const Answer& answer, const std::filesystem::path& out) {
-                                     return SearchReport{answer_text(answer), answer_json(answer),
-                                                         answer_files(answer, out)};
-                                   }};
+                                   [](const Answer& answer) {
+                                     return SearchReport{answer_text(answer), answer_json(answer)};
+                                   },
+                               .figures = answer_files};
   command->callback([options, optimize, &status] { status = run_search(*options, optimize); });
 }
 

@@ -72,13 +72,60 @@ std::vector<Member> rivals_of(const Law<double>& free) {
   return result;
 }
 
-/// The answer's problem with other laws: nothing of a law varies.
-ProblemStatement with_laws(const Answer& answer, std::vector<Member> laws) {
+/// Combinations of choices that each rival is tried with at most: beyond that the rivals would take
+/// far longer than the answer.
+constexpr double kMostChoices = 100;
+
+/// Combinations of the choices of a problem.
+double choices_of(const ProblemStatement& statement) {
+  double product = 1;
+  for (const auto& v : statement.variables) {
+    if (!v.values.empty()) product *= static_cast<double>(v.values.size());
+    if (v.values.empty() && v.integer) product *= std::floor(v.upper) - std::ceil(v.lower) + 1;
+  }
+  return product;
+}
+
+/// The answer's problem with other laws: nothing of a law varies, and where `held` no choice.
+ProblemStatement with_laws(const Answer& answer, std::vector<Member> laws, bool held) {
   ProblemStatement statement = answer.bound.at(answer.optimum.options, answer.optimum.found.x);
-  std::erase_if(statement.variables, [](const auto& variable) { return variable.of_law; });
+  std::erase_if(statement.variables, [&](const auto& variable) {
+    return variable.of_law || (held && (variable.integer || !variable.values.empty()));
+  });
   if (laws.size() == 1) laws.push_back(laws.front());  // a choice wants two
   statement.laws = std::move(laws);
   return statement;
+}
+
+bool is_stopped(const optim::OptimiseOptions& search) {
+  return search.stop != nullptr && *search.stop;
+}
+
+/// Tries the rivals.
+void try_rivals(const Answer& answer, std::vector<Member> rivals,
+                const optim::OptimiseOptions& search, Rulers& result) {
+  result.finished = !is_stopped(search) && !(search.time_limit && *search.time_limit <= 0);
+  if (!result.finished) return;
+  ProblemStatement free = with_laws(answer, rivals, false);
+  result.held = choices_of(free) > kMostChoices;
+  const problems::BoundProblem bound(result.held ? with_laws(answer, std::move(rivals), true)
+                                                 : std::move(free));
+  result.reoptimised = !bound.statement().variables.empty();
+  const optim::Optimum best = optim::optimise(bound.space(), search);
+  result.finished =
+      !is_stopped(search) && !(search.time_limit && best.wall_s >= *search.time_limit);
+  if (optim::is_feasible(best.found.assessment)) {
+    result.best = {bound.statement().laws[best.options.front()].label(),
+                   best.found.assessment.objective.value};
+  }
+}
+
+/// The least acceleration for a law's velocity: a limit for laws that begin and end at rest,
+/// whether or not the acceleration vanishes there too.
+std::optional<double> least_for(const Law<double>& law, const Peaks<double>& peak) {
+  const bool rests = vanishes(law, false, 1) && vanishes(law, true, 1);
+  if (!rests || !std::isfinite(peak.C())) return {};
+  return least_acceleration(peak.B());
 }
 
 /// A share in percent, without what is rounding.
@@ -88,26 +135,20 @@ std::string percent(double share) {
 
 }  // namespace
 
-std::optional<Rulers> rulers(const Answer& answer) {
+std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search) {
   const std::optional<Member> law = answer.law();
   if (!law) return {};
   const Law<double> shape = law->law();
   const auto peak = peaks(shape);
-  Rulers result{peak, limit_index(peak), least_acceleration(peak.B())};
+  Rulers result{peak, limit_index(peak)};
+  result.least_acceleration = least_for(shape, peak);
   // What the free law has at its start it has everywhere.
   const auto& laws = answer.bound.statement().laws;
   const auto free = std::find_if(laws.begin(), laws.end(),
                                  [](const Member& m) { return bool(m.family->listed); });
   std::vector<Member> rivals = rivals_of(free->law());
   result.rivals = static_cast<int>(rivals.size());
-  if (rivals.empty()) return result;
-  const problems::BoundProblem bound(with_laws(answer, std::move(rivals)));
-  result.reoptimised = !bound.statement().variables.empty();
-  const optim::Optimum best = optim::optimise(bound.space());
-  if (optim::is_feasible(best.found.assessment)) {
-    result.best = {bound.statement().laws[best.options.front()].label(),
-                   best.found.assessment.objective.value};
-  }
+  if (!rivals.empty()) try_rivals(answer, std::move(rivals), search, result);
   return result;
 }
 
@@ -120,11 +161,18 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
     text += fmt::format("  lambda = {:.6f}, {} below 1, which no law passes\n", *r.lambda,
                         percent(1 - *r.lambda));
   }
-  text += fmt::format("  C is {} above {:.7g}, the least for this B\n",
-                      percent(r.peaks.C() / r.least_acceleration - 1), r.least_acceleration);
+  if (r.least_acceleration) {
+    // Beyond 2 the least is that of 2: a law need not use all the velocity.
+    text += fmt::format("  C is {} above {:.7g}, the least for {}\n",
+                        percent(r.peaks.C() / *r.least_acceleration - 1), *r.least_acceleration,
+                        r.peaks.B() > 2 ? "a velocity of at most B" : "this B");
+  }
   const std::string among =
-      fmt::format("{} laws of the catalogue{}", r.rivals,
-                  r.reoptimised ? ", what else varies searched again for each" : "");
+      fmt::format("{} laws of the catalogue{}{}", r.rivals,
+                  r.reoptimised ? ", what else varies searched again for each" : "",
+                  r.held ? ", choices as in the answer" : "");
+  if (!r.finished) text += "  rulers not finished: stopped before every named law was tried\n";
+  if (!r.best && !r.finished) return text;
   if (!r.best) return text + fmt::format("  no named law meets the limits, of {}\n", among);
   const double own = answer.optimum.found.assessment.objective.value;
   return text + fmt::format("  the best named law is {} with {} = {:.7g}{}, {} {} (of {})\n",
@@ -145,9 +193,11 @@ Json rulers_json(const Rulers& r) {
           {"D", to_json(r.peaks.D())},
           {"Cm", to_json(r.peaks.Cm())},
           {"lambda", r.lambda ? to_json(*r.lambda) : Json(nullptr)},
-          {"least_C_for_B", to_json(r.least_acceleration)},
+          {"least_C_for_B", r.least_acceleration ? to_json(*r.least_acceleration) : Json(nullptr)},
           {"named_laws", r.rivals},
           {"reoptimised", r.reoptimised},
+          {"choices_held", r.held},
+          {"finished", r.finished},
           {"best_named", std::move(best)}};
 }
 

@@ -18,10 +18,13 @@ struct NamedRival {
 
 struct Rulers {
   Peaks<double> peaks;
-  std::optional<double> lambda;         ///< the limit index; of laws from rest to rest
-  double least_acceleration;            ///< that any law with this B has
+  std::optional<double> lambda;  ///< the limit index; of laws from rest to rest
+  /// The least of any law with s' = 0 at both ends and this B at most; of others none.
+  std::optional<double> least_acceleration = {};
   int rivals = 0;                       ///< laws of the catalogue that can be used
   bool reoptimised = false;             ///< whether other variables were searched again for each
+  bool held = false;                    ///< whether the answer's choices stay for all of them
+  bool finished = true;                 ///< false: stopped or out of time before all were tried
   std::optional<NamedRival> best = {};  ///< none: no rival meets the limits
 };
 
@@ -29,7 +32,10 @@ struct Rulers {
 /// at their standard parameters, but for splines, that are as smooth inside, up to s'', and whose
 /// s' and s'' vanish at the ends where those of the free law must; what else varies is searched
 /// again for each.
-std::optional<Rulers> rulers(const Answer& answer);
+///
+/// `search` says how, with what is left of the time and what may stop it. Where choices would make
+/// too many combinations with the rivals, those of the answer stay.
+std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search);
 
 std::string rulers_text(const Answer& answer, const Rulers& rulers);
 Json rulers_json(const Rulers& rulers);

@@ -86,6 +86,33 @@ std::vector<OutputFile> answer_files(const Answer& answer, const std::filesystem
   return files;
 }
 
+namespace {
+
+/// The search's own options for what comes after it: the time that is left.
+optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optimum& optimum) {
+  if (search.time_limit) search.time_limit = *search.time_limit - optimum.wall_s;
+  return search;
+}
+
+/// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
+/// that is stopped, or fails. Returns the JSON.
+std::string show(const SearchCommand& command, const Answer& answer,
+                 const optim::OptimiseOptions& rest, bool json) {
+  SearchReport report = command.report(answer);
+  if (!json) fmt::print("{}", report.text);
+  std::fflush(stdout);
+  if (command.measure) {
+    const std::string more = command.measure(answer, rest, report.json);
+    if (!json) fmt::print("{}", more);
+  }
+  std::string text = report.json.dump(2) + "\n";
+  if (json) fmt::print("{}", text);
+  std::fflush(stdout);
+  return text;
+}
+
+}  // namespace
+
 int run_search(const SearchOptions& options, const SearchCommand& command) {
   if (options.out && options.out->empty()) {
     throw std::invalid_argument("--out: a folder's name is wanted");
@@ -99,21 +126,22 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   const std::filesystem::path out = options.out.value_or("");
   const auto possible = possible_files(out, command.files);
   if (options.out) check_writable(possible);
+  const Interruptible interruptible;
+  search.stop = interruptible.flag();
   optim::Optimum optimum;
   {
-    const Interruptible interruptible;
     ProgressLine line(!options.json);
-    search.stop = interruptible.flag();
     search.progress = [&line](const optim::Progress& p) { line.show(progress_text(p)); };
     optimum = optim::optimise(space, search);
   }
-  SearchReport report = command.report({bound, space, optimum, search.solver, search.seed}, out);
-  const std::string json = report.json.dump(2) + "\n";
+  search.progress = {};
+  const Answer answer{bound, space, optimum, search.solver, search.seed};
   // Printed first: the search is not lost where a file cannot be written after all.
-  fmt::print("{}", options.json ? json : report.text);
+  const std::string json = show(command, answer, rest_of(search, optimum), options.json);
   if (options.out) {
-    report.files.insert(report.files.begin(), {possible.front(), json});
-    write_out(possible, report.files, !options.json);
+    std::vector<OutputFile> files = command.figures(answer, out);
+    files.insert(files.begin(), {possible.front(), json});
+    write_out(possible, files, !options.json);
   }
   return exit_status(optimum.found.assessment.verdict);
 }

@@ -27,7 +27,6 @@ void add_search_options(CLI::App& command, SearchOptions& options, const std::st
 struct SearchReport {
   std::string text;
   Json json;
-  std::vector<OutputFile> files;  ///< of --out, beside result.json
 };
 
 /// A command that searches.
@@ -35,8 +34,14 @@ struct SearchCommand {
   std::vector<std::string> files;  ///< all that --out may write, result.json first
   /// Throws std::invalid_argument for a problem that the command does not take.
   std::function<void(const problems::ProblemStatement&)> check;
-  /// `out` is the folder of the files; empty where none is wanted.
-  std::function<SearchReport(const Answer&, const std::filesystem::path& out)> report;
+  /// What takes no time.
+  std::function<SearchReport(const Answer&)> report;
+  /// What takes a search of its own: further text, and more of the report's JSON. The answer's own
+  /// text is out by then. `rest` says how to search, with the time that is left and the same stop.
+  std::function<std::string(const Answer&, const optim::OptimiseOptions& rest, Json& json)>
+      measure = {};
+  /// The files of --out beside result.json, made where they are wanted only.
+  std::function<std::vector<OutputFile>(const Answer&, const std::filesystem::path& out)> figures;
 };
 
 /// Reads the problem, searches, prints and writes. An ExitStatus.

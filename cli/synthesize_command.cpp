@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -35,19 +38,43 @@ Json provenance(const Answer& answer) {
           {"unit", answer.optimum.problem.objective.response.unit}};
 }
 
-SearchReport report(const Answer& answer, const std::filesystem::path& out) {
-  SearchReport result{answer_text(answer), answer_json(answer), answer_files(answer, out)};
-  if (const auto law = answer.law()) {
-    const std::string& stated = answer.bound.statement().title;
-    const std::string title = stated.empty() ? law->label() : stated;
-    result.files.push_back(
-        {out / "law.json",
-         problems::law_file(law->law(), title, provenance(answer)).dump(2) + "\n"});
+SearchReport report(const Answer& answer) { return {answer_text(answer), answer_json(answer)}; }
+
+/// Rulers are an addition: where they fail the answer stands without them.
+std::string measure(const Answer& answer, const optim::OptimiseOptions& rest, Json& json) {
+  json["rulers"] = nullptr;
+  try {
+    const auto measured = rulers(answer, rest);
+    if (!measured) return {};
+    json["rulers"] = rulers_json(*measured);
+    return rulers_text(answer, *measured);
+  } catch (const std::exception& error) {
+    return fmt::format("\nthe law is not measured: {}\n", error.what());
   }
-  const auto measured = rulers(answer);
-  result.json["rulers"] = measured ? rulers_json(*measured) : Json(nullptr);
-  if (measured) result.text += rulers_text(answer, *measured);
-  return result;
+}
+
+/// The law's own file, as far as it can be read again.
+OutputFile law_json(const Answer& answer, const Member& law, const std::filesystem::path& out) {
+  const std::string& stated = answer.bound.statement().title;
+  const std::string title = stated.empty() ? law.label() : stated;
+  std::string text = problems::law_file(law.law(), title, provenance(answer)).dump(2) + "\n";
+  problems::check_law_text(text);
+  return {out / "law.json", std::move(text)};
+}
+
+std::vector<OutputFile> figures(const Answer& answer, const std::filesystem::path& out) {
+  std::vector<OutputFile> files = answer_files(answer, out);
+  const auto law = answer.law();
+  if (!law) return files;
+  try {
+    files.push_back(law_json(answer, *law, out));
+  } catch (const std::invalid_argument& error) {
+    std::fputs(
+        fmt::format("law.json is not written: the law could not be read back: {}\n", error.what())
+            .c_str(),
+        stderr);
+  }
+  return files;
 }
 
 }  // namespace
@@ -61,7 +88,9 @@ void add_synthesize_command(CLI::App& app, int& status) {
   const SearchCommand synthesize{
       .files = {"result.json", "law.csv", "law.svg", "cycle.svg", "law.json"},
       .check = check_free,
-      .report = report};
+      .report = report,
+      .measure = measure,
+      .figures = figures};
   command->callback([options, synthesize, &status] { status = run_search(*options, synthesize); });
 }
 

@@ -92,17 +92,24 @@ std::string tolerance_text(const FrontAnswer& answer, const optim::FrontPoint& p
                    {"unit", TextTable::Align::Left}});
   const auto number = [](double value) { return fmt::format("{:.6g}", value + 0.0); };
   for (const optim::Spread& s : report.spreads) {
-    table.add({s.is_margin ? "margin of " + s.name : s.name, number(s.nominal), number(s.lowest),
-               number(s.highest), number(s.mean), number(s.deviation), number(s.low),
-               number(s.high), s.unit});
+    const std::string none = "not possible";
+    table.add({s.is_margin ? "margin of " + s.name : s.name, number(s.nominal),
+               s.possible || !s.worst_is_lowest ? number(s.lowest) : none,
+               s.possible || s.worst_is_lowest ? number(s.highest) : none, number(s.mean),
+               number(s.deviation), number(s.low), number(s.high), s.unit});
   }
-  return text + table.text() +
-         fmt::format(
-             "lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
-             "every limit\n",
-             report.all_corners ? "every corner of the tolerances"
-                                : "the corners that single changes point to",
-             report.samples, 100 * report.yield);
+  text += table.text();
+  if (report.impossible_corners + report.impossible_samples > 0) {
+    text += fmt::format(
+        "not possible: {} of the corners and {} of the samples; the model gives no number there\n",
+        report.impossible_corners, report.impossible_samples);
+  }
+  return text + fmt::format(
+                    "lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
+                    "every limit\n",
+                    report.all_corners ? "every corner of the tolerances"
+                                       : "the corners that single changes point to",
+                    report.samples, 100 * report.yield);
 }
 
 Json tolerance_json(const std::vector<double>& tolerances, const optim::ToleranceReport& report) {
@@ -114,6 +121,7 @@ Json tolerance_json(const std::vector<double>& tolerances, const optim::Toleranc
                        {"nominal", to_json(s.nominal)},
                        {"lowest", to_json(s.lowest)},
                        {"highest", to_json(s.highest)},
+                       {"possible", s.possible},
                        {"mean", to_json(s.mean)},
                        {"deviation", to_json(s.deviation)},
                        {"low", to_json(s.low)},
@@ -122,6 +130,8 @@ Json tolerance_json(const std::vector<double>& tolerances, const optim::Toleranc
   }
   return {{"tolerances", to_json(tolerances)},
           {"samples", report.samples},
+          {"impossible_samples", report.impossible_samples},
+          {"impossible_corners", report.impossible_corners},
           {"yield", report.yield},
           {"all_corners", report.all_corners},
           {"spreads", std::move(spreads)}};

@@ -103,13 +103,17 @@ Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>
   std::vector<Piece<T>> pieces;
   for (std::size_t j = static_cast<std::size_t>(degree); j + 1 < knots.size(); ++j) {
     if (!(value_of(knots[j]) < value_of(knots[j + 1]))) continue;
-    Piece<T> piece{knots[j], knots[j + 1], knots[j], {}, {}, {}};
+    // Powers about an end lose digits as fast as the degree grows. Up to degree 8 they keep all but
+    // a few, and coefficients that do not matter at the begin have slopes of exactly 0 there.
+    constexpr int kAboutBegin = 8;
+    const T origin = degree <= kAboutBegin ? knots[j] : number<T>(0.5) * (knots[j] + knots[j + 1]);
+    Piece<T> piece{knots[j], knots[j + 1], origin, {}, {}, {}};
     double factorial = 1;
     for (int k = 0; k <= degree; ++k) {
       if (k > 1) factorial *= k;
       const auto level = static_cast<std::size_t>(k);
       piece.polynomial.push_back(
-          detail::de_boor(j, degree - k, level, knots, levels[level], knots[j]) /
+          detail::de_boor(j, degree - k, level, knots, levels[level], origin) /
           number<T>(factorial));
     }
     pieces.push_back(std::move(piece));

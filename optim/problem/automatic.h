@@ -92,6 +92,7 @@ class AutomaticKernel final : public Kernel {
       return {result.lower(), result.upper()};
     }
   }
+  bool is_enclosed() const override { return !std::is_void_v<Enclosing>; }
 
  private:
   F f_;

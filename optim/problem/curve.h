@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "optim/problem/function.h"
@@ -36,6 +37,8 @@ class Trace {
   /// same two breaks. The bounds close on the values as the stretch shrinks. Infinite where nothing
   /// is proved.
   virtual Bounds enclose(double from, double to) const = 0;
+  /// Why the curve has no bound, in words, where that is known; else empty.
+  virtual std::string why_unbounded() const { return {}; }
 };
 
 /// The i-th of the count + 1 places that divide [from, to] evenly.

@@ -42,6 +42,7 @@ class Identity final : public Kernel {
     return u[0];
   }
   Bounds enclose(std::span<const double> u) const override { return {u[0], u[0]}; }
+  bool is_enclosed() const override { return true; }
 };
 
 class Zero final : public Kernel {
@@ -52,6 +53,7 @@ class Zero final : public Kernel {
     return 0;
   }
   Bounds enclose(std::span<const double>) const override { return {0, 0}; }
+  bool is_enclosed() const override { return true; }
 };
 
 }  // namespace
@@ -107,6 +109,10 @@ double Function::hessian(Design x, std::span<double> g, std::span<double> h) con
 }
 
 Bounds Function::enclose(Design x) const { return kernel_->enclose(Gathered(x, inputs_).values()); }
+
+std::string Function::why_undefined(Design x) const {
+  return kernel_->why_undefined(Gathered(x, inputs_).values());
+}
 
 Function variable_function(std::size_t variable) {
   return Function({variable}, std::make_shared<Identity>(), Shape::Linear);

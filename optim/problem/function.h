@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,10 @@ class Kernel {
   /// Whether the value comes from a search that may miss something, such as a peak over the cycle:
   /// then it holds as far as the enclosure proves it.
   virtual bool is_searched() const { return false; }
+  /// Whether the formula comes with an enclosure: then a value counts as far as that proves it.
+  virtual bool is_enclosed() const { return false; }
+  /// Why the value at u is no number, in words, where more is known than that; else empty.
+  virtual std::string why_undefined(std::span<const double>) const { return {}; }
 };
 
 /// Place of (i, j), j <= i, in the lower triangle of a symmetric matrix stored row by row.
@@ -79,6 +84,8 @@ class Function {
   double hessian(Design x, std::span<double> g, std::span<double> h) const;
   Bounds enclose(Design x) const;
   bool is_searched() const { return kernel_->is_searched(); }
+  bool is_enclosed() const { return kernel_->is_enclosed(); }
+  std::string why_undefined(Design x) const;
 
  private:
   std::vector<std::size_t> inputs_;

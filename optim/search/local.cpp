@@ -261,7 +261,7 @@ class Search {
     const Assessment& best = found_.assessment;
     if (found_.x.empty() || !std::isfinite(best.objective.value) ||
         std::isinf(worst_violation(best.limits))) {
-      fail_in_place("the model gives no number at the start");
+      fail_in_place(undefined_at(original_, problem_.start(), "the start"));
       return;
     }
     if (found_.status == Status::Unbounded && is_feasible(best) && !is_settled(best)) {

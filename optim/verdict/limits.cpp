@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "optim/verdict/limits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -128,6 +130,36 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
   }
   if (magnitude) result.value = std::abs(result.value);
   return result;
+}
+
+namespace {
+
+/// "mean_square_jerk: why"; empty where the response is a finite number.
+std::string undefined_response(const Response& response, Part part, Design x) {
+  std::string why;
+  double value;
+  if (response.is_curve()) {
+    const auto trace = response.curve().trace(x);
+    value = extreme_of(*trace, part).value;
+    why = trace->why_unbounded();
+  } else {
+    value = response.function().value(x);
+    why = response.function().why_undefined(x);
+  }
+  if (std::isfinite(value)) return {};
+  return why.empty() ? response.name : response.name + ": " + why;
+}
+
+}  // namespace
+
+std::string undefined_at(const Problem& problem, Design x, const std::string& where) {
+  std::string result = undefined_response(problem.objective.response, problem.objective.part, x);
+  for (const Constraint& c : problem.constraints) {
+    if (!result.empty()) break;
+    result = undefined_response(c.response, Part::Magnitude, x);
+  }
+  const std::string what = "the model gives no number at " + where;
+  return result.empty() ? what : fmt::format("{} ({})", what, result);
 }
 
 double worst_violation(const std::vector<LimitReport>& limits) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -34,10 +35,15 @@ class Measured {
   std::vector<Spread> names() const {
     std::vector<Spread> spreads;
     for (const Objective& o : multi_.objectives) {
-      spreads.push_back({.name = o.response.name, .unit = o.response.unit});
+      spreads.push_back({.name = o.response.name,
+                         .unit = o.response.unit,
+                         .worst_is_lowest = o.sense == Sense::Maximize});
     }
     for (const Constraint& c : multi_.constraints) {
-      spreads.push_back({.name = c.response.name, .unit = c.response.unit, .is_margin = true});
+      spreads.push_back({.name = c.response.name,
+                         .unit = c.response.unit,
+                         .is_margin = true,
+                         .worst_is_lowest = true});
     }
     return spreads;
   }
@@ -56,11 +62,34 @@ class Measured {
   Sizes sizes_;
 };
 
+/// Whether there is such a design: a number of each that is one as meant.
+bool is_possible(const std::vector<Spread>& spreads, const Numbers& numbers) {
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    if (std::isfinite(spreads[i].nominal) && !std::isfinite(numbers[i])) return false;
+  }
+  return true;
+}
+
 void widen(std::vector<Spread>& spreads, const Numbers& numbers) {
   for (std::size_t i = 0; i < spreads.size(); ++i) {
+    if (!std::isfinite(numbers[i])) continue;
     spreads[i].lowest = std::min(spreads[i].lowest, numbers[i]);
     spreads[i].highest = std::max(spreads[i].highest, numbers[i]);
   }
+}
+
+/// A design at the edge of the box, which the spread is over.
+void look_at_edge(std::vector<Spread>& spreads, const Numbers& numbers) {
+  widen(spreads, numbers);
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    spreads[i].possible = spreads[i].possible && std::isfinite(numbers[i]);
+  }
+}
+
+/// The larger of two changes, of which one or both may be no number.
+double larger_change(double up, double down) {
+  if (!std::isfinite(up)) return down;
+  return !std::isfinite(down) || std::abs(up) >= std::abs(down) ? up : down;
 }
 
 std::vector<double> moved(Design x, std::size_t variable, double by) {
@@ -78,11 +107,11 @@ std::vector<Numbers> single_changes(const Measured& measured, Design x, const Nu
     if (tolerances[v] == 0) continue;
     const Numbers up = measured.at(moved(x, v, tolerances[v]));
     const Numbers down = measured.at(moved(x, v, -tolerances[v]));
-    widen(spreads, up);
-    widen(spreads, down);
+    look_at_edge(spreads, up);
+    look_at_edge(spreads, down);
     for (std::size_t i = 0; i < spreads.size(); ++i) {
       const double by_up = up[i] - spreads[i].nominal, by_down = down[i] - spreads[i].nominal;
-      spreads[i].by_variable[v] = std::abs(by_up) >= std::abs(by_down) ? by_up : by_down;
+      spreads[i].by_variable[v] = larger_change(by_up, by_down);
       rises[i][v] = up[i] >= down[i] ? 1 : -1;
     }
   }
@@ -95,31 +124,58 @@ std::vector<double> corner(Design x, const Numbers& tolerances, const Numbers& s
   return result;
 }
 
-/// All corners; of the variables without a tolerance there is one side.
-void look_at_corners(const Measured& measured, Design x, const Numbers& tolerances,
-                     std::vector<Spread>& spreads) {
+/// All corners; of the variables without a tolerance there is one side. Returns how many are not
+/// possible.
+std::size_t look_at_corners(const Measured& measured, Design x, const Numbers& tolerances,
+                            std::vector<Spread>& spreads) {
   std::vector<std::size_t> off;
   for (std::size_t v = 0; v < x.size(); ++v) {
     if (tolerances[v] > 0) off.push_back(v);
   }
+  std::size_t impossible = 0;
   for (std::size_t bits = 0; bits < (std::size_t{1} << off.size()); ++bits) {
     Numbers signs(x.size(), 0.0);
     for (std::size_t k = 0; k < off.size(); ++k) signs[off[k]] = (bits >> k) & 1U ? 1 : -1;
-    widen(spreads, measured.at(corner(x, tolerances, signs)));
+    const Numbers numbers = measured.at(corner(x, tolerances, signs));
+    look_at_edge(spreads, numbers);
+    impossible += !is_possible(spreads, numbers);
   }
+  return impossible;
+}
+
+/// The corners that the single changes point to, two for each number. Returns as above.
+std::size_t look_at_pointed(const Measured& measured, Design x, const Numbers& tolerances,
+                            const std::vector<Numbers>& rises, std::vector<Spread>& spreads) {
+  std::size_t impossible = 0;
+  for (Numbers signs : rises) {
+    for (int side = 0; side < 2; ++side) {
+      const Numbers numbers = measured.at(corner(x, tolerances, signs));
+      look_at_edge(spreads, numbers);
+      impossible += !is_possible(spreads, numbers);
+      for (double& sign : signs) sign = -sign;
+    }
+  }
+  return impossible;
 }
 
 void sum_up(std::vector<Spread>& spreads, const std::vector<Numbers>& samples) {
-  const auto count = static_cast<double>(samples.size());
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     Numbers values;
-    for (const Numbers& sample : samples) values.push_back(sample[i]);
+    for (const Numbers& sample : samples) {
+      if (std::isfinite(sample[i])) values.push_back(sample[i]);
+    }
+    if (values.empty()) {
+      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+      spreads[i].mean = spreads[i].deviation = spreads[i].low = spreads[i].high = kNone;
+      continue;
+    }
+    const auto count = static_cast<double>(values.size());
     std::sort(values.begin(), values.end());
     double sum = 0, squares = 0;
     for (const double v : values) sum += v;
     spreads[i].mean = sum / count;
     for (const double v : values) squares += (v - spreads[i].mean) * (v - spreads[i].mean);
-    spreads[i].deviation = samples.size() > 1 ? std::sqrt(squares / (count - 1)) : 0;
+    spreads[i].deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : 0;
     const auto quantile = [&](double q) {
       return values[static_cast<std::size_t>(q * (count - 1) + 0.5)];
     };
@@ -156,16 +212,9 @@ ToleranceReport tolerance_report(const MultiProblem& problem, Design x,
   const auto rises = single_changes(measured, x, tolerances, report.spreads);
   report.all_corners = std::count_if(tolerances.begin(), tolerances.end(),
                                      [](double t) { return t > 0; }) <= kAllCorners;
-  if (report.all_corners) {
-    look_at_corners(measured, x, tolerances, report.spreads);
-  } else {
-    for (const Numbers& signs : rises) {
-      Numbers opposite(signs);
-      for (double& sign : opposite) sign = -sign;
-      widen(report.spreads, measured.at(corner(x, tolerances, signs)));
-      widen(report.spreads, measured.at(corner(x, tolerances, opposite)));
-    }
-  }
+  report.impossible_corners = report.all_corners
+                                  ? look_at_corners(measured, x, tolerances, report.spreads)
+                                  : look_at_pointed(measured, x, tolerances, rises, report.spreads);
   std::mt19937_64 generator(seed);
   std::vector<Numbers> drawn;
   std::size_t good = 0;
@@ -175,7 +224,9 @@ ToleranceReport tolerance_report(const MultiProblem& problem, Design x,
     for (double& sign : signs) sign = std::ldexp(static_cast<double>(generator() >> 11U), -52) - 1;
     drawn.push_back(measured.at(corner(x, tolerances, signs)));
     widen(report.spreads, drawn.back());
-    good += measured.meets_limits(drawn.back());
+    const bool possible = is_possible(report.spreads, drawn.back());
+    report.impossible_samples += !possible;
+    good += possible && measured.meets_limits(drawn.back());
   }
   report.yield = static_cast<double>(good) / static_cast<double>(samples);
   sum_up(report.spreads, drawn);

@@ -13,17 +13,21 @@ namespace camlaw::optim {
 struct Spread {
   std::string name, unit;
   bool is_margin = false;
+  bool worst_is_lowest = false;  ///< of margins and of what is to be great
+  bool possible = true;          ///< whether there is a number at every corner and single change
   double nominal = 0;
-  double lowest = 0, highest = 0;        ///< the worst of all designs that were looked at
-  double mean = 0, deviation = 0;        ///< over the samples
-  double low = 0, high = 0;              ///< quantiles of the samples, 5 and 95 %
+  double lowest = 0, highest = 0;        ///< the worst of all designs that are possible
+  double mean = 0, deviation = 0;        ///< over the samples that are possible
+  double low = 0, high = 0;              ///< their quantiles, 5 and 95 %; no number of none
   std::vector<double> by_variable = {};  ///< change by each variable's tolerance, the larger side
 };
 
 struct ToleranceReport {
   std::vector<Spread> spreads;  ///< of the objectives, then of the limits
   std::size_t samples = 0;
-  double yield = 0;          ///< share of the samples that meet every limit
+  /// Where the model gives no number: such designs cannot be made, and meet no limit.
+  std::size_t impossible_samples = 0, impossible_corners = 0;
+  double yield = 0;          ///< share of all samples that meet every limit
   bool all_corners = false;  ///< whether the extremes are over every corner of the box
 };
 

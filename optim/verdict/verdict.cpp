@@ -65,13 +65,25 @@ bool inside_bounds(const std::vector<VariableReport>& variables) {
   });
 }
 
+/// Whether the enclosure of a number leaves more room about it than its tolerance.
+bool is_wide(const Response& response, const ObjectiveReport& objective, double tolerance) {
+  if (response.is_curve() || !response.function().is_enclosed()) return false;
+  return !(objective.value - objective.proved.lower <= tolerance &&
+           objective.proved.upper - objective.value <= tolerance);
+}
+
 /// What keeps a design that meets every limit from being certified; empty where nothing does.
-std::string doubt(const Problem& problem, const Assessment& a) {
+std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& a) {
   const auto needs_proof = [](const Response& response) {
-    return response.is_curve() || response.function().is_searched();
+    return response.is_curve() || response.function().is_searched() ||
+           response.function().is_enclosed();
   };
   for (std::size_t i = 0; i < a.limits.size(); ++i) {
-    if (needs_proof(problem.constraints[i].response) && !a.limits[i].proved) {
+    const Response& response = problem.constraints[i].response;
+    if (needs_proof(response) && !a.limits[i].proved) {
+      if (!response.is_curve() && !response.function().is_searched()) {
+        return fmt::format("{} is met, but intervals do not prove it", a.limits[i].name);
+      }
       return fmt::format("{} is met wherever it was looked at, but not proved over the whole cycle",
                          a.limits[i].name);
     }
@@ -84,6 +96,10 @@ std::string doubt(const Problem& problem, const Assessment& a) {
     const bool lowest = problem.objective.part == Part::Lowest;
     return fmt::format("{} is not proved to be nowhere {}", problem.objective.response.name,
                        lowest ? "lower" : "higher");
+  }
+  if (is_wide(problem.objective.response, a.objective, sizes.objective_tolerance)) {
+    return fmt::format("{} is proved to lie between {:.9g} and {:.9g} only",
+                       problem.objective.response.name, peak.lower, peak.upper);
   }
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
@@ -130,7 +146,7 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
   result.objective = objective_report(problem, sizes, x, prove);
   result.limits = limit_reports(problem, sizes, x, prove);
   if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
-    result.reason = "the model gives no number at the answer";
+    result.reason = undefined_at(problem, x, "the answer");
     return result;
   }
   if (!is_feasible(result)) {
@@ -138,7 +154,7 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
     return result;
   }
   take_conditions(problem, sizes, kkt(problem, sizes, x), result);
-  result.reason = prove ? doubt(problem, result) : "not proved yet";
+  result.reason = prove ? doubt(problem, sizes, result) : "not proved yet";
   result.verdict = result.reason.empty() ? Verdict::Certified : Verdict::Feasible;
   if (result.verdict == Verdict::Certified) {
     result.reason = "every limit is met and the conditions of optimality hold";
@@ -153,7 +169,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, De
   result.objective = objective_report(problem, sizes, x, false);
   result.limits = limit_reports(problem, sizes, x, false);
   if (std::isinf(worst_violation(result.limits))) {
-    result.reason = "the model gives no number at the design of least violation";
+    result.reason = undefined_at(problem, x, "the design of least violation");
     return result;
   }
   const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation);

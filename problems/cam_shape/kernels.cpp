@@ -113,6 +113,7 @@ class Convexity final : public Kernel {
     const Interval exact = formula(Interval(a), Interval(b), Interval(c));
     return {exact.lower(), exact.upper()};
   }
+  bool is_enclosed() const override { return true; }
 
  private:
   template <class T>
@@ -147,6 +148,7 @@ class Slope final : public Kernel {
     const Interval exact = (Interval(b) - a) / angle_;
     return {exact.lower(), exact.upper()};
   }
+  bool is_enclosed() const override { return true; }
 
  private:
   Neighbours<2> neighbours_;
@@ -173,6 +175,7 @@ class Sum final : public Kernel {
     const Interval exact = factor_ * std::accumulate(u.begin(), u.end(), Interval(0.0));
     return {exact.lower(), exact.upper()};
   }
+  bool is_enclosed() const override { return true; }
 
  private:
   double factor_;

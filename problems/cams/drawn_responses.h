@@ -5,6 +5,7 @@
 #include "problems/mechanism/cycle_mean.h"
 #include "problems/mechanism/law_number.h"
 #include "problems/mechanism/listed_responses.h"
+#include "problems/mechanism/pulse.h"
 
 /// What is drawn of a cam, and cut: its curves in its own coordinates, mass and inertia.
 namespace camlaw::problems {
@@ -94,6 +95,7 @@ std::vector<MechanismResponse> blank_responses() {
   const auto made = [](Quantity which, ResponseAbout about) {
     return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
       using T = std::decay_t<decltype(cam.bore_radius)>;
+      check_no_pulse(turn_of_the_cam(), law);
       const T swept =
           number<T>(2) * pi<T>() * cycle_mean(law, [&](const auto& motion, const auto&) {
             const auto p = profile_of(cam, cam.over_angle(motion));

@@ -7,6 +7,7 @@
 #include "problems/mechanism/law_number.h"
 #include "problems/mechanism/listed_responses.h"
 #include "problems/mechanism/peak_number.h"
+#include "problems/mechanism/pulse.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
@@ -139,6 +140,7 @@ template <template <class> class M>
 MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
   return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
     using std::sqrt;
+    check_no_pulse(turn_of_the_cam(), law);
     return sqrt(cycle_mean(law, [&](const auto& motion, const auto&) {
       const auto value = follower_curve(cam, which, cam.over_angle(motion));
       return value * value;

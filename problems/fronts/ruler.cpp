@@ -31,6 +31,7 @@ std::array<double, 3> constants_of(const Law<double>& law) {
 }
 
 /// The factor, where the objective is the same multiple of a constant with every law that has it.
+/// Where the acceleration jumps there is no peak jerk: front_ruler sees to it that no law does.
 std::optional<double> factor_of(const ProblemStatement& statement,
                                 const ObjectiveStatement& objective, std::size_t constant) {
   constexpr double kSame = 1e-9;
@@ -61,26 +62,29 @@ bool is_of_law_alone(const ProblemStatement& statement, const ObjectiveStatement
   });
 }
 
-/// Whether a law goes from rest to rest over one stroke: only of such the limit holds.
+/// Whether a law goes from rest to rest over one stroke without a jump of the velocity: only of
+/// such the limit holds.
 bool is_rest_to_rest(const Law<double>& law) {
   constexpr double kSame = 1e-9;
-  const auto begin = law(0.0), end = law(1.0);
+  const auto begin = law(0.0), end = law(1.0, Side::Left);
   return std::abs(begin.v) < kSame && std::abs(end.v) < kSame &&
-         std::abs(end.s - begin.s - 1) < kSame;
+         std::abs(end.s - begin.s - 1) < kSame && !jumps(law).velocity;
+}
+
+/// Whether its peak jerk is that of its pieces: no jump of the acceleration, at rest neither.
+bool is_without_shock(const Law<double>& law) {
+  return !jumps(law.with_ends({End::Rest, End::Rest})).acceleration;
 }
 
 /// That all laws of the problem are such: at the start, and with each number that varies at its
 /// bounds.
-bool are_rest_to_rest(const ProblemStatement& statement) {
-  const auto are = [](const ProblemStatement& design) {
+template <class Such>
+bool are_all(const ProblemStatement& statement, const Such& such) {
+  const auto are = [&](const ProblemStatement& design) {
     return std::all_of(design.laws.begin(), design.laws.end(),
-                       [](const Member& law) { return is_rest_to_rest(law.law()); });
+                       [&](const Member& law) { return such(law.law()); });
   };
-  if (!are(statement)) return false;
-  const bool vary = std::any_of(statement.laws.begin(), statement.laws.end(), [](const auto& law) {
-    return law.family->ends == "by parameters";
-  });
-  return !vary ||
+  return are(statement) &&
          std::all_of(statement.variables.begin(), statement.variables.end(), [&](const auto& v) {
            if (!v.of_law) return true;
            for (const double value : {v.lower, v.upper}) {
@@ -195,7 +199,7 @@ std::optional<FrontRuler> front_ruler(const ProblemStatement& statement) {
   for (const ObjectiveStatement& o : objectives) {
     if (o.sense != optim::Sense::Minimize || !is_of_law_alone(statement, o)) return {};
   }
-  if (!are_rest_to_rest(statement)) return {};
+  if (!are_all(statement, is_rest_to_rest)) return {};
   FrontRuler ruler;
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     bool found = false;
@@ -208,6 +212,7 @@ std::optional<FrontRuler> front_ruler(const ProblemStatement& statement) {
     }
     if (!found) return {};
   }
+  if (ruler.of[2] && !are_all(statement, is_without_shock)) return {};
   return ruler;
 }
 

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFormat = "camlaw law 1";
+constexpr const char* kSource = "a law file";  ///< what a family from a file says of itself
 
 Json plain(double value) {
   if (std::isnan(value)) return nullptr;
@@ -43,13 +44,23 @@ std::string text_at(const Json& object, const char* name) {
   return value.get<std::string>();
 }
 
+/// One line of text for people; what moves a terminal's cursor stays out.
+std::string title_of(const Json& object) {
+  std::string title = text_at(object, "title");
+  const bool plain = std::none_of(title.begin(), title.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  if (!plain) throw std::invalid_argument("title has control characters");
+  return title;
+}
+
 /// That a law rises from 0 to 1, without jumps, and has values on the way.
 void check_rise(const Law<double>& law) {
   constexpr double kRounding = 1e-9;
   const double begin = law(0.0).s, end = law(1.0, Side::Left).s;
   if (!(std::abs(begin) <= kRounding && std::abs(end - 1) <= kRounding)) {
     throw std::invalid_argument(
-        fmt::format("its pieces lead from {:.6g} to {:.6g}, not from 0 to 1", begin, end));
+        fmt::format("its pieces lead from {:.12g} to {:.12g}, not from 0 to 1", begin, end));
   }
   for (std::size_t i = 0; i + 1 < law.pieces().size(); ++i) {
     const double at = law.pieces()[i].end;
@@ -69,21 +80,24 @@ ReadLaw law_of(const std::string& text) {
     throw std::invalid_argument(
         fmt::format("it is no law file: it has no \"format\": \"{}\"", kFormat));
   }
-  ReadLaw result{text_at(object, "title"),
+  ReadLaw result{title_of(object),
                  law_from_json(key(object, "pieces"), ends_of(text_at(object, "ends")))};
   check_rise(result.law);
   return result;
 }
 
-Member member_of(ReadLaw read, const std::string& name) {
+/// `asked` is the path that it was asked for by; empty where by name.
+Member member_of(ReadLaw read, const std::string& name, const std::string& asked) {
+  std::vector<std::string> paths;
+  if (!asked.empty()) paths.push_back(asked);
   Family family{.name = name,
-                .aliases = {},
+                .aliases = std::move(paths),
                 .formula = read.title,
                 .parameters = {},
                 .ends = to_string(read.law.ends()),
                 .continuity = continuity(read.law),
                 .symmetric = is_symmetric(read.law),
-                .source = "a law file",
+                .source = kSource,
                 .maker = [law = std::move(read.law)]<class S>(const Arguments<S>&) {
                   return law.template as<S>();
                 }};
@@ -121,10 +135,21 @@ Json law_file(const Law<double>& law, const std::string& title, const Json& prov
           {"pieces", pieces_to_json(law)}};
 }
 
-Member read_law_file(const std::string& path) {
+void check_law_text(const std::string& text) { law_of(text); }
+
+bool is_law_file(const Member& law) { return law.family->source == kSource; }
+
+Member called_by_path(const Member& law) {
+  if (law.family->aliases.empty()) return law;
+  Family family = *law.family;
+  family.name = family.aliases.front();
+  return {std::make_shared<const Family>(std::move(family)), law.arguments};
+}
+
+Member read_law_file(const std::string& path, const std::string& asked) {
   const std::string text = file_text(path, "law file");
   try {
-    return member_of(law_of(text), fs::path(path).stem().string());
+    return member_of(law_of(text), fs::path(path).stem().string(), asked);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", path, error.what()));
   }
@@ -136,7 +161,7 @@ bool is_law_path(std::string_view name) {
 
 Member find_any_law(std::string_view text, const std::string& folder, ValueReader reader) {
   const std::string name(trimmed(text));
-  if (is_law_path(name)) return read_law_file((fs::path(folder) / name).string());
+  if (is_law_path(name)) return read_law_file((fs::path(folder) / name).string(), name);
   try {
     return find_law(text, reader);
   } catch (const std::invalid_argument&) {

@@ -19,9 +19,18 @@ inline constexpr const char* kOwnLaws = "CAMLAW_LAWS";
 /// pieces, which alone are the law.
 Json law_file(const Law<double>& law, const std::string& title, const Json& provenance);
 
-/// The law of a file, as the only member of a family that is called as the file without ".json".
-/// Throws std::invalid_argument that names the file and what is wrong with it.
-Member read_law_file(const std::string& path);
+/// Throws std::invalid_argument unless a text is a law file's that can be read.
+void check_law_text(const std::string& text);
+
+/// The law of a file, as the only member of a family that is called as the file without ".json";
+/// its alias is `asked`, the path as a person wrote it. Throws std::invalid_argument that names the
+/// file and what is wrong with it.
+Member read_law_file(const std::string& path, const std::string& asked = "");
+
+/// Whether a law was read from a file.
+bool is_law_file(const Member& law);
+/// A law of a file, called by the path that it was asked for by, where it was.
+Member called_by_path(const Member& law);
 
 /// Whether a law is asked for by a path: the name ends in ".json" or has a "/".
 bool is_law_path(std::string_view name);

@@ -60,6 +60,23 @@ double number_of(const Json& object, const char* key, const std::string& what) {
   return number_of(value(object, key, what), what + "." + key);
 }
 
+/// What a law of the catalogue stays within, so that every search of a curve ends in good time.
+constexpr std::size_t kMostTerms = 101, kMostHarmonics = 1000;  ///< of a polynomial; of a piece
+constexpr double kMostFrequency = 1e4, kMostExponent = 100;
+constexpr double kMostLean = 0.84;  ///< the cotangent of 50 degrees
+
+/// A number of a file between two bounds.
+double bounded(const Json& object, const char* key, const std::string& what, double low,
+               double high) {
+  const double number = number_of(object, key, what);
+  if (number >= low && number <= high) return number;
+  refuse(fmt::format("{}.{} = {:.6g} is outside {:.6g} .. {:.6g}", what, key, number, low, high));
+}
+
+void check_count(std::size_t count, std::size_t most, const std::string& what) {
+  if (count > most) refuse(fmt::format("{} has {} terms; at most {} are taken", what, count, most));
+}
+
 /// Does one(item, place) for each item of a list.
 template <class One>
 void each(const Json& list, const std::string& what, const One& one) {
@@ -76,9 +93,10 @@ Curve<double> curve_of(const Json& term, const std::string& what) {
     }
     return HalfEllipse<double>{count.get<int>()};
   }
-  if (name == "ellipse") return Ellipse<double>{number_of(term, "n", what)};
-  if (name == "inclined-sine") return InclinedSine<double>{number_of(term, "e", what)};
-  if (name == "power") return Power<double>{number_of(term, "exponent", what)};
+  if (name == "ellipse") return Ellipse<double>{bounded(term, "n", what, 0.2, 5)};
+  if (name == "inclined-sine")
+    return InclinedSine<double>{bounded(term, "e", what, -kMostLean, kMostLean)};
+  if (name == "power") return Power<double>{bounded(term, "exponent", what, 2, kMostExponent)};
   refuse(fmt::format("{}.curve is none of half-ellipse, ellipse, inclined-sine, power", what));
 }
 
@@ -93,9 +111,11 @@ Piece<double> piece_of(const Json& object, const std::string& what) {
        [&](const Json& c, const std::string& at) { piece.polynomial.push_back(number_of(c, at)); });
   each(value(object, "harmonics", what), what + ".harmonics",
        [&](const Json& h, const std::string& at) {
-         piece.harmonics.push_back(
-             {number_of(h, "sine", at), number_of(h, "cosine", at), number_of(h, "frequency", at)});
+         piece.harmonics.push_back({number_of(h, "sine", at), number_of(h, "cosine", at),
+                                    bounded(h, "frequency", at, -kMostFrequency, kMostFrequency)});
        });
+  check_count(piece.polynomial.size(), kMostTerms, what + ".polynomial");
+  check_count(piece.harmonics.size(), kMostHarmonics, what + ".harmonics");
   each(value(object, "curves", what), what + ".curves", [&](const Json& c, const std::string& at) {
     piece.curves.push_back({number_of(c, "amplitude", at), number_of(c, "rate", at),
                             number_of(c, "shift", at), curve_of(c, at)});

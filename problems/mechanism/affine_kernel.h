@@ -37,6 +37,7 @@ class AffineKernel final : public optim::Kernel {
     return gradient(u, g);
   }
   optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+  bool is_enclosed() const override { return exact_->is_enclosed(); }
 
  private:
   std::shared_ptr<const optim::Kernel> exact_;

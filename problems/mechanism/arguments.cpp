@@ -43,6 +43,10 @@ class Rearranged final : public optim::Kernel {
     return kernel_->enclose(arguments(u));
   }
   bool is_searched() const override { return kernel_->is_searched(); }
+  bool is_enclosed() const override { return kernel_->is_enclosed(); }
+  std::string why_undefined(std::span<const double> u) const override {
+    return kernel_->why_undefined(arguments(u));
+  }
 
  private:
   std::vector<double> arguments(std::span<const double> u) const {

@@ -80,6 +80,32 @@ Quadratic assembled(const LawBinding& law, int order) {
   return sum;
 }
 
+/// Whether a derivative jumps where two pieces meet, at the member's own values or with others.
+bool jumps_at(const LawBinding& law, std::span<const double> zeros, double x, int order) {
+  constexpr double kRounding = 1e-7;
+  const auto m = static_cast<std::size_t>(order);
+  const auto left = law.motion(x, Side::Left, zeros, 1),
+             right = law.motion(x, Side::Right, zeros, 1);
+  const auto differ = [](double a, double b) {
+    return !(std::abs(a - b) <= kRounding * (1 + std::abs(a) + std::abs(b)));
+  };
+  if (differ(left.value[m], right.value[m])) return true;
+  for (std::size_t i = 0; i < left.gradient.size(); ++i) {
+    if (differ(left.gradient[i][m], right.gradient[i][m])) return true;
+  }
+  return false;
+}
+
+/// Whether the mean square of derivative `order` is a number, whatever the variables are.
+bool is_finite(const LawBinding& law, int order) {
+  const std::vector<double> zeros(law.variables().size(), 0.0);
+  const Law<double> own = law.member().law();
+  for (std::size_t i = 0; i + 1 < own.pieces().size(); ++i) {
+    if (jumps_at(law, zeros, own.pieces()[i].end, order - 1)) return false;
+  }
+  return true;
+}
+
 class MeanSquareKernel final : public optim::Kernel {
  public:
   MeanSquareKernel(std::shared_ptr<const LawBinding> law, int order,
@@ -115,14 +141,17 @@ class MeanSquareKernel final : public optim::Kernel {
   }
 
   optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+  bool is_enclosed() const override { return exact_->is_enclosed(); }
+  std::string why_undefined(std::span<const double>) const override {
+    return std::isnan(quadratic().constant) ? detail::kJumps : "";
+  }
 
  private:
   const Quadratic& quadratic() const {
     std::call_once(made_, [&] {
-      try {
-        detail::check_no_jump(law_->member().law(), order_ - 1);
+      if (is_finite(*law_, order_)) {
         form_ = assembled(*law_, order_);
-      } catch (const std::invalid_argument&) {
+      } else {
         form_.linear.assign(law_->variables().size(), 0.0);
         form_.constant = std::numeric_limits<double>::quiet_NaN();
       }

@@ -115,8 +115,8 @@ std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
   for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
   const Member member = law_->member_at(x);
   return std::make_unique<MechanismTrace>(
-      parts_.cycle, law_of<double>(member), [member] { return law_of<Interval>(member); },
-      parts_.formula(arguments));
+      parts_.cycle, parts_.uses, law_of<double>(member),
+      [member] { return law_of<Interval>(member); }, parts_.formula(arguments));
 }
 
 }  // namespace camlaw::problems

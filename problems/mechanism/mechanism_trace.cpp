@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "problems/mechanism/mechanism_trace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
 #include "problems/mechanism/enclosed.h"
+#include "problems/mechanism/pulse.h"
 
 namespace camlaw::problems {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-MechanismTrace::MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
+MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
+                               std::optional<Law<double>> law,
                                std::function<std::optional<Law<Interval>>()> enclosing,
                                std::unique_ptr<const CurveFormula> formula)
     : cycle_(std::move(cycle)),
@@ -21,6 +26,7 @@ MechanismTrace::MechanismTrace(Cycle cycle, std::optional<Law<double>> law,
       enclosing_(std::move(enclosing)),
       formula_(std::move(formula)) {
   for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
+  if (law_) pulse_ = pulse_place(cycle_, *law_, uses);
 }
 
 const std::vector<PieceExpander>& MechanismTrace::expanders() const {
@@ -61,8 +67,20 @@ const MechanismTrace::Section& MechanismTrace::section_at(optim::Place place) co
   return *after;
 }
 
+/// Of a pulse at one end of the cycle the other end shows the other side.
+std::optional<double> MechanismTrace::pulse_at(optim::Place place) const {
+  if (!pulse_) return {};
+  const double begin = sections_.front().begin, end = sections_.back().end;
+  const bool at_ends = *pulse_ == begin || *pulse_ == end;
+  const bool there =
+      place.angle == *pulse_ || (at_ends && (place.angle == begin || place.angle == end));
+  if (!there) return {};
+  return place.from_left ? -kInfinity : kInfinity;
+}
+
 std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   if (!law_) return {kNaN, kNaN, kNaN};
+  if (const auto pulse = pulse_at(place)) return {*pulse, 0, 0};
   const Section& section = section_at(place);
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const double x = law_place(stretch, place).x;
@@ -92,8 +110,14 @@ Interval MechanismTrace::value_at(const Section& section, double x) const {
       .c[0];
 }
 
+std::string MechanismTrace::why_unbounded() const {
+  if (!pulse_) return {};
+  return fmt::format("it has a pulse at {:.6g}{}, where the motion jumps", *pulse_,
+                     cycle_.unit == "1" ? "" : " " + cycle_.unit);
+}
+
 optim::Bounds MechanismTrace::enclose(double from, double to) const {
-  if (expanders().empty()) return {};
+  if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
   const Section& section = section_at({std::midpoint(from, to)});
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);

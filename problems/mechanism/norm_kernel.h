@@ -39,6 +39,7 @@ class NormKernel final : public optim::Kernel {
     return s.norm;
   }
   optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+  bool is_enclosed() const override { return exact_->is_enclosed(); }
 
  private:
   struct Slopes {

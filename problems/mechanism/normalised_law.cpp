@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "kinematics/dynamics/follower_train.h"
+#include "problems/mechanism/enclosed.h"
 #include "problems/mechanism/law_number.h"
 #include "problems/mechanism/mean_square.h"
 #include "problems/mechanism/norm_kernel.h"
@@ -49,12 +52,12 @@ MechanismResponse law_curve(const char* name, const char* meaning, Shape shape, 
 }
 
 std::vector<MechanismResponse> curves() {
-  return {
-      law_curve("displacement", "s", Shape::Linear, [](const auto& m) { return m.s; }),
-      law_curve("velocity", "s'", Shape::Linear, [](const auto& m) { return m.v; }),
-      law_curve("acceleration", "s''", Shape::Linear, [](const auto& m) { return m.a; }),
-      law_curve("jerk", "s''' within the pieces", Shape::Linear, [](const auto& m) { return m.j; }),
-      law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
+  return {law_curve("displacement", "s", Shape::Linear, [](const auto& m) { return m.s; }),
+          law_curve("velocity", "s'", Shape::Linear, [](const auto& m) { return m.v; }),
+          law_curve("acceleration", "s''", Shape::Linear, [](const auto& m) { return m.a; }),
+          law_curve("jerk", "s'''; infinite where s'' jumps inside", Shape::Linear,
+                    [](const auto& m) { return m.j; }),
+          law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
 }
 
 /// A response with a kernel of its own over laws that are linear in what varies, where it is
@@ -85,6 +88,37 @@ MechanismResponse mean_square_of(const char* name, const char* meaning, int orde
 
 enum class Part { Cosine, Sine };
 
+/// The same integrals, enclosed piece by piece in closed form: by parts int q cos(Wx) dx is
+/// q sin(Wx)/W + q' cos(Wx)/W^2 - q'' sin(Wx)/W^3 - ..., and with sin(Wx) - cos, sin, cos, ... The
+/// state of the follower would be turned at each joint, by which intervals grow with exp(W).
+Interval part_by_pieces(const Law<Interval>& law, const Interval& W, Part part) {
+  Interval sum(0.0);
+  for (const Piece<Interval>& piece : law.pieces()) {
+    for (const bool at_end : {false, true}) {
+      const Interval x = at_end ? piece.end : piece.begin, t = x - piece.origin;
+      const Interval wave[2] = {sin(W * x), cos(W * x)};
+      std::vector<Interval> q = detail::derived(piece.polynomial, 2);
+      Interval power = W;
+      for (int k = part == Part::Cosine ? 0 : 3; !q.empty(); ++k) {
+        Interval value(0.0);
+        for (std::size_t i = q.size(); i-- > 0;) value = value * t + q[i];
+        const bool negative = (k % 4 >= 2) == at_end;
+        const Interval term = value * wave[k % 2] / power;
+        sum += negative ? -term : term;
+        q = detail::derived(std::move(q), 1);
+        power *= W;
+      }
+    }
+  }
+  return sum / W;
+}
+
+bool is_polynomial(const Law<Interval>& law) {
+  return std::all_of(law.pieces().begin(), law.pieces().end(), [](const auto& piece) {
+    return piece.harmonics.empty() && piece.curves.empty();
+  });
+}
+
 /// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
 /// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
 template <class T>
@@ -94,8 +128,12 @@ T residual_part(const Law<T>& law, const T& period_ratio, Part part) {
   const TrainState<T> end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
   const T W = number<T>(2) * pi<T>() * period_ratio;
   const T rate = end.rate / W;
-  if (part == Part::Cosine) return -(cos(W) * rate) - sin(W) * end.z;
-  return cos(W) * end.z - sin(W) * rate;
+  const T result =
+      part == Part::Cosine ? -(cos(W) * rate) - sin(W) * end.z : cos(W) * end.z - sin(W) * rate;
+  if constexpr (std::is_same_v<T, Interval>) {
+    if (is_polynomial(law)) return both(result, part_by_pieces(law, W, part));
+  }
+  return result;
 }
 
 /// The period ratio of a follower, counted from 0.
@@ -132,8 +170,16 @@ MechanismResponse residual_amplitude(int which) {
        "amplitude of the vibration left, undamped, in parts of the stroke"},
       [which](const auto& followers, const auto& law) {
         using T = std::decay_t<decltype(followers.first)>;
-        const FollowerTrain<T> train{ratio_of(followers, which), number<T>(0)};
-        return train.amplitude(train.after(law));
+        const T& ratio = ratio_of(followers, which);
+        const FollowerTrain<T> train{ratio, number<T>(0)};
+        const T result = train.amplitude(train.after(law));
+        if constexpr (std::is_same_v<T, Interval>) {
+          const T c = residual_part(law, ratio, Part::Cosine);
+          const T s = residual_part(law, ratio, Part::Sine);
+          return both(result, sqrt(boost::numeric::square(c) + boost::numeric::square(s)));
+        } else {
+          return result;
+        }
       },
       [which](const Binding& binding, auto general) -> std::shared_ptr<const optim::Kernel> {
         const auto part = [&](Part p) {
@@ -169,7 +215,7 @@ Mechanism normalised_law_mechanism() {
           .responses = responses(),
           .peaks = {{"B", "velocity", P::Magnitude, "peak velocity, C_v in VDI 2143"},
                     {"C", "acceleration", P::Magnitude, "peak acceleration, C_a"},
-                    {"D", "jerk", P::Magnitude, "peak jerk within the pieces, C_j"},
+                    {"D", "jerk", P::Magnitude, "peak jerk, C_j"},
                     {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}}};
 }
 

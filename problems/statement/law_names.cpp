@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "problems/law_files/law_file.h"
 #include "problems/statement/parameters.h"
@@ -53,6 +54,14 @@ std::set<std::string> given_in(std::string_view name, const Family& family) {
 
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value) {
   if (const auto why = refusal(parameter, value)) refuse(entry, *why);
+}
+
+void tell_apart(std::vector<Member>& laws) {
+  std::map<std::string, int> count;
+  for (const Member& law : laws) ++count[law.name()];
+  for (Member& law : laws) {
+    if (count[law.name()] > 1 && is_law_file(law)) law = called_by_path(law);
+  }
 }
 
 NamedLaw read_law_name(const Entry& name) {

@@ -21,6 +21,10 @@ struct NamedLaw {
 /// as the member of its family. Refuses the entry for names and values that are not accepted.
 NamedLaw read_law_name(const Entry& name);
 
+/// Laws of a list that are files are called by their paths where their stems would be taken for
+/// another law of the list.
+void tell_apart(std::vector<Member>& laws);
+
 /// The programs of a file's table [program], one for each combination of its segments' laws. A free
 /// law is what the file's table [free] says.
 std::vector<Member> read_program(const Entry& file, const Entry& program);

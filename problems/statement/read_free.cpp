@@ -17,6 +17,9 @@ namespace {
 using Kind = Entry::Kind;
 
 constexpr int kStandardKnots = 32, kMostKnots = 1000, kMostDegree = 25;
+/// The velocity of a free law is continuous: where it jumps the acceleration has a pulse, which no
+/// limit on the pieces sees.
+constexpr int kLeastDegree = 2, kLeastContinuity = 1;
 constexpr const char* kFree = "free";
 
 /// The table [free]; without one, an empty table.
@@ -32,9 +35,16 @@ Entry free_table(const Entry& file) {
   return none;
 }
 
-int whole_or(const Entry& table, const char* key, int low, int high, int standard) {
+/// A degree or a continuity, with which the velocity does not jump from `low` on.
+int smooth_or(const Entry& table, const char* key, int low, int high, int standard) {
   const Entry* entry = find(table, key);
-  return entry == nullptr ? standard : static_cast<int>(whole_of(*entry, low, high));
+  if (entry == nullptr) return standard;
+  if (entry->kind == Kind::Integer && entry->integer >= 0 && entry->integer < low) {
+    refuse(*entry, fmt::format("with {} the velocity jumps at the knots, where the acceleration is "
+                               "infinite; accepted are {} .. {}",
+                               entry->integer, low, high));
+  }
+  return static_cast<int>(whole_of(*entry, low, high));
 }
 
 bool truth_of(const Entry& table, const char* key) {
@@ -51,6 +61,7 @@ std::vector<double> read_knots(const Entry& table) {
     return even_knots(static_cast<int>(whole_of(*entry, 0, kMostKnots)));
   expect(*entry, Kind::List,
          "how many even knots, such as 64, or a list of places, such as [0.2, 0.5]");
+  if (entry->items.empty()) return {};
   return quantities_of(*entry, "1");
 }
 
@@ -131,11 +142,12 @@ bool is_free(const Entry& segment) {
                      [](const Entry& item) { return is_free_name(item.text); });
 }
 
-/// What stands before the parameters of each free law: nothing, or of a program's segments "rise_".
+/// What stands before the parameters of each free law, which is told by what it alone has (a law
+/// file may be called free too): nothing, or of a program's segments "rise_".
 std::vector<std::string> free_prefixes(const Entry& file, const ProblemStatement& problem) {
   if (problem.mechanism->moved_by != MovedBy::Program) {
     const bool any = std::any_of(problem.laws.begin(), problem.laws.end(),
-                                 [](const Member& law) { return is_free_name(law.family->name); });
+                                 [](const Member& law) { return bool(law.family->listed); });
     return any ? std::vector<std::string>{""} : std::vector<std::string>{};
   }
   std::vector<std::string> prefixes;
@@ -160,9 +172,10 @@ bool is_free_name(std::string_view name) { return name == kFree; }
 Member read_free_law(const Entry& file) {
   const Entry table = free_table(file);
   FreeLaw shape;
-  shape.degree = whole_or(table, "degree", 1, kMostDegree, shape.degree);
+  shape.degree = smooth_or(table, "degree", kLeastDegree, kMostDegree, shape.degree);
   shape.knots = read_knots(table);
-  shape.continuity = whole_or(table, "continuity", 0, shape.degree - 1, shape.degree - 1);
+  shape.continuity =
+      smooth_or(table, "continuity", kLeastContinuity, shape.degree - 1, shape.degree - 1);
   shape.begin = read_end(table, "begin", shape.continuity);
   shape.end = read_end(table, "end", shape.continuity);
   shape.symmetric = truth_of(table, "symmetric");

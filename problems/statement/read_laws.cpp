@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "problems/law_files/law_file.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
@@ -36,6 +37,7 @@ NamedLaws read_names(const Entry& file, const Entry& name) {
     expect(name, Kind::Text, "a law's name in quotes, or a list of names");
     read_law(file, name, result);
   }
+  tell_apart(result.laws);
   return result;
 }
 
@@ -142,6 +144,16 @@ void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fi
   }
 }
 
+namespace {
+
+/// What tells a law from others: its name, and of a file what is in it.
+std::string identity_of(const Member& law) {
+  return is_law_file(law) ? pieces_to_json(law.law()).dump() + to_string(law.law().ends())
+                          : law.name();
+}
+
+}  // namespace
+
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem) {
   const MovedBy moved_by = problem.mechanism->moved_by;
   if (moved_by == MovedBy::Nothing) return;
@@ -150,7 +162,7 @@ void check_laws_at_start(const Entry& file, const ProblemStatement& problem) {
   located(name, [&] { check_laws(problem); });
   std::set<std::string> seen;
   for (const Member& law : problem.laws) {
-    if (!seen.insert(law.name()).second) {
+    if (!seen.insert(identity_of(law)).second) {
       refuse(name, fmt::format("'{}' is there twice, with what varies at its start", law.label()));
     }
   }

@@ -64,6 +64,7 @@ std::vector<Member> read_segment_laws(const Entry& file, const Entry& law) {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
     if (law.text != kJoining) laws.push_back(read_segment_law(file, law));
   }
+  tell_apart(laws);
   return laws;
 }
 

@@ -73,6 +73,29 @@ TEST_CASE("A B-spline law agrees with the recursion that defines B-splines", "[s
   }
 }
 
+TEST_CASE("One piece of a high degree keeps its digits, at both ends too", "[spline]") {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> between(-1, 2);
+  for (const int degree : {12, 18, 22, 25}) {
+    for (int round = 0; round < 4; ++round) {
+      Values c(static_cast<std::size_t>(degree) + 1);
+      for (double& x : c) x = between(random);
+      c.front() = 0, c.back() = 1;
+      const Law<double> law = b_spline<double>(degree, {}, c);
+      for (int i = 0; i <= 64; ++i) {
+        const double x = i / 64.0;
+        // de Casteljau's algorithm adds up what lies between the coefficients.
+        std::vector<long double> left(c.begin(), c.end());
+        for (std::size_t n = left.size() - 1; n > 0; --n) {
+          for (std::size_t k = 0; k < n; ++k) left[k] += x * (left[k + 1] - left[k]);
+        }
+        INFO("degree " << degree << " at " << x);
+        CHECK(law(x).s == Approx(static_cast<double>(left[0])).margin(1e-9));
+      }
+    }
+  }
+}
+
 TEST_CASE("Coefficients 1 give 1, and Greville's averages give x", "[spline]") {
   const Values interior{0.1, 0.35, 0.35, 0.8};
   for (const int degree : {2, 3, 5}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 
@@ -52,6 +53,29 @@ TEST_CASE("a flat face asks for the base circle that its least curvature leaves"
   const Found found = solved("flat_least_base.toml");
   CHECK(found.x.at(0) == Approx(5 - least).epsilon(1e-6));
   CHECK(found.assessment.global);
+}
+
+TEST_CASE("a rise at constant velocity between rests takes an infinite force", "[cams][pulse]") {
+  const auto measured = [](const std::string& law) {
+    std::map<std::string, double> values;
+    for (const EvaluatedResponse& r : evaluate(read_problem(
+             with_segments("{ angle = '120 deg', law = '" + law +
+                               "' }, { angle = '60 deg' }, { angle = '90 deg', law = 'cycloidal' "
+                               "}, {}",
+                           "matched = 'displacement'\n"),
+             "f.toml"))) {
+      values[r.name] = r.is_curve ? r.highest : r.value;
+    }
+    return values;
+  };
+  auto jumping = measured("constant-velocity"), smooth = measured("cycloidal");
+  for (const char* name : {"acceleration", "drive_torque"}) {
+    CHECK(std::isinf(jumping.at(name)));
+    CHECK(std::isfinite(smooth.at(name)));
+  }
+  CHECK(std::isnan(jumping.at("torque_rms")));
+  CHECK(std::isfinite(smooth.at("torque_rms")));
+  CHECK(std::isfinite(jumping.at("velocity")));
 }
 
 TEST_CASE("a roller's base circle is the one at which the rise stands at 30 degrees", "[cams]") {

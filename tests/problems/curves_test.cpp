@@ -7,6 +7,7 @@
 
 #include "kinematics/mechanisms/spine_cutter.h"
 #include "kinematics/peaks.h"
+#include "optim/cycle/extremes.h"
 #include "tests/problems/mechanism_fixture.h"
 
 namespace camlaw::problems {
@@ -169,6 +170,7 @@ TEST_CASE("rows and traces agree everywhere, on both sides of breaks", "[mechani
     for (const Place place : places) {
       INFO(law.law << " at " << place.angle << (place.from_left ? " from left" : ""));
       const double value = trace->at(place)[0];
+      if (std::isinf(value)) continue;  // a pulse, which is of the law as a whole
       CHECK(response.curve().at(place).value(design.x) == Approx(value).epsilon(1e-9).margin(1e-9));
     }
   }
@@ -359,6 +361,38 @@ TEST_CASE("the law's constants are its named peaks", "[mechanism][curves]") {
     const double inside = std::max(peak.jerk_inside_highest.value, -peak.jerk_inside_lowest.value);
     CHECK(proved("D").upper == Approx(inside).epsilon(1e-9));
   }
+}
+
+TEST_CASE("where the velocity jumps the acceleration is infinite, both ways",
+          "[mechanism][curves][pulse]") {
+  // A knot as often as the degree; the pieces' own acceleration stays small.
+  const char* law = "b-spline degree=2 knots=0.5,0.5 coefficients=0,0,0.3,1,1";
+  const auto proof_of = [&](const Mechanism& mechanism, const char* name, double sign) {
+    const auto trace =
+        response_of(mechanism, name, design_of(mechanism, law, {}, {}).binding).curve().trace({});
+    CHECK_FALSE(optim::prove_below(*trace, sign, 1e6).proved);
+    return optim::highest(*trace, sign).value;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    CHECK(proof_of(law_alone(), "acceleration", sign) == sign * optim::kInfinity);
+    CHECK(proof_of(law_alone(), "jerk", sign) == sign * optim::kInfinity);
+    CHECK(proof_of(law_alone(), "moment", sign) == sign * optim::kInfinity);
+    CHECK(proof_of(cutter(), "inertia_force", sign) == sign * optim::kInfinity);
+    CHECK(proof_of(cutter(), "drive_torque", sign) == sign * optim::kInfinity);
+  }
+  const auto highest = [&](const Mechanism& mechanism, const char* of, const char* name) {
+    const TestDesign design = design_of(mechanism, of, {}, {});
+    return optim::highest(*response_of(mechanism, name, design.binding).curve().trace({}), 1).value;
+  };
+  CHECK(highest(law_alone(), law, "velocity") == Approx(2.8));
+  CHECK(std::isfinite(highest(cutter(), law, "required_cam_radius")));
+  // There and back at constant velocity turns round at once; alone it goes on.
+  CHECK(std::isinf(highest(cutter(), "constant-velocity", "inertia_force")));
+  CHECK(highest(law_alone(), "constant-velocity", "acceleration") == 0);
+  // A jump of the acceleration is a pulse of the jerk alone.
+  CHECK(std::isinf(highest(law_alone(), "parabolic", "jerk")));
+  CHECK(highest(law_alone(), "parabolic", "acceleration") == Approx(4));
+  CHECK(highest(law_alone(), "parabolic", "moment") == Approx(8));
 }
 
 TEST_CASE("rows and traces give the same bits from many threads", "[mechanism][curves]") {

@@ -119,6 +119,7 @@ TEST_CASE("The table [free] is read as it says", "[free]") {
   };
   CHECK(read_problem(kLaw, "f.toml").variables.size() == 32 + 4 - 6);
   CHECK(law("knots = 10").law().pieces().size() == 11);
+  CHECK(law("degree = 6\nknots = []").law().pieces().size() == 1);
   CHECK(law("knots = [0.25, 0.5, 0.75]").law().pieces()[0].end == 0.25);
   CHECK(law("knots = 10").listed().law().ends() == Ends{});
   CHECK(law("degree = 2\nknots = 10").law().ends() == Ends{End::Reversal, End::Reversal});
@@ -156,7 +157,11 @@ TEST_CASE("Wrong tables [free] are refused with their place", "[free]") {
     return complaint(kLaw + "[free]\n" + table);
   };
   CHECK_THAT(of_table("degre = 3"), Contains("f.toml:5: free.degre") && Contains("degree"));
-  CHECK_THAT(of_table("degree = 0"), Contains("f.toml:5: free.degree") && Contains("1"));
+  CHECK_THAT(of_table("degree = -1"), Contains("f.toml:5: free.degree") && Contains("2 .. 25"));
+  CHECK_THAT(of_table("degree = 1"), Contains("f.toml:5: free.degree: with 1 the velocity jumps"));
+  CHECK_THAT(
+      of_table("continuity = 0"),
+      Contains("f.toml:5: free.continuity: with 0 the velocity jumps") && Contains("1 .. 2"));
   CHECK_THAT(of_table("degree = 26"), Contains("free.degree"));
   CHECK_THAT(of_table("degree = 2.5"), Contains("free.degree"));
   CHECK_THAT(of_table("knots = -1"), Contains("free.knots"));
@@ -175,6 +180,16 @@ TEST_CASE("Wrong tables [free] are refused with their place", "[free]") {
              Contains("f.toml:4: free: no law of the problem is free"));
   CHECK_THAT(complaint("mechanism = 'law'\nfree = 3\n[law]\nname = 'free'\n"),
              Contains("f.toml:2: free") && Contains("[free]"));
+}
+
+TEST_CASE("No optimum is certified over a jump of the velocity", "[free][pulse]") {
+  // Straight pieces have no acceleration but at the knot.
+  const Solved jumping = solved(
+      "mechanism = 'law'\n[law]\nname = 'b-spline degree=1 knots=0.5 coefficients=0,0.3,1'\n"
+      "[variables.'coefficients[2]']\nlower = 0.2\nupper = 0.4\n[objective]\nminimize = 'C'\n");
+  const optim::Assessment& a = jumping.optimum.found.assessment;
+  CHECK(a.verdict == Verdict::Failed);
+  CHECK_THAT(a.reason, Contains("no number"));
 }
 
 TEST_CASE("A free law is one of several to choose from", "[free]") {
@@ -291,6 +306,19 @@ TEST_CASE("Least mean squares are those of the calculus of variations", "[free]"
   const Solved line = globally_solved(kLaw + "[free]\nbegin = 'B'\nend = 'B'\nknots = 9\n" +
                                       "[objective]\nminimize = 'mean_square_velocity'\n");
   CHECK(line.objective() == Approx(1).epsilon(1e-8));
+}
+
+TEST_CASE("An infinite mean square is no number, and the reason says so", "[free]") {
+  // At the start, a straight line, nothing jumps; as soon as a coefficient moves s'' does.
+  const std::string text =
+      kLaw + "[free]\ndegree = 2\nbegin = 'B'\nend = 'B'\nknots = 4\nstart = 'constant-velocity'\n";
+  for (const char* rest : {"[objective]\nminimize = 'mean_square_acceleration'\n[[constraints]]\n"
+                           "response = 'mean_square_jerk'\nupper = 1e-6\n",
+                           "[objective]\nminimize = 'mean_square_jerk'\n"}) {
+    const optim::Assessment a = solved(text + rest).optimum.found.assessment;
+    CHECK(a.verdict == Verdict::Failed);
+    CHECK_THAT(a.reason, Contains("no number at the start (mean_square_jerk: it is infinite"));
+  }
 }
 
 TEST_CASE("Mean squares are those of quadrature, for every kind of law", "[free]") {

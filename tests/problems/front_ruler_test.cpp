@@ -19,6 +19,11 @@ using testing::kCutter;
 using testing::kLaw;
 using testing::shipped_front;
 
+/// A law whose acceleration is continuous, into rest as well.
+const std::string kSmoothLaw =
+    "mechanism = 'law'\n[law]\nname = 'polynomial-7'\n"
+    "[variables.A]\nlower = 6\nupper = 60\nstart = 40\n";
+
 std::optional<FrontRuler> ruler_of(const std::string& text) {
   return front_ruler(read_problem(text, "f.toml"));
 }
@@ -118,7 +123,7 @@ TEST_CASE("the rulers of jerk: with velocity, with acceleration, with both", "[f
       {{"minimize C", "minimize B", "minimize D"}, {4, 1, 32}, {40, 1.3, 900}},
   };
   for (const Case& one : cases) {
-    const auto ruler = ruler_of(front_of(kLaw, one.objectives));
+    const auto ruler = ruler_of(front_of(kSmoothLaw, one.objectives));
     REQUIRE(ruler);
     const double limit = ruler->hypervolume(one.reference);
     INFO(limit << " up to " << one.reference.back());
@@ -127,7 +132,7 @@ TEST_CASE("the rulers of jerk: with velocity, with acceleration, with both", "[f
     // Up to the least that there is, nothing is left.
     CHECK(ruler->hypervolume(one.low) == 0);
   }
-  const auto of_both = ruler_of(front_of(kLaw, {"minimize B", "minimize D"}));
+  const auto of_both = ruler_of(front_of(kSmoothLaw, {"minimize B", "minimize D"}));
   for (const double b : {1.1, 1.5, 1.9, 2.0, 2.7}) {
     CHECK(of_both->limit_index({b, of_both->least(b)}) == Approx(1).epsilon(1e-12));
   }
@@ -181,6 +186,27 @@ TEST_CASE("the ruler is of laws from rest to rest", "[fronts]") {
   CHECK(
       of_law("name = ['polynomial-5', 'cycloidal']\n[variables.alpha]\n"
              "lower = -5\nupper = 5\nstart = -3\n"));
+}
+
+TEST_CASE("the ruler is of laws without jumps of the velocity, that of jerk of none", "[fronts]") {
+  const auto of_law = [](const std::string& law, const std::string& other) {
+    return ruler_of(front_of("mechanism = 'law'\n[law]\n" + law, {"minimize B", other}))
+        .has_value();
+  };
+  const std::string bounds = "[variables.'coefficients[3]']\nlower = 0.3\nupper = 0.6\n";
+  const std::string jumping =
+      "name = 'b-spline degree=2 knots=0.5,0.5 coefficients=0,0,0.4,1,1'\n" + bounds;
+  CHECK_FALSE(of_law(jumping, "minimize C"));
+  const std::string meeting =
+      "name = 'b-spline degree=2 knots=0.25,0.5,0.75 coefficients=0,0,0.5,0.5,1,1'\n" + bounds;
+  CHECK(of_law(meeting, "minimize C"));
+  // The acceleration jumps at rest, inside, or not at all.
+  CHECK_FALSE(ruler_of(front_of(kLaw, {"minimize B", "minimize D"})));
+  CHECK_FALSE(ruler_of(front_of(kLaw, {"minimize B", "minimize peak jerk"})));
+  CHECK_FALSE(of_law(meeting, "minimize D"));
+  const std::string free = "name = 'free'\n[free]\nknots = 3\n";
+  CHECK(of_law(free, "minimize D"));
+  CHECK_FALSE(of_law(free + "begin = 'U'\n", "minimize D"));
 }
 
 }  // namespace camlaw::problems

@@ -122,6 +122,43 @@ TEST_CASE("A problem file takes laws from files beside it", "[law-files]") {
                     Contains("problem.toml:3: law.name") && Contains("other.json"));
 }
 
+TEST_CASE("Files of one name are told apart by their paths, and by what is in them",
+          "[law-files]") {
+  const OwnFolder own;
+  fs::create_directory(own.folder() + "/a");
+  fs::create_directory(own.folder() + "/b");
+  own.put("a/law.json", text_of(find_law("cycloidal").law()));
+  own.put("b/law.json", text_of(find_law("modified-sine").law()));
+  own.put("other.json", text_of(find_law("modified-sine").law()));
+  own.put("cosine.json", text_of(find_law("modified-sine").law()));
+  const auto laws = [&](const std::string& names) {
+    std::vector<std::string> result;
+    for (const Member& law : read_problem("mechanism = 'law'\n[law]\nname = [" + names + "]\n",
+                                          own.folder() + "/p.toml")
+                                 .laws) {
+      result.push_back(law.label());
+    }
+    return result;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(laws("'a/law.json', 'b/law.json'") == Names{"a/law.json", "b/law.json"});
+  CHECK(laws("'a/law.json', 'cosine'") == Names{"law", "cosine"});
+  CHECK(laws("'cosine.json', 'cosine'") == Names{"cosine.json", "cosine"});
+  CHECK_THROWS_WITH(laws("'b/law.json', 'other.json'"), Contains("'other' is there twice"));
+  CHECK_THROWS_WITH(laws("'b/law.json', './b/law.json'"), Contains("is there twice"));
+}
+
+TEST_CASE("A file that is called free is not the free law", "[law-files]") {
+  const OwnFolder own;
+  own.put("free.json", text_of(find_law("cycloidal").law()));
+  const std::string named = "mechanism = 'law'\n[law]\nname = 'free.json'\n";
+  const auto read = [&](const std::string& text) {
+    return read_problem(text, own.folder() + "/p.toml");
+  };
+  CHECK(read(named).variables.empty());
+  CHECK_THROWS_WITH(read(named + "[free]\nknots = 4\n"), Contains("no law of the problem is free"));
+}
+
 TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-files]") {
   const OwnFolder own;
   const Json good = law_file(find_law("modified-sine").law(), "t", Json{});
@@ -175,6 +212,22 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
                    {{"curve", "spiral"}, {"amplitude", 1}, {"rate", 1}, {"shift", 0}}};
              }),
              Contains("pieces[1].curves[1].curve is none of"));
+  CHECK_THAT(
+      changed([](Json& f) { f["pieces"][0]["polynomial"] = std::vector<double>(3002, 0.0); }),
+      Contains("pieces[1].polynomial has 3002 terms; at most 101"));
+  CHECK_THAT(changed([](Json& f) { f["pieces"][0]["harmonics"][0]["frequency"] = 1e300; }),
+             Contains("pieces[1].harmonics[1].frequency = 1e+300 is outside"));
+  for (const char* curve :
+       {"{\"curve\": \"inclined-sine\", \"e\": 5}", "{\"curve\": \"ellipse\", \"n\": 0}",
+        "{\"curve\": \"power\", \"exponent\": 1e9}"}) {
+    CHECK_THAT(changed([&](Json& f) {
+                 Json term = Json::parse(curve);
+                 term["amplitude"] = 1, term["rate"] = 1, term["shift"] = 0;
+                 f["pieces"][0]["curves"] = Json::array({term});
+               }),
+               Contains("is outside"));
+  }
+  CHECK_THAT(changed([](Json& f) { f["title"] = "a\n\x1b[2Jb"; }), Contains("control characters"));
   CHECK_THROWS_WITH(read_law_file(own.folder()), Contains("it is a directory; a law file"));
   CHECK_THROWS_WITH(read_law_file(own.folder() + "/no.json"), Contains("cannot be read"));
 }

@@ -103,6 +103,52 @@ TEST_CASE("a design outside a variable's bounds fails, and the reason names the 
   }
 }
 
+namespace {
+
+/// x, proved to lie within `room` of itself.
+class Vague final : public Kernel {
+ public:
+  explicit Vague(double room) : room_(room) {}
+  double value(std::span<const double> u) const override { return u[0]; }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    g[0] = 1;
+    return u[0];
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    h[0] = 0;
+    return gradient(u, g);
+  }
+  Bounds enclose(std::span<const double> u) const override { return {u[0] - room_, u[0] + room_}; }
+  bool is_enclosed() const override { return true; }
+
+ private:
+  double room_;
+};
+
+Response vague(const char* name, std::size_t variable, double room) {
+  return {name, "mm", Function({variable}, std::make_shared<Vague>(room), Shape::Linear)};
+}
+
+}  // namespace
+
+TEST_CASE("a number that its enclosure does not prove is not certified", "[verdict]") {
+  for (const double room : {0.0, 1.0}) {
+    Problem problem = projection();
+    problem.constraints.push_back({.response = vague("vague", 0, room), .upper = 1.6});
+    const Assessment a = judge(problem, {1.5, 0.5});
+    CHECK(a.limits[1].met);
+    CHECK(a.verdict == (room == 0 ? Verdict::Certified : Verdict::Feasible));
+    if (room > 0) CHECK(a.reason == "vague is met, but intervals do not prove it");
+    Problem lowest;
+    lowest.variables = {{.name = "x", .lower = 1, .upper = 2, .start = 1.5}};
+    lowest.objective = {.response = vague("vague", 0, room)};
+    const Assessment b = judge(lowest, {1});
+    CHECK(b.verdict == (room == 0 ? Verdict::Certified : Verdict::Feasible));
+    if (room > 0) CHECK(b.reason == "vague is proved to lie between 0 and 2 only");
+  }
+}
+
 TEST_CASE("a design at which the model gives no number fails", "[verdict]") {
   Problem problem = projection();
   problem.constraints[0].response.measure =
