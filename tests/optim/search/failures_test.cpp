@@ -47,7 +47,7 @@ TEST_CASE("a start without numbers: alone it fails, among others it does no harm
   const Found alone = optimise(problem, {.starts = 1}).found;
   CHECK(alone.assessment.verdict == Verdict::Failed);
   CHECK(alone.status == Status::NonFiniteStart);
-  CHECK(alone.assessment.reason == "the model gives no number at the start");
+  CHECK(alone.assessment.reason == "the model gives no number at the start (cost)");
   const Found found = optimise(problem).found;
   CHECK(found.assessment.verdict == Verdict::Certified);
   CHECK(found.x[0] == Approx(2).epsilon(1e-6));
