@@ -2,6 +2,7 @@
 #include "optim/fit/ceres_search.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <cmath>
 #include <exception>
@@ -75,6 +76,19 @@ ceres::Solver::Options settings(int max_iterations, Pace pace) {
   return options;
 }
 
+/// Ceres tells the terminal of each search that ends where there are no numbers: that is ours to
+/// tell.
+class Silence {
+ public:
+  Silence() : before_(FLAGS_minloglevel) { FLAGS_minloglevel = google::GLOG_FATAL; }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() { FLAGS_minloglevel = before_; }
+
+ private:
+  int before_;
+};
+
 }  // namespace
 
 CeresSearch ceres_search(const Residuals& residuals, const FitBox& box, const VectorXd& scales,
@@ -105,6 +119,7 @@ CeresSearch ceres_search(const Residuals& residuals, const FitBox& box, const Ve
   ceres::SubsetManifold manifold(static_cast<int>(y.size()), fixed);
   ceres::Solver::Summary summary;
   if (!fixed.empty()) problem.SetManifold(y.data(), &manifold);
+  const Silence silence;
   ceres::Solve(settings(max_iterations, pace), &problem, &summary);
   block.rethrow();
   return {block.unscaled(y), static_cast<int>(summary.iterations.size())};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "kinematics/peaks.h"
 #include "optim/cycle/peak_function.h"
 #include "optim/fit/identifiability.h"
 #include "optim/fit/least_squares.h"
@@ -19,7 +20,9 @@ namespace {
 
 using optim::Function;
 
-constexpr int kStarts = 12, kIterations = 100;
+constexpr int kPlaces = 24;  ///< that are looked at before the search begins
+constexpr std::size_t kStarts = 4;
+constexpr int kIterations = 100;
 
 /// A number to be found: a coefficient of the law or a parameter of the machine.
 struct Unknown {
@@ -80,6 +83,19 @@ class Model {
     }
   }
 
+  /// Values of the unknowns over their ranges, the standard ones first, and the constants there.
+  struct Place {
+    std::vector<double> x, values;
+  };
+  const std::vector<Place>& places() const {
+    for (int n = static_cast<int>(places_.size()); n < kPlaces && !unknowns_.empty(); ++n) {
+      Place place{place_of(n), {}};
+      for (const Function& f : functions_) place.values.push_back(f.value(place.x));
+      places_.push_back(std::move(place));
+    }
+    return places_;
+  }
+
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   const Function& function(std::size_t constant) const { return functions_[constant]; }
   const std::vector<PrintedConstant>& constants() const { return question_.constants; }
@@ -96,7 +112,7 @@ class Model {
     constexpr double kRounding = 1e-9;  // of the interval, which a search may end on the edge of
     const PrintedConstant& c = constants()[constant];
     const double v = value(constant, x);
-    if (std::isinf(c.value)) return v == c.value;
+    if (std::isinf(c.value)) return v == c.value || is_unbounded(c, x);
     const double room = kRounding * std::max(c.high - c.low, std::abs(c.value));
     return v >= c.low - room && v <= c.high + room;
   }
@@ -110,10 +126,33 @@ class Model {
   }
 
  private:
+  /// Jumps of a derivative, at the ends too, make the next one's peak infinite: prints say so,
+  /// where the responses are those within the pieces.
+  bool is_unbounded(const PrintedConstant& printed, std::span<const double> x) const {
+    if (printed.of->name != "law" || printed.value < 0) return false;
+    const Peaks<double> its = peaks(law_at(x).law());
+    if (printed.name == "C") return std::isinf(its.C());
+    return printed.name == "D" && std::isinf(its.D());
+  }
+
+  std::vector<double> place_of(int number) const {
+    std::vector<double> x = standard();
+    if (number == 0) return x;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      // Additive recurrence by powers of the plastic constant: even in few dimensions and in many.
+      constexpr double kStep = 0.7548776662466927;
+      const double power = std::pow(kStep, 1 + static_cast<double>(i));
+      const double share = std::fmod(0.5 + number * power, 1.0);
+      x[i] = unknowns_[i].lower + share * (unknowns_[i].upper - unknowns_[i].lower);
+    }
+    return x;
+  }
+
   const ConstantsQuestion& question_;
   Member law_;
   std::vector<Unknown> unknowns_;
   std::vector<Function> functions_;
+  mutable std::vector<Place> places_;
 };
 
 /// (f - value) / half of some of the constants: at most one where they agree.
@@ -163,12 +202,14 @@ class Search {
       if (all_agree({})) result.emplace_back();
       return result;
     }
-    for (int start = 0; start < kStarts; ++start) {
-      const auto x = solved_from(start);
+    for (const std::vector<double>& start : starts()) {
+      const bool agrees = all_agree(start);
+      const auto x = agrees ? start : solved_from(start);
       if (!x || !all_agree(*x)) continue;
       const bool known = std::any_of(result.begin(), result.end(),
                                      [&](const auto& other) { return are_alike(*x, other); });
       if (!known) result.push_back(*x);
+      if (agrees && start == model_->standard()) break;  // nothing explains the prints better
     }
     return result;
   }
@@ -250,22 +291,29 @@ class Search {
     return result;
   }
 
-  /// Of the first start the standard values; then ever farther to both sides of them.
-  std::vector<double> start_of(int number) const {
-    std::vector<double> x = model_->standard();
-    if (number == 0) return x;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      // Additive recurrence by the plastic constant's powers: even in any number of dimensions.
-      const double share =
-          std::fmod(0.5 + number * std::pow(0.7548776662466927, 1 + double(i)), 1.0);
-      x[i] = lower_[i] + share * (upper_[i] - lower_[i]);
+  /// The standard values, and the places with the least sum of squares.
+  std::vector<std::vector<double>> starts() const {
+    const auto& places = model_->places();
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      double sum = 0;
+      for (const std::size_t c : finite()) {
+        const PrintedConstant& printed = model_->constants()[c];
+        const double z = (places[k].values[c] - printed.value) / (printed.high - printed.low);
+        sum += z * z;
+      }
+      if (std::isfinite(sum)) order.emplace_back(k == 0 ? -1 : sum, k);
     }
-    return x;
+    std::sort(order.begin(), order.end());
+    std::vector<std::vector<double>> result;
+    for (std::size_t i = 0; i < std::min(order.size(), 1 + kStarts); ++i) {
+      result.push_back(places[order[i].second].x);
+    }
+    return result;
   }
 
-  std::optional<std::vector<double>> solved_from(int number) const {
+  std::optional<std::vector<double>> solved_from(const std::vector<double>& start) const {
     const std::vector<std::size_t> numbers = finite();
-    const std::vector<double> start = start_of(number);
     if (numbers.empty()) return start;
     std::vector<double> x;
     double largest = 0;
@@ -463,8 +511,8 @@ std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const
 
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws) {
-  // Explanations much worse than the best are not looked for: fixed laws, which are quick, first.
-  constexpr double kWorse = 6;
+  // What contradicts more than the best explanation costs is not looked for: fixed laws, which are
+  // quick, first.
   std::vector<std::pair<std::size_t, const Member*>> order;
   for (const Member& law : laws) {
     const std::size_t unknowns = unknowns_of(question, law).size();
@@ -475,7 +523,7 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
   std::vector<ConstantsFit> result;
   double best = optim::kInfinity;
   for (const auto& [unknowns, law] : order) {
-    for (ConstantsFit& fit : explanations(question, *law, best + kWorse)) {
+    for (ConstantsFit& fit : explanations(question, *law, best)) {
       best = std::min(best, fit.cost);
       result.push_back(std::move(fit));
     }

@@ -162,6 +162,9 @@ void read_value(PrintedConstant& constant, const std::string& text) {
   if (plus != std::string::npos) {
     room = parse_quantity(trimmed(std::string_view(text).substr(plus + 2)), unit, unit, what);
     if (!(room > 0)) throw std::invalid_argument(what + ": how far it may be off is above zero");
+    // As many digits as that leaves certain.
+    const double share = std::abs(constant.value) / (2 * room);
+    constant.digits = share > 1 ? 1 + static_cast<int>(std::floor(std::log10(share))) : 1;
   } else {
     // The half unit in the unit that the number is written in.
     const std::string half =

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/fit_output.h"
+#include "cli/text_table.h"
+#include "problems/law_files/law_file.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::FoundSegment;
+using problems::LawFit;
+using problems::MotionFit;
+
+constexpr std::size_t kRanked = 10;
+
+std::string number(double value) { return fmt::format("{:.6g}", value + 0.0); }
+
+std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+std::string segments_text(const SamplesAnswer& answer) {
+  if (answer.cycle.segments.size() < 2) return "";
+  const problems::MotionSamples& samples = answer.fits.front().motion.samples;
+  TextTable table({{"segment", TextTable::Align::Left},
+                   {fmt::format("from, {}", samples.place_unit)},
+                   {fmt::format("to, {}", samples.place_unit)},
+                   {"+-"},
+                   {"lift"},
+                   {"to"},
+                   {unit_of(samples.unit), TextTable::Align::Left}});
+  for (const FoundSegment& s : answer.cycle.segments) {
+    table.add({to_string(s.kind), number(s.begin), number(s.end),
+               number(std::max(s.begin_error, s.end_error)), number(s.from), number(s.to), ""});
+  }
+  return table.text() +
+         fmt::format("noise {}\n\n", with_unit(number(answer.cycle.noise), samples.unit));
+}
+
+std::string parameters_text(const LawFit& fit) {
+  TextTable table({{"number", TextTable::Align::Left},
+                   {"value"},
+                   {"from"},
+                   {"to"},
+                   {"unit", TextTable::Align::Left},
+                   {"", TextTable::Align::Left}});
+  for (const optim::FittedParameter& p : fit.fit.parameters) {
+    table.add({p.name, number(p.value), number(p.low), number(p.high), unit_of(p.unit),
+               !p.identifiable ? "not determined"
+               : p.at_bound    ? "at its bound"
+                               : ""});
+  }
+  return table.text();
+}
+
+std::string ranking_text(const MotionFit& fit) {
+  if (fit.ranking.size() < 2) return "";
+  const std::string& unit = fit.motion.samples.unit;
+  TextTable table({{"#"},
+                   {"law", TextTable::Align::Left},
+                   {"AICc"},
+                   {fmt::format("rms{}", unit == "1" ? "" : ", " + unit)},
+                   {"largest"}});
+  for (std::size_t i = 0; i < std::min(fit.ranking.size(), kRanked); ++i) {
+    const LawFit& f = fit.ranking[i];
+    table.add({fmt::format("{}", i + 1), f.law.label(), fmt::format("{:.1f}", f.criterion),
+               number(f.fit.rms), number(std::abs(f.fit.residuals[f.fit.largest]))});
+  }
+  return fmt::format("laws by AICc, the best of {}\n{}", fit.ranking.size(), table.text());
+}
+
+std::string motion_text(const MotionFit& fit) {
+  const LawFit& best = fit.best();
+  const std::string& unit = fit.motion.samples.unit;
+  std::string text = fmt::format("{}\n", best.law.label());
+  text += parameters_text(best);
+  text += fmt::format(
+      "{} samples; rms {}, largest {} at {}; error of prediction {}\n",
+      fit.motion.samples.place.size(), with_unit(number(best.fit.rms), unit),
+      with_unit(number(std::abs(best.fit.residuals[best.fit.largest])), unit),
+      with_unit(number(fit.motion.samples.place[best.fit.largest]), fit.motion.samples.place_unit),
+      with_unit(number(fit.prediction_error), unit));
+  if (!fit.distrust.empty()) text += fmt::format("not to be trusted: {}\n", fit.distrust);
+  if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
+  return text + ranking_text(fit);
+}
+
+Json parameters_json(const LawFit& fit) {
+  Json result = Json::array();
+  for (const optim::FittedParameter& p : fit.fit.parameters) {
+    result.push_back({{"name", p.name},
+                      {"value", to_json(p.value)},
+                      {"low", to_json(p.low)},
+                      {"high", to_json(p.high)},
+                      {"standard_deviation", to_json(p.standard_deviation)},
+                      {"unit", p.unit},
+                      {"identifiable", p.identifiable},
+                      {"at_bound", p.at_bound}});
+  }
+  return result;
+}
+
+bool all_identifiable(const LawFit& fit) {
+  return std::all_of(fit.fit.parameters.begin(), fit.fit.parameters.end(),
+                     [](const auto& p) { return p.identifiable; });
+}
+
+Json motion_json(const MotionFit& fit) {
+  const LawFit& best = fit.best();
+  Json ranking = Json::array();
+  for (const LawFit& f : fit.ranking) {
+    ranking.push_back({{"law", f.law.name()},
+                       {"criterion", to_json(f.criterion)},
+                       {"rms", to_json(f.fit.rms)},
+                       {"max_residual", to_json(std::abs(f.fit.residuals[f.fit.largest]))}});
+  }
+  return {{"law", best.law.name()},
+          {"begin", to_json(best.begin)},
+          {"end", to_json(best.end)},
+          {"from", to_json(best.from)},
+          {"to", to_json(best.to)},
+          {"parameters", parameters_json(best)},
+          {"samples", fit.motion.samples.place.size()},
+          {"rms", to_json(best.fit.rms)},
+          {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
+          {"residual_unit", fit.motion.samples.unit},
+          {"criterion", to_json(best.criterion)},
+          {"criterion_name", "AICc"},
+          {"prediction_error", to_json(fit.prediction_error)},
+          {"trusted", fit.distrust.empty()},
+          {"reason", fit.distrust},
+          {"smoothed", fit.smooth.has_value()},
+          {"identifiable", all_identifiable(best)},
+          {"ranking", std::move(ranking)}};
+}
+
+/// The largest motion: what the answer is about where there are several.
+const MotionFit& main_motion(const SamplesAnswer& answer) {
+  return *std::max_element(
+      answer.fits.begin(), answer.fits.end(), [](const MotionFit& a, const MotionFit& b) {
+        return std::abs(a.best().to - a.best().from) < std::abs(b.best().to - b.best().from);
+      });
+}
+
+/// Samples and law above, what is left below.
+void draw(const MotionFit& fit, Figure& figure) {
+  constexpr int kCurve = 400;
+  constexpr std::size_t kDots = 2000;  // more would be a blot
+  const problems::MotionSamples& samples = fit.motion.samples;
+  const LawFit& best = fit.best();
+  const char* label = samples.order == 0   ? "displacement"
+                      : samples.order == 1 ? "velocity"
+                                           : "acceleration";
+  Panel data, left;
+  data.x = left.x = {.label = samples.place_unit == "deg" ? "cam angle" : "place",
+                     .unit = unit_of(samples.place_unit)};
+  data.y = {.label = label, .unit = unit_of(samples.unit)};
+  left.y = {.label = "samples less law", .unit = unit_of(samples.unit)};
+  Markers dots{.name = "samples", .colour = "#888888", .size = 1.5};
+  Markers residuals{.name = "residuals", .colour = "#0072b2", .size = 1.5};
+  const std::size_t step = samples.place.size() / kDots + 1;
+  for (std::size_t i = 0; i < samples.place.size(); i += step) {
+    dots.points.push_back({samples.place[i], samples.value[i]});
+    residuals.points.push_back({samples.place[i], -best.fit.residuals[i]});
+  }
+  const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
+  Line law{.name = "fit", .colour = "#d55e00"};
+  for (int i = 0; i <= kCurve; ++i) {
+    const double x = *low + (*high - *low) * i / kCurve;
+    law.x.push_back(x);
+    law.y.push_back(best.value(x, samples.order));
+  }
+  data.title = best.law.label();
+  data.lines.push_back(std::move(law));
+  data.markers.push_back(std::move(dots));
+  left.markers.push_back(std::move(residuals));
+  figure.panels.push_back(std::move(data));
+  figure.panels.push_back(std::move(left));
+}
+
+}  // namespace
+
+std::string samples_text(const SamplesAnswer& answer) {
+  std::string text = segments_text(answer);
+  if (answer.left_out > 0)
+    text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
+  for (const MotionFit& fit : answer.fits) {
+    if (answer.fits.size() > 1) {
+      text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
+                          number(fit.best().begin),
+                          with_unit(number(fit.best().end), fit.motion.samples.place_unit));
+    }
+    text += motion_text(fit) + "\n";
+  }
+  return text;
+}
+
+Json samples_json(const SamplesAnswer& answer) {
+  Json result = motion_json(main_motion(answer));
+  Json segments = Json::array(), motions = Json::array();
+  for (const FoundSegment& s : answer.cycle.segments) {
+    segments.push_back({{"kind", to_string(s.kind)},
+                        {"begin", to_json(s.begin)},
+                        {"end", to_json(s.end)},
+                        {"from", to_json(s.from)},
+                        {"to", to_json(s.to)}});
+  }
+  for (const MotionFit& fit : answer.fits) motions.push_back(motion_json(fit));
+  result["segments"] = std::move(segments);
+  result["motions"] = std::move(motions);
+  result["left_out"] = answer.left_out;
+  return result;
+}
+
+Figure samples_figure(const SamplesAnswer& answer) {
+  Figure figure;
+  figure.title = "Law behind samples";
+  figure.columns = 2;
+  figure.panel_width = 480;
+  for (const MotionFit& fit : answer.fits) draw(fit, figure);
+  return figure;
+}
+
+Json samples_law(const SamplesAnswer& answer) {
+  const MotionFit& fit = main_motion(answer);
+  const LawFit& best = fit.best();
+  const Json provenance{{"fitted_to", answer.source},
+                        {"law", fit.smooth ? "smoothing spline" : best.law.name()},
+                        {"rms", to_json(best.fit.rms)},
+                        {"unit", fit.motion.samples.unit}};
+  return problems::law_file(fit.smooth ? *fit.smooth : best.law.law(),
+                            fit.smooth ? "smoothed samples" : best.law.label(), provenance);
+}
+
+}  // namespace camlaw::cli

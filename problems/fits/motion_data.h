@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/fits/law_fit.h"
+#include "problems/fits/sample_table.h"
+#include "problems/fits/segments.h"
+
+/// From a measured table to motions: which column is what, in which unit, and where the follower
+/// moves.
+namespace camlaw::problems {
+
+/// The columns of a table as a place and a displacement, velocity or acceleration. The place is the
+/// column called angle, cam_angle, phi, theta, x, t or time, else the first; the value that called
+/// lift, displacement, s, y; velocity, v; or acceleration, a, else the second. Angles become deg,
+/// lengths mm, times s, what has no unit stays; velocity is in mm/deg and the like. Throws
+/// std::invalid_argument naming the column and the units that it may have.
+MotionSamples motion_samples(const SampleTable& table);
+
+/// One rise or return of a cycle, and its samples.
+struct FoundMotion {
+  MotionGuess guess;
+  MotionSamples samples;  ///< those of the motion and half of the dwells beside it
+};
+
+struct FoundCycle {
+  std::vector<FoundSegment>
+      segments;  ///< dwells and motions in order; empty: the table is one motion
+  std::vector<FoundMotion> motions;
+  double noise = 0;  ///< of the lift, where segments were looked for
+};
+
+/// Motions that samples show. Displacements of 24 samples and more are searched for dwells, rises
+/// and returns, over the turn where their angles cover nearly all of it; of others all samples are
+/// one motion. Throws std::invalid_argument where nothing moves and where angles go beyond a turn.
+FoundCycle find_motions(const MotionSamples& samples);
+
+}  // namespace camlaw::problems

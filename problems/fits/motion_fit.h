@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/law.h"
+#include "problems/fits/motion_data.h"
+
+/// The law behind the samples of one motion, and whether it can be trusted.
+namespace camlaw::problems {
+
+struct MotionFit {
+  FoundMotion motion;
+  std::vector<LawFit> ranking;  ///< the best by AICc first; not empty
+  double prediction_error = 0;  ///< of the first, by cross-validation
+  double correlation = 0;       ///< of its neighbouring residuals
+  /// Why the first should not be taken for the law behind the samples; empty where it may.
+  std::string distrust;
+  /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch.
+  std::optional<Law<double>> smooth;
+
+  const LawFit& best() const { return ranking.front(); }
+};
+
+/// Throws std::invalid_argument where none of the laws can be fitted.
+MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
+                     const LawFitOptions& options = {});
+
+}  // namespace camlaw::problems

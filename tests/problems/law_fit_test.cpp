@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// Laws through samples: tables, motions, intervals that hold as often as they say.
+#include "problems/fits/law_fit.h"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "problems/fits/constants_fit.h"
+#include "problems/fits/motion_fit.h"
+#include "problems/fits/sample_table.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Catch::Contains;
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_samples(text, "t.csv");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A law from 10 to 130 deg over 20 mm, zero at 3 mm, with a little dwell on both sides.
+MotionSamples sampled(const Law<double>& law, std::size_t count, double noise, std::uint64_t seed,
+                      int order = 0) {
+  MotionSamples samples;
+  samples.order = order;
+  samples.place_unit = "deg";
+  samples.unit = order == 0 ? "mm" : order == 1 ? "mm/deg" : "mm/deg2";
+  std::mt19937_64 random(seed);
+  std::normal_distribution<> normal;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = 150.0 * (static_cast<double>(i) + 0.37) / static_cast<double>(count);
+    const double u = (place - 10) / 120;
+    const auto d = law.derivatives<3>(std::clamp(u, 0.0, 1.0), Side::Right);
+    const bool moves = u > 0 && u < 1;
+    const double clean = order == 0 ? 3 + 20 * d[0]
+                         : moves    ? 20 * d[static_cast<std::size_t>(order)] / std::pow(120, order)
+                                    : 0;
+    samples.place.push_back(place);
+    samples.value.push_back(clean + noise * normal(random));
+  }
+  return samples;
+}
+
+MotionGuess rough() { return {4, 138, 2.5, 23.9}; }
+
+const optim::FittedParameter& parameter(const LawFit& fit, const std::string& name) {
+  for (const auto& p : fit.fit.parameters) {
+    if (p.name == name) return p;
+  }
+  throw std::invalid_argument(name);
+}
+
+}  // namespace
+
+TEST_CASE("tables of samples are read as people write them", "[samples]") {
+  const SampleTable comma = parse_samples(
+      "# bench 3\n\"angle [deg]\", lift (mm)\n0, 1.5\n\n 1 ,+2e0\n2,nan\n3,\n4,5\n", "t.csv");
+  REQUIRE(comma.columns.size() == 2);
+  CHECK(comma.columns[0].name == "angle");
+  CHECK(comma.columns[0].unit == "deg");
+  CHECK(comma.columns[1].name == "lift");
+  CHECK(comma.columns[1].unit == "mm");
+  CHECK(comma.columns[0].values == std::vector<double>{0, 1, 4});
+  CHECK(comma.columns[1].values == std::vector<double>{1.5, 2, 5});
+  CHECK(comma.left_out == 2);
+  const SampleTable semicolon = parse_samples("x;s\r\n0,5;1,25\r\n1;2\r\n", "t.csv");
+  CHECK(semicolon.columns[1].values == std::vector<double>{1.25, 2});
+  CHECK(parse_samples("x\ts\n0\t1\n1\t2\n", "t.csv").rows() == 2);
+}
+
+TEST_CASE("tables that are none are refused with line and cell", "[samples]") {
+  CHECK_THAT(complaint(""), Contains("t.csv") && Contains("empty"));
+  CHECK_THAT(complaint("angle,lift\n"), Contains("0 rows"));
+  CHECK_THAT(complaint("angle,lift\n1,2\n"), Contains("1 row of"));
+  CHECK_THAT(complaint("1,2\n2,3\n"), Contains("t.csv:1") && Contains("line of names"));
+  CHECK_THAT(complaint("angle\n1\n"), Contains("one column"));
+  CHECK_THAT(complaint("a,b\n1,2\n3,four\n"), Contains("t.csv:3") && Contains("'four'"));
+  CHECK_THAT(complaint("a,b\n1,2\n3\n"), Contains("t.csv:3") && Contains("1 cells"));
+  CHECK_THAT(complaint("a,b\n1,inf\n3,4\n"), Contains("infinite"));
+  CHECK_THAT(complaint("a,a\n1,2\n3,4\n"), Contains("'a' is there twice"));
+  CHECK_THROWS_WITH(read_samples("/no/such.csv"), Contains("/no/such.csv"));
+  CHECK_THROWS_WITH(parse_samples("a,b\n1,2\n3,4\n", "t.csv").column("c"), Contains("a, b"));
+}
+
+TEST_CASE("columns by name, in units that are known", "[samples]") {
+  const MotionSamples samples =
+      motion_samples(parse_samples("lift [cm], phi [rad]\n0, 0\n1, 3.14159265358979\n", "t.csv"));
+  CHECK(samples.place[1] == Approx(180));
+  CHECK(samples.value[1] == Approx(10));
+  CHECK(samples.unit == "mm");
+  const MotionSamples speed =
+      motion_samples(parse_samples("t [ms], v [m/s]\n0, 0\n5, 2\n", "t.csv"));
+  CHECK(speed.order == 1);
+  CHECK(speed.place[1] == Approx(0.005));
+  CHECK(speed.value[1] == Approx(2000));
+  CHECK(speed.unit == "mm/s");
+  CHECK(motion_samples(parse_samples("x,s\n0,0\n1,1\n", "t.csv")).unit == "1");
+  CHECK_THROWS_WITH(motion_samples(parse_samples("angle [kg], lift [mm]\n0,0\n1,1\n", "t.csv")),
+                    Contains("'angle'") && Contains("'kg'") && Contains("deg"));
+  CHECK_THROWS_WITH(motion_samples(parse_samples("angle [deg], lift [N]\n0,0\n1,1\n", "t.csv")),
+                    Contains("'lift'") && Contains("mm"));
+}
+
+TEST_CASE("residuals of a law have the derivatives of differences", "[law-fit]") {
+  // Through the fit itself: without noise each family comes back from a rough guess.
+  for (const char* name :
+       {"cubic", "poly-3-4-5", "cycloidal", "modified-sine", "polynomial-5 alpha=-4.2",
+        "polynomial-7 A=31", "legendre c=-1.2,0.4", "fourier a=0.05,0.02", "elliptic n=1.7",
+        "trapezoidal-acceleration ramp=0.1 constant=0.2", "scca a=0.25 b=0.3 c=0.3"}) {
+    INFO(name);
+    const Member law = find_law(name);
+    for (const int order : {0, 1}) {
+      const MotionSamples samples = sampled(law.law(), 200, 0, 1, order);
+      const LawFit fit = fit_law(samples, find_law(name), rough());
+      CHECK(fit.fit.converged);
+      CHECK(fit.begin == Approx(10).margin(1e-5));
+      CHECK(fit.end == Approx(130).margin(1e-5));
+      CHECK(fit.to - fit.from == Approx(20).epsilon(1e-7));
+      if (order == 0) CHECK(fit.from == Approx(3).margin(1e-7));
+      CHECK(fit.fit.rms < 1e-8);
+      for (std::size_t i = 0; i < samples.place.size(); i += 17) {
+        CHECK(fit.value(samples.place[i], order) == Approx(samples.value[i]).margin(1e-7));
+      }
+    }
+  }
+}
+
+TEST_CASE("intervals hold as often as they say", "[law-fit]") {
+  struct Case {
+    const char* name;
+    const char* coefficient;
+    double truth;
+    std::size_t count;
+    double noise;
+  };
+  for (const Case& c : std::vector<Case>{{"polynomial-5 alpha=-4.2", "alpha", -4.2, 200, 0.02},
+                                         {"polynomial-5 alpha=-4.2", "alpha", -4.2, 50, 0.2},
+                                         {"polynomial-7 A=31", "A", 31, 400, 0.02},
+                                         {"elliptic n=1.7", "n", 1.7, 200, 0.02},
+                                         {"cycloidal", "stroke", 20, 100, 0.2}}) {
+    INFO(c.name << ", " << c.count << " samples, noise " << c.noise);
+    const Law<double> law = find_law(c.name).law();
+    constexpr int kRuns = 200;
+    int held = 0;
+    for (int run = 0; run < kRuns; ++run) {
+      const LawFit fit = fit_law(sampled(law, c.count, c.noise, 1000 + static_cast<unsigned>(run)),
+                                 find_law(c.name), rough());
+      const auto& p = parameter(fit, c.coefficient);
+      held += p.low <= c.truth && c.truth <= p.high;
+    }
+    // 190 expected; within three deviations of the binomial distribution.
+    CHECK(held >= 180);
+    CHECK(held <= 199);
+  }
+}
+
+TEST_CASE("the law that was sampled is named first", "[law-fit][heavy]") {
+  for (const char* name : {"cubic", "poly-3-4-5", "poly-4-5-6-7", "cycloidal", "modified-sine",
+                           "modified-trapezoid", "cosine", "polynomial-7 A=31"}) {
+    for (const double noise : {0.0, 0.02}) {
+      INFO(name << ", noise " << noise);
+      const MotionSamples samples = sampled(find_law(name).law(), 500, noise, 5);
+      const auto ranking = rank_fits(samples, laws_to_try(), rough());
+      REQUIRE_FALSE(ranking.empty());
+      // A family that has the law among its members explains it as well.
+      const Law<double> truth = find_law(name).law(), found = ranking.front().law.law();
+      double apart = 0;
+      for (double x = 0.05; x < 1; x += 0.05) {
+        apart = std::max(apart, std::abs(truth(x).s - found(x).s));
+      }
+      INFO(ranking.front().law.name());
+      CHECK(apart < (noise == 0 ? 1e-8 : 2e-3));
+    }
+  }
+}
+
+TEST_CASE("far-off samples do not move a robust fit", "[law-fit]") {
+  const Law<double> law = find_law("polynomial-5 alpha=-4.2").law();
+  MotionSamples samples = sampled(law, 300, 0.01, 9);
+  for (std::size_t i = 3; i < samples.value.size(); i += 10) samples.value[i] += 5;
+  LawFitOptions robust;
+  robust.loss = optim::Loss::Cauchy;
+  const Member family = find_law("polynomial-5");
+  const double alpha = parameter(fit_law(samples, family, rough(), robust), "alpha").value;
+  const double plain = parameter(fit_law(samples, family, rough()), "alpha").value;
+  CHECK(std::abs(alpha + 4.2) < 0.1);
+  CHECK(std::abs(plain + 4.2) > 5 * std::abs(alpha + 4.2));
+}
+
+TEST_CASE("a curve that is no law is not taken for one", "[law-fit]") {
+  MotionSamples samples = sampled(find_law("cycloidal").law(), 400, 0.002, 3);
+  for (std::size_t i = 0; i < samples.value.size(); ++i) {
+    const double u = (samples.place[i] - 10) / 120;
+    if (u > 0 && u < 1) samples.value[i] += 0.3 * std::sin(5 * 3.14159265 * u) * u * (1 - u);
+  }
+  const MotionFit fit = fit_motion({rough(), samples}, {find_law("cycloidal"), find_law("cubic")});
+  CHECK(fit.correlation > 0.5);
+  CHECK_THAT(fit.distrust, Contains("no law that was tried"));
+  REQUIRE(fit.smooth);
+  CHECK((*fit.smooth)(0.0).s == Approx(0).margin(1e-9));
+  CHECK((*fit.smooth)(1.0).s == Approx(1).margin(1e-9));
+}
+
+TEST_CASE("the motions of a whole turn", "[law-fit]") {
+  // Dwell to 60 deg, rise to 150, dwell to 200, return to 320, dwell.
+  const Law<double> up = find_law("poly-3-4-5").law(), down = find_law("cycloidal").law();
+  MotionSamples samples;
+  samples.place_unit = "deg";
+  samples.unit = "mm";
+  std::mt19937_64 random(2);
+  std::normal_distribution<> normal;
+  for (int i = 0; i < 720; ++i) {
+    const double phi = 0.5 * i;
+    const double rise = up(std::clamp((phi - 60) / 90, 0.0, 1.0)).s;
+    const double back = down(std::clamp((phi - 200) / 120, 0.0, 1.0)).s;
+    samples.place.push_back(phi);
+    samples.value.push_back(5 + 30 * (rise - back) + 0.005 * normal(random));
+  }
+  const FoundCycle cycle = find_motions(samples);
+  REQUIRE(cycle.motions.size() == 2);
+  const std::vector<Member> laws{find_law("poly-3-4-5"), find_law("cycloidal"), find_law("cubic")};
+  const MotionFit rise = fit_motion(cycle.motions[0], laws);
+  const MotionFit back = fit_motion(cycle.motions[1], laws);
+  CHECK(rise.best().law.name() == "poly-3-4-5");
+  CHECK(back.best().law.name() == "cycloidal");
+  CHECK(rise.best().begin == Approx(60).margin(0.3));
+  CHECK(rise.best().end == Approx(150).margin(0.3));
+  CHECK(back.best().begin == Approx(200).margin(0.4));
+  CHECK(back.best().end == Approx(320).margin(0.4));
+  CHECK(back.best().to - back.best().from == Approx(-30).epsilon(1e-3));
+  CHECK(rise.distrust.empty());
+  CHECK(rise.prediction_error == Approx(0.005).epsilon(0.2));
+}
+
+TEST_CASE("samples that show nothing are refused", "[law-fit]") {
+  MotionSamples samples = sampled(find_law("cubic").law(), 100, 0, 1);
+  MotionSamples still = samples;
+  std::fill(still.value.begin(), still.value.end(), 4.0);
+  CHECK_THROWS_AS(find_motions(still), std::invalid_argument);
+  MotionSamples few = samples;
+  few.place.resize(10);
+  few.value.assign(10, 4.0);
+  CHECK_THROWS_WITH(fit_law(few, find_law("cubic"), guess_motion(few)), Contains("no motion"));
+  MotionSamples far = samples;
+  far.place.back() = 1000;
+  CHECK_THROWS_WITH(find_motions(far), Contains("one turn"));
+  MotionSamples bad = samples;
+  bad.value[7] = std::nan("");
+  CHECK_THROWS_WITH(fit_law(bad, find_law("cubic"), rough()), Contains("sample 8"));
+}
+
+}  // namespace camlaw::problems
