@@ -22,6 +22,11 @@ std::string number(double value) { return fmt::format("{:.6g}", value + 0.0); }
 
 std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
 
+std::string shortened(const std::string& label) {
+  constexpr std::size_t kMost = 60;
+  return label.size() > kMost ? label.substr(0, kMost) + " ..." : label;
+}
+
 std::string segments_text(const SamplesAnswer& answer) {
   if (answer.cycle.segments.size() < 2) return "";
   const problems::MotionSamples& samples = answer.fits.front().motion.samples;
@@ -66,8 +71,9 @@ std::string ranking_text(const MotionFit& fit) {
                    {"largest"}});
   for (std::size_t i = 0; i < std::min(fit.ranking.size(), kRanked); ++i) {
     const LawFit& f = fit.ranking[i];
-    table.add({fmt::format("{}", i + 1), f.law.label(), fmt::format("{:.1f}", f.criterion),
-               number(f.fit.rms), number(std::abs(f.fit.residuals[f.fit.largest]))});
+    table.add({fmt::format("{}", i + 1), shortened(f.law.label()),
+               fmt::format("{:.1f}", f.criterion), number(f.fit.rms),
+               number(std::abs(f.fit.residuals[f.fit.largest]))});
   }
   return fmt::format("laws by AICc, the best of {}\n{}", fit.ranking.size(), table.text());
 }
@@ -148,7 +154,7 @@ const MotionFit& main_motion(const SamplesAnswer& answer) {
 /// Samples and law above, what is left below.
 void draw(const MotionFit& fit, Figure& figure) {
   constexpr int kCurve = 400;
-  constexpr std::size_t kDots = 2000;  // more would be a blot
+  constexpr std::size_t kDots = 120, kResiduals = 2000;  // more would hide the curve, be a blot
   const problems::MotionSamples& samples = fit.motion.samples;
   const LawFit& best = fit.best();
   const char* label = samples.order == 0   ? "displacement"
@@ -159,11 +165,13 @@ void draw(const MotionFit& fit, Figure& figure) {
                      .unit = unit_of(samples.place_unit)};
   data.y = {.label = label, .unit = unit_of(samples.unit)};
   left.y = {.label = "samples less law", .unit = unit_of(samples.unit)};
-  Markers dots{.name = "samples", .colour = "#888888", .size = 1.5};
+  Markers dots{.name = "samples", .colour = "#555555", .filled = false, .size = 2.5};
   Markers residuals{.name = "residuals", .colour = "#0072b2", .size = 1.5};
-  const std::size_t step = samples.place.size() / kDots + 1;
-  for (std::size_t i = 0; i < samples.place.size(); i += step) {
+  const std::size_t count = samples.place.size();
+  for (std::size_t i = 0; i < count; i += count / kDots + 1) {
     dots.points.push_back({samples.place[i], samples.value[i]});
+  }
+  for (std::size_t i = 0; i < count; i += count / kResiduals + 1) {
     residuals.points.push_back({samples.place[i], -best.fit.residuals[i]});
   }
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());

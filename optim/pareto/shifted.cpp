@@ -56,7 +56,6 @@ class ShiftedKernel final : public Kernel {
     return moved(f_.enclose(design(u)), slope_, u.back());
   }
   bool is_searched() const override { return f_.is_searched(); }
-  bool is_enclosed() const override { return f_.is_enclosed(); }
 
  private:
   /// A design with the arguments where f looks for them.

@@ -536,8 +536,10 @@ std::vector<Member> laws_to_try() {
   std::vector<Member> result;
   for (const Family& family : catalogue()) {
     const auto& parameters = family.parameters;
+    // A spline or a table is a curve of its own, not a law.
+    constexpr std::size_t kFew = 4;
     const bool is_data = std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) {
-      return p.list && p.structural;  // knots, places: a curve, not a law
+      return p.list && p.standard.size() > kFew;
     });
     if (!is_data) result.push_back({&family, family.standard()});
   }

@@ -190,7 +190,6 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   result.end = x[1];
   result.from = layout.with_zero ? x[layout.zero()] : 0;
   result.to = result.from + x[2];
-  const auto scale = static_cast<double>(samples.place.size());
   // Under a loss what it sums, so that a far point does not decide which law is best.
   double sum = 0;
   for (std::size_t i = 0; i < result.fit.residuals.size(); ++i) {
@@ -199,7 +198,13 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
                ? r * r
                : optim::loss_at(options.loss, result.fit.loss_scale.value_or(1), r).rho;
   }
-  result.criterion = optim::aicc(static_cast<std::size_t>(scale), x.size(), sum);
+  // What is left at the size of rounding tells no laws apart.
+  constexpr double kRounding = 1e-10;
+  double size = 0;
+  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  const std::size_t n = samples.value.size();
+  sum = std::max(sum, static_cast<double>(n) * std::pow(kRounding * size, 2));
+  result.criterion = optim::aicc(n, x.size(), sum);
   return result;
 }
 
@@ -246,6 +251,16 @@ std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Me
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const LawFit& a, const LawFit& b) { return a.criterion < b.criterion; });
+  // Those within two of the best explain the samples as well: of them the simplest comes first.
+  constexpr double kAsWell = 2;
+  const auto as_well = std::find_if(result.begin(), result.end(), [&](const LawFit& fit) {
+    return fit.criterion > result.front().criterion + kAsWell;
+  });
+  const auto simplest =
+      std::min_element(result.begin(), as_well, [](const LawFit& a, const LawFit& b) {
+        return a.fit.parameters.size() < b.fit.parameters.size();
+      });
+  if (simplest != as_well) std::rotate(result.begin(), simplest, simplest + 1);
   return result;
 }
 

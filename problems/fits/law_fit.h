@@ -49,7 +49,9 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
 /// A motion that the samples show: from the first place to the last where these are all there is.
 MotionGuess guess_motion(const MotionSamples& samples);
 
-/// Each of the laws, the best by AICc first. Laws that cannot be fitted are left out.
+/// Each of the laws, by AICc; first of those within two of the best, which explain the samples as
+/// well (Burnham and Anderson 2002), the one with the fewest parameters. Laws that cannot be fitted
+/// are left out.
 std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                               const MotionGuess& guess, const LawFitOptions& options = {});
 
