@@ -131,6 +131,10 @@ FoundCycle find_motions(const MotionSamples& samples) {
   if (period > 0) options.period = period;
   FoundSegments found = motion_segments(samples.place, samples.value, options);
   result.noise = found.noise;
+  if (period == 0 && found.segments.size() == 1) {  // no dwell to tell begin and end by
+    result.motions.push_back({guess_motion(samples), samples});
+    return result;
+  }
   result.segments = std::move(found.segments);
   const auto& segments = result.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {

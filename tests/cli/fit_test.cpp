@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The program's fit: what it answers and what it refuses.
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string written(const Folder& folder, const std::string& name, const std::string& text) {
+  const std::string path = folder / name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// A 3-4-5 over 90 deg and 20 mm.
+std::string rise() {
+  std::string text = "angle [deg], lift [mm]\n";
+  for (int i = 0; i <= 90; ++i) {
+    const double u = i / 90.0;
+    text += std::to_string(i) + ", " + std::to_string(20 * u * u * u * (10 - 15 * u + 6 * u * u)) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("fit names the law behind samples, and writes its file", "[program]") {
+  const Folder folder;
+  const std::string data = written(folder, "rise.csv", rise());
+  const Json result = Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
+  for (const char* key : {"law", "parameters", "rms", "max_residual", "criterion", "ranking",
+                          "identifiable", "trusted", "segments", "motions", "left_out"}) {
+    INFO(key);
+    CHECK(result.contains(key));
+  }
+  CHECK(result["law"] == "poly-3-4-5");
+  for (const Json& p : result["parameters"]) {
+    for (const char* key : {"name", "value", "low", "high"}) CHECK(p.contains(key));
+    if (p["name"] == "stroke") CHECK(p["value"].get<double>() == Approx(20).epsilon(1e-4));
+  }
+  const std::string text = done({"fit", data, "--out", folder / "out"});
+  CHECK_THAT(text, Contains("poly-3-4-5") && Contains("AICc") && Contains("wrote"));
+  CHECK(folder.content() ==
+        std::set<std::string>{"rise.csv", "out", "out/fit.json", "out/fit.svg", "out/law.json"});
+  CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));
+}
+
+TEST_CASE("fit names the law behind printed constants", "[program]") {
+  const Json result = Json::parse(
+      done({"fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5", "--json"}));
+  for (const char* key : {"law", "parameters", "rms", "max_residual", "criterion", "ranking",
+                          "identifiable", "constants", "consistent"}) {
+    INFO(key);
+    CHECK(result.contains(key));
+  }
+  CHECK(result["law"] == "polynomial-5 alpha=-3");
+  CHECK(result["parameters"][0]["value"] == -3);
+  CHECK(result["identifiable"] == true);
+  CHECK_THAT(done({"fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5"}),
+             Contains("alpha") && Contains("agrees"));
+}
+
+TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
+  const Folder folder;
+  const std::string good = written(folder, "good.csv", rise());
+  std::string still = "angle [deg], lift [mm]\n";
+  for (int i = 0; i < 50; ++i) still += std::to_string(i) + ", 3.5\n";
+  struct Case {
+    Words words;
+    std::string says;
+  };
+  for (const Case& bad : std::vector<Case>{
+           {{"fit"}, "--constants"},
+           {{"fit", good, "--constants", "B=2"}, "--constants"},
+           {{"fit", good, "--loss", "square"}, "none, huber, cauchy"},
+           {{"fit", good, "--law", "polynomal-5"}, "polynomial-5"},
+           {{"fit", folder / "none.csv"}, "none.csv"},
+           {{"fit", written(folder, "empty.csv", "")}, "empty"},
+           {{"fit", written(folder, "one.csv", "angle,lift\n1,2\n")}, "1 row"},
+           {{"fit", written(folder, "text.csv", "angle,lift\n1,2\n2,high\n")}, "text.csv:3"},
+           {{"fit", written(folder, "unit.csv", "angle [kg],lift [mm]\n1,2\n2,3\n")}, "'angle'"},
+           {{"fit", written(folder, "still.csv", still)}, "still.csv"},
+           {{"fit", "--constants", "B"}, "name=value"},
+           {{"fit", "--constants", "radius=3"}, "radius"}}) {
+    std::string line;
+    for (const std::string& word : bad.words) line += " " + word;
+    INFO("camlaw" << line);
+    CHECK_THAT(failed(bad.words, 2), Contains(bad.says));
+  }
+}
+
+}  // namespace camlaw::cli
