@@ -133,7 +133,7 @@ TEST_CASE("residuals of a law have the derivatives of differences", "[law-fit]")
   }
 }
 
-TEST_CASE("intervals hold as often as they say", "[law-fit]") {
+TEST_CASE("intervals hold as often as they say", "[law-fit][heavy]") {
   struct Case {
     const char* name;
     const char* coefficient;
