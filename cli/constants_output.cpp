@@ -17,13 +17,11 @@ using problems::FoundNumber;
 
 constexpr std::size_t kRanked = 12;
 
-std::string number(double value) { return fmt::format("{:.7g}", value + 0.0); }
-
 /// The numbers of a fit: "alpha = -3".
 std::string numbers_text(const ConstantsFit& fit) {
   std::vector<std::string> parts;
   for (const FoundNumber& n : fit.numbers) {
-    parts.push_back(fmt::format("{} = {}", n.name, with_unit(number(n.value), n.unit)));
+    parts.push_back(fmt::format("{} = {}", n.name, with_unit(in_digits(n.value), n.unit)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -45,7 +43,7 @@ std::string found_text(const ConstantsFit& fit) {
                    {"unit", TextTable::Align::Left},
                    {"determined", TextTable::Align::Left}});
   for (const FoundNumber& n : fit.numbers) {
-    table.add({n.name, number(n.value), number(n.low), number(n.high), n.unit == "1" ? "" : n.unit,
+    table.add({n.name, in_digits(n.value), in_digits(n.low), in_digits(n.high), shown_unit(n.unit),
                n.identifiable ? "yes" : "no: other values agree as well"});
   }
   return table.text();
@@ -58,9 +56,8 @@ std::string prints_text(const ConstantsFit& fit) {
                    {"unit", TextTable::Align::Left},
                    {"", TextTable::Align::Left}});
   for (const AgreeingConstant& c : fit.constants) {
-    const std::string& unit = c.printed.response.unit;
-    table.add({c.printed.name, c.printed.text, number(c.value), unit == "1" ? "" : unit,
-               c.agrees ? "agrees" : "does not agree"});
+    table.add({c.printed.name, c.printed.text, in_digits(c.value),
+               shown_unit(c.printed.response.unit), c.agrees ? "agrees" : "does not agree"});
   }
   return table.text();
 }

@@ -46,7 +46,7 @@ Panel curve_panel(const optim::Trace& trace, const std::string& name, const std:
              .unit = breaks.back() > 1 ? "deg" : "",
              .lower = breaks.front(),
              .upper = breaks.back()};
-  panel.y = {.label = name, .unit = unit == "1" ? "" : unit};
+  panel.y = {.label = name, .unit = shown_unit(unit)};
   panel.lines.push_back(curve_line(trace));
   panel.lines.back().colour = "#0072b2";
   return panel;

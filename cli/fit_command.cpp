@@ -29,21 +29,20 @@ optim::Loss loss_of(const std::string& name) {
       fmt::format("--loss: no loss is called '{}'; there are none, huber, cauchy", name));
 }
 
-/// The machine of --mechanism; without one the law alone.
-problems::ProblemStatement machine_of(const FitCommand& options) {
-  if (options.mechanism) return problems::read_problem_file(*options.mechanism);
-  problems::ProblemStatement machine;
-  machine.mechanism = &problems::find_mechanism("law");
-  for (const auto& p : machine.mechanism->parameters) machine.constants.push_back(p.standard);
-  return machine;
+/// The law of --law; none where every law is tried.
+std::optional<Member> law_of(const FitCommand& options) {
+  if (!options.law || *options.law == "auto") return {};
+  return problems::find_any_law(*options.law);
 }
 
 void fit_constants(const FitCommand& options) {
-  problems::ConstantsQuestion question{machine_of(options), {}};
+  problems::ConstantsQuestion question{
+      options.mechanism ? problems::read_problem_file(*options.mechanism) : problems::law_alone(),
+      {}};
   question.constants = problems::parse_constants(*options.constants, *question.machine.mechanism);
   std::vector<problems::ConstantsFit> fits;
-  if (options.law && *options.law != "auto") {
-    fits = problems::fit_constants(question, problems::find_any_law(*options.law));
+  if (const auto law = law_of(options)) {
+    fits = problems::fit_constants(question, *law);
     if (fits.empty()) {
       throw std::invalid_argument(fmt::format(
           "--law {}: it prints none of these constants, whatever its coefficients", *options.law));
@@ -60,9 +59,8 @@ void fit_samples(const FitCommand& options) {
   }
   problems::LawFitOptions how;
   how.loss = loss_of(options.loss);
-  const bool one = options.law && *options.law != "auto";
-  const std::vector<Member> laws =
-      one ? std::vector<Member>{problems::find_any_law(*options.law)} : problems::laws_to_try();
+  const auto law = law_of(options);
+  const std::vector<Member> laws = law ? std::vector{*law} : problems::laws_to_try();
   if (options.out) check_writable({std::filesystem::path(*options.out) / "fit.json"});
   const problems::SampleTable table = problems::read_samples(*options.data);
   SamplesAnswer answer{*options.data, table.left_out, {}, {}};

@@ -11,7 +11,7 @@ namespace camlaw::cli {
 namespace {
 
 Axis axis_of(const optim::ObjectiveName& o) {
-  return {.label = o.name, .unit = o.unit == "1" ? "" : o.unit};
+  return {.label = o.name, .unit = shown_unit(o.unit)};
 }
 
 /// The name under which points stand in the legend: their law's family, or the choice.

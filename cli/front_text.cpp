@@ -14,10 +14,8 @@ namespace {
 using optim::Front;
 using optim::FrontPoint;
 
-std::string number(double value) { return fmt::format("{:.7g}", value + 0.0); }
-
 std::string with_its_unit(const FrontAnswer& answer, std::size_t i, double value) {
-  return with_unit(number(value), answer.front.objectives[i].unit);
+  return with_unit(in_digits(value), answer.front.objectives[i].unit);
 }
 
 std::string verdict_text(const FrontPoint& point) {
@@ -65,7 +63,7 @@ std::string table_text(const FrontAnswer& answer) {
   for (std::size_t k = 0; k < front.points.size(); ++k) {
     const FrontPoint& point = front.points[k];
     std::vector<std::string> row{fmt::format("{}", k + 1)};
-    for (const double value : point.objectives) row.push_back(number(value));
+    for (const double value : point.objectives) row.push_back(in_digits(value));
     for (std::size_t i = 1; i < objectives; ++i) {
       row.push_back(shown(answer.front.slope(point, i, 0), 4));
     }
@@ -116,24 +114,24 @@ std::string measures_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text = fmt::format("ideal: {}\nnadir: {}\n", values_text(answer, front.ideal),
                                  values_text(answer, front.nadir));
-  text += fmt::format("hypervolume {} from {}\n", number(front.hypervolume),
+  text += fmt::format("hypervolume {} from {}\n", in_digits(front.hypervolume),
                       values_text(answer, front.reference));
   if (front.hypervolume_of_mixtures) {
     text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",
-                        number(*front.hypervolume_of_mixtures));
+                        in_digits(*front.hypervolume_of_mixtures));
   }
   if (front.hypervolume_at_most) {
     const double more = 100 * (*front.hypervolume_at_most / front.hypervolume - 1);
     text += fmt::format("  {}, it is at most {}{}\n",
                         front.each_is_global ? "whatever lies between the points"
                                              : "if each search found the best there is",
-                        number(*front.hypervolume_at_most),
+                        in_digits(*front.hypervolume_at_most),
                         std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
   }
   const auto& limit = answer.ruler;
   if (const double most = limit ? limit->hypervolume(front.reference) : 0; most > 0) {
     const double reached = front.hypervolume_of_mixtures.value_or(front.hypervolume);
-    text += fmt::format("  no law exceeds {}: this is {:.3f} % of that\n", number(most),
+    text += fmt::format("  no law exceeds {}: this is {:.3f} % of that\n", in_digits(most),
                         100 * reached / most);
   }
   if (limit) {

@@ -41,8 +41,6 @@ const char* part_of(optim::Part part) {
   return "value";
 }
 
-std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
-
 void print_mechanism(const Mechanism& mechanism) {
   fmt::print("{}: {}\nsource {}; moved by {}\n\n", mechanism.name, mechanism.title,
              mechanism.source, words_of(mechanism.moved_by));
@@ -55,7 +53,7 @@ void print_mechanism(const Mechanism& mechanism) {
                           {"meaning", TextTable::Align::Left}});
     for (const auto& p : mechanism.parameters) {
       parameters.add({p.name, p.symbol, fmt::format("{:g}", p.standard),
-                      fmt::format("{:g} .. {:g}", p.low, p.high), unit_of(p.unit), p.meaning});
+                      fmt::format("{:g} .. {:g}", p.low, p.high), shown_unit(p.unit), p.meaning});
     }
     fmt::print("{}\n", parameters.text());
   }
@@ -64,7 +62,7 @@ void print_mechanism(const Mechanism& mechanism) {
                        {"unit", TextTable::Align::Left},
                        {"meaning", TextTable::Align::Left}});
   for (const auto& r : mechanism.responses) {
-    responses.add({r.name, r.curve ? "curve" : "number", unit_of(r.unit), r.meaning});
+    responses.add({r.name, r.curve ? "curve" : "number", shown_unit(r.unit), r.meaning});
   }
   for (const auto& p : mechanism.peaks) {
     responses.add({p.name, fmt::format("{} {}", part_of(p.part), p.curve), "", p.meaning});

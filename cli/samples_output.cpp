@@ -18,9 +18,7 @@ using problems::MotionFit;
 
 constexpr std::size_t kRanked = 10;
 
-std::string number(double value) { return fmt::format("{:.6g}", value + 0.0); }
-
-std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
+std::string number(double value) { return in_digits(value, 6); }
 
 std::string shortened(const std::string& label) {
   constexpr std::size_t kMost = 60;
@@ -36,7 +34,7 @@ std::string segments_text(const SamplesAnswer& answer) {
                    {"+-"},
                    {"lift"},
                    {"to"},
-                   {unit_of(samples.unit), TextTable::Align::Left}});
+                   {shown_unit(samples.unit), TextTable::Align::Left}});
   for (const FoundSegment& s : answer.cycle.segments) {
     table.add({to_string(s.kind), number(s.begin), number(s.end),
                number(std::max(s.begin_error, s.end_error)), number(s.from), number(s.to), ""});
@@ -53,7 +51,7 @@ std::string parameters_text(const LawFit& fit) {
                    {"unit", TextTable::Align::Left},
                    {"", TextTable::Align::Left}});
   for (const optim::FittedParameter& p : fit.fit.parameters) {
-    table.add({p.name, number(p.value), number(p.low), number(p.high), unit_of(p.unit),
+    table.add({p.name, number(p.value), number(p.low), number(p.high), shown_unit(p.unit),
                !p.identifiable ? "not determined"
                : p.at_bound    ? "at its bound"
                                : ""});
@@ -162,9 +160,9 @@ void draw(const MotionFit& fit, Figure& figure) {
                                            : "acceleration";
   Panel data, left;
   data.x = left.x = {.label = samples.place_unit == "deg" ? "cam angle" : "place",
-                     .unit = unit_of(samples.place_unit)};
-  data.y = {.label = label, .unit = unit_of(samples.unit)};
-  left.y = {.label = "samples less law", .unit = unit_of(samples.unit)};
+                     .unit = shown_unit(samples.place_unit)};
+  data.y = {.label = label, .unit = shown_unit(samples.unit)};
+  left.y = {.label = "samples less law", .unit = shown_unit(samples.unit)};
   Markers dots{.name = "samples", .colour = "#555555", .filled = false, .size = 2.5};
   Markers residuals{.name = "residuals", .colour = "#0072b2", .size = 1.5};
   const std::size_t count = samples.place.size();

@@ -36,7 +36,7 @@ std::string front_lines(const ProvedFront& front) {
   std::string text = fmt::format(
       "{}: {} of {} points certified in {} searches; hypervolume{} {:.2f} % of the limit's\n",
       front.name, front.front.certified(), front.front.points.size(), front.front.tasks,
-      front.with_mixtures ? " with mixtures of neighbours" : " of the points alone",
+      front.front.hypervolume_of_mixtures ? " with mixtures of neighbours" : " of the points alone",
       100 * front.share_of_limit);
   TextTable table({{"R, mm"}, {"F, N"}, {"N per mm"}, {"law", TextTable::Align::Left}});
   for (const std::size_t k : some_of(front.front)) {

@@ -93,6 +93,12 @@ std::string significant(double value, double size, int digits) {
   return fmt::format("{:.{}g}", value + 0.0, digits);
 }
 
+std::string in_digits(double value, int digits) {
+  return fmt::format("{:.{}g}", value + 0.0, digits);
+}
+
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
+
 std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "1" || unit.empty() ? text : text + " " + unit;
 }

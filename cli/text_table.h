@@ -34,6 +34,10 @@ std::string shown(double value, int decimals);
 /// A number for people: as many digits as 7 of `size`, that of the numbers it stands beside, so
 /// that their rounding is not shown; `digits` of its own at most; never "-0".
 std::string significant(double value, double size, int digits = 7);
+/// A number for people: so many significant digits, never "-0".
+std::string in_digits(double value, int digits = 7);
+/// A unit as it stands beside numbers: nothing for that of plain numbers, "1".
+std::string shown_unit(const std::string& unit);
 /// "40 mm", of a plain number "40".
 std::string with_unit(const std::string& text, const std::string& unit);
 /// A number for programs: as many digits as bring the same double back; "inf", "-inf", "nan".

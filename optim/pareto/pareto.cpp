@@ -69,8 +69,9 @@ class Study {
  private:
   std::size_t objectives() const { return front_.objectives.size(); }
 
-  /// Carries tasks out; whether all were.
-  bool carry_out(const std::vector<Task>& tasks, std::vector<Outcome>& outcomes) {
+  /// Carries tasks out, all with the study's seed; whether all were.
+  bool carry_out(std::vector<Task>& tasks, std::vector<Outcome>& outcomes) {
+    for (Task& task : tasks) task.seed = options_.seed;
     outcomes = executor_.run(tasks, [this](const auto&, const auto&) { count_task(); });
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       front_.evaluations += outcomes[i].evaluations;
@@ -113,7 +114,6 @@ class Study {
     task.population = options_.population > 0 ? options_.population : usual;
     task.generations =
         options_.generations > 0 ? options_.generations : (alone ? kAlone : kGenerations);
-    task.seed = options_.seed;
     return task;
   }
 
@@ -136,10 +136,8 @@ class Study {
   bool look_for_ends() {
     std::vector<Task> tasks;
     for (const auto& part : parts_) {
-      for (Task& task : part->first_tasks(starts_of(part->part()))) {
-        task.seed = options_.seed;
+      for (Task& task : part->first_tasks(starts_of(part->part())))
         tasks.push_back(std::move(task));
-      }
     }
     std::vector<Outcome> outcomes;
     if (!carry_out(tasks, outcomes)) return false;
@@ -154,10 +152,7 @@ class Study {
   bool look_for_ends_again() {
     std::vector<Task> tasks;
     for (const auto& part : parts_) {
-      for (Task& task : part->repeated_tasks()) {
-        task.seed = options_.seed;
-        tasks.push_back(std::move(task));
-      }
+      for (Task& task : part->repeated_tasks()) tasks.push_back(std::move(task));
     }
     std::vector<Outcome> outcomes;
     if (!carry_out(tasks, outcomes)) return false;
@@ -175,17 +170,14 @@ class Study {
       std::vector<Task> tasks;
       for (const auto& part : parts_) {
         if (part->is_empty() || front.covers(part->least())) continue;
-        for (Task& task : part->next_tasks()) {
-          task.seed = options_.seed;
-          tasks.push_back(std::move(task));
-        }
+        for (Task& task : part->next_tasks()) tasks.push_back(std::move(task));
       }
       if (tasks.empty()) return true;
-      if (!carry_out_and_give(tasks)) return false;
+      if (!carry_out_and_give(std::move(tasks))) return false;
     }
   }
 
-  bool carry_out_and_give(const std::vector<Task>& tasks) {
+  bool carry_out_and_give(std::vector<Task> tasks) {
     std::vector<Outcome> outcomes;
     const bool done = carry_out(tasks, outcomes);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -201,9 +193,9 @@ class Study {
     const std::size_t limit = front_.tasks + kTasksPerPoint * options_.points + 64 * parts_.size();
     while (front_.tasks < limit) {
       const FrontSoFar front = so_far();
-      const auto tasks = largest(front);
+      std::vector<Task> tasks = largest(front);
       if (tasks.empty()) return true;
-      if (!carry_out_and_give(tasks)) return false;
+      if (!carry_out_and_give(std::move(tasks))) return false;
     }
     return true;
   }
@@ -231,7 +223,6 @@ class Study {
       const std::size_t most = challenged ? kRound : round;
       if (tasks.size() == most || (!challenged && place.size < places.front().size / 2)) break;
       tasks.push_back(place.task);
-      tasks.back().seed = options_.seed;
     }
     return tasks;
   }
@@ -256,7 +247,6 @@ class Study {
       if (parts_[point.part]->is_empty() || front.covers(point.costs)) continue;
       tasks.push_back(as_good_as(point, point.part, objectives() - 1));
       tasks.back().starts = {point.x};
-      tasks.back().seed = options_.seed;
     }
     for (std::size_t i = 0; i < tasks.size(); i += kRound) {
       const auto from = tasks.begin() + static_cast<std::ptrdiff_t>(i);
@@ -279,12 +269,11 @@ class Study {
           if (parts_[point.part]->is_empty() || tasks.size() == kRound) continue;
           auto task = parts_[point.part]->task_for(point, front);
           if (!task) continue;
-          task->seed = options_.seed;
           tasks.push_back(std::move(*task));
         }
       }
       if (tasks.empty()) return true;
-      if (!carry_out_and_give(tasks) || !refine()) return false;
+      if (!carry_out_and_give(std::move(tasks)) || !refine()) return false;
     }
     return true;
   }

@@ -64,15 +64,6 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points) {
   return front;
 }
 
-Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
-  Task task;
-  task.part = part;
-  task.sought = sought;
-  task.bounds = point.costs;
-  task.bounds[sought] = kInfinity;
-  return task;
-}
-
 double ease(double cost, double range) {
   constexpr double kShare = 1e-6, kTold = 1e-8;
   return std::max(kShare * range, kTold * std::abs(cost));

@@ -21,9 +21,6 @@ struct FrontSoFar {
 /// together (1e-7 of the range) the one with the better verdict.
 FrontSoFar front_of(const std::vector<FrontPoint>& points);
 
-/// The least of one cost in a part, the others no greater than a point's.
-Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought);
-
 /// By how much a cost's bound is eased so that a search has room beside an optimum: 1e-6 of its
 /// range, and no less than solvers tell apart.
 double ease(double cost, double range);

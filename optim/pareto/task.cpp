@@ -151,16 +151,12 @@ FrontPoint pressed(FrontPoint point, const MultiProblem& multi, const Task& task
   constexpr double kSlack = 1e-6;
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
     if (point.weights[i] * task.direction[i] > kSlack) continue;
-    Task beside;
-    beside.part = task.part;
-    beside.sought = i;
-    beside.bounds = point.costs;
-    for (std::size_t k = 0; k < point.costs.size(); ++k) {
+    const auto room = [&](std::size_t k) {
       const double way = std::abs(point.costs[k] - task.origin[k]);
-      beside.bounds[k] += kSlack * std::max(std::abs(point.costs[k]), way);
-    }
-    const double room = beside.bounds[i] - point.costs[i];
-    beside.bounds[i] = kInfinity;
+      return kSlack * std::max(std::abs(point.costs[k]), way);
+    };
+    Task beside = as_good_as(point, task.part, i);
+    for (std::size_t k = 0; k < point.costs.size(); ++k) beside.bounds[k] += room(k);
     beside.starts = {point.x};
     const Stated stated = bounded(multi, beside);
     const Found found = best_of_starts(stated.problem, multi, beside, options, evaluations);
@@ -168,7 +164,7 @@ FrontPoint pressed(FrontPoint point, const MultiProblem& multi, const Task& task
                                                found.assessment.verdict == Verdict::Feasible);
     if (!sound) continue;
     FrontPoint better = point_of(multi, beside, stated, found);
-    if (better.costs[i] < point.costs[i] - room) point = std::move(better);
+    if (better.costs[i] < point.costs[i] - room(i)) point = std::move(better);
   }
   return point;
 }
@@ -198,6 +194,15 @@ Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOption
 }
 
 }  // namespace
+
+Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
+  Task task;
+  task.part = part;
+  task.sought = sought;
+  task.bounds = point.costs;
+  task.bounds[sought] = kInfinity;
+  return task;
+}
 
 std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points) {
   std::vector<std::vector<double>> result;

@@ -59,6 +59,9 @@ struct FrontPoint {
   std::string solver;
 };
 
+/// The least of one cost in a part, the others no greater than a point's.
+Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought);
+
 /// The costs of each.
 std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points);
 

@@ -13,6 +13,7 @@
 #include "optim/fit/least_squares.h"
 #include "optim/pareto/shifted.h"
 #include "optim/search/optimise.h"
+#include "problems/fits/coefficients.h"
 #include "problems/fits/simplest.h"
 
 namespace camlaw::problems {
@@ -38,15 +39,8 @@ std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member
     if (v.of_law) continue;
     result.push_back({v.name, v.unit, false, v.parameter, 0, v.lower, v.upper, v.start});
   }
-  const auto& parameters = law.family->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Parameter& p = parameters[i];
-    if (p.structural || p.name == kCrossover) continue;
-    const auto& values = law.arguments.list(i);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const std::string name = p.list ? fmt::format("{}[{}]", p.name, k + 1) : p.name;
-      result.push_back({name, p.unit, true, i, k, p.low, p.high, values[k]});
-    }
+  for (const Coefficient& c : coefficients_of(law)) {
+    result.push_back({c.name, c.unit, true, c.at.parameter, c.at.element, c.low, c.high, c.value});
   }
   return result;
 }
@@ -70,9 +64,7 @@ class Model {
     }
     machine.law = std::make_shared<LawBinding>(law_, std::move(of_law));
     Binding alone;  // the law's own constants do not see the machine
-    for (const MechanismParameter& p : find_mechanism("law").parameters) {
-      alone.constants.push_back(p.standard);
-    }
+    alone.constants = law_alone().constants;
     alone.law = machine.law;
     for (const PrintedConstant& c : question.constants) {
       const Binding& binding = c.of == question.machine.mechanism ? machine : alone;
@@ -471,9 +463,6 @@ double cost_of_others(const ConstantsQuestion& question, const std::vector<std::
   return cost;
 }
 
-/// Without unknowns there is nothing to look for: some constants agree.
-ConstantsFit as_it_is(const Model& model) { return rounded(model, {}, {}); }
-
 bool is_better(const ConstantsFit& a, const ConstantsFit& b) {
   return std::pair(a.cost, !a.consistent) < std::pair(b.cost, !b.consistent);
 }
@@ -486,7 +475,7 @@ namespace {
 std::vector<ConstantsFit> explanations(const ConstantsQuestion& question, const Member& law,
                                        double limit) {
   const Model model(question, law);
-  if (model.unknowns().empty()) return {as_it_is(model)};
+  if (model.unknowns().empty()) return {rounded(model, {}, {})};  // nothing to look for
   const std::size_t count = question.constants.size();
   for (std::size_t left_out = 0; left_out < count; ++left_out) {
     std::vector<ConstantsFit> found;
@@ -504,6 +493,15 @@ std::vector<ConstantsFit> explanations(const ConstantsQuestion& question, const 
 }
 
 }  // namespace
+
+ProblemStatement law_alone() {
+  ProblemStatement machine;
+  machine.mechanism = &find_mechanism("law");
+  for (const MechanismParameter& p : machine.mechanism->parameters) {
+    machine.constants.push_back(p.standard);
+  }
+  return machine;
+}
 
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law) {
   return explanations(question, law, optim::kInfinity);

@@ -18,6 +18,9 @@ struct ConstantsQuestion {
   std::vector<PrintedConstant> constants;
 };
 
+/// The machine that is a law alone.
+ProblemStatement law_alone();
+
 /// A coefficient or size that was found.
 struct FoundNumber {
   std::string name, unit;

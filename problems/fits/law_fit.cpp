@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "optim/fit/statistics.h"
-#include "problems/mechanism/law_binding.h"
+#include "problems/fits/coefficients.h"
 
 namespace camlaw::problems {
 namespace {
@@ -21,21 +21,10 @@ struct Layout {
   std::size_t first() const { return with_zero ? 4 : 3; }
 };
 
-std::vector<LawVariable> coefficients_of(const Member& law, std::size_t first) {
+std::vector<LawVariable> variables_of(const Member& law, Layout layout) {
   std::vector<LawVariable> result;
-  const auto& parameters = law.family->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].structural || parameters[i].name == kCrossover) continue;
-    for (std::size_t k = 0; k < law.arguments.list(i).size(); ++k) {
-      result.push_back({i, k, first + result.size()});
-    }
-  }
+  for (const Coefficient& c : coefficients_of(law, layout.first())) result.push_back(c.at);
   return result;
-}
-
-std::string name_of(const Member& law, const LawVariable& v) {
-  const Parameter& p = law.family->parameters[v.parameter];
-  return p.list ? fmt::format("{}[{}]", p.name, v.element + 1) : p.name;
 }
 
 /// (P1) y = zero + h s(u) and its derivatives, u = (x - begin) / (end - begin) within 0 and 1.
@@ -46,10 +35,9 @@ class MotionResiduals final : public optim::Residuals {
       : samples_(samples),
         which_(std::move(which)),
         layout_(layout),
-        binding_(law, coefficients_of(law, layout.first())) {}
+        binding_(law, variables_of(law, layout)) {}
 
   std::size_t count() const override { return which_.size(); }
-  const LawBinding& binding() const { return binding_; }
 
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override {
@@ -62,15 +50,14 @@ class MotionResiduals final : public optim::Residuals {
       const double u = (samples_.place[which_[i]] - begin) / length;
       const bool moves = u > 0 && u < 1;
       const double at = std::clamp(u, 0.0, 1.0);
-      const double* row = jacobian.empty() ? nullptr : &jacobian[i * p.size()];
       const MotionDerivatives m =
-          binding_.motion(at, u < 1 ? Side::Right : Side::Left, values, row == nullptr ? 0 : 1);
+          binding_.motion(at, u < 1 ? Side::Right : Side::Left, values, jacobian.empty() ? 0 : 1);
       // At rest beyond the ends: displacement stays, derivatives are none.
       const double own = k == 0 || moves ? m.value[k] : 0;
       const double zero = layout_.with_zero ? p[layout_.zero()] : 0;
       r[i] = zero + stroke * unit * own - samples_.value[which_[i]];
       if (!std::isfinite(r[i])) return false;
-      if (row != nullptr) {
+      if (!jacobian.empty()) {
         fill(&jacobian[i * p.size()], p, m, moves ? u : -1, unit * stroke, own);
       }
     }
@@ -93,7 +80,7 @@ class MotionResiduals final : public optim::Residuals {
     }
     if (!moves) return;
     // du/dbegin = (u - 1) / length, du/dend = -u / length; the unit length^-k follows both.
-    const double slope = k + 1 < 4 ? m.value[k + 1] : 0;
+    const double slope = m.value[k + 1];
     const double stretch = samples_.order * own / length;
     row[0] = size * (slope * (u - 1) / length + stretch);
     row[1] = size * (-slope * u / length - stretch);
@@ -141,10 +128,8 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
     result.push_back(
         {"zero", samples.unit, -optim::kInfinity, optim::kInfinity, guess.from, std::abs(stroke)});
   }
-  for (const LawVariable& v : coefficients_of(law, layout.first())) {
-    const Parameter& p = law.family->parameters[v.parameter];
-    result.push_back(
-        {name_of(law, v), p.unit, p.low, p.high, law.arguments.list(v.parameter)[v.element]});
+  for (const Coefficient& c : coefficients_of(law)) {
+    result.push_back({c.name, c.unit, c.low, c.high, c.value});
   }
   return result;
 }
@@ -183,7 +168,7 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   const Layout layout{samples.order == 0};
   LawFit result{law, fitted(samples, all_of(samples), law, guess, options)};
   const std::vector<double> x = values_of(result.fit);
-  for (const LawVariable& v : coefficients_of(law, layout.first())) {
+  for (const LawVariable& v : variables_of(law, layout)) {
     result.law.arguments.values()[v.parameter][v.element] = x[v.variable];
   }
   result.begin = x[0];

@@ -66,22 +66,6 @@ void scale(std::vector<double>& values, double factor) {
   for (double& v : values) v *= factor;
 }
 
-/// Samples from `low` to `high`, where the cycle begins anew after `period` (0: not at all).
-MotionSamples between(const MotionSamples& all, double low, double high, double period) {
-  MotionSamples part;
-  part.order = all.order;
-  part.place_unit = all.place_unit;
-  part.unit = all.unit;
-  for (std::size_t i = 0; i < all.place.size(); ++i) {
-    double place = all.place[i];
-    if (period > 0) place = low + std::fmod(std::fmod(place - low, period) + period, period);
-    if (place < low || place > high) continue;
-    part.place.push_back(place);
-    part.value.push_back(all.value[i]);
-  }
-  return part;
-}
-
 }  // namespace
 
 MotionSamples motion_samples(const SampleTable& table) {
@@ -109,6 +93,21 @@ MotionSamples motion_samples(const SampleTable& table) {
   scale(samples.place, place_factor);
   scale(samples.value, factor);
   return samples;
+}
+
+MotionSamples between(const MotionSamples& all, double low, double high, double period) {
+  MotionSamples part;
+  part.order = all.order;
+  part.place_unit = all.place_unit;
+  part.unit = all.unit;
+  for (std::size_t i = 0; i < all.place.size(); ++i) {
+    double place = all.place[i];
+    if (period > 0) place = low + std::fmod(std::fmod(place - low, period) + period, period);
+    if (place < low || place > high) continue;
+    part.place.push_back(place);
+    part.value.push_back(all.value[i]);
+  }
+  return part;
 }
 
 FoundCycle find_motions(const MotionSamples& samples) {

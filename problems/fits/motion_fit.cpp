@@ -36,13 +36,7 @@ std::string distrust_of(const MotionFit& fit) {
 /// A smooth curve from rest to rest between the motion's ends.
 std::optional<Law<double>> smoothed(const MotionFit& fit) {
   const LawFit& best = fit.best();
-  MotionSamples inside;
-  const MotionSamples& all = fit.motion.samples;
-  for (std::size_t i = 0; i < all.place.size(); ++i) {
-    if (all.place[i] < best.begin || all.place[i] > best.end) continue;
-    inside.place.push_back(all.place[i]);
-    inside.value.push_back(all.value[i]);
-  }
+  const MotionSamples inside = between(fit.motion.samples, best.begin, best.end);
   optim::SmoothingOptions options;
   options.range = std::pair(best.begin, best.end);
   options.begin = {best.from, 0.0, {}};

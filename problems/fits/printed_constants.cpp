@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/algorithm/string.hpp>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -16,20 +17,7 @@ namespace camlaw::problems {
 namespace {
 
 std::string trimmed(std::string_view text) {
-  const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return std::string(text);
-}
-
-std::vector<std::string> split(std::string_view text, char at) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(at, from), text.size());
-    parts.push_back(trimmed(text.substr(from, to - from)));
-    from = to + 1;
-  }
-  return parts;
+  return boost::algorithm::trim_copy(std::string(text));
 }
 
 /// The number that a text begins with, as it is written.
@@ -179,7 +167,10 @@ void read_value(PrintedConstant& constant, const std::string& text) {
 
 std::vector<PrintedConstant> parse_constants(std::string_view text, const Mechanism& machine) {
   std::vector<PrintedConstant> result;
-  for (const std::string& part : split(text, ',')) {
+  std::vector<std::string> parts;
+  boost::algorithm::split(parts, text, [](char c) { return c == ','; });
+  for (std::string& part : parts) {
+    boost::algorithm::trim(part);
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) {
       throw std::invalid_argument(fmt::format(

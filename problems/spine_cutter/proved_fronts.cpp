@@ -109,7 +109,6 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers) {
   ProvedFront result{"free law (degree 2, 64 even knots)", study.run(executor), {}, 0};
   result.laws.assign(result.front.points.size(), "free law");
   result.share_of_limit = share_of(study, result.front);
-  result.with_mixtures = result.front.hypervolume_of_mixtures.has_value();
   return result;
 }
 

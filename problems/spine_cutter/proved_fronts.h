@@ -15,7 +15,6 @@ struct ProvedFront {
   /// Its hypervolume as a share of that of the analytic limit, from the same reference; of the free
   /// law with mixtures of neighbouring designs, which are free laws as well.
   double share_of_limit = 0;
-  bool with_mixtures = false;
 };
 
 /// How much better than a published law the free law is, each optimum certified.

@@ -13,19 +13,11 @@
 #include "kinematics/peaks.h"
 #include "problems/fits/simplest.h"
 #include "tests/kinematics/reference_data.h"
-#include "tests/problems/complaint.h"
 
 namespace camlaw::problems {
 namespace {
 
 using Catch::Contains;
-
-ProblemStatement law_alone() {
-  ProblemStatement machine;
-  machine.mechanism = &find_mechanism("law");
-  for (const auto& p : machine.mechanism->parameters) machine.constants.push_back(p.standard);
-  return machine;
-}
 
 ProblemStatement cutter() {
   return read_problem(

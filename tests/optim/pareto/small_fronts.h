@@ -59,10 +59,6 @@ inline MultiSpace two_rooms() {
   return space;
 }
 
-inline std::vector<Costs> costs_of(const Front& front) {
-  std::vector<Costs> result;
-  for (const FrontPoint& p : front.points) result.push_back(p.costs);
-  return result;
-}
+inline std::vector<Costs> costs_of(const Front& front) { return optim::costs_of(front.points); }
 
 }  // namespace camlaw::optim::front_tests
