@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,17 +11,19 @@
 #include "cli/files.h"
 #include "cli/fit_output.h"
 #include "problems/law_files/law_file.h"
+#include "problems/statement/standard_machine.h"
 
 namespace camlaw::cli {
 namespace {
 
 struct FitCommand {
-  std::optional<std::string> data, constants, law, mechanism, out;
-  std::string loss = "none";
+  std::optional<std::string> data, constants, law, mechanism, response, out, loss;
+  std::vector<std::string> set, shifts;
   bool json = false;
 };
 
-optim::Loss loss_of(const std::string& name) {
+optim::Loss loss_of(const FitCommand& options) {
+  const std::string name = options.loss.value_or("none");
   for (const auto& [known, loss] :
        {std::pair{"none", optim::Loss::None}, std::pair{"huber", optim::Loss::Huber},
         std::pair{"cauchy", optim::Loss::Cauchy}}) {
@@ -35,10 +39,26 @@ std::optional<Member> law_of(const FitCommand& options) {
   return problems::find_any_law(*options.law);
 }
 
+std::vector<Member> laws_of(const FitCommand& options) {
+  const auto law = law_of(options);
+  return law ? std::vector{*law} : problems::laws_to_try();
+}
+
+problems::LawFitOptions how_of(const FitCommand& options) {
+  problems::LawFitOptions how;
+  how.loss = loss_of(options);
+  return how;
+}
+
+problems::ProblemStatement machine_of(const FitCommand& options) {
+  problems::ProblemStatement machine = problems::asked_machine(*options.mechanism);
+  for (const std::string& assignment : options.set) problems::set_value(machine, assignment);
+  return machine;
+}
+
 void fit_constants(const FitCommand& options) {
   problems::ConstantsQuestion question{
-      options.mechanism ? problems::read_problem_file(*options.mechanism) : problems::law_alone(),
-      {}};
+      options.mechanism ? machine_of(options) : problems::law_alone(), {}};
   question.constants = problems::parse_constants(*options.constants, *question.machine.mechanism);
   std::vector<problems::ConstantsFit> fits;
   if (const auto law = law_of(options)) {
@@ -53,35 +73,99 @@ void fit_constants(const FitCommand& options) {
   fmt::print("{}", options.json ? constants_json(fits).dump(2) + "\n" : constants_text(fits));
 }
 
-void fit_samples(const FitCommand& options) {
-  if (options.mechanism) {
-    throw std::invalid_argument("--mechanism: it goes with --constants");
-  }
-  problems::LawFitOptions how;
-  how.loss = loss_of(options.loss);
-  const auto law = law_of(options);
-  const std::vector<Member> laws = law ? std::vector{*law} : problems::laws_to_try();
-  if (options.out) check_writable({std::filesystem::path(*options.out) / "fit.json"});
-  const problems::SampleTable table = problems::read_samples(*options.data);
-  SamplesAnswer answer{*options.data, table.left_out, {}, {}};
-  const problems::MotionSamples samples = problems::motion_samples(table);
-  try {
-    answer.cycle = problems::find_motions(samples);
-    for (const problems::FoundMotion& motion : answer.cycle.motions) {
-      answer.fits.push_back(problems::fit_motion(motion, laws, how));
-    }
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", *options.data, error.what()));
-  }
-  const std::string json = samples_json(answer).dump(2) + "\n";
-  fmt::print("{}", options.json ? json : samples_text(answer));
+std::filesystem::path in_out(const FitCommand& options, const char* file) {
+  return std::filesystem::path(*options.out) / file;
+}
+
+/// Prints an answer; of a folder the files that an earlier run left and this one has not go.
+void give(const FitCommand& options, const std::string& text, const std::string& json,
+          std::vector<OutputFile> files) {
+  fmt::print("{}", options.json ? json : text);
   if (!options.out) return;
-  const std::filesystem::path out = *options.out;
-  write_out({},
-            {{out / "fit.json", json},
-             {out / "law.json", samples_law(answer).dump(2) + "\n"},
-             {out / "fit.svg", to_svg(samples_figure(answer))}},
-            !options.json);
+  files.push_back({in_out(options, "fit.json"), json});
+  write_out({in_out(options, "law.json"), in_out(options, "program.toml")}, files, !options.json);
+}
+
+void give_samples(const FitCommand& options, const SamplesAnswer& answer,
+                  std::vector<OutputFile> files) {
+  if (options.out) {
+    files.push_back({in_out(options, "law.json"), samples_law(answer).dump(2) + "\n"});
+    files.push_back({in_out(options, "fit.svg"), to_svg(samples_figure(answer))});
+  }
+  give(options, samples_text(answer), samples_json(answer).dump(2) + "\n", std::move(files));
+}
+
+void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
+  SamplesAnswer answer{*options.data, table.left_out, {}, {}};
+  const std::vector<Member> laws = laws_of(options);
+  answer.cycle = problems::find_motions(problems::motion_samples(table));
+  for (const problems::FoundMotion& motion : answer.cycle.motions) {
+    answer.fits.push_back(problems::fit_motion(motion, laws, how_of(options)));
+  }
+  give_samples(options, answer, {});
+}
+
+void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
+  if (!options.mechanism) {
+    throw std::invalid_argument(fmt::format(
+        "it is a cam's profile; what runs on it is needed: --mechanism FILE, or one of {}",
+        fmt::join(problems::measured_cams(), ", ")));
+  }
+  const problems::ProblemStatement machine = machine_of(options);
+  SamplesAnswer answer{*options.data, table.left_out, {}, {}};
+  answer.cam =
+      problems::fit_cam(problems::measured_cam(table, machine), laws_of(options), how_of(options));
+  answer.cycle = answer.cam->cycle;
+  answer.fits = answer.cam->fits;
+  std::vector<OutputFile> files;
+  if (options.out) {
+    const auto program = problems::found_program(*answer.cam, machine);
+    files.push_back({in_out(options, "program.toml"), program.problem});
+    for (const problems::ProgramLaw& law : program.laws) {
+      const Json provenance{{"fitted_to", answer.source}, {"law", "smoothing spline"}};
+      files.push_back({in_out(options, law.name.c_str()),
+                       problems::law_file(law.law, law.title, provenance).dump(2) + "\n"});
+    }
+  }
+  give_samples(options, answer, std::move(files));
+}
+
+bool shifts(const FitCommand& options, const char* what) {
+  return std::find(options.shifts.begin(), options.shifts.end(), what) != options.shifts.end();
+}
+
+void fit_recorded(const FitCommand& options, const problems::SampleTable& table) {
+  const problems::ProblemStatement machine = machine_of(options);
+  problems::RecordedCurve record =
+      problems::recorded_curve(table, *machine.mechanism, options.response);
+  problems::RecordFitOptions how;
+  how.loss = loss_of(options);
+  how.place_shift = shifts(options, "place");
+  how.value_shift = shifts(options, "value");
+  const problems::RecordFit fit = problems::fit_record(machine, record, how);
+  const RecordAnswer answer{*options.mechanism, table.left_out, std::move(record), fit};
+  std::vector<OutputFile> files;
+  if (options.out) files.push_back({in_out(options, "fit.svg"), to_svg(record_figure(answer))});
+  give(options, record_text(answer), record_json(answer).dump(2) + "\n", std::move(files));
+}
+
+/// What a table is of: a cam's profile, a curve of a machine, or else a motion.
+void fit_table(const FitCommand& options) {
+  how_of(options), laws_of(options);  // wrong options before any work
+  if (options.out) check_writable({in_out(options, "fit.json")});
+  const problems::SampleTable table = problems::read_samples(*options.data);
+  try {
+    if (!options.response && problems::shows_profile(table)) return fit_cam(options, table);
+    if (options.mechanism) return fit_recorded(options, table);
+    if (options.response || !options.set.empty() || !options.shifts.empty()) {
+      throw std::invalid_argument("--response, --set and --shift go with --mechanism FILE");
+    }
+    fit_samples(options, table);
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    if (what.starts_with(*options.data)) throw;
+    throw std::invalid_argument(fmt::format("{}: {}", *options.data, what));
+  }
 }
 
 void run_fit(const FitCommand& options) {
@@ -89,7 +173,7 @@ void run_fit(const FitCommand& options) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
   }
-  options.data ? fit_samples(options) : fit_constants(options);
+  options.data ? fit_table(options) : fit_constants(options);
 }
 
 }  // namespace
@@ -99,19 +183,31 @@ void add_fit_command(CLI::App& app) {
       app.add_subcommand("fit", "Find the law behind measured samples or printed constants");
   const auto options = std::make_shared<FitCommand>();
   command->add_option("DATA", options->data,
-                      "table with a header, such as \"angle [deg], lift [mm]\"");
+                      "table with a header: \"angle [deg], lift [mm]\" of a motion, \"angle [deg], "
+                      "radius [mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as "
+                      "\"angle [deg], drive_torque [N m]\"");
   command->add_option("--constants", options->constants,
                       "what is printed, with its digits: \"B=1.6125, C=4.66\"");
   command->add_option("--law", options->law,
                       "a law whose coefficients are wanted; auto: every law");
   command->add_option("--mechanism", options->mechanism,
-                      "a problem file: its responses can be printed constants, its variables are "
-                      "unknown");
+                      "a problem file, or a mechanism's name: whose curve was recorded, whose "
+                      "variables are unknown, or what runs on a measured cam");
+  command->add_option("--set", options->set, "a value of the machine, such as 'mass=1.2 kg'");
+  command->add_option("--response", options->response,
+                      "the recorded curve, where several columns could be one");
+  command
+      ->add_option("--shift", options->shifts,
+                   "a zero of the record that is unknown and fitted along: place, value, or both")
+      ->check(CLI::IsMember({"place", "value"}))
+      ->delimiter(',');
   command->add_option("--loss", options->loss,
                       "how much far-off samples count: none (all alike), huber or cauchy");
   add_switch(*command, "--json", options->json, "print JSON");
-  command->add_option("--out", options->out,
-                      "folder for fit.json, law.json (the law's own file) and fit.svg");
+  command->add_option(
+      "--out", options->out,
+      "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
+      "cam)");
   command->callback([options] { run_fit(*options); });
 }
 

@@ -3,8 +3,10 @@
 
 #include "cli/chart.h"
 #include "cli/law_json.h"
+#include "problems/fits/cam_fit.h"
 #include "problems/fits/constants_fit.h"
 #include "problems/fits/motion_fit.h"
+#include "problems/fits/record_fit.h"
 
 /// Fits for people and for programs.
 namespace camlaw::cli {
@@ -13,13 +15,39 @@ namespace camlaw::cli {
 std::string constants_text(const std::vector<problems::ConstantsFit>& fits);
 Json constants_json(const std::vector<problems::ConstantsFit>& fits);
 
+/// Fitted numbers with their intervals.
+std::string fitted_table(const optim::FitResult& fit);
+Json fitted_json(const optim::FitResult& fit);
+bool all_identifiable(const optim::FitResult& fit);
+
+/// A recorded curve and the machine behind it.
+struct RecordAnswer {
+  std::string machine_file;
+  std::size_t left_out = 0;  ///< rows that lack a number
+  problems::RecordedCurve record;
+  problems::RecordFit fit;
+};
+
+std::string record_text(const RecordAnswer& answer);
+Json record_json(const RecordAnswer& answer);
+/// The record with what the machine computes, and what is left.
+Figure record_figure(const RecordAnswer& answer);
+
 /// A table of samples and the laws behind its motions.
 struct SamplesAnswer {
   std::string source;
   std::size_t left_out = 0;  ///< rows that lack a number
   problems::FoundCycle cycle;
   std::vector<problems::MotionFit> fits;
+  /// Of a measured cam; cycle and fits are its own then.
+  std::optional<problems::CamFit> cam = {};
 };
+
+/// What a measured cam adds: what of it lies off.
+std::string cam_text(const problems::CamFit& cam);
+Json cam_json(const problems::CamFit& cam);
+/// Draws what departs from the laws into the two panels of each motion.
+void mark_departures(const problems::CamFit& cam, Figure& figure);
 
 std::string samples_text(const SamplesAnswer& answer);
 Json samples_json(const SamplesAnswer& answer);

@@ -43,22 +43,6 @@ std::string segments_text(const SamplesAnswer& answer) {
          fmt::format("noise {}\n\n", with_unit(number(answer.cycle.noise), samples.unit));
 }
 
-std::string parameters_text(const LawFit& fit) {
-  TextTable table({{"number", TextTable::Align::Left},
-                   {"value"},
-                   {"from"},
-                   {"to"},
-                   {"unit", TextTable::Align::Left},
-                   {"", TextTable::Align::Left}});
-  for (const optim::FittedParameter& p : fit.fit.parameters) {
-    table.add({p.name, number(p.value), number(p.low), number(p.high), shown_unit(p.unit),
-               !p.identifiable ? "not determined"
-               : p.at_bound    ? "at its bound"
-                               : ""});
-  }
-  return table.text();
-}
-
 std::string ranking_text(const MotionFit& fit) {
   if (fit.ranking.size() < 2) return "";
   const std::string& unit = fit.motion.samples.unit;
@@ -80,7 +64,7 @@ std::string motion_text(const MotionFit& fit) {
   const LawFit& best = fit.best();
   const std::string& unit = fit.motion.samples.unit;
   std::string text = fmt::format("{}\n", best.law.label());
-  text += parameters_text(best);
+  text += fitted_table(best.fit);
   text += fmt::format(
       "{} samples; rms {}, largest {} at {}; error of prediction {}\n",
       fit.motion.samples.place.size(), with_unit(number(best.fit.rms), unit),
@@ -90,26 +74,6 @@ std::string motion_text(const MotionFit& fit) {
   if (!fit.distrust.empty()) text += fmt::format("not to be trusted: {}\n", fit.distrust);
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);
-}
-
-Json parameters_json(const LawFit& fit) {
-  Json result = Json::array();
-  for (const optim::FittedParameter& p : fit.fit.parameters) {
-    result.push_back({{"name", p.name},
-                      {"value", to_json(p.value)},
-                      {"low", to_json(p.low)},
-                      {"high", to_json(p.high)},
-                      {"standard_deviation", to_json(p.standard_deviation)},
-                      {"unit", p.unit},
-                      {"identifiable", p.identifiable},
-                      {"at_bound", p.at_bound}});
-  }
-  return result;
-}
-
-bool all_identifiable(const LawFit& fit) {
-  return std::all_of(fit.fit.parameters.begin(), fit.fit.parameters.end(),
-                     [](const auto& p) { return p.identifiable; });
 }
 
 Json motion_json(const MotionFit& fit) {
@@ -126,7 +90,7 @@ Json motion_json(const MotionFit& fit) {
           {"end", to_json(best.end)},
           {"from", to_json(best.from)},
           {"to", to_json(best.to)},
-          {"parameters", parameters_json(best)},
+          {"parameters", fitted_json(best.fit)},
           {"samples", fit.motion.samples.place.size()},
           {"rms", to_json(best.fit.rms)},
           {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
@@ -137,7 +101,7 @@ Json motion_json(const MotionFit& fit) {
           {"trusted", fit.distrust.empty()},
           {"reason", fit.distrust},
           {"smoothed", fit.smooth.has_value()},
-          {"identifiable", all_identifiable(best)},
+          {"identifiable", all_identifiable(best.fit)},
           {"ranking", std::move(ranking)}};
 }
 
@@ -190,7 +154,7 @@ void draw(const MotionFit& fit, Figure& figure) {
 }  // namespace
 
 std::string samples_text(const SamplesAnswer& answer) {
-  std::string text = segments_text(answer);
+  std::string text = (answer.cam ? cam_text(*answer.cam) : "") + segments_text(answer);
   if (answer.left_out > 0)
     text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
   for (const MotionFit& fit : answer.fits) {
@@ -218,6 +182,7 @@ Json samples_json(const SamplesAnswer& answer) {
   result["segments"] = std::move(segments);
   result["motions"] = std::move(motions);
   result["left_out"] = answer.left_out;
+  if (answer.cam) result["cam"] = cam_json(*answer.cam);
   return result;
 }
 
@@ -227,6 +192,7 @@ Figure samples_figure(const SamplesAnswer& answer) {
   figure.columns = 2;
   figure.panel_width = 480;
   for (const MotionFit& fit : answer.fits) draw(fit, figure);
+  if (answer.cam) mark_departures(*answer.cam, figure);
   return figure;
 }
 

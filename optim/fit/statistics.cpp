@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace camlaw::optim {
@@ -40,6 +41,19 @@ double median_absolute_deviation(std::span<const double> values, std::optional<d
   std::vector<double> distances;
   for (const double v : values) distances.push_back(std::abs(v - middle));
   return median(distances) / kThirdQuartile;
+}
+
+double neighbour_correlation(std::span<const double> x, std::span<const double> residuals) {
+  std::vector<std::size_t> order(x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  double products = 0, squares = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double r = residuals[order[i]];
+    squares += r * r;
+    if (i > 0) products += r * residuals[order[i - 1]];
+  }
+  return squares > 0 ? products / squares : 0;
 }
 
 double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& squared_error) {

@@ -29,6 +29,10 @@ double median(std::span<const double> values);
 /// that normal values have their standard deviation. By default the centre is the median.
 double median_absolute_deviation(std::span<const double> values, std::optional<double> centre = {});
 
+/// Correlation of residuals with their neighbours by x: near zero where they are noise, near one
+/// where a model leaves a curve; 0 where all are zero.
+double neighbour_correlation(std::span<const double> x, std::span<const double> residuals);
+
 /// The sum of squared errors of the points `left_out` under a model fitted to the points `kept`.
 using FoldError = std::function<double(const std::vector<std::size_t>& kept,
                                        const std::vector<std::size_t>& left_out)>;

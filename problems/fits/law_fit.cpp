@@ -140,6 +140,7 @@ optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::siz
   const MotionResiduals residuals(samples, which, law, layout);
   optim::FitOptions fit;
   fit.loss = options.loss;
+  fit.loss_scale = options.loss_scale;
   fit.confidence = options.confidence;
   return optim::fit(parameters_of(samples, law, guess, layout), residuals, fit);
 }
@@ -266,16 +267,7 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit,
 }
 
 double neighbour_correlation(const MotionSamples& samples, const LawFit& fit) {
-  std::vector<std::size_t> order = all_of(samples);
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return samples.place[a] < samples.place[b]; });
-  double products = 0, squares = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double r = fit.fit.residuals[order[i]];
-    squares += r * r;
-    if (i > 0) products += r * fit.fit.residuals[order[i - 1]];
-  }
-  return squares > 0 ? products / squares : 0;
+  return optim::neighbour_correlation(samples.place, fit.fit.residuals);
 }
 
 }  // namespace camlaw::problems

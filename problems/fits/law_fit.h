@@ -26,6 +26,8 @@ struct MotionGuess {
 
 struct LawFitOptions {
   optim::Loss loss = optim::Loss::None;
+  /// Of the loss, in the samples' unit; none: estimated with each fit.
+  std::optional<double> loss_scale = {};
   double confidence = 0.95;
 };
 

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <complex>
-#include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "kinematics/law.h"
 #include "optim/fit/smoothing_spline.h"
 
 /// From a disc cam that was measured to what its follower does (docs/theory.md, "Measured cams"):
@@ -41,81 +38,14 @@ class MeasuredProfile {
   ProfilePoint at(double theta) const;
   /// r(theta), with errors, outliers and all that belongs to a fit.
   const optim::SmoothingSpline& spline() const { return spline_; }
+  /// Where the points were measured, in the order given, 0 to 2 pi.
+  const std::vector<double>& polar_angles() const { return thetas_; }
 
  private:
-  explicit MeasuredProfile(optim::SmoothingSpline spline) : spline_(std::move(spline)) {}
+  MeasuredProfile(std::vector<double> thetas, optim::SmoothingSpline spline)
+      : thetas_(std::move(thetas)), spline_(std::move(spline)) {}
+  std::vector<double> thetas_;
   optim::SmoothingSpline spline_;
-};
-
-/// Moves along y at x = offset, above the cam: RollerCam, and KnifeCam with a radius of 0.
-struct TranslatingRoller {
-  double roller_radius = 0;
-  double offset = 0;  ///< e, in the frame; RollerCam's for a cam that turns counterclockwise
-};
-/// On an arm whose pivot stands at x = pivot_distance, the roller above the x axis:
-/// SwingingRollerCam counterclockwise, LeadingRollerCam clockwise.
-struct SwingingRoller {
-  double roller_radius = 0;
-  double arm_length = 0;
-  double pivot_distance = 0;
-};
-/// A flat face above the cam, square to its way along y: FlatCam.
-struct TranslatingFace {};
-/// A flat face on an arm, pivot at x = pivot_distance: SwingingFlatCam counterclockwise.
-struct SwingingFace {
-  double pivot_distance = 0;
-  double face_offset = 0;
-};
-using MeasuredFollower =
-    std::variant<TranslatingRoller, SwingingRoller, TranslatingFace, SwingingFace>;
-
-/// Which way the cam turns.
-enum class Rotation { Counterclockwise, Clockwise };
-
-/// The follower at a cam angle, derivatives by the angle. Standard errors are those of the spline
-/// r, carried over to first order (I8); for the derivatives the leading term.
-struct MeasuredMotion {
-  double phi, theta;  ///< the cam's angle, the polar angle of the contact
-  double s, ds, dds;  ///< a length, or rad for an arm
-  double s_error, ds_error, dds_error;
-};
-
-/// What a follower does on a measured profile.
-class MeasuredLift {
- public:
-  /// s is 0 at the lowest place, or, where `base_radius` is given, where the profile has that
-  /// radius. Throws std::invalid_argument where the follower cannot follow: a roller that does not
-  /// fit into a hollow, a flat face over a hollow, an offset beyond the pitch curve, an arm that
-  /// does not reach, a pressure angle of 90 deg; the sentence says at which polar angle.
-  MeasuredLift(MeasuredProfile profile, const MeasuredFollower& follower,
-               Rotation rotation = Rotation::Counterclockwise,
-               std::optional<double> base_radius = {});
-
-  /// At a cam angle phi, any number of turns; phi = 0 as the cam was measured.
-  MeasuredMotion at(double phi) const;
-  const MeasuredProfile& profile() const { return profile_; }
-  /// From the lowest place to the highest, and s at the lowest.
-  double stroke() const { return highest_ - lowest_; }
-  double lowest() const { return lowest_ - zero_; }
-
-  /// The program over the cycle x = phi / (2 pi), displacement from 0 to 1 in parts of the stroke:
-  /// the spline (kinematics/laws/spline.h, `table`) with s and v at even angles. Throws
-  /// std::invalid_argument for fewer than 12 angles.
-  Law<double> law(int angles = 720) const;
-
- private:
-  struct State;
-  State state(double theta) const;
-  State roller_state(const ProfilePoint& point, double theta) const;
-  State face_state(const ProfilePoint& point, double theta) const;
-  void follow();
-  double extreme(std::size_t at, double sign) const;
-
-  MeasuredProfile profile_;
-  MeasuredFollower follower_;
-  Rotation rotation_;
-  std::vector<double> thetas_, phis_;  ///< around once, phis_ continuous
-  double zero_ = 0, lowest_ = 0, highest_ = 0;
 };
 
 }  // namespace camlaw::problems

@@ -2,57 +2,25 @@
 #include "problems/fits/motion_data.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
-#include "problems/units.h"
+#include "problems/fits/columns.h"
 
 namespace camlaw::problems {
 namespace {
 
 constexpr double kTurn = 360;
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-bool is_one_of(const std::string& name, std::initializer_list<const char*> known) {
-  const std::string plain = lower_case(name);
-  return std::any_of(known.begin(), known.end(), [&](const char* k) { return plain == k; });
-}
-
 /// 0 displacement, 1 velocity, 2 acceleration; none for another name.
-std::optional<int> order_of(const std::string& name) {
-  if (is_one_of(name, {"lift", "displacement", "s", "y", "h"})) return 0;
-  if (is_one_of(name, {"velocity", "v", "s'"})) return 1;
-  if (is_one_of(name, {"acceleration", "a", "s''"})) return 2;
+std::optional<int> order_of(const SampleColumn& column) {
+  if (is_called(column, {"lift", "displacement", "s", "y", "h"})) return 0;
+  if (is_called(column, {"velocity", "v", "s'"})) return 1;
+  if (is_called(column, {"acceleration", "a", "s''"})) return 2;
   return {};
-}
-
-/// The factor to the first of `targets` that is of the unit's kind, and that target.
-std::pair<double, std::string> in_known_unit(const SampleColumn& column, const std::string& source,
-                                             const std::vector<std::string>& targets) {
-  for (const std::string& target : targets) {
-    if (column.unit.empty() || column.unit == "1" || column.unit == "-") {
-      if (target == "1") return {1, "1"};
-      continue;
-    }
-    if (target == "1") continue;
-    try {
-      return {convert_unit(1, column.unit, target), target};
-    } catch (const std::invalid_argument&) {  // of another kind
-    }
-  }
-  throw std::invalid_argument(fmt::format(
-      "{}: column '{}' is in '{}'; {} or a unit of the same kind is wanted", source, column.name,
-      column.unit.empty() ? "no unit" : column.unit, fmt::join(targets, ", ")));
 }
 
 std::string divided(const std::string& unit, const std::string& by, int order) {
@@ -61,37 +29,29 @@ std::string divided(const std::string& unit, const std::string& by, int order) {
   return order == 1 ? fmt::format("{}/{}", unit, by) : fmt::format("{}/{}{}", unit, by, order);
 }
 
-void scale(std::vector<double>& values, double factor) {
-  if (factor == 1) return;
-  for (double& v : values) v *= factor;
-}
-
 }  // namespace
 
 MotionSamples motion_samples(const SampleTable& table) {
-  std::size_t place = 0;
-  std::optional<std::size_t> value;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string& name = table.columns[i].name;
-    if (is_one_of(name, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"})) place = i;
-    if (!value && order_of(name)) value = i;
+  const SampleColumn* place =
+      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
+  if (place == nullptr) place = &table.columns.front();
+  const SampleColumn* value = nullptr;
+  for (const SampleColumn& column : table.columns) {
+    if (value == nullptr && order_of(column)) value = &column;
   }
-  if (!value) value = place == 0 ? 1 : 0;
-  const SampleColumn &at = table.columns[place], &of = table.columns[*value];
+  if (value == nullptr) value = &table.columns[place == &table.columns.front() ? 1 : 0];
   MotionSamples samples;
-  samples.order = order_of(of.name).value_or(0);
-  const auto [place_factor, place_unit] = in_known_unit(at, table.source, {"deg", "s", "1"});
-  std::vector<std::string> targets;
+  samples.order = order_of(*value).value_or(0);
+  UnitValues places = in_unit(table, *place, {"deg", "s", "1"});
+  std::vector<std::string> units;
   for (const char* length : {"mm", "deg", "1"}) {
-    targets.push_back(divided(length, place_unit, samples.order));
+    units.push_back(divided(length, places.unit, samples.order));
   }
-  const auto [factor, unit] = in_known_unit(of, table.source, targets);
-  samples.place = at.values;
-  samples.value = of.values;
-  samples.place_unit = place_unit;
-  samples.unit = unit;
-  scale(samples.place, place_factor);
-  scale(samples.value, factor);
+  UnitValues values = in_unit(table, *value, units);
+  samples.place = std::move(places.values);
+  samples.value = std::move(values.values);
+  samples.place_unit = std::move(places.unit);
+  samples.unit = std::move(values.unit);
   return samples;
 }
 

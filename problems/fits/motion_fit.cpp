@@ -33,12 +33,14 @@ std::string distrust_of(const MotionFit& fit) {
       best.law.label(), fit.correlation);
 }
 
-/// A smooth curve from rest to rest between the motion's ends.
+/// A smooth curve from rest to rest between the ends that the samples show: those of a law that
+/// does not follow them are no better.
 std::optional<Law<double>> smoothed(const MotionFit& fit) {
   const LawFit& best = fit.best();
-  const MotionSamples inside = between(fit.motion.samples, best.begin, best.end);
+  const MotionGuess& shown = fit.motion.guess;
+  const MotionSamples inside = between(fit.motion.samples, shown.begin, shown.end);
   optim::SmoothingOptions options;
-  options.range = std::pair(best.begin, best.end);
+  options.range = std::pair(shown.begin, shown.end);
   options.begin = {best.from, 0.0, {}};
   options.end = {best.to, 0.0, {}};
   try {

@@ -14,7 +14,8 @@ struct MotionFit {
   double correlation = 0;       ///< of its neighbouring residuals
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust;
-  /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch.
+  /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch
+  /// from motion.guess.begin to its end.
   std::optional<Law<double>> smooth;
 
   const LawFit& best() const { return ranking.front(); }

@@ -83,9 +83,6 @@ struct BoundProblem::Slot {
 };
 
 BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(statement)) {
-  if (statement_.objectives.empty()) {
-    refuse(statement_, "the problem has no objective; write [objective] minimize = \"...\"");
-  }
   if (statement_.variables.empty() && statement_.laws.size() < 2) {
     refuse(statement_, "the problem has no variables: nothing can be optimised");
   }
@@ -107,7 +104,13 @@ BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(st
   check_combinations(statement_, choices_);
 }
 
+void BoundProblem::check_objective() const {
+  if (!statement_.objectives.empty()) return;
+  refuse(statement_, "the problem has no objective; write [objective] minimize = \"...\"");
+}
+
 optim::ProblemSpace BoundProblem::space() const {
+  check_objective();
   if (statement_.objectives.size() > 1) {
     refuse(statement_,
            "there are several objectives, which have a front, not an optimum; "
@@ -118,6 +121,7 @@ optim::ProblemSpace BoundProblem::space() const {
 }
 
 optim::MultiSpace BoundProblem::front_space() const {
+  check_objective();
   if (statement_.objectives.size() < 2) {
     refuse(statement_,
            "there is one objective, which has an optimum, not a front; "

@@ -12,15 +12,16 @@ namespace camlaw::problems {
 /// variables with listed values, and whole variables with few enough values to try each.
 class BoundProblem {
  public:
-  /// Throws std::invalid_argument where there is no objective, nothing varies, or there are more
-  /// than optim::kMostCombinations of choices.
+  /// Throws std::invalid_argument where nothing varies, or there are more than
+  /// optim::kMostCombinations of choices.
   explicit BoundProblem(ProblemStatement statement);
 
   const ProblemStatement& statement() const { return statement_; }
   const std::vector<optim::Choice>& choices() const { return choices_; }
-  /// Of a problem with one objective; throws std::invalid_argument where there are more.
+  /// Of a problem with one objective; throws std::invalid_argument where there are more or none.
   optim::ProblemSpace space() const;
-  /// Of a problem with two objectives or more; throws std::invalid_argument where there is one.
+  /// Of a problem with two objectives or more; throws std::invalid_argument where there is one or
+  /// none.
   optim::MultiSpace front_space() const;
   /// What hypervolumes are measured from, as costs; none where the file does not say.
   std::optional<std::vector<double>> reference() const;
@@ -35,6 +36,7 @@ class BoundProblem {
 
  private:
   struct Slot;  // what a variable of a combination is
+  void check_objective() const;
   std::vector<Slot> slots(const std::vector<std::size_t>& options) const;
   const Member& law(const std::vector<std::size_t>& options) const;
 

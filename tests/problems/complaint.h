@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -8,14 +9,19 @@
 
 namespace camlaw::testing {
 
-/// What reading a problem's text says against it.
-inline std::string complaint(const std::string& text) {
+/// What work says against its input.
+inline std::string complaint(const std::function<void()>& work) {
   try {
-    problems::read_problem(text, "f.toml");
+    work();
     return "accepted";
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
+}
+
+/// What reading a problem's text says against it.
+inline std::string complaint(const std::string& text) {
+  return complaint([&] { problems::read_problem(text, "f.toml"); });
 }
 
 }  // namespace camlaw::testing

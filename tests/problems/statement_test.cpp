@@ -308,7 +308,7 @@ TEST_CASE("a solver may be auto, in any case", "[statement]") {
 TEST_CASE("a problem without objective or with too many combinations is not bound", "[statement]") {
   const auto refused = [](const ProblemStatement& problem) {
     try {
-      const BoundProblem bound(problem);
+      BoundProblem(problem).space();
       return std::string("accepted");
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fits/cam_fit.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kTurn = 360;
+
+/// A law with what departs from it.
+struct Explanation {
+  LawFit law;
+  std::vector<Departure> departures;
+  double cost = 0;
+};
+
+/// What it takes to tell the samples by the law: squares in units of the noise, two for each number
+/// of the law and each end of a stretch, and for a sample that departs as much as for one that lies
+/// 2.5 deviations off.
+double cost_of(const Explanation& told, double noise) {
+  constexpr double kOff = 2.5;
+  double cost = told.law.fit.sum_of_squares / (noise * noise) +
+                2 * static_cast<double>(told.law.fit.parameters.size());
+  for (const Departure& d : told.departures) {
+    cost += 4 + kOff * kOff * static_cast<double>(d.count);
+  }
+  return cost;
+}
+
+/// Departures from a law, which is fitted again without them until no more do.
+Explanation explained(const FoundMotion& motion, LawFit law, const LawFitOptions& options,
+                      double noise) {
+  constexpr int kPasses = 4;
+  Explanation told{std::move(law), {}, 0};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::size_t before = told.departures.size();
+    told.departures = departures(motion.samples, told.law, noise);
+    if (pass > 0 && told.departures.size() == before) break;
+    const MotionGuess guess{told.law.begin, told.law.end, told.law.from, told.law.to};
+    told.law = fit_law(without(motion.samples, told.departures), told.law.law, guess, options);
+  }
+  told.cost = cost_of(told, noise);
+  return told;
+}
+
+/// Stretches of one motion that depart from the law that tells it best.
+std::vector<Departure> departures_of(const FoundMotion& motion, const std::vector<Member>& laws,
+                                     const LawFitOptions& options, double noise) {
+  constexpr std::size_t kTried = 8;
+  LawFitOptions robust = options;  // what departs must not pull the law to itself
+  if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
+  robust.loss_scale = noise * optim::efficient_scale(robust.loss);
+  std::vector<LawFit> ranking = rank_fits(motion.samples, laws, motion.guess, robust);
+  std::optional<Explanation> best;
+  for (std::size_t i = 0; i < std::min(kTried, ranking.size()); ++i) {
+    Explanation told = explained(motion, std::move(ranking[i]), options, noise);
+    if (!best || told.cost < best->cost) best = std::move(told);
+  }
+  return best ? std::move(best->departures) : std::vector<Departure>{};
+}
+
+}  // namespace
+
+CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options) {
+  CamFit result{std::move(cam), {}, {}, {}};
+  const MotionSamples& samples = result.cam.samples;
+  result.cycle = find_motions(samples);
+  for (const FoundMotion& motion : result.cycle.motions) {
+    const auto found = departures_of(motion, laws, options, result.cycle.noise);
+    result.departures.insert(result.departures.end(), found.begin(), found.end());
+  }
+  if (!result.departures.empty()) {
+    result.cycle = find_motions(without(samples, result.departures, kTurn));
+  }
+  for (const FoundMotion& motion : result.cycle.motions) {
+    result.fits.push_back(fit_motion(motion, laws, options));
+  }
+  return result;
+}
+
+}  // namespace camlaw::problems

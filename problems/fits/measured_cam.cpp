@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fits/measured_cam.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+#include "problems/fits/columns.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// The sizes of a machine by name, in mm.
+using Sizes = std::function<double(const char*)>;
+
+struct KnownFollower {
+  const char* mechanism;
+  std::function<MeasuredFollower(const Sizes&)> make;
+  Rotation rotation = Rotation::Counterclockwise;
+};
+
+SwingingRoller arm_of(const Sizes& size) {
+  return {size("roller_radius"), size("arm_length"), size("pivot_distance")};
+}
+
+const std::vector<KnownFollower>& known_followers() {
+  static const std::vector<KnownFollower> known{
+      {"disc-cam-roller",
+       [](const Sizes& size) {
+         return TranslatingRoller{size("roller_radius"), size("offset")};
+       }},
+      {"disc-cam-knife",
+       [](const Sizes& size) {
+         return TranslatingRoller{0, size("offset")};
+       }},
+      {"disc-cam-flat", [](const Sizes&) { return TranslatingFace{}; }},
+      {"disc-cam-swinging-roller", arm_of},
+      {"disc-cam-leading-roller", arm_of, Rotation::Clockwise},
+      {"disc-cam-swinging-flat", [](const Sizes& size) {
+         return SwingingFace{size("pivot_distance"), size("face_offset")};
+       }}};
+  return known;
+}
+
+const KnownFollower& follower_of(const ProblemStatement& machine) {
+  for (const KnownFollower& known : known_followers()) {
+    if (machine.mechanism->name == known.mechanism) return known;
+  }
+  throw std::invalid_argument(
+      fmt::format("{} has no follower that a measured profile can be read for; there are {}",
+                  machine.mechanism->name, fmt::join(measured_cams(), ", ")));
+}
+
+const SampleColumn* radius_of(const SampleTable& table) {
+  return find_column(table, {"radius", "r", "rho"});
+}
+
+const SampleColumn* polar_angle_of(const SampleTable& table) {
+  return find_column(table, {"angle", "polar_angle", "theta", "phi", "cam_angle"});
+}
+
+MeasuredProfile profile_of(const SampleTable& table) {
+  optim::SmoothingOptions smoothing;
+  smoothing.reweighting = optim::Reweighting::Bisquare;
+  if (const SampleColumn* radius = radius_of(table)) {
+    const SampleColumn* angle = polar_angle_of(table);
+    if (angle == nullptr) {
+      throw std::invalid_argument(fmt::format(
+          "column '{}' wants one for the angle beside it, such as \"angle [deg]\"", radius->name));
+    }
+    std::vector<double> theta = in_unit(table, *angle, {"deg"}).values;
+    for (double& t : theta) t *= kDegree;
+    return MeasuredProfile::polar(theta, in_unit(table, *radius, {"mm"}).values, smoothing);
+  }
+  return MeasuredProfile::points(
+      in_unit(table, *find_column(table, {"x", "profile_x"}), {"mm"}).values,
+      in_unit(table, *find_column(table, {"y", "profile_y"}), {"mm"}).values, smoothing);
+}
+
+bool is_length(const SampleTable& table, const SampleColumn& column) {
+  try {
+    in_unit(table, column, {"mm"});
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) {
+  const KnownFollower& known = follower_of(machine);
+  const Sizes sizes = [&](const char* name) {
+    return machine.constants[machine.mechanism->parameter(name)];
+  };
+  MeasuredCam cam{MeasuredLift(profile_of(table), known.make(sizes), known.rotation), {}, {}};
+  const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
+  cam.samples.place_unit = "deg";
+  cam.samples.unit = swings ? "deg" : "mm";
+  for (const LiftSample& sample : cam.lift.samples()) {
+    if (sample.outlying) {
+      cam.outlying.push_back({sample.phi / kDegree, sample.distance});
+      continue;
+    }
+    cam.samples.place.push_back(sample.phi / kDegree);
+    cam.samples.value.push_back(swings ? sample.s / kDegree : sample.s);
+  }
+  return cam;
+}
+
+}  // namespace
+
+std::vector<std::string> measured_cams() {
+  std::vector<std::string> result;
+  for (const KnownFollower& known : known_followers()) result.push_back(known.mechanism);
+  return result;
+}
+
+bool shows_profile(const SampleTable& table) {
+  if (radius_of(table) != nullptr) return true;
+  const SampleColumn* x = find_column(table, {"x", "profile_x"});
+  const SampleColumn* y = find_column(table, {"y", "profile_y"});
+  return x != nullptr && y != nullptr && is_length(table, *x) && is_length(table, *y);
+}
+
+MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine) {
+  try {
+    return read_cam(table, machine);
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    if (what.starts_with(table.source)) throw;
+    throw std::invalid_argument(fmt::format("{}: {}", table.source, what));
+  }
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/fits/law_fit.h"
+#include "problems/fits/measured_lift.h"
+#include "problems/fits/sample_table.h"
+#include "problems/statement/statement.h"
+
+/// From a table of a measured disc cam to samples of what its follower does.
+namespace camlaw::problems {
+
+/// Whether a table shows a profile: a column called radius, r or rho, or x and y in lengths
+/// (profile_x and profile_y too).
+bool shows_profile(const SampleTable& table);
+
+/// A point that lies off the profile that the others make.
+struct OutlyingPoint {
+  double angle;     ///< of the cam while the follower touches there, deg
+  double distance;  ///< from the smooth profile, mm, outwards
+};
+
+struct MeasuredCam {
+  MeasuredLift lift;      ///< in mm, or rad of an arm
+  MotionSamples samples;  ///< lift by the cam's angle, mm or deg by deg, without the outlying
+  std::vector<OutlyingPoint> outlying;
+};
+
+/// The disc cams whose follower a profile can be measured for.
+std::vector<std::string> measured_cams();
+
+/// The follower is that of `machine`, with its sizes. Points are as they lie on the cam at angle 0,
+/// polar angles (angle, theta, phi) counterclockwise; each counts by how far it lies from a robust
+/// smoothing spline through all. Throws std::invalid_argument: machines other than
+/// measured_cams(), columns in units of another kind, and what MeasuredProfile and MeasuredLift
+/// throw; the sentence begins with the table's name.
+MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fits/recorded_curve.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "problems/fits/columns.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// "Drive torque" and "drive_torque" are one name.
+std::string plain(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    result += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
+std::vector<std::string> curve_names(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const MechanismResponse& r : mechanism.responses) {
+    if (r.curve) names.push_back(r.name);
+  }
+  return names;
+}
+
+const SampleColumn& recorded_column(const SampleTable& table, const Mechanism& mechanism,
+                                    const std::optional<std::string>& name) {
+  const std::vector<std::string> curves = curve_names(mechanism);
+  std::vector<const SampleColumn*> found;
+  std::vector<std::string> names;
+  for (const SampleColumn& column : table.columns) {
+    const bool wanted =
+        name ? plain(column.name) == plain(*name)
+             : std::find(curves.begin(), curves.end(), plain(column.name)) != curves.end();
+    if (!wanted) continue;
+    found.push_back(&column);
+    names.push_back(column.name);
+  }
+  if (found.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: no column is called {}", table.source,
+        name ? fmt::format("'{}'", *name)
+             : fmt::format("as a curve of {}: {}", mechanism.name, fmt::join(curves, ", "))));
+  }
+  if (found.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("{}: several columns are curves of {}: {}; choose one by --response NAME",
+                    table.source, mechanism.name, fmt::join(names, ", ")));
+  }
+  return *found.front();
+}
+
+}  // namespace
+
+RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanism,
+                             const std::optional<std::string>& name) {
+  const SampleColumn& column = recorded_column(table, mechanism, name);
+  RecordedCurve record{find_response(mechanism, plain(column.name)), {}, {}};
+  if (record.response.response == nullptr || !record.response.response->curve ||
+      record.response.part != optim::Part::Value) {
+    throw std::invalid_argument(fmt::format("{}: '{}' is no curve of {}; there are {}",
+                                            table.source, column.name, mechanism.name,
+                                            fmt::join(curve_names(mechanism), ", ")));
+  }
+  const SampleColumn* place =
+      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
+  if (place == nullptr) place = &table.columns.front();
+  if (place == &column) {
+    throw std::invalid_argument(
+        fmt::format("{}: a column for the place is wanted, such as \"angle [deg]\"", table.source));
+  }
+  record.place = in_unit(table, *place, {record.response.response->along}).values;
+  record.value = in_unit(table, column, {record.response.unit}).values;
+  return record;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/fits/sample_table.h"
+#include "problems/mechanism/mechanism.h"
+
+/// Curves of a machine that were recorded over its cycle.
+namespace camlaw::problems {
+
+/// A curve as it was recorded: places and values in the response's units.
+struct RecordedCurve {
+  ResponseName response;
+  std::vector<double> place, value;
+};
+
+/// The column called as a curve of the machine (case, spaces and underscores do not matter), or as
+/// `name`, in any unit of its kind; the place is the column called angle, cam_angle, phi, theta, x,
+/// t or time, else the first. Throws std::invalid_argument: no such column, several, units of
+/// another kind.
+RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanism,
+                             const std::optional<std::string>& name = {});
+
+}  // namespace camlaw::problems
