@@ -192,7 +192,7 @@ TEST_CASE("what the prints do not determine is said", "[constants]") {
   for (const FoundNumber& n : fits.front().numbers) CHECK_FALSE(n.identifiable);
 }
 
-TEST_CASE("rounded constants of every law of the reference name that law first", "[.long]") {
+TEST_CASE("rounded constants of every law of the reference name that law first", "[constants][heavy]") {
   for (auto& row : testing::read_table("problems/laws/motion_laws.csv")) {
     for (const int digits : {4, 6}) {
       std::vector<std::string> printed;
