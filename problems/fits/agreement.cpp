@@ -258,12 +258,28 @@ std::optional<std::vector<double>> Agreement::balanced(const std::vector<double>
   return x;
 }
 
+/// After which the first of the constants has left its interval; by default where none notices.
+std::optional<double> Agreement::typical_change(std::size_t unknown,
+                                                const std::vector<double>& about) const {
+  const auto here = model_->at(about);
+  double steepest = 0;
+  for (const std::size_t c : finite_) {
+    const double slope = std::abs(here->slopes[c * about.size() + unknown]);
+    steepest = std::max(steepest, slope / half_of(model_->constants()[c]));
+  }
+  constexpr double kLeast = 1e-12;  // of the number itself: nothing is printed so precisely
+  const double change = std::max(1 / steepest, kLeast * std::abs(about[unknown]));
+  if (!(change < upper_[unknown] - lower_[unknown])) return {};
+  return change;
+}
+
 optim::Problem Agreement::stated(const std::vector<double>& about) const {
   optim::Problem problem;
   problem.name = "constants";
   for (std::size_t i = 0; i < about.size(); ++i) {
     const Unknown& u = model_->unknowns()[i];
     problem.variables.push_back({u.name, u.unit, lower_[i], upper_[i], about[i]});
+    problem.variables.back().scale = typical_change(i, about);
   }
   for (const std::size_t c : finite_) {
     const PrintedConstant& printed = model_->constants()[c];

@@ -36,6 +36,7 @@ class Agreement {
   bool may_cross(const PrintedModel::Place& a, const PrintedModel::Place& b) const;
   std::optional<std::vector<double>> solved_from(const std::vector<double>& start) const;
   std::optional<std::vector<double>> balanced(const std::vector<double>& about) const;
+  std::optional<double> typical_change(std::size_t unknown, const std::vector<double>& about) const;
   optim::Problem stated(const std::vector<double>& about) const;
 
   const PrintedModel* model_;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "problems/fits/agreement.h"
+#include "problems/fits/same_motion.h"
 
 namespace camlaw::problems {
 namespace {
@@ -72,6 +73,37 @@ class Candidate {
   bool is_explained_ = false;
 };
 
+bool is_same(const ConstantsFit& a, const ConstantsFit& b) {
+  const auto of_machine = [](const ConstantsFit& fit) {
+    std::vector<double> values;
+    for (const FoundNumber& n : fit.numbers) {
+      if (!n.of_law) values.push_back(n.value);
+    }
+    return values;
+  };
+  return of_machine(a) == of_machine(b) && same_motion(a.law, b.law);
+}
+
+/// The best first, each motion once; of a family's member that has a place of its own in the
+/// catalogue that which tells the ranges of its coefficients.
+std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
+  std::stable_sort(fits.begin(), fits.end(), is_better);
+  std::vector<ConstantsFit> result;
+  for (ConstantsFit& fit : fits) {
+    const auto known = std::find_if(result.begin(), result.end(),
+                                    [&](const ConstantsFit& other) { return is_same(fit, other); });
+    if (known == result.end()) {
+      result.push_back(std::move(fit));
+    } else if (known->law.name() != fit.law.name()) {
+      known->also.push_back(fit.law);
+    } else if (known->numbers.size() < fit.numbers.size()) {
+      fit.also = std::move(known->also);
+      *known = std::move(fit);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law) {
@@ -81,8 +113,7 @@ std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const
   for (std::size_t out = 0; out < question.constants.size() && result.empty(); ++out) {
     result = candidate.explanations(out, optim::kInfinity);
   }
-  std::stable_sort(result.begin(), result.end(), is_better);
-  return result;
+  return ranked(std::move(result));
 }
 
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
@@ -97,7 +128,7 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
   // those count that are shorter than the print itself.
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.unknowns() < b.unknowns(); });
-  constexpr double kMargin = 0;
+  constexpr double kMargin = 3;  // digits: what comes near is worth knowing
   std::vector<ConstantsFit> result;
   double best = optim::kInfinity;
   for (std::size_t out = 0; out < question.constants.size(); ++out) {
@@ -109,8 +140,7 @@ std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
       }
     }
   }
-  std::stable_sort(result.begin(), result.end(), is_better);
-  return result;
+  return ranked(std::move(result));
 }
 
 std::vector<Member> laws_to_try() {

@@ -34,6 +34,8 @@ struct ConstantsFit {
   double cost = 0;
   bool consistent = false;    ///< all constants agree
   bool identifiable = false;  ///< all numbers are determined
+  /// Laws of other names that explain the print no shorter and are the same motion.
+  std::vector<Member> also = {};
 };
 
 /// Digits that it takes to write constants down, where nothing explains them.
