@@ -14,8 +14,7 @@ namespace camlaw::cli {
 namespace {
 
 struct FitCommand {
-  std::optional<std::string> data, constants, law, mechanism, out;
-  std::string loss = "none";
+  std::optional<std::string> data, constants, law, mechanism, loss, out;
   bool json = false;
 };
 
@@ -36,6 +35,12 @@ std::optional<Member> law_of(const FitCommand& options) {
 }
 
 void fit_constants(const FitCommand& options) {
+  for (const auto& [name, given] : {std::pair{"--loss", options.loss.has_value()},
+                                    std::pair{"--out", options.out.has_value()}}) {
+    if (!given) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: it goes with a table of samples, not with --constants", name));
+  }
   problems::ConstantsQuestion question{
       options.mechanism ? problems::read_problem_file(*options.mechanism) : problems::law_alone(),
       {}};
@@ -49,6 +54,10 @@ void fit_constants(const FitCommand& options) {
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
+    if (fits.empty()) {
+      throw std::invalid_argument(
+          "--constants: no law of the catalogue explains them in fewer digits than are printed");
+    }
   }
   fmt::print("{}", options.json ? constants_json(fits).dump(2) + "\n" : constants_text(fits));
 }
@@ -58,7 +67,7 @@ void fit_samples(const FitCommand& options) {
     throw std::invalid_argument("--mechanism: it goes with --constants");
   }
   problems::LawFitOptions how;
-  how.loss = loss_of(options.loss);
+  how.loss = loss_of(options.loss.value_or("none"));
   const auto law = law_of(options);
   const std::vector<Member> laws = law ? std::vector{*law} : problems::laws_to_try();
   if (options.out) check_writable({std::filesystem::path(*options.out) / "fit.json"});
