@@ -25,7 +25,7 @@ void ask(benchmark::State& state, const char* printed) {
 
 void register_constants() {
   for (const auto& [name, printed] : {std::pair{"constants/fixed-law", "B=1.76, C=5.528, D=69.47"},
-                                      std::pair{"constants/family", "B=1.61, C=5.82, D=66.1"},
+                                      std::pair{"constants/family", "B=1.67, C=5.73, D=59.98"},
                                       std::pair{"constants/no-law", "B=1.78, C=5.77, D=62.2"}}) {
     benchmark::RegisterBenchmark(name, [printed = printed](benchmark::State& state) {
       ask(state, printed);

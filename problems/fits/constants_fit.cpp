@@ -95,7 +95,9 @@ std::vector<ConstantsFit> ranked(std::vector<ConstantsFit> fits) {
     if (known == result.end()) {
       result.push_back(std::move(fit));
     } else if (known->law.name() != fit.law.name()) {
-      known->also.push_back(fit.law);
+      const bool named = std::any_of(known->also.begin(), known->also.end(),
+                                     [&](const Member& m) { return m.name() == fit.law.name(); });
+      if (!named) known->also.push_back(fit.law);
     } else if (known->numbers.size() < fit.numbers.size()) {
       fit.also = std::move(known->also);
       *known = std::move(fit);
