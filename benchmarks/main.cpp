@@ -42,6 +42,7 @@ int main(int argc, char* argv[]) {
   measures::register_study();
   measures::register_search();
   measures::register_cams();
+  measures::register_constants();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -41,5 +41,6 @@ void register_peaks();
 void register_study();
 void register_search();
 void register_cams();
+void register_constants();
 
 }  // namespace camlaw::benchmarks

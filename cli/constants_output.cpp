@@ -44,7 +44,7 @@ std::string found_text(const ConstantsFit& fit) {
                    {"determined", TextTable::Align::Left}});
   for (const FoundNumber& n : fit.numbers) {
     table.add({n.name, in_digits(n.value), in_digits(n.low), in_digits(n.high), shown_unit(n.unit),
-               n.identifiable ? "yes" : "no: other values agree as well"});
+               n.identifiable ? "yes" : "no: others make up for it"});
   }
   return table.text();
 }
@@ -62,12 +62,67 @@ std::string prints_text(const ConstantsFit& fit) {
   return table.text();
 }
 
-/// Between fits that cost as much the print does not decide.
-std::size_t as_good(const std::vector<ConstantsFit>& fits) {
-  return static_cast<std::size_t>(
-      std::count_if(fits.begin(), fits.end(), [&](const ConstantsFit& fit) {
-        return fit.cost == fits.front().cost && fit.consistent == fits.front().consistent;
-      }));
+/// Between explanations that take as many digits the print does not decide: those beside the first.
+std::vector<std::string> as_good(const std::vector<ConstantsFit>& fits) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i < fits.size(); ++i) {
+    const bool equal =
+        fits[i].cost == fits.front().cost && fits[i].consistent == fits.front().consistent;
+    if (equal) names.push_back(fits[i].law.label());
+  }
+  return names;
+}
+
+double digits_of_print(const ConstantsFit& fit) {
+  double sum = 0;
+  for (const AgreeingConstant& c : fit.constants) sum += problems::cost_of(c.printed);
+  return sum;
+}
+
+std::vector<std::string> names_of(const std::vector<Member>& laws) {
+  std::vector<std::string> names;
+  for (const Member& law : laws) names.push_back(law.name());
+  return names;
+}
+
+/// "B does", "B and C do".
+std::string that_do(const std::vector<std::string>& names) {
+  return fmt::format("{} {}", fmt::join(names, ", "), names.size() == 1 ? "does" : "do");
+}
+
+/// What the tables do not say by themselves, a line each.
+std::string verdict(const std::vector<ConstantsFit>& fits) {
+  const ConstantsFit& best = fits.front();
+  std::string text;
+  const auto line = [&text](std::string words) { text += std::move(words) + "\n"; };
+  const auto off = disagreeing(best);
+  if (off.empty()) {
+    line("every constant agrees in all digits that are printed");
+  } else if (off.size() == best.constants.size()) {
+    line("no constant agrees");
+  } else {
+    line(fmt::format("{} not agree with the rest: no values of this law print all of them",
+                     that_do(off)));
+  }
+  std::vector<std::string> loose;
+  for (const FoundNumber& n : best.numbers) {
+    if (!n.identifiable) loose.push_back(n.name);
+  }
+  if (!loose.empty()) {
+    line(fmt::format("the print does not determine {}: the value shown is one of many",
+                     fmt::join(loose, ", ")));
+  }
+  if (!best.also.empty()) {
+    line(fmt::format("the same motion: {}", fmt::join(names_of(best.also), "; ")));
+  }
+  if (const auto equal = as_good(fits); !equal.empty()) {
+    line(fmt::format("{} explain{} it as shortly: more constants or digits would tell", fmt::join(equal, "; "),
+                     equal.size() == 1 ? "s" : ""));
+  }
+  if (off.size() < best.constants.size() && best.cost >= digits_of_print(best)) {
+    line("that takes as many digits as the print has: it does not tell which law it is");
+  }
+  return text;
 }
 
 double misfit(const AgreeingConstant& c) {
@@ -95,15 +150,7 @@ std::string constants_text(const std::vector<ConstantsFit>& fits) {
   const ConstantsFit& best = fits.front();
   std::string text = fmt::format("law {}\n", best.law.label());
   text += found_text(best) + prints_text(best);
-  if (const auto names = disagreeing(best); !names.empty()) {
-    text += fmt::format("{} {} not agree with the rest: no values of this law print all of them\n",
-                        fmt::join(names, ", "), names.size() == 1 ? "does" : "do");
-  }
-  if (!best.identifiable) text += "the prints do not determine every number\n";
-  if (const std::size_t equal = as_good(fits); equal > 1) {
-    text +=
-        fmt::format("{} explanations are as good as this one: more digits would tell\n", equal - 1);
-  }
+  text += verdict(fits);
   if (fits.size() == 1) return text;
   TextTable table({{"#"},
                    {"law", TextTable::Align::Left},
@@ -116,7 +163,8 @@ std::string constants_text(const std::vector<ConstantsFit>& fits) {
                fmt::format("{}", fmt::join(disagreeing(fits[i]), ", "))});
   }
   return text +
-         fmt::format("\nexplanations by the digits that they take, the best of {}\n", fits.size()) +
+         fmt::format("\nexplanations by the digits that they take; the print itself takes {:.0f}\n",
+                     digits_of_print(best)) +
          table.text();
 }
 
@@ -142,7 +190,8 @@ Json constants_json(const std::vector<ConstantsFit>& fits) {
                        {"consistent", fit.consistent},
                        {"identifiable", fit.identifiable},
                        {"parameters", numbers_json(fit)},
-                       {"disagrees", disagreeing(fit)}});
+                       {"disagrees", disagreeing(fit)},
+                       {"same_motion", names_of(fit.also)}});
   }
   return {{"law", best.law.name()},
           {"parameters", numbers_json(best)},
@@ -152,6 +201,8 @@ Json constants_json(const std::vector<ConstantsFit>& fits) {
           {"residual_unit", "half a unit of the last printed digit"},
           {"criterion", best.cost},
           {"criterion_name", "digits"},
+          {"criterion_of_print", digits_of_print(best)},
+          {"same_motion", names_of(best.also)},
           {"consistent", best.consistent},
           {"identifiable", best.identifiable},
           {"ranking", std::move(ranking)}};

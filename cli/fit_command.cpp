@@ -57,6 +57,15 @@ problems::ProblemStatement machine_of(const FitCommand& options) {
 }
 
 void fit_constants(const FitCommand& options) {
+  for (const auto& [name, given] :
+       {std::pair{"--loss", options.loss.has_value()}, std::pair{"--out", options.out.has_value()},
+        std::pair{"--response", options.response.has_value()},
+        std::pair{"--shift", !options.shifts.empty()},
+        std::pair{"--set", !options.set.empty() && !options.mechanism}}) {
+    if (!given) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: it goes with a table of samples, not with --constants", name));
+  }
   problems::ConstantsQuestion question{
       options.mechanism ? machine_of(options) : problems::law_alone(), {}};
   question.constants = problems::parse_constants(*options.constants, *question.machine.mechanism);
@@ -69,6 +78,10 @@ void fit_constants(const FitCommand& options) {
     }
   } else {
     fits = problems::rank_laws(question, problems::laws_to_try());
+    if (fits.empty()) {
+      throw std::invalid_argument(
+          "--constants: no law of the catalogue explains them in fewer digits than are printed");
+    }
   }
   fmt::print("{}", options.json ? constants_json(fits).dump(2) + "\n" : constants_text(fits));
 }

@@ -1,60 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
+#include <vector>
 
-#include "problems/fits/printed_constants.h"
-#include "problems/statement/statement.h"
+#include "problems/fits/constants_question.h"
+#include "problems/fits/explanation.h"
 
 /// From printed constants back to what was computed with: the coefficients of a law, sizes of the
 /// machine. Derivation and criterion: docs/optimisation.md, "Fits to printed constants".
 namespace camlaw::problems {
 
-/// The machine with what is known of it, and what is printed.
-struct ConstantsQuestion {
-  /// Mechanism and constants. Its variables that belong to the mechanism are unknown within their
-  /// bounds; objectives and constraints do not matter.
-  ProblemStatement machine;
-  std::vector<PrintedConstant> constants;
-};
-
-/// The machine that is a law alone.
-ProblemStatement law_alone();
-
-/// A coefficient or size that was found.
-struct FoundNumber {
-  std::string name, unit;
-  bool of_law = true;
-  double value = 0;          ///< the simplest that agrees with the prints
-  double low = 0, high = 0;  ///< between which all agree, the others free
-  bool identifiable = true;  ///< the prints determine it at all
-};
-
-struct AgreeingConstant {
-  PrintedConstant printed;
-  double value = 0;  ///< with the numbers that were found
-  bool agrees = false;
-};
-
-/// What one law makes of the prints.
-struct ConstantsFit {
-  Member law;  ///< with the simplest coefficients
-  std::vector<FoundNumber> numbers;
-  std::vector<AgreeingConstant> constants;
-  /// Digits that it takes to write the numbers that were found, each with one for its being there,
-  /// and the constants that do not agree: the less, the better the law explains the print.
-  double cost = 0;
-  bool consistent = false;    ///< all constants agree
-  bool identifiable = false;  ///< all numbers are determined
-};
-
 /// With one law: its coefficients but the crossover and what shapes its data are unknown. The best
 /// first; several where the prints leave several. Where no values agree with all prints, those that
-/// agree with the most.
+/// agree with the most; none where not one constant can be made to agree.
 std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const Member& law);
 
 /// With each of the laws, the best of all first. Laws with more unknowns than there are constants
-/// are left out: they can be made to agree with anything.
+/// are left out: they can be made to agree with anything. So are explanations that take more than
+/// three digits above the best found before them, those that leave constants out and are no shorter
+/// than the print itself, and a motion that is there already under another name. Empty where
+/// nothing is left.
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws);
 

@@ -65,6 +65,22 @@ TEST_CASE("fit names the law behind printed constants", "[program]") {
              Contains("alpha") && Contains("agrees"));
 }
 
+TEST_CASE("fit says what printed constants tell and what they do not", "[program]") {
+  struct Case {
+    std::string constants, law, says;
+  };
+  for (const Case& c :
+       std::vector<Case>{{"B=1.6125, C=4.66", "auto", "every constant agrees in all digits"},
+                         {"B=1.6125, C=4.66", "auto", "the same motion: legendre"},
+                         {"B=1.6, D=inf", "auto", "more constants or digits would tell"},
+                         {"B=1.6", "trapezoidal-velocity", "does not determine t1, t2"},
+                         {"B=1.6, C=6", "cubic", "B does not agree with the rest"},
+                         {"B=1.6, C=5", "cubic", "no constant agrees"}}) {
+    INFO(c.constants << " of " << c.law);
+    CHECK_THAT(done({"fit", "--constants", c.constants, "--law", c.law}), Contains(c.says));
+  }
+}
+
 TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
   const Folder folder;
   const std::string good = written(folder, "good.csv", rise());
@@ -86,6 +102,10 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
            {{"fit", written(folder, "unit.csv", "angle [kg],lift [mm]\n1,2\n2,3\n")}, "'angle'"},
            {{"fit", written(folder, "still.csv", still)}, "still.csv"},
            {{"fit", "--constants", "B"}, "name=value"},
+           {{"fit", "--constants", "B=2", "--loss", "huber"}, "--loss"},
+           {{"fit", "--constants", "B=2", "--out", folder / "out"}, "--out"},
+           {{"fit", good, "--mechanism", "press.toml"}, "--mechanism"},
+           {{"fit", "--constants", "B=0.5, C=0.25"}, "no law"},
            {{"fit", "--constants", "radius=3"}, "radius"}}) {
     std::string line;
     for (const std::string& word : bad.words) line += " " + word;

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "kinematics/peaks.h"
+#include "problems/fits/same_motion.h"
 #include "problems/fits/simplest.h"
 #include "tests/kinematics/reference_data.h"
 
@@ -35,6 +36,20 @@ ConstantsFit first_of(ProblemStatement machine, const std::string& constants) {
   const auto fits = rank_laws(question_of(std::move(machine), constants), laws_to_try());
   REQUIRE_FALSE(fits.empty());
   return fits.front();
+}
+
+/// "B=1.875, C=5.774, ...": peak constants in so many digits, those that the law has.
+std::string printed(const Member& law, int digits) {
+  const auto its = peaks(law.law());
+  std::string text;
+  for (const auto& [name, value] : {std::pair{"B", its.B()}, std::pair{"C", its.C()},
+                                    std::pair{"D", its.D()}, std::pair{"Cm", its.Cm()}}) {
+    if (std::isnan(value)) continue;
+    text += text.empty() ? "" : ", ";
+    text += std::isinf(value) ? fmt::format("{}=inf", name)
+                              : fmt::format("{}={:.{}g}", name, value, digits);
+  }
+  return text;
 }
 
 std::vector<std::string> disagreeing(const ConstantsFit& fit) {
@@ -122,7 +137,7 @@ TEST_CASE("the simplest number between two", "[constants]") {
   CHECK(simplest_between(0.1, 0.1).value == 0.1);
 }
 
-TEST_CASE("the laws behind the spine cutter's table, from radius and force", "[constants][heavy]") {
+TEST_CASE("the laws behind the spine cutter's table, from radius and force", "[constants]") {
   struct Row {
     std::string law, radius, force;
   };
@@ -192,29 +207,73 @@ TEST_CASE("what the prints do not determine is said", "[constants]") {
   for (const FoundNumber& n : fits.front().numbers) CHECK_FALSE(n.identifiable);
 }
 
-TEST_CASE("rounded constants of every law of the reference name that law first", "[.long]") {
+TEST_CASE("rounded constants of every law of the reference name that law first",
+          "[constants][heavy]") {
   for (auto& row : testing::read_table("problems/laws/motion_laws.csv")) {
     for (const int digits : {4, 6}) {
-      std::vector<std::string> printed;
-      const auto add = [&](const char* name, double value) {
-        if (std::isnan(value)) return;
-        printed.push_back(std::isinf(value) ? fmt::format("{}={}", name, value > 0 ? "inf" : "-inf")
-                                            : fmt::format("{}={:.{}g}", name, value, digits));
-      };
       const Member law = find_law(row["law"]);
-      const auto its = peaks(law.law());
-      add("B", its.B());
-      add("C", its.C());
-      add("D", its.D());
-      add("Cm", its.Cm());
-      std::string text;
-      for (const auto& p : printed) text += (text.empty() ? "" : ", ") + p;
+      const std::string text = printed(law, digits);
       INFO(row["law"] << ": " << text);
-      const ConstantsFit fit = first_of(law_alone(), text);
-      CHECK(fit.law.name() == law.name());
-      CHECK(fit.consistent);
+      const auto fits = rank_laws(question_of(law_alone(), text), laws_to_try());
+      REQUIRE_FALSE(fits.empty());
+      CHECK(fits.front().law.name() == law.name());
+      CHECK(fits.front().consistent);
+      // No other motion explains the print as shortly: none is first by its place in a list alone.
+      if (fits.size() > 1) CHECK(fits[1].cost > fits[0].cost);
     }
   }
+}
+
+TEST_CASE("members of families by their rounded constants", "[constants][heavy]") {
+  // A trapezoid of velocity run backwards has the same sizes: this one is its own mirror image.
+  for (const char* name :
+       {"polynomial-5 alpha=-4", "polynomial-7 A=37", "trapezoidal-velocity t1=0.3 t2=0.3",
+        "trapezoidal-acceleration ramp=0.1 constant=0.3", "elliptic n=1.3",
+        "inclined-sinusoid angle=77", "scca a=0.2 b=0.4 c=0.3"}) {
+    const Member law = find_law(name);
+    const std::string text = printed(law, 6);
+    INFO(name << ": " << text);
+    const ConstantsFit fit = first_of(law_alone(), text);
+    CHECK(fit.consistent);
+    CHECK(same_motion(fit.law, law));
+    for (const FoundNumber& n : fit.numbers) {
+      CHECK(n.low <= n.value);
+      CHECK(n.value <= n.high);
+    }
+  }
+}
+
+TEST_CASE("laws that print the same are both named", "[constants]") {
+  // A trapezoid of velocity and the same run backwards: C = max |s''| does not tell which ramp is
+  // the steeper one, its highest and lowest value do.
+  const Member law = find_law("trapezoidal-velocity t1=0.2 t2=0.5");
+  const Member family = find_law("trapezoidal-velocity");
+  const auto fits = fit_constants(question_of(law_alone(), printed(law, 6)), family);
+  REQUIRE(fits.size() == 2);
+  CHECK(fits[0].cost == fits[1].cost);
+  CHECK(fits[0].numbers[0].value == fits[1].numbers[1].value);
+  CHECK(fits[0].numbers[1].value == fits[1].numbers[0].value);
+  const auto told =
+      fit_constants(question_of(law_alone(), "B=1.53846, C_max=7.69231, C_min=-3.07692"), family);
+  REQUIRE(told.size() == 1);
+  CHECK(same_motion(told[0].law, law));
+}
+
+TEST_CASE("a motion that has several names is one explanation", "[constants]") {
+  const auto fits = rank_laws(question_of(law_alone(), "B=1.6125, C=4.66"), laws_to_try());
+  REQUIRE_FALSE(fits.empty());
+  // s' = q (4.2 + 9 q) of the catalogue's own member, with the range of its family's coefficient;
+  // the Legendre series of degree five with c = (-1.8, 0) is the same polynomial.
+  CHECK(fits[0].law.name() == "polynomial-5 alpha=-3");
+  REQUIRE(fits[0].numbers.size() == 1);
+  CHECK(fits[0].numbers[0].value == -3);
+  REQUIRE(fits[0].also.size() == 1);
+  CHECK(fits[0].also[0].family->name == "legendre");
+  for (std::size_t i = 1; i < fits.size(); ++i) {
+    CHECK_FALSE(same_motion(fits[0].law, fits[i].law));
+  }
+  CHECK(same_motion(find_law("poly-3-4-5"), find_law("polynomial-5 alpha=-10")));
+  CHECK_FALSE(same_motion(find_law("poly-3-4-5"), find_law("polynomial-5 alpha=-9.999")));
 }
 
 TEST_CASE("an unknown size of the machine: the load factor behind the die press' table",
