@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "problems/fits/constants_question.h"
 
+#include "problems/statement/standard_machine.h"
+
 namespace camlaw::problems {
 
-ProblemStatement law_alone() {
-  ProblemStatement machine;
-  machine.mechanism = &find_mechanism("law");
-  for (const MechanismParameter& p : machine.mechanism->parameters) {
-    machine.constants.push_back(p.standard);
-  }
-  return machine;
-}
+ProblemStatement law_alone() { return standard_machine(find_mechanism("law")); }
 
 }  // namespace camlaw::problems
