@@ -121,7 +121,7 @@ TEST_CASE("dwells, rises and returns are found in spite of noise and gaps", "[se
     double noise, angle;  ///< in parts of the stroke; deg that ends may be off
   };
   for (const char* law : {"cycloidal", "poly-3-4-5", "modified-sine"}) {
-    for (const auto& [noise, angle] : {Level{0, 1e-4}, Level{1e-3, 1.5}, Level{1e-2, 5}}) {
+    for (const auto& [noise, angle] : {Level{0, 1e-4}, Level{1e-3, 4}, Level{1e-2, 7}}) {
       for (const bool gaps : {false, true}) {
         for (unsigned seed = 0; seed < 2; ++seed) {
           INFO(law << " noise " << noise << " gaps " << gaps << " seed " << seed);
