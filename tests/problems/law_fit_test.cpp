@@ -200,7 +200,7 @@ TEST_CASE("far-off samples do not move a robust fit", "[law-fit]") {
   CHECK(std::abs(plain + 4.2) > 5 * std::abs(alpha + 4.2));
 }
 
-TEST_CASE("under a loss one sample in ten may lie anywhere", "[law-fit]") {
+TEST_CASE("under a loss one sample in ten may lie anywhere", "[law-fit][heavy]") {
   for (const char* name : {"cycloidal", "modified-sine", "poly-3-4-5", "polynomial-5 alpha=-4.2",
                            "polynomial-7 A=31", "elliptic n=1.7"}) {
     for (const optim::Loss loss : {optim::Loss::Huber, optim::Loss::Cauchy}) {

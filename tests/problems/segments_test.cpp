@@ -116,7 +116,7 @@ std::string complaint(const Data& d, const SegmentOptions& options) {
 
 }  // namespace
 
-TEST_CASE("dwells, rises and returns are found in spite of noise and gaps", "[segments]") {
+TEST_CASE("dwells, rises and returns are found in spite of noise and gaps", "[segments][heavy]") {
   struct Level {
     double noise, angle;  ///< in parts of the stroke; deg that ends may be off
   };
