@@ -30,17 +30,23 @@ std::string segments_text(const SamplesAnswer& answer) {
   const problems::MotionSamples& samples = answer.fits.front().motion.samples;
   TextTable table({{"segment", TextTable::Align::Left},
                    {fmt::format("from, {}", samples.place_unit)},
+                   {"+-"},
                    {fmt::format("to, {}", samples.place_unit)},
                    {"+-"},
                    {"lift"},
                    {"to"},
                    {shown_unit(samples.unit), TextTable::Align::Left}});
+  const auto error = [](double value) { return in_digits(value, 2); };
   for (const FoundSegment& s : answer.cycle.segments) {
-    table.add({to_string(s.kind), number(s.begin), number(s.end),
-               number(std::max(s.begin_error, s.end_error)), number(s.from), number(s.to), ""});
+    table.add({to_string(s.kind), number(s.begin), error(s.begin_error), number(s.end),
+               error(s.end_error), number(s.from), number(s.to), ""});
   }
-  return table.text() +
-         fmt::format("noise {}\n\n", with_unit(number(answer.cycle.noise), samples.unit));
+  std::string text = table.text();
+  text += fmt::format("noise {}", with_unit(number(answer.cycle.noise), samples.unit));
+  if (answer.cycle.outlying > 0) {
+    text += fmt::format("; {} samples far off, left out here", answer.cycle.outlying);
+  }
+  return text + "\n\n";
 }
 
 std::string ranking_text(const MotionFit& fit) {
@@ -60,20 +66,76 @@ std::string ranking_text(const MotionFit& fit) {
   return fmt::format("laws by AICc, the best of {}\n{}", fit.ranking.size(), table.text());
 }
 
+/// What is left, and how well the samples tell the numbers apart.
+std::string residuals_text(const MotionFit& fit) {
+  const optim::FitResult& found = fit.best().fit;
+  const std::string &unit = fit.motion.samples.unit, &place_unit = fit.motion.samples.place_unit;
+  std::string text =
+      fmt::format("{} samples; rms {}, largest {} at {}; error of prediction {}\n",
+                  fit.motion.samples.place.size(), with_unit(number(found.rms), unit),
+                  with_unit(number(std::abs(found.residuals[found.largest])), unit),
+                  with_unit(number(fit.motion.samples.place[found.largest]), place_unit),
+                  with_unit(number(fit.prediction_error), unit));
+  return text + fmt::format(
+                    "sigma {} with {} degrees of freedom; neighbours' correlation {:.2f}; "
+                    "condition {:.2g}, {}\n",
+                    with_unit(number(found.sigma), unit), found.degrees_of_freedom, fit.correlation,
+                    found.condition,
+                    found.free_directions.empty() ? "all numbers are determined"
+                                                  : "not all numbers are determined");
+}
+
+std::string far_off_text(const MotionFit& fit) {
+  if (fit.far_off.samples.empty()) return "";
+  constexpr std::size_t kShown = 5;
+  const problems::MotionSamples& samples = fit.motion.samples;
+  const std::size_t count = fit.far_off.samples.size();
+  std::vector<std::string> worst;
+  for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
+    const std::size_t at = fit.far_off.samples[i];
+    worst.push_back(
+        fmt::format("{} by {}", with_unit(number(samples.place[at]), samples.place_unit),
+                    with_unit(in_digits(-fit.best().fit.residuals[at], 3), samples.unit)));
+  }
+  return fmt::format("{} of {} samples farther off than the {} that chance explains: {}{}\n", count,
+                     samples.place.size(), with_unit(in_digits(fit.far_off.bound, 3), samples.unit),
+                     fmt::join(worst, ", "), count > kShown ? ", ..." : "");
+}
+
 std::string motion_text(const MotionFit& fit) {
   const LawFit& best = fit.best();
-  const std::string& unit = fit.motion.samples.unit;
   std::string text = fmt::format("{}\n", best.law.label());
-  text += fitted_table(best.fit);
-  text += fmt::format(
-      "{} samples; rms {}, largest {} at {}; error of prediction {}\n",
-      fit.motion.samples.place.size(), with_unit(number(best.fit.rms), unit),
-      with_unit(number(std::abs(best.fit.residuals[best.fit.largest])), unit),
-      with_unit(number(fit.motion.samples.place[best.fit.largest]), fit.motion.samples.place_unit),
-      with_unit(number(fit.prediction_error), unit));
+  text += fitted_table(best.fit) + residuals_text(fit) + far_off_text(fit);
   if (!fit.distrust.empty()) text += fmt::format("not to be trusted: {}\n", fit.distrust);
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);
+}
+
+/// Numbers that can change together without a residual changing, and by how much each.
+Json free_directions_json(const LawFit& fit) {
+  Json result = Json::array();
+  for (const optim::FreeDirection& direction : fit.fit.free_directions) {
+    Json changes = Json::object();
+    for (std::size_t i = 0; i < direction.parameters.size(); ++i) {
+      const std::string& name = fit.fit.parameters[direction.parameters[i]].name;
+      changes[name] = to_json(direction.changes[i]);
+    }
+    result.push_back(std::move(changes));
+  }
+  return result;
+}
+
+Json far_off_json(const MotionFit& fit) {
+  const problems::MotionSamples& samples = fit.motion.samples;
+  Json list = Json::array();
+  for (const std::size_t i : fit.far_off.samples) {
+    list.push_back({{"place", to_json(samples.place[i])},
+                    {"value", to_json(samples.value[i])},
+                    {"residual", to_json(fit.best().fit.residuals[i])}});
+  }
+  return {{"count", fit.far_off.samples.size()},
+          {"bound", to_json(fit.far_off.bound)},
+          {"samples", std::move(list)}};
 }
 
 Json motion_json(const MotionFit& fit) {
@@ -94,7 +156,15 @@ Json motion_json(const MotionFit& fit) {
           {"samples", fit.motion.samples.place.size()},
           {"rms", to_json(best.fit.rms)},
           {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
+          {"max_residual_at", to_json(fit.motion.samples.place[best.fit.largest])},
           {"residual_unit", fit.motion.samples.unit},
+          {"place_unit", fit.motion.samples.place_unit},
+          {"sigma", to_json(best.fit.sigma)},
+          {"degrees_of_freedom", best.fit.degrees_of_freedom},
+          {"neighbour_correlation", to_json(fit.correlation)},
+          {"condition", to_json(best.fit.condition)},
+          {"free_directions", free_directions_json(best)},
+          {"far_off", far_off_json(fit)},
           {"criterion", to_json(best.criterion)},
           {"criterion_name", "AICc"},
           {"prediction_error", to_json(fit.prediction_error)},
@@ -176,7 +246,9 @@ Json samples_json(const SamplesAnswer& answer) {
                         {"begin", to_json(s.begin)},
                         {"end", to_json(s.end)},
                         {"from", to_json(s.from)},
-                        {"to", to_json(s.to)}});
+                        {"to", to_json(s.to)},
+                        {"begin_error", to_json(s.begin_error)},
+                        {"end_error", to_json(s.end_error)}});
   }
   for (const MotionFit& fit : answer.fits) motions.push_back(motion_json(fit));
   result["segments"] = std::move(segments);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace camlaw::problems {
@@ -20,7 +21,10 @@ using Eigen::VectorXd;
 struct Window {
   VectorXd x, s;
   double noise;
-  CornerSides scale;  ///< of the powers on each side; 0: a dwell
+  CornerSides scale;   ///< of the powers on each side; 0: a dwell
+  double others = 0;   ///< chi square of the samples beyond it, by the smooth curve
+  double freedom = 0;  ///< the curve's degrees of freedom there
+  double samples = 0;  ///< with those beyond
 };
 
 /// (I10) The powers that leave the level: order, order + stride, ..., `terms` of them on each
@@ -60,8 +64,11 @@ Fit fitted(const Window& window, const Shape& shape, double place) {
   return fit;
 }
 
+/// The place of least squares, and the squares at even places around.
 struct Found {
   double place, squares;
+  double step;
+  std::vector<double> grid;
 };
 
 /// Over the place the squares have several valleys: a grid finds the right one.
@@ -69,15 +76,17 @@ Found best_place(const Window& window, const Shape& shape, double low, double hi
   constexpr int kSteps = 40;
   const double step = (high - low) / kSteps;
   const auto squares = [&](double place) { return fitted(window, shape, place).squares; };
-  Found best{low, std::numeric_limits<double>::infinity()};
+  Found best{low, std::numeric_limits<double>::infinity(), step, {}};
   for (int i = 0; i <= kSteps; ++i) {
     const double place = low + i * step, here = squares(place);
-    if (here < best.squares) best = {place, here};
+    best.grid.push_back(here);
+    if (here < best.squares) best.place = place, best.squares = here;
   }
   constexpr int kBits = 24;
   const auto [place, least] = boost::math::tools::brent_find_minima(
       squares, std::max(low, best.place - step), std::min(high, best.place + step), kBits);
-  return least < best.squares ? Found{place, least} : best;
+  if (least < best.squares) best.place = place, best.squares = least;
+  return best;
 }
 
 /// The error of the place: it moves the fit by its slope there, as one more column.
@@ -92,25 +101,42 @@ double error_of(const Window& window, const Shape& shape, double place) {
 }
 
 /// Neighbours are averaged where there are more than a fit needs.
-Window window_of(const CornerSamples& samples, const CornerSides& sides, double share, double guess,
-                 double noise) {
-  const auto at = [&](double x) {
-    return static_cast<std::size_t>(std::lower_bound(samples.x.begin(), samples.x.end(), x) -
-                                    samples.x.begin());
-  };
-  const std::size_t begin = sides.before > 0 ? at(guess - share * sides.before) : 0;
-  const std::size_t end = sides.after > 0 ? at(guess + share * sides.after) : samples.x.size();
+CornerSamples in_few(const CornerSamples& all) {
   constexpr std::size_t kMost = 600;
-  const std::size_t group = (end - begin + kMost - 1) / kMost;
-  Window window{{}, {}, noise, {share * sides.before, share * sides.after}};
-  if (group == 0) return window;
-  const std::size_t count = (end - begin) / group;
-  window.x = window.s = VectorXd::Zero(static_cast<Index>(count));
-  for (std::size_t i = 0; i < count * group; ++i) {
-    window.x[static_cast<Index>(i / group)] += samples.x[begin + i] / static_cast<double>(group);
-    window.s[static_cast<Index>(i / group)] += samples.s[begin + i] / static_cast<double>(group);
+  const std::size_t group = (all.x.size() + kMost - 1) / kMost;
+  if (group < 2) return all;
+  CornerSamples few;
+  const double share = 1 / static_cast<double>(group);
+  for (std::size_t i = 0; i + group <= all.x.size(); i += group) {
+    double x = 0, s = 0, curve = 0, leverage = 0;
+    for (std::size_t k = i; k < i + group; ++k) {
+      x += share * all.x[k], s += share * all.s[k], curve += share * all.curve[k];
+      leverage += all.leverage[k];
+    }
+    few.x.push_back(x), few.s.push_back(s), few.curve.push_back(curve);
+    few.leverage.push_back(leverage);
   }
-  window.noise = noise / std::sqrt(static_cast<double>(group));
+  return few;
+}
+
+Window window_of(const CornerSamples& samples, const CornerSides& sides, double share,
+                 double centre, double noise) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double low = sides.before > 0 ? centre - share * sides.before : -infinity;
+  const double high = sides.after > 0 ? centre + share * sides.after : infinity;
+  Window window{{}, {}, noise, {share * sides.before, share * sides.after}};
+  std::vector<double> x, s;
+  for (std::size_t i = 0; i < samples.x.size(); ++i) {
+    if (samples.x[i] >= low && samples.x[i] <= high) {
+      x.push_back(samples.x[i]), s.push_back(samples.s[i]);
+    } else {
+      window.others += std::pow((samples.s[i] - samples.curve[i]) / noise, 2);
+      window.freedom += samples.leverage[i];
+    }
+  }
+  window.x = VectorXd::Map(x.data(), static_cast<Index>(x.size()));
+  window.s = VectorXd::Map(s.data(), static_cast<Index>(s.size()));
+  window.samples = static_cast<double>(samples.x.size());
   return window;
 }
 
@@ -124,82 +150,156 @@ bool is_enough(const Window& window, const Shape& shape, double place) {
          (window.scale.after == 0 ? after > 1 : after >= wanted);
 }
 
+/// One way in which the lift may leave its level, in one window.
 struct Candidate {
-  Shape shape;
-  Found found;
-  double cost;     ///< chi square and what its parameters cost
-  double excess;   ///< of chi square over what noise explains, in its deviations
-  double reduced;  ///< chi square by degree of freedom
+  double place, error;  ///< mean and deviation of the place, were this the way
+  double level;
+  double cost;  ///< (I11)
 };
 
-/// (I11) What Bayes' criterion says of a shape at its best place; none where samples are too few.
+/// What laws begin with: a jump of the jerk in three of five, else of the acceleration or of the
+/// jerk's slope. -2 ln of their shares.
+double prior_cost(int order) { return order == 3 ? 1.0 : 3.2; }
+
+/// Mean and deviation over a grid's places, each as likely as its squares say, and on how many
+/// places they rest.
+struct Moments {
+  double mean, deviation, places;
+};
+
+Moments moments(const Window& window, const Found& found, double low) {
+  double sum = 0, first = 0, second = 0;
+  for (std::size_t i = 0; i < found.grid.size(); ++i) {
+    const double away = low + static_cast<double>(i) * found.step - found.place;
+    const double excess = (found.grid[i] - found.squares) / (window.noise * window.noise);
+    const double likely = std::exp(-0.5 * excess);
+    sum += likely, first += likely * away, second += likely * away * away;
+  }
+  if (!(sum > 0)) return {found.place, found.step, 0};
+  const double mean = first / sum, variance = second / sum - mean * mean;
+  return {found.place + mean, std::sqrt(std::max(variance, 0.0) + found.step * found.step / 12),
+          sum};
+}
+
+/// Where noise blurs the place too much for its squares to be a parabola: moments over a grid that
+/// is made finer until several of its places are likely.
+Moments fine_moments(const Window& window, const Shape& shape, Found found, double low) {
+  constexpr int kRounds = 12;
+  constexpr double kEnough = 4;
+  Moments result = moments(window, found, low);
+  for (int round = 0; round < kRounds && result.places < kEnough; ++round) {
+    low = found.place - 2 * found.step;
+    found = best_place(window, shape, low, found.place + 2 * found.step);
+    result = moments(window, found, low);
+  }
+  return result;
+}
+
+/// Whether the lift goes one way only from the level on each side, but for what noise hides.
+bool goes_one_way(const Window& window, const Shape& shape, const VectorXd& coefficients) {
+  constexpr int kSteps = 24;
+  const bool both = window.scale.before > 0 && window.scale.after > 0;
+  for (int side = 0; side < (both ? 2 : 1); ++side) {
+    double highest = 0, lowest = 0, back = 0, now = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double u = static_cast<double>(i) / kSteps, more = shape.stride == 2 ? u * u : u;
+      double power = std::pow(u, shape.order);
+      now = 0;
+      for (int k = 0; k < shape.terms; ++k, power *= more) {
+        now += coefficients[1 + side * shape.terms + k] * power;
+      }
+      highest = std::max(highest, now), lowest = std::min(lowest, now);
+      back = std::max(back, std::min(highest - now, now - lowest));
+    }
+    constexpr double kOfTravel = 1e-3;
+    if (std::max(back, std::min(highest, -lowest)) > window.noise + kOfTravel * std::abs(now))
+      return false;
+  }
+  return true;
+}
+
+/// On Bayes' criterion: powers that are hardly there move the place most.
+constexpr double kPenalty = 1.2;
+
+/// None where samples are too few.
 std::optional<Candidate> candidate_of(const Window& window, const Shape& shape, double low,
                                       double high) {
   if (!is_enough(window, shape, 0.5 * (low + high))) return {};
   const int sides = (window.scale.before > 0) + (window.scale.after > 0);
   const double parameters = 2 + sides * shape.terms;
-  const double n = static_cast<double>(window.x.size()), rest = n - parameters;
-  if (!(rest > 0)) return {};
   const Found found = best_place(window, shape, low, high);
+  const double rest = static_cast<double>(window.x.size()) - parameters;
   const double chi = found.squares / (window.noise * window.noise);
-  // Powers other than the third, a jump of the jerk, need strong evidence: noise hardly tells them
-  // apart, and the place depends on it.
-  // And Bayes' criterion twice over: powers that are hardly there move the place most.
-  constexpr double kStrong = 25, kPenalty = 2;
-  const double cost = chi + kPenalty * std::log(n) * parameters + (shape.order == 3 ? 0 : kStrong);
-  return Candidate{shape, found, cost, (chi - rest) / std::sqrt(2 * rest), chi / rest};
+  if (!(rest > 0) || !std::isfinite(chi)) return {};
+  double place = found.place, error = error_of(window, shape, place);
+  // Where noise blurs more than a step, the squares are no parabola of the place.
+  const VectorXd coefficients = fitted(window, shape, place).coefficients;
+  if (!goes_one_way(window, shape, coefficients)) return {};
+  if (!(error < 1.5 * found.step)) {
+    const Moments blurred = fine_moments(window, shape, found, low);
+    place = blurred.mean, error = blurred.deviation;
+  }
+  error *= std::sqrt(std::max(chi / rest, 1.0));
+  const double cost = chi + window.others +
+                      kPenalty * std::log(window.samples) * (parameters + window.freedom) +
+                      prior_cost(shape.order);
+  return Candidate{place, error, coefficients[0], cost};
 }
 
-/// All shapes, the best one first.
-std::vector<Candidate> candidates(const Window& window, double low, double high) {
-  std::vector<Candidate> found;
+void add_candidates(const Window& window, double low, double high, std::vector<Candidate>& all) {
   for (const int order : {3, 2, 4}) {
     for (const int stride : {1, 2}) {
       for (int terms = 2; terms <= 4; ++terms) {
         const auto one = candidate_of(window, {order, stride, terms}, low, high);
-        if (one) found.push_back(*one);
+        if (one) all.push_back(*one);
       }
     }
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.cost < b.cost; });
-  return found;
 }
 
-/// Half of how far the places of shapes lie apart that are nearly as good as the best.
-double spread(const std::vector<Candidate>& found) {
-  constexpr double kNearly = 25;  // what two terms more may cost
-  double least = found.front().found.place, most = least;
-  for (const Candidate& candidate : found) {
-    if (candidate.cost > found.front().cost + kNearly) continue;
-    least = std::min(least, candidate.found.place);
-    most = std::max(most, candidate.found.place);
-  }
-  return 0.5 * (most - least);
+/// (I12) The candidates' mean, each as likely as its cost says. Its error is the deviation from
+/// there of candidates whose costs count a quarter less: none of them is quite the law.
+Corner mean_of(const std::vector<Candidate>& all) {
+  const auto best = std::min_element(all.begin(), all.end(),
+                                     [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  const auto mean = [&](double temper, const auto& of) {
+    double sum = 0, weighted = 0;
+    for (const Candidate& c : all) {
+      const double likely = std::exp(-0.5 * (c.cost - best->cost) / temper);
+      sum += likely, weighted += likely * of(c);
+    }
+    return weighted / sum;
+  };
+  constexpr double kDoubt = 1.25;
+  const double away = mean(1, [&](const Candidate& c) { return c.place - best->place; });
+  const double place = best->place + away;
+  const double squares = mean(kDoubt, [&](const Candidate& c) {
+    return (c.place - place) * (c.place - place) + c.error * c.error;
+  });
+  return {place, best->level, std::sqrt(squares)};
 }
 
 }  // namespace
 
 Corner find_corner(const CornerSamples& samples, const CornerSides& sides, double guess, double low,
                    double high, double noise) {
-  constexpr double kUnexplained = 4;
   Corner corner{guess, 0, 0.5 * (high - low)};
+  const CornerSamples few = in_few(samples);
+  const double group = static_cast<double>(samples.x.size()) /
+                       std::max<double>(1, static_cast<double>(few.x.size()));
+  std::vector<Candidate> all;
   double from = low, to = high;
   for (const double share : {0.5, 0.25, 0.125, 0.0625}) {
-    const Window window = window_of(samples, sides, share, corner.place, noise);
-    const auto found = candidates(window, from, to);
-    if (found.empty()) break;
-    const Candidate& best = found.front();
-    const double place = best.found.place;
-    const double error =
-        error_of(window, best.shape, place) * std::sqrt(std::max(best.reduced, 1.0));
-    corner = {place, fitted(window, best.shape, place).coefficients[0],
-              std::hypot(error, spread(found))};
-    if (best.excess < kUnexplained) break;
+    const Window window =
+        window_of(few, sides, share, corner.place, noise / std::sqrt(std::round(group)));
+    add_candidates(window, from, to, all);
+    if (all.empty()) break;
+    corner = mean_of(all);
     // A wider window has told where to look.
-    const double margin = 0.25 * share * std::max(sides.before, sides.after);
-    from = std::max(low, place - margin);
-    to = std::min(high, place + margin);
+    const double margin =
+        std::max(0.25 * share * std::max(sides.before, sides.after), 4 * corner.place_error);
+    from = std::max(low, corner.place - margin);
+    to = std::min(high, corner.place + margin);
   }
   return corner;
 }

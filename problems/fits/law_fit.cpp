@@ -10,6 +10,7 @@
 
 #include "optim/fit/statistics.h"
 #include "problems/fits/coefficients.h"
+#include "problems/fits/law_limits.h"
 
 namespace camlaw::problems {
 namespace {
@@ -129,9 +130,50 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
         {"zero", samples.unit, -optim::kInfinity, optim::kInfinity, guess.from, std::abs(stroke)});
   }
   for (const Coefficient& c : coefficients_of(law)) {
-    result.push_back({c.name, c.unit, c.low, c.high, c.value});
+    const bool is_held = is_end_value(law, c);
+    result.push_back(
+        {c.name, c.unit, is_held ? c.value : c.low, is_held ? c.value : c.high, c.value});
   }
   return result;
+}
+
+/// Held where they start: a fit of begin, end, stroke and zero with the law as it is tells where a
+/// fit of all finds the right valley.
+std::vector<optim::FitParameter> with_held(std::vector<optim::FitParameter> parameters,
+                                           std::size_t first) {
+  for (std::size_t j = first; j < parameters.size(); ++j) {
+    parameters[j].lower = parameters[j].upper = parameters[j].start;
+  }
+  return parameters;
+}
+
+/// What fits to the same residuals are compared by.
+double merit(const optim::FitResult& fit) { return fit.loss_scale.value_or(fit.sum_of_squares); }
+
+/// Laws of several coefficients have valleys in which longer motions with other coefficients nearly
+/// do as well: they are looked for from shorter and longer motions too.
+optim::FitResult in_stages(std::vector<optim::FitParameter> parameters,
+                           const optim::Residuals& residuals, const optim::FitOptions& options,
+                           std::size_t first) {
+  constexpr double kLonger[] = {-0.1, 0.1};
+  constexpr double kExact = 1e-9;
+  if (parameters.size() == first) return optim::fit(parameters, residuals, options);
+  const auto rough = optim::fit(with_held(parameters, first), residuals, options);
+  for (std::size_t j = 0; j < first; ++j) parameters[j].start = rough.parameters[j].value;
+  optim::FitResult best = optim::fit(parameters, residuals, options);
+  const double stroke = rough.parameters[2].value;
+  for (const double longer : kLonger) {
+    // Where the samples do not determine the numbers no start helps.
+    const bool is_single = parameters.size() < first + 2 || !best.free_directions.empty();
+    if (is_single || best.rms < kExact * std::abs(stroke)) break;
+    std::vector<optim::FitParameter> others = parameters;
+    const double by = longer * (rough.parameters[1].value - rough.parameters[0].value);
+    others[0].start = std::clamp(others[0].start - by, others[0].lower, others[0].upper);
+    others[1].start = std::clamp(others[1].start + by, others[1].lower, others[1].upper);
+    optim::FitResult other = optim::fit(others, residuals, options);
+    if (merit(other) < merit(best) * (1 - kExact)) best = std::move(other);
+  }
+  return best;
 }
 
 optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::size_t>& which,
@@ -142,7 +184,15 @@ optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::siz
   fit.loss = options.loss;
   fit.loss_scale = options.loss_scale;
   fit.confidence = options.confidence;
-  return optim::fit(parameters_of(samples, law, guess, layout), residuals, fit);
+  const auto parameters = parameters_of(samples, law, guess, layout);
+  const auto limit = limit_of(law);
+  if (!limit) return in_stages(parameters, residuals, fit, layout.first());
+  std::vector<double> start;
+  for (const auto& p : parameters) start.push_back(p.start);
+  const LimitedResiduals limited(residuals, *limit, layout.first(), start);
+  return limited.of_coefficients(
+      in_stages(limited.limited(parameters), limited, fit, layout.first()), parameters,
+      options.confidence);
 }
 
 std::vector<double> values_of(const optim::FitResult& fit) {
@@ -194,14 +244,32 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   return result;
 }
 
+namespace {
+
+/// The median of the few outermost values, which a far-off one does not move.
+double outer_value(const MotionSamples& samples, bool first) {
+  std::vector<std::size_t> order = all_of(samples);
+  const std::size_t few = samples.place.size() < 30 ? 1 : 3;
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(few), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      return first ? samples.place[a] < samples.place[b]
+                                   : samples.place[a] > samples.place[b];
+                    });
+  std::vector<double> values;
+  for (std::size_t i = 0; i < few; ++i) values.push_back(samples.value[order[i]]);
+  return optim::median(values);
+}
+
+}  // namespace
+
 MotionGuess guess_motion(const MotionSamples& samples) {
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
   MotionGuess guess;
   guess.begin = *low;
   guess.end = *high;
   if (samples.order == 0) {
-    guess.from = samples.value[static_cast<std::size_t>(low - samples.place.begin())];
-    guess.to = samples.value[static_cast<std::size_t>(high - samples.place.begin())];
+    guess.from = outer_value(samples, true);
+    guess.to = outer_value(samples, false);
     return guess;
   }
   // Of a derivative: where it is not zero, the stroke by its greatest value.
@@ -267,7 +335,10 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit,
 }
 
 double neighbour_correlation(const MotionSamples& samples, const LawFit& fit) {
-  return optim::neighbour_correlation(samples.place, fit.fit.residuals);
+  // Under a loss what it counts of them, so that far-off ones do not hide a curve.
+  std::vector<double> counted = fit.fit.residuals;
+  for (std::size_t i = 0; i < counted.size(); ++i) counted[i] *= fit.fit.weights[i];
+  return optim::neighbour_correlation(samples.place, counted);
 }
 
 }  // namespace camlaw::problems

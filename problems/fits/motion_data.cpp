@@ -90,10 +90,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
   if (period > 0) options.period = period;
   FoundSegments found = motion_segments(samples.place, samples.value, options);
   result.noise = found.noise;
-  if (period == 0 && found.segments.size() == 1) {  // no dwell to tell begin and end by
-    result.motions.push_back({guess_motion(samples), samples});
-    return result;
-  }
+  result.outlying = found.outlying.size();
   result.segments = std::move(found.segments);
   const auto& segments = result.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -105,6 +102,10 @@ FoundCycle find_motions(const MotionSamples& samples) {
     };
     const std::size_t count = segments.size();
     const bool has_before = i > 0 || period > 0, has_after = i + 1 < count || period > 0;
+    if (count == 1 && period == 0) {  // all samples belong to it, far-off ones at its ends too
+      result.motions.push_back({{s.begin, s.end, s.from, s.to}, samples});
+      break;
+    }
     const double low = s.begin - (has_before && count > 1 ? beside((i + count - 1) % count) : 0);
     const double high = s.end + (has_after && count > 1 ? beside((i + 1) % count) : 0);
     result.motions.push_back({{s.begin, s.end, s.from, s.to}, between(samples, low, high, period)});

@@ -27,9 +27,10 @@ struct FoundMotion {
 
 struct FoundCycle {
   std::vector<FoundSegment>
-      segments;  ///< dwells and motions in order; empty: the table is one motion
+      segments;  ///< dwells and motions in order; empty where they were not looked for
   std::vector<FoundMotion> motions;
-  double noise = 0;  ///< of the lift, where segments were looked for
+  double noise = 0;          ///< of the lift, where segments were looked for
+  std::size_t outlying = 0;  ///< samples that the search left out; they belong to motions still
 };
 
 /// Motions that samples show. Displacements of 24 samples and more are searched for dwells, rises

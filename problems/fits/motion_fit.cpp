@@ -21,16 +21,42 @@ bool is_exact(const LawFit& fit) {
   return fit.fit.rms < kRounding * std::abs(fit.to - fit.from);
 }
 
-std::string distrust_of(const MotionFit& fit) {
+FarOff far_off_of(const MotionFit& fit) {
+  const LawFit& best = fit.best();
+  constexpr double kRounding = 1e-6;
+  double size = 0;
+  for (const double y : fit.motion.samples.value) size = std::max(size, std::abs(y - best.from));
+  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, kRounding * size);
+}
+
+std::string quantity(double value, const std::string& unit) {
+  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
+}
+
+/// Samples that drew a fit in which all count alike.
+std::string drawn_by(const MotionFit& fit) {
+  const MotionSamples& samples = fit.motion.samples;
+  const std::size_t worst = fit.far_off.samples.front();
+  return fmt::format(
+      "{} of {} samples lie farther off than chance explains, by {} at {} the most, and draw the "
+      "fit; --loss huber or --loss cauchy bounds what they count",
+      fit.far_off.samples.size(), samples.place.size(),
+      quantity(std::abs(fit.best().fit.residuals[worst]), samples.unit),
+      quantity(samples.place[worst], samples.place_unit));
+}
+
+std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const LawFit& best = fit.best();
   if (!best.fit.reason.empty()) return best.fit.reason;
-  if (is_exact(best) || fit.motion.samples.place.size() < kEnough || fit.correlation < kAlike) {
-    return "";
+  if (is_exact(best) || fit.motion.samples.place.size() < kEnough) return "";
+  if (fit.correlation >= kAlike) {
+    return fmt::format(
+        "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
+        "residuals have a correlation of {:.2f})",
+        best.law.label(), fit.correlation);
   }
-  return fmt::format(
-      "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
-      "residuals have a correlation of {:.2f})",
-      best.law.label(), fit.correlation);
+  const bool is_drawn = options.loss == optim::Loss::None && !fit.far_off.samples.empty();
+  return is_drawn ? drawn_by(fit) : "";
 }
 
 /// A smooth curve from rest to rest between the ends that the samples show: those of a law that
@@ -60,8 +86,10 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   }
   result.prediction_error = cross_validated(motion.samples, result.best(), options);
   result.correlation = neighbour_correlation(motion.samples, result.best());
-  result.distrust = distrust_of(result);
-  const bool is_curve = motion.samples.order == 0 && !result.distrust.empty();
+  result.far_off = far_off_of(result);
+  result.distrust = distrust_of(result, options);
+  const bool is_curve =
+      motion.samples.order == 0 && result.correlation >= kAlike && !result.distrust.empty();
   if (is_curve && result.best().fit.reason.empty()) result.smooth = smoothed(result);
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/law.h"
+#include "problems/fits/far_off.h"
 #include "problems/fits/motion_data.h"
 
 /// The law behind the samples of one motion, and whether it can be trusted.
@@ -12,6 +13,7 @@ struct MotionFit {
   std::vector<LawFit> ranking;  ///< the best by AICc first; not empty
   double prediction_error = 0;  ///< of the first, by cross-validation
   double correlation = 0;       ///< of its neighbouring residuals
+  FarOff far_off;               ///< samples that it leaves farther off than chance explains
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust;
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch

@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "optim/fit/smoothing_spline.h"
+#include "optim/fit/statistics.h"
 #include "problems/fits/corner.h"
+#include "problems/fits/lift_samples.h"
 
 namespace camlaw::problems {
 namespace {
@@ -19,55 +20,11 @@ namespace {
   throw std::invalid_argument("segments: " + why);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-void check_lengths(std::size_t x, std::size_t s) {
-  if (x != s) refuse(fmt::format("{} angles and {} lifts do not belong together", x, s));
-}
-
-void check(std::span<const double> phi, std::span<const double> s, const SegmentOptions& options) {
-  check_lengths(phi.size(), s.size());
-  constexpr std::size_t kLeast = 24;
-  if (phi.size() < kLeast) {
-    refuse(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
-  }
-  for (std::size_t i = 0; i < phi.size(); ++i) {
-    if (!std::isfinite(phi[i]) || !std::isfinite(s[i])) {
-      refuse(fmt::format("sample {} is no number", i));
-    }
-  }
-  if (options.period && !(*options.period > 0 && std::isfinite(*options.period))) {
-    refuse(fmt::format("a period of {:.6g} is not above 0", *options.period));
-  }
-  if (options.noise && !(*options.noise >= 0 && std::isfinite(*options.noise))) {
-    refuse(fmt::format("noise of {:.6g} is below 0", *options.noise));
-  }
+void check(const SegmentOptions& options) {
   for (const double share : {options.least_dwell, options.least_motion}) {
     if (share > 0 && share < 0.5) continue;
     refuse(fmt::format("the least share, {:.6g}, is not between 0 and 0.5", share));
   }
-}
-
-/// The samples in order; periodic ones within [0, period).
-CornerSamples sorted(std::span<const double> phi, std::span<const double> s,
-                     const SegmentOptions& options) {
-  std::vector<std::pair<double, double>> pairs;
-  for (std::size_t i = 0; i < phi.size(); ++i) {
-    double x = phi[i];
-    if (options.period) {
-      x -= *options.period * std::floor(x / *options.period);
-      if (x >= *options.period) x = 0;
-    }
-    pairs.emplace_back(x, s[i]);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  CornerSamples result;
-  for (const auto& [x, y] : pairs) result.x.push_back(x), result.s.push_back(y);
-  return result;
 }
 
 /// Where a motion begins, ends or turns, before and after it is looked at closely.
@@ -87,8 +44,13 @@ struct Rest {
 /// Finds the segments of one lift.
 class Segmenter {
  public:
-  Segmenter(CornerSamples samples, const SegmentOptions& options, double noise)
-      : options_(options), samples_(std::move(samples)), noise_(noise), curve_(smoothed()) {
+  Segmenter(const LiftSamples& lift, const SegmentOptions& options)
+      : options_(options), noise_(lift.noise), curve_(smooth_lift(lift, options.period)) {
+    samples_.x = lift.phi, samples_.s = lift.s;
+    for (std::size_t i = 0; i < samples_.x.size(); ++i) {
+      samples_.curve.push_back(samples_.s[i] - curve_.samples()[i].residual);
+      samples_.leverage.push_back(curve_.samples()[i].leverage);
+    }
     const auto [low, high] = std::minmax_element(samples_.s.begin(), samples_.s.end());
     const double whole = *high - *low;
     least_ = std::max(options_.least_motion * whole, 5 * noise_);
@@ -106,20 +68,12 @@ class Segmenter {
     }
     std::vector<Chain> chains = refined(rough);
     while (join_short_dwell(rough, chains)) chains = refined(rough);
+    put_in_order(rough, chains);
+    if (!options_.period) drop_short_ends(chains);
     return in_order(segments_of(chains));
   }
 
  private:
-  optim::SmoothingSpline smoothed() const {
-    optim::SmoothingOptions smoothing;
-    smoothing.spans = static_cast<int>(std::clamp<std::size_t>(samples_.x.size() / 2, 12, 500));
-    if (options_.period) {
-      smoothing.periodic = true;
-      smoothing.range = {0, *options_.period};
-    }
-    return optim::smoothing_spline(samples_.x, samples_.s, smoothing);
-  }
-
   static constexpr int kGrid = 2000;
   double grid(int i) const { return std::min(begin_ + length_ * i / kGrid, end_); }
 
@@ -179,7 +133,7 @@ class Segmenter {
 
   double level_of(const Rest& rest) const {
     const CornerSamples inside = between(rest.begin, rest.end);
-    return inside.s.empty() ? curve_(std::midpoint(rest.begin, rest.end)) : median(inside.s);
+    return inside.s.empty() ? curve_(std::midpoint(rest.begin, rest.end)) : optim::median(inside.s);
   }
 
   /// The samples from `low` to `high`, periodic ones as often as they come.
@@ -190,7 +144,10 @@ class Segmenter {
       const double shift = (turns + turn) * length_;
       for (std::size_t i = 0; i < samples_.x.size(); ++i) {
         const double x = samples_.x[i] + shift;
-        if (x >= low && x <= high) result.x.push_back(x), result.s.push_back(samples_.s[i]);
+        if (x < low || x > high) continue;
+        result.x.push_back(x), result.s.push_back(samples_.s[i]);
+        result.curve.push_back(samples_.curve[i]);
+        result.leverage.push_back(samples_.leverage[i]);
       }
     }
     return result;
@@ -328,10 +285,12 @@ class Segmenter {
     return options_.period ? std::midpoint(here, chains[0].front().place + length_) : end_;
   }
 
-  /// Whether between these the lift only turns: opposite motions after too short a dwell.
+  /// Whether between these the lift only turns: opposite motions after too short a dwell, or one
+  /// that its ends' errors leave open.
   bool is_turn(const Chain& a, const Chain& b, double gap) const {
     const auto rises = [](const Node& from, const Node& to) { return to.level > from.level; };
-    return gap < options_.least_dwell * length_ &&
+    const double doubt = 2 * std::hypot(a.back().error, b.front().error);
+    return gap < std::max(options_.least_dwell * length_, doubt) &&
            rises(a[a.size() - 2], a.back()) != rises(b[0], b[1]);
   }
 
@@ -362,6 +321,34 @@ class Segmenter {
       return true;
     }
     return false;
+  }
+
+  /// Where noise has carried nodes past one another the rough ones stand, with an error as long as
+  /// their motion.
+  void put_in_order(const std::vector<Chain>& rough, std::vector<Chain>& chains) const {
+    const auto before = [](const Node& a, const Node& b) { return a.place < b.place; };
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      const Chain& chain = chains[i];
+      if (std::adjacent_find(chain.begin(), chain.end(), [&](const Node& a, const Node& b) {
+            return !before(a, b);
+          }) == chain.end()) {
+        continue;
+      }
+      chains[i] = rough[i];
+      const double length = rough[i].back().place - rough[i].front().place;
+      for (Node& node : chains[i]) node.error = 0.5 * length;
+    }
+  }
+
+  /// Where samples begin or end in a motion a dwell there is too short to be one, or its error
+  /// leaves it open.
+  void drop_short_ends(std::vector<Chain>& chains) const {
+    const auto is_short = [&](double dwell, const Node& node) {
+      return dwell < std::max(options_.least_dwell * length_, 2 * node.error);
+    };
+    Node &first = chains.front().front(), &last = chains.back().back();
+    if (is_short(first.place - begin_, first)) first = {begin_, curve_(begin_)};
+    if (is_short(end_ - last.place, last)) last = {end_, curve_(end_)};
   }
 
   /// Motions of the chains, with dwells between them.
@@ -433,36 +420,12 @@ std::string to_string(SegmentKind kind) {
   return kind == SegmentKind::Dwell ? "dwell" : kind == SegmentKind::Rise ? "rise" : "return";
 }
 
-double estimated_noise(std::span<const double> x, std::span<const double> s) {
-  check_lengths(x.size(), s.size());
-  std::vector<double> sizes;
-  for (std::size_t i = 2; i + 2 < x.size(); ++i) {
-    const std::array<std::size_t, 4> at{i - 2, i - 1, i + 1, i + 2};
-    double left = s[i], squares = 1;
-    for (const std::size_t k : at) {  // Lagrange's weights
-      double weight = 1;
-      for (const std::size_t l : at) {
-        if (l != k) weight *= (x[i] - x[l]) / (x[k] - x[l]);
-      }
-      left -= weight * s[k];
-      squares += weight * weight;
-    }
-    // Beside a gap the cubic reaches too far.
-    constexpr double kMost = 5;
-    if (squares < kMost) sizes.push_back(std::abs(left) / std::sqrt(squares));
-  }
-  constexpr std::size_t kLeast = 8;
-  if (sizes.size() < kLeast) refuse("too few neighbouring samples to tell their noise");
-  constexpr double kNormalOverMedian = 1.4826022185056018;
-  return kNormalOverMedian * median(std::move(sizes));
-}
-
 FoundSegments motion_segments(std::span<const double> phi, std::span<const double> s,
                               const SegmentOptions& options) {
-  check(phi, s, options);
-  CornerSamples samples = sorted(phi, s, options);
-  const double noise = options.noise ? *options.noise : estimated_noise(samples.x, samples.s);
-  return {Segmenter(std::move(samples), options, noise).run(), noise};
+  check(options);
+  LiftSamples lift = lift_samples(phi, s, options.period, options.noise);
+  const double noise = lift.noise;
+  return {Segmenter(lift, options).run(), noise, std::move(lift.outlying)};
 }
 
 }  // namespace camlaw::problems

@@ -40,12 +40,10 @@ struct SegmentOptions {
 struct FoundSegments {
   std::vector<FoundSegment> segments;  ///< in order, each begins where the last one ends
   double noise;                        ///< standard deviation that was given or estimated
+  /// Samples, by their place in what was given, that lie farther from a robust curve than chance
+  /// explains; the segments are found without them.
+  std::vector<std::size_t> outlying = {};
 };
-
-/// The standard deviation of noise that is independent from sample to sample (I9): what a cubic
-/// through two neighbours on each side leaves, by the median. x must increase.
-/// Throws std::invalid_argument for fewer than 12 samples or lengths that differ.
-double estimated_noise(std::span<const double> x, std::span<const double> s);
 
 /// Segments of the lift s at angles phi, in any order and spacing, with gaps. Periodic: begins with
 /// the first segment that begins in the period which starts at 0. Throws std::invalid_argument:

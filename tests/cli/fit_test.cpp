@@ -50,6 +50,34 @@ TEST_CASE("fit names the law behind samples, and writes its file", "[program]") 
   CHECK_THAT(done({"law", folder / "out/law.json"}), Contains("1.875"));
 }
 
+TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
+  const Folder folder;
+  std::string text = "angle [deg], lift [mm]\n";
+  for (int i = 0; i <= 180; ++i) {
+    const double u = i / 180.0, noise = 0.01 * std::sin(37.3 * i * i);
+    const double s = 20 * u * u * u * (10 - 15 * u + 6 * u * u) + noise;
+    text += std::to_string(i / 2.0) + ", " + std::to_string(i % 18 == 5 ? 12 + s / 9 : s) + "\n";
+  }
+  const std::string data = written(folder, "far.csv", text);
+  const Json plain = Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
+  CHECK(plain["trusted"] == false);
+  CHECK_THAT(plain["reason"].get<std::string>(), Contains("--loss"));
+  const Json robust =
+      Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--loss", "cauchy", "--json"}));
+  CHECK(robust["trusted"] == true);
+  CHECK(robust["far_off"]["count"].get<int>() >= 8);
+  CHECK(robust["far_off"]["samples"].size() == robust["far_off"]["count"]);
+  for (const char* key : {"sigma", "degrees_of_freedom", "neighbour_correlation", "condition",
+                          "free_directions", "max_residual_at", "residual_unit", "place_unit"}) {
+    INFO(key);
+    CHECK(robust.contains(key));
+  }
+  CHECK(robust["residual_unit"] == "mm");
+  CHECK_THAT(done({"fit", data, "--law", "poly-3-4-5", "--loss", "cauchy"}),
+             Contains("farther off than the") && Contains("degrees of freedom") &&
+                 Contains("all numbers are determined"));
+}
+
 TEST_CASE("fit names the law behind printed constants", "[program]") {
   const Json result = Json::parse(
       done({"fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5", "--json"}));

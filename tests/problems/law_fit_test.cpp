@@ -200,6 +200,88 @@ TEST_CASE("far-off samples do not move a robust fit", "[law-fit]") {
   CHECK(std::abs(plain + 4.2) > 5 * std::abs(alpha + 4.2));
 }
 
+TEST_CASE("under a loss one sample in ten may lie anywhere", "[law-fit][heavy]") {
+  for (const char* name : {"cycloidal", "modified-sine", "poly-3-4-5", "polynomial-5 alpha=-4.2",
+                           "polynomial-7 A=31", "elliptic n=1.7"}) {
+    for (const optim::Loss loss : {optim::Loss::Huber, optim::Loss::Cauchy}) {
+      LawFitOptions robust;
+      robust.loss = loss;
+      const Member law = find_law(name);
+      int held = 0, intervals = 0;
+      for (unsigned seed = 0; seed < 8; ++seed) {
+        MotionSamples samples = sampled(law.law(), 300, 0.02, 50 + seed);
+        for (std::size_t i = seed; i < samples.value.size(); i += 10) {
+          samples.value[i] += (i / 10) % 2 == 0 ? 15 : -20;  // of the stroke's size
+        }
+        const LawFit fit = fit_law(samples, law, rough(), robust);
+        const std::vector<std::pair<const char*, double>> truth{
+            {"begin", 10}, {"end", 130}, {"stroke", 20}, {"zero", 3}};
+        for (const auto& [parameter_name, value] : truth) {
+          const auto& p = parameter(fit, parameter_name);
+          ++intervals;
+          held += p.low <= value && value <= p.high;
+        }
+      }
+      INFO(name << ", " << (loss == optim::Loss::Huber ? "Huber" : "Cauchy"));
+      // 30.4 of 32 expected; those of one fit go together.
+      CHECK(intervals == 32);
+      CHECK(held >= 26);
+    }
+  }
+}
+
+TEST_CASE("a fit that far-off samples drew says so, and lists them", "[law-fit]") {
+  MotionSamples samples = sampled(find_law("cycloidal").law(), 300, 0.02, 4);
+  const FoundMotion clean{rough(), samples};
+  const std::vector<Member> laws{find_law("cycloidal"), find_law("cubic")};
+  CHECK(fit_motion(clean, laws).distrust.empty());
+  CHECK(fit_motion(clean, laws).far_off.samples.empty());
+  for (std::size_t i = 3; i < samples.value.size(); i += 10)
+    samples.value[i] += i % 20 == 3 ? 5 : -5;
+  samples.value[153] += 9;
+  const FoundMotion motion{rough(), samples};
+  const MotionFit plain = fit_motion(motion, laws);
+  CHECK_THAT(plain.distrust, Contains("30 of 300 samples") && Contains("--loss huber"));
+  LawFitOptions robust;
+  robust.loss = optim::Loss::Cauchy;
+  const MotionFit fit = fit_motion(motion, laws, robust);
+  CHECK(fit.distrust.empty());
+  CHECK(fit.far_off.samples.size() == 30);
+  for (const std::size_t i : fit.far_off.samples) CHECK(i % 10 == 3);
+  CHECK(fit.best().law.name() == "cycloidal");
+}
+
+TEST_CASE("where a curve is wrong its samples are not far off", "[law-fit]") {
+  std::vector<double> place, residual;
+  for (int i = 0; i < 200; ++i) {
+    place.push_back(i);
+    residual.push_back(0.01 * std::sin(7.1 * i) + (i > 80 && i < 110 ? 1 : 0));
+  }
+  CHECK(far_off(place, residual, 4, 0).samples.empty());
+  residual[30] = -0.5;
+  residual[150] = 0.3;
+  CHECK(far_off(place, residual, 4, 0).samples == std::vector<std::size_t>{30, 150});
+  CHECK(far_off(place, residual, 4, 0.4).samples == std::vector<std::size_t>{30});
+  CHECK(far_off(place, residual, 195, 0).samples.empty());
+  place.pop_back();
+  CHECK_THROWS_AS(far_off(place, residual, 4, 0), std::invalid_argument);
+}
+
+TEST_CASE("phases that fill a law's length are found filled", "[law-fit]") {
+  // The trapezoid without constant velocity: 4 ramp + 2 constant = 1.
+  const Member law = find_law("trapezoidal-acceleration ramp=0.125 constant=0.25");
+  const LawFit exact = fit_law(sampled(law.law(), 300, 0, 1),
+                               find_law("trapezoidal-acceleration ramp=0.1 constant=0.2"), rough());
+  CHECK(parameter(exact, "ramp").value == Approx(0.125).epsilon(1e-5));
+  CHECK(parameter(exact, "constant").value == Approx(0.25).epsilon(1e-5));
+  CHECK_THAT(exact.fit.reason, exact.fit.reason.empty() ? Contains("") : Contains("4 ramp"));
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const LawFit fit = fit_law(sampled(law.law(), 300, 0.02, seed), law, rough());
+    CHECK(fit.fit.converged);
+    CHECK(fit.begin == Approx(10).margin(1.5));
+  }
+}
+
 TEST_CASE("a curve that is no law is not taken for one", "[law-fit]") {
   MotionSamples samples = sampled(find_law("cycloidal").law(), 400, 0.002, 3);
   for (std::size_t i = 0; i < samples.value.size(); ++i) {

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fits/lift_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "optim/fit/statistics.h"
+#include "problems/fits/far_off.h"
+
+namespace camlaw::problems {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("segments: " + why);
+}
+
+void check_lengths(std::size_t x, std::size_t s) {
+  if (x != s) refuse(fmt::format("{} angles and {} lifts do not belong together", x, s));
+}
+
+void check(std::span<const double> phi, std::span<const double> s, std::optional<double> period,
+           std::optional<double> noise) {
+  check_lengths(phi.size(), s.size());
+  constexpr std::size_t kLeast = 24;
+  if (phi.size() < kLeast) {
+    refuse(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
+  }
+  for (std::size_t i = 0; i < phi.size(); ++i) {
+    if (!std::isfinite(phi[i]) || !std::isfinite(s[i])) {
+      refuse(fmt::format("sample {} is no number", i));
+    }
+  }
+  if (period && !(*period > 0 && std::isfinite(*period))) {
+    refuse(fmt::format("a period of {:.6g} is not above 0", *period));
+  }
+  if (noise && !(*noise >= 0 && std::isfinite(*noise))) {
+    refuse(fmt::format("noise of {:.6g} is below 0", *noise));
+  }
+}
+
+/// The order of the samples, and their places within the period.
+std::vector<std::tuple<double, double, std::size_t>> sorted(std::span<const double> phi,
+                                                            std::span<const double> s,
+                                                            std::optional<double> period) {
+  std::vector<std::tuple<double, double, std::size_t>> samples;
+  for (std::size_t i = 0; i < phi.size(); ++i) {
+    double x = phi[i];
+    if (period) {
+      x -= *period * std::floor(x / *period);
+      if (x >= *period) x = 0;
+    }
+    samples.emplace_back(x, s[i], i);
+  }
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+/// Lagrange's weight of the k-th sample, one of those `at`, in the polynomial's value at the i-th.
+double lagrange_weight(std::span<const double> x, std::span<const std::size_t> at, std::size_t k,
+                       std::size_t i) {
+  double weight = 1;
+  for (const std::size_t l : at) {
+    if (l != k) weight *= (x[i] - x[l]) / (x[k] - x[l]);
+  }
+  return weight;
+}
+
+/// By how much each sample misses a cubic through its neighbours, in the unit of one sample's
+/// noise.
+std::vector<double> misses(std::span<const double> x, std::span<const double> s) {
+  std::vector<double> sizes;
+  for (std::size_t i = 2; i + 2 < x.size(); ++i) {
+    const std::array<std::size_t, 4> at{i - 2, i - 1, i + 1, i + 2};
+    double left = s[i], squares = 1;
+    for (const std::size_t k : at) {
+      const double weight = lagrange_weight(x, at, k, i);
+      left -= weight * s[k];
+      squares += weight * weight;
+    }
+    // Beside a gap the cubic reaches too far.
+    constexpr double kMost = 5;
+    if (squares < kMost) sizes.push_back(std::abs(left) / std::sqrt(squares));
+  }
+  constexpr std::size_t kLeast = 8;
+  if (sizes.size() < kLeast) refuse("too few neighbouring samples to tell their noise");
+  return sizes;
+}
+
+/// Whether any sample misses its neighbours' cubic by more than a normal deviation makes likely.
+bool has_suspects(const LiftSamples& lift) {
+  constexpr double kSuspect = 5;
+  const std::vector<double> sizes = misses(lift.phi, lift.s);
+  return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * optim::median(sizes) / 0.6745;
+}
+
+/// What a sample misses a cubic by that goes through the four nearest of those that are not left
+/// out, two on each side as far as there are.
+double miss_of(const LiftSamples& lift, const std::vector<bool>& left_out, std::size_t i) {
+  constexpr std::size_t kPoints = 4;
+  std::vector<std::size_t> left, right, at;
+  for (std::size_t k = i; k-- > 0 && left.size() < kPoints;) {
+    if (!left_out[k]) left.push_back(k);
+  }
+  for (std::size_t k = i + 1; k < left_out.size() && right.size() < kPoints; ++k) {
+    if (!left_out[k]) right.push_back(k);
+  }
+  for (std::size_t k = 0; k < kPoints && at.size() < kPoints; ++k) {
+    if (k < left.size()) at.push_back(left[k]);
+    if (k < right.size()) at.push_back(right[k]);
+  }
+  double miss = lift.s[i];
+  for (const std::size_t k : at) miss -= lagrange_weight(lift.phi, at, k, i) * lift.s[k];
+  return std::abs(miss);
+}
+
+/// Of the suspects those that are by themselves: where the curve is wrong samples follow their
+/// neighbours, those that are not suspect or all that are not yet found to be off.
+std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<double>& residuals,
+                                const std::vector<std::size_t>& suspects) {
+  constexpr double kOwn = 0.5, kOwnOfAll = 0.2;
+  std::vector<bool> is_suspect(lift.phi.size()), is_off(lift.phi.size());
+  for (const std::size_t i : suspects) is_suspect[i] = true;
+  for (bool again = true; again;) {
+    again = false;
+    for (const std::size_t i : suspects) {
+      const double size = std::abs(residuals[i]);
+      if (is_off[i] || miss_of(lift, is_off, i) < kOwnOfAll * size) continue;
+      if (miss_of(lift, is_suspect, i) < kOwn * size) continue;
+      is_off[i] = again = true;
+    }
+  }
+  return is_off;
+}
+
+/// Samples far off a robust curve.
+std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> period) {
+  const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
+  std::vector<double> residuals;
+  for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
+  const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
+  const auto freedom = static_cast<std::size_t>(std::lround(curve.degrees_of_freedom()));
+  constexpr double kLeast = 1e-4;
+  const FarOff found = far_off(lift.phi, residuals, freedom, kLeast * (*high - *low));
+  return by_themselves(lift, residuals, found.samples);
+}
+
+}  // namespace
+
+double estimated_noise(std::span<const double> x, std::span<const double> s) {
+  check_lengths(x.size(), s.size());
+  constexpr double kNormalOverMedian = 1.4826022185056018;
+  return kNormalOverMedian * optim::median(misses(x, s));
+}
+
+LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
+                         std::optional<double> period, std::optional<double> noise) {
+  check(phi, s, period, noise);
+  const auto samples = sorted(phi, s, period);
+  LiftSamples all;
+  for (const auto& [x, y, index] : samples) all.phi.push_back(x), all.s.push_back(y);
+  const std::vector<bool> is_off =
+      has_suspects(all) ? far_off_in(all, period) : std::vector<bool>(samples.size());
+  LiftSamples kept;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_off[i]) {
+      kept.outlying.push_back(std::get<2>(samples[i]));
+    } else {
+      kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
+    }
+  }
+  std::sort(kept.outlying.begin(), kept.outlying.end());
+  kept.noise = noise ? *noise : estimated_noise(kept.phi, kept.s);
+  return kept;
+}
+
+optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double> period,
+                                   optim::Reweighting reweighting) {
+  optim::SmoothingOptions smoothing;
+  smoothing.spans = static_cast<int>(std::clamp<std::size_t>(lift.phi.size() / 2, 12, 500));
+  smoothing.reweighting = reweighting;
+  if (period) {
+    smoothing.periodic = true;
+    smoothing.range = {0, *period};
+  }
+  return optim::smoothing_spline(lift.phi, lift.s, smoothing);
+}
+
+}  // namespace camlaw::problems
