@@ -83,10 +83,17 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
-/// Says of curves that turn back; a tool is not sent along one.
+/// Says of curves that jump or turn back; a tool is not sent along one.
 void check_ways(const std::vector<problems::PlaneCurve>& curves, ExportFormat format,
                 std::vector<std::string>& notes) {
   for (const problems::PlaneCurve& curve : curves) {
+    for (const auto& [place, way] : curve.jumps()) {
+      notes.push_back(fmt::format(
+          "the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
+          "line bridges it",
+          curve.name(), way, place));
+      if (format == ExportFormat::Gcode) throw std::invalid_argument(notes.back());
+    }
     const auto angle = problems::turns_back(curve);
     if (!angle) continue;
     notes.push_back(fmt::format(

@@ -75,8 +75,8 @@ struct CurveFit {
 };
 
 /// Divides a curve until each piece_of(span) has a deviation within the tolerance, mm. Where the
-/// curve jumps join(point, point) bridges it. Throws std::invalid_argument where that takes more
-/// than 200,000 pieces.
+/// curve jumps, of a closed one at its end too, join(angle, point, point) bridges it. Throws
+/// std::invalid_argument where that takes more than 200,000 pieces.
 template <class PieceOf, class Join>
 auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, const Join& join) {
   using Piece = decltype(piece_of(std::declval<const CurveSpan&>()));
@@ -100,14 +100,13 @@ auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, 
     self(self, from, middle);
     self(self, middle, to);
   };
+  const auto bridge = [&](double angle, const CurvePoint& before, const CurvePoint& after) {
+    if ((after.at - before.at).norm() <= PlaneCurve::kJump) return;
+    fit.pieces.push_back(join(angle, before, after));
+  };
   const std::vector<double>& breaks = curve.breaks();
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    if (k > 0) {
-      const auto before = curve.at({breaks[k], true}), after = curve.at({breaks[k]});
-      if ((after.at - before.at).norm() > kLeast) {
-        fit.pieces.push_back(join(breaks[k], before, after));
-      }
-    }
+    if (k > 0) bridge(breaks[k], curve.at({breaks[k], true}), curve.at({breaks[k]}));
     const double length = breaks[k + 1] - breaks[k];
     const int count = static_cast<int>(std::ceil(length / (kFirst * cycle) - kLeast));
     for (int i = 0; i < std::max(count, 1); ++i) {
@@ -115,6 +114,9 @@ auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, 
       divide(divide, optim::even_place(breaks[k], breaks[k + 1], n, i).angle,
              optim::even_place(breaks[k], breaks[k + 1], n, i + 1).angle);
     }
+  }
+  if (curve.is_closed()) {
+    bridge(curve.end(), curve.at({curve.end(), true}), curve.at({curve.begin()}));
   }
   return fit;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -28,17 +29,17 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Twice the area that the way encloses, positive where it runs counterclockwise.
-double turning(const PlaneCurve& curve) {
-  double area = 0;
-  Eigen::Vector2d before = curve.at({curve.begin()}).at;
+/// What the way from the cam's centre to the curve turns by over the cycle, rad.
+double angle_about_centre(const PlaneCurve& curve) {
+  double angle = 0;
+  Eigen::Vector2d before = curve.look({curve.begin()}).at;
   for (int i = 1; i <= kLooks; ++i) {
     const Eigen::Vector2d here =
-        curve.at(optim::even_place(curve.begin(), curve.end(), kLooks, i)).at;
-    area += cross(before, here);
+        curve.look(optim::even_place(curve.begin(), curve.end(), kLooks, i)).at;
+    angle += std::atan2(cross(before, here), before.dot(here));
     before = here;
   }
-  return area;
+  return angle;
 }
 
 }  // namespace
@@ -50,6 +51,7 @@ PlaneCurve::PlaneCurve(std::string name, const optim::Response& x, const optim::
     for (const double place : trace->breaks()) all.insert(place);
   }
   breaks_.assign(all.begin(), all.end());
+  closed_ = std::abs(angle_about_centre(*this)) > std::numbers::pi;
 }
 
 CurvePoint PlaneCurve::look(optim::Place place) const {
@@ -76,15 +78,15 @@ CurvePoint PlaneCurve::at(optim::Place place) const {
   return point;
 }
 
-bool PlaneCurve::is_closed() const {
-  constexpr double kRounding = 1e-9;
-  const Eigen::Vector2d first = at({begin()}).at, last = at({end(), true}).at;
-  double extent = 0;
-  for (int i = 0; i <= kLooks; ++i) {
-    const auto here = at(optim::even_place(begin(), end(), kLooks, i)).at;
-    extent = std::max(extent, (here - first).norm());
+std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
+  std::vector<std::pair<double, double>> result;
+  for (std::size_t k = 1; k < breaks_.size(); ++k) {
+    const bool last = k + 1 == breaks_.size();
+    if (last && !closed_) break;
+    const double way = (at({breaks_[last ? 0 : k]}).at - at({breaks_[k], true}).at).norm();
+    if (way > kJump) result.emplace_back(breaks_[k], way);
   }
-  return (last - first).norm() <= kRounding * extent;
+  return result;
 }
 
 PlaneCurve PlaneCurve::beside(std::string name, double distance) const {
@@ -143,7 +145,7 @@ PlaneCurve tool_way(const PlaneCurve& profile, double tool_radius) {
   const bool closed = profile.is_closed();
   const double along =
       profile.at({profile.end(), true}).at.x() - profile.at({profile.begin()}).at.x();
-  const bool right = closed ? turning(profile) > 0 : along < 0;
+  const bool right = closed ? angle_about_centre(profile) > 0 : along < 0;
   return profile.beside("cutter path", right ? -tool_radius : tool_radius);
 }
 

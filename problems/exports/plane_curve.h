@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "optim/problem/problem.h"
@@ -23,6 +24,8 @@ struct CurvePoint {
 /// it may turn, or jump.
 class PlaneCurve {
  public:
+  static constexpr double kJump = 1e-6;  ///< mm: what is less is rounding
+
   /// Of two responses that are curves over the same angle, in a design in which nothing varies.
   PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y);
 
@@ -35,8 +38,11 @@ class PlaneCurve {
   CurvePoint at(optim::Place place) const;
   /// The same, without numbers where it has no point.
   CurvePoint look(optim::Place place) const;
-  /// Whether it ends where it begins, to nine digits of its extent.
-  bool is_closed() const;
+  /// Whether it goes round the cam's centre, as a disc's does; one that is developed does not.
+  bool is_closed() const { return closed_; }
+  /// Where it jumps, of a closed one at its end too, as profiles do where the velocity jumps:
+  /// angle, deg, and way, mm.
+  std::vector<std::pair<double, double>> jumps() const;
 
   /// The curve parallel to this one at a distance, mm, to the left of its way: q = p + d n with
   /// q' = p' (1 - d k), n the unit normal and k the curvature.
@@ -47,6 +53,7 @@ class PlaneCurve {
   std::shared_ptr<const optim::Trace> x_, y_;
   std::vector<double> breaks_;
   double left_ = 0;  ///< mm
+  bool closed_ = false;
 };
 
 /// A kind of curve, as people ask for it: "profile", "second-profile", "pitch", "cutter".

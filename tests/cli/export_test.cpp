@@ -390,6 +390,31 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK(folder.content().empty());
 }
 
+TEST_CASE("the help of export explains every option", "[export]") {
+  const std::string help = done({"export", "--help"});
+  for (const char* option :
+       {"--format", "--out", "--curve", "--tolerance", "--step", "--as", "--decimals", "--tool",
+        "--feed", "--clearance", "--depth", "--slave", "--set"}) {
+    const std::size_t at = help.find(std::string("  ") + option + " TEXT");
+    REQUIRE(at != std::string::npos);
+    CHECK(help.find('\n', at) > at + 50);
+  }
+}
+
+TEST_CASE("a cam that jumps is drawn with a note, and not cut", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "jump.toml";
+  std::ofstream(path) << "mechanism = 'disc-cam-flat'\n[program]\nmatched = 'displacement'\n"
+                         "segments = [{name = 'rise', angle = 120, law = 'constant-velocity'},"
+                         "{name = 'return', law = 'cycloidal'}]\n";
+  const std::string said = done({"export", path, "--out", folder / "cam.dxf"});
+  CHECK_THAT(said, Contains("the profile jumps by") && Contains("mm at 120 deg") &&
+                       Contains("mm at 360 deg"));
+  CHECK(read_by_ezdxf(folder / "cam.dxf").facts["errors"] == "0 ");
+  CHECK_THAT(failed({"export", path, "--format", "gcode", "--curve", "profile"}, 2),
+             Contains("the profile jumps by"));
+}
+
 TEST_CASE("a cam that is undercut is drawn with a note, and not cut", "[export]") {
   const Folder folder;
   // Below 19.36 mm its radius of curvature, least at 77.5 deg, is below 0.

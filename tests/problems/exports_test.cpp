@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Curves as chords, arcs and cubics, measured with another stick than they are made with: many
 // even places of the exact curve, and cubics by de Boor's rule over the knots.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <numbers>
@@ -215,6 +216,37 @@ TEST_CASE("The way of a cam's own tool is the pitch curve's parallel", "[exports
   for (double angle = 0; angle < 360; angle += 11) {
     CHECK((cutter.at({angle}).at - beside.at({angle}).at).norm() < 1e-9);
   }
+}
+
+TEST_CASE("Where the velocity jumps the profile is bridged, also where the cycle closes",
+          "[exports]") {
+  const auto statement = read_problem(
+      "mechanism = 'disc-cam-flat'\n[program]\nmatched = 'displacement'\nsegments = ["
+      "{name = 'rise', angle = 120, law = 'constant-velocity'},"
+      "{name = 'return', law = 'cycloidal'}]\n",
+      "f.toml");
+  const PlaneCurve profile = cam_curves(statement, "profile").front();
+  CHECK(profile.is_closed());
+  // The face touches s' from the axis: what the velocity jumps by in mm / rad.
+  const double slope = statement.constants[0] / (120 * std::numbers::pi / 180);
+  const auto jumps = profile.jumps();
+  REQUIRE(jumps.size() == 2);
+  CHECK(jumps[0].first == Approx(120));
+  CHECK(jumps[1].first == 360);
+  for (const auto& [angle, way] : jumps) CHECK(way == Approx(slope).epsilon(1e-9));
+  const auto same = [](const Vector2d& a, const Vector2d& b) { return (a - b).norm() < 1e-6; };
+  const Chords chords = chords_within(profile, kTolerance, 6);
+  const auto& points = chords.points;
+  CHECK(points.front().at == points.back().at);
+  CHECK((points[points.size() - 2].at - points.back().at).norm() == Approx(slope).epsilon(1e-4));
+  const ArcPath arcs = arcs_within(profile, kTolerance);
+  CHECK(arcs.pieces.back().is_line());
+  CHECK(same(arcs.pieces.back().to, arcs.pieces.front().from));
+  const CubicPath cubics = cubics_within(profile, kTolerance);
+  CHECK(same(cubics.control_points().back(), cubics.control_points().front()));
+  const auto knots = cubics.knots();
+  CHECK(std::is_sorted(knots.begin(), knots.end()));
+  CHECK(knots.size() == cubics.control_points().size() + 4);
 }
 
 TEST_CASE("Curves that turn back are found out", "[exports]") {
