@@ -83,30 +83,40 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
-/// Says of curves that jump or turn back; a tool is not sent along one.
-void check_ways(const std::vector<problems::PlaneCurve>& curves, ExportFormat format,
-                std::vector<std::string>& notes) {
-  for (const problems::PlaneCurve& curve : curves) {
-    for (const auto& [place, way] : curve.jumps()) {
-      notes.push_back(fmt::format(
-          "the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
-          "line bridges it",
-          curve.name(), way, place));
-      if (format == ExportFormat::Gcode) throw std::invalid_argument(notes.back());
-    }
-    const auto angle = problems::turns_back(curve);
-    if (!angle) continue;
-    notes.push_back(fmt::format(
+/// What keeps a tool from going along a curve, in words.
+std::vector<std::string> obstacles(const problems::PlaneCurve& curve) {
+  std::vector<std::string> result;
+  for (const auto& [place, way] : curve.jumps()) {
+    result.push_back(
+        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
+                    "line bridges it",
+                    curve.name(), way, place));
+  }
+  if (const auto angle = problems::turns_back(curve)) {
+    result.push_back(fmt::format(
         "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
         curve.name(), *angle));
-    if (format == ExportFormat::Gcode) throw std::invalid_argument(notes.back());
+  }
+  return result;
+}
+
+/// Refuses a program for a way with obstacles. The way of a tool as large as the roller is smooth
+/// where the profile that it leaves is undercut: the follower would not move as it should.
+void check_way(const problems::ProblemStatement& statement, const problems::PlaneCurve& way) {
+  if (const auto found = obstacles(way); !found.empty()) throw std::invalid_argument(found.front());
+  for (const problems::PlaneCurve& profile : problems::cam_curves(statement, "profile")) {
+    if (way.name() != "cutter path" || !problems::turns_back(profile)) continue;
+    throw std::invalid_argument(obstacles(profile).back());
   }
 }
 
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
   const auto curves = curves_asked(o, format, e.design.statement);
-  check_ways(curves, format.format, e.notes);
+  if (format.format == ExportFormat::Gcode) check_way(e.design.statement, curves.front());
+  for (const problems::PlaneCurve& curve : curves) {
+    for (std::string& note : obstacles(curve)) e.notes.push_back(std::move(note));
+  }
   const double slack = written_rounding(format.format, form, e.accuracy.decimals);
   auto inner = e.accuracy;
   inner.tolerance -= slack;

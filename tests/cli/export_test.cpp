@@ -429,6 +429,14 @@ TEST_CASE("a cam that is undercut is drawn with a note, and not cut", "[export]"
   CHECK_THAT(failed(with({"base_radius=15 mm", "--format", "gcode"}), 2),
              Contains("the profile turns back near"));
   CHECK_THAT(done(with({"base_radius=20 mm", "--out", out})), !Contains("turns back"));
+  // The way of a tool as large as the roller is the pitch curve, which is smooth all the same.
+  const Words roller{"export",   kRoller,
+                     "--set",    "base_radius=10 mm",
+                     "--set",    "stroke=40 mm",
+                     "--set",    "roller_radius=40 mm",
+                     "--set",    "cutter_radius=40 mm",
+                     "--format", "gcode"};
+  CHECK_THAT(failed(roller, 2), Contains("the profile turns back near"));
 }
 
 }  // namespace camlaw::cli
