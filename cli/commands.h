@@ -25,6 +25,7 @@ void add_fit_command(CLI::App& app);
 void add_reproduce_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_evaluate_command(CLI::App& app);
+void add_export_command(CLI::App& app);
 void add_optimize_command(CLI::App& app, int& status);
 void add_pareto_command(CLI::App& app, int& status);
 void add_front_command(CLI::App& app, int& status);
