@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/chart_svg.h"
+#include "cli/possible.h"
 #include "cli/report/design_figure.h"
 #include "cli/report/figure_json.h"
 #include "cli/report/html.h"
@@ -136,6 +137,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   constexpr int kPoints = 360;
   const ProblemStatement& design = reported.design;
   const Review review(design);
+  check_possible(reported.file, design, review.evaluated);
   const Figure figure = design_figure(design, kPoints);
   const auto words = panel_words(figure, design, review.evaluated);
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;

@@ -23,6 +23,7 @@ struct ReportedDesign {
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.
+/// Throws std::invalid_argument for a design that cannot be at all.
 ReportPage design_report(const ReportedDesign& reported);
 
 /// A front with the curves of its designs, of which two can be compared.

@@ -149,12 +149,16 @@ TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") 
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
   CHECK_THAT(failed({"report", folder / "law.csv"}, 2), Contains(".toml"));
+  std::string text = read(shipped("cams/roller_least_base.toml"));
+  text.replace(text.find("stroke = "), 0, "offset = \"100 mm\"\n");
+  std::ofstream(folder / "odd.toml") << text;
+  CHECK_THAT(failed({"report", folder / "odd.toml"}, 2), Contains("offset = 100 mm"));
   std::ofstream(folder / "no.db") << "no study";
   CHECK_THAT(failed({"report", folder / "no.db"}, 2), Contains("no.db"));
   CHECK_THAT(
       failed({"report", shipped("spine_cutter/least_radius.toml"), "-o", "/proc/no/page.html"}, 1),
       Contains("/proc/no"));
-  CHECK(folder.content() == std::set<std::string>{"no.db"});
+  CHECK(folder.content() == std::set<std::string>{"no.db", "odd.toml"});
 }
 
 TEST_CASE("reproduce writes its tables beside the printed ones as a page", "[cli][report]") {
