@@ -15,7 +15,6 @@
 #include "cli/report/scene.h"
 #include "cli/report/sensitivity_section.h"
 #include "cli/text_table.h"
-#include "cli/tolerance_output.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
@@ -122,15 +121,6 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
   return html;
 }
 
-std::optional<ReportSection> sensitivity(const Review& review) {
-  if (!review.held) return {};
-  const auto& [problem, x] = *review.held;
-  const std::vector<double> tolerances = hundredths(problem.variables, x);
-  constexpr std::size_t kSamples = 300;
-  return sensitivity_section(problem.variables, tolerances,
-                             optim::tolerance_report(problem, x, tolerances, kSamples));
-}
-
 }  // namespace
 
 ReportPage design_report(const ReportedDesign& reported) {
@@ -150,7 +140,9 @@ ReportPage design_report(const ReportedDesign& reported) {
     page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
   }
   if (auto rulers = rulers_section(design)) page.sections.push_back(*std::move(rulers));
-  if (auto spread = sensitivity(review)) page.sections.push_back(*std::move(spread));
+  if (review.held) {
+    page.sections.push_back(sensitivity_section(review.held->problem, review.held->x));
+  }
   const ReportSection numbers = numbers_section(review.evaluated);
   if (!numbers.html.empty()) page.sections.push_back(numbers);
   Facts facts = reported.facts;

@@ -41,6 +41,12 @@ std::vector<double> margin_sizes(const FrontAnswer& answer) {
   return sizes;
 }
 
+bool is_sought(const FrontAnswer& answer, const std::string& name) {
+  const auto& objectives = answer.front.objectives;
+  return std::any_of(objectives.begin(), objectives.end(),
+                     [&](const optim::ObjectiveName& o) { return o.name == name; });
+}
+
 /// What is said of a design where two are compared.
 Json rows_json(const FrontAnswer& answer, const FrontPoint& point,
                const std::vector<double>& margins) {
@@ -58,7 +64,8 @@ Json rows_json(const FrontAnswer& answer, const FrontPoint& point,
   }
   const auto values = answer.values(point);
   for (const auto& value : values) {
-    if (value.name == "law" || values.size() > kMostValues) continue;
+    if (value.name == "law" || values.size() > kMostValues || is_sought(answer, value.name))
+      continue;
     rows.push_back(row(named_with_unit(value.name, value.unit), value.text, value.number));
   }
   for (std::size_t i = 0; i < point.limits.size(); ++i) {

@@ -14,7 +14,6 @@
 #include "cli/report/report.h"
 #include "cli/report/sensitivity_section.h"
 #include "cli/text_table.h"
-#include "cli/tolerance_output.h"
 
 namespace camlaw::cli {
 namespace {
@@ -105,10 +104,8 @@ ReportSection knee_sensitivity(const FrontAnswer& answer) {
   const auto knee = optim::knee(answer.costs());
   const std::size_t k = knee ? knee->point : 0;
   const FrontPoint& point = answer.front.points[k];
-  const std::vector<double> tolerances = tolerances_of(answer, point, {});
   const auto& space = answer.study.space();
-  ReportSection section = sensitivity_section(space.problem(space.options(point.part)).variables,
-                                              tolerances, tolerances_at(answer, point, tolerances));
+  ReportSection section = sensitivity_section(space.problem(space.options(point.part)), point.x);
   section.html =
       paragraph(fmt::format("Of point {}{}.", k + 1, knee ? ", the knee" : "")) + section.html;
   return section;

@@ -8,6 +8,7 @@
 
 #include "cli/report/html.h"
 #include "cli/text_table.h"
+#include "cli/tolerance_output.h"
 
 namespace camlaw::cli {
 namespace {
@@ -60,9 +61,11 @@ std::string spread_table(const optim::ToleranceReport& report) {
 
 }  // namespace
 
-ReportSection sensitivity_section(const std::vector<optim::Variable>& variables,
-                                  const std::vector<double>& tolerances,
-                                  const optim::ToleranceReport& report) {
+ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Design x) {
+  constexpr std::size_t kSamples = 300;  // a page is to be there at once
+  const auto& variables = problem.variables;
+  const std::vector<double> tolerances = hundredths(variables, x);
+  const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
   std::string html = paragraph(fmt::format(
       "What becomes of the design when {} off by up to a hundredth of {} value, up or down.",
       variables.size() == 1 ? plain_name(variables.front().name) + " is" : "each variable is",

@@ -2,14 +2,12 @@
 #pragma once
 
 #include "cli/report/page.h"
-#include "optim/verdict/tolerance.h"
+#include "optim/pareto/multi_problem.h"
 
 namespace camlaw::cli {
 
-/// What becomes of a design when each variable is off by up to its tolerance: the change by each,
-/// and the spread of all together.
-ReportSection sensitivity_section(const std::vector<optim::Variable>& variables,
-                                  const std::vector<double>& tolerances,
-                                  const optim::ToleranceReport& report);
+/// What becomes of a design when each variable is off by up to a hundredth of its value: the change
+/// by each, and the spread of all together.
+ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Design x);
 
 }  // namespace camlaw::cli

@@ -120,6 +120,11 @@ class Browser:
             {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}
         self.send("/actions", {"actions": [pointer]})
 
+    def hover(self, x, y):
+        pointer = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [
+            {"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)}]}
+        self.send("/actions", {"actions": [pointer]})
+
     def log(self):
         return [entry["message"] for entry in self.send("/se/log", {"type": "browser"})]
 
@@ -194,6 +199,11 @@ def front_faults(browser):
                     box.top + chart.scales.y.getPixelForValue(point[pair.up]), i,
                     report.plots.length ? JSON.stringify(report.plots[0].chart.data.datasets.map(
                       (set) => set.data)) : ''];""", which)
+        browser.hover(x, y)
+        time.sleep(0.3)
+        if not browser.run("const tip = report.fronts[0].chart.tooltip;"
+                           "return tip.opacity > 0 && tip.body.some((part) => part.lines.length > 1)"):
+            faults.append(f"point {i} says nothing of itself when hovered")
         browser.click(x, y)
         time.sleep(0.3)  # Chart.js hears of a click with the next frame
         chosen, label, table, after = browser.run("""
