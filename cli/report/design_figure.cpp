@@ -113,7 +113,9 @@ Figure design_figure(const ProblemStatement& design, int points) {
   Figure figure = curves_figure(design, points);
   std::erase_if(figure.panels, is_coordinate);
   draw_limits(design, figure);
-  if (design.mechanism->moved_by != problems::MovedBy::Law) return figure;
+  const bool shows_motion = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                        [](const Panel& panel) { return panel.y.label == "jerk"; });
+  if (design.mechanism->moved_by != problems::MovedBy::Law || shows_motion) return figure;
   const Figure law = motion_figure("", {{.name = "", .law = design.laws.front().law()}},
                                    std::min(points, kMotionPoints));
   figure.panels.insert(figure.panels.end(), law.panels.begin(), law.panels.end());

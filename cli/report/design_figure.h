@@ -11,7 +11,8 @@
 namespace camlaw::cli {
 
 /// Every curve of the mechanism with its limits, but for coordinates of profiles, which are drawn
-/// as what they are; of a machine moved by a law also that law's s, v, a, j over x.
+/// as what they are; of a machine moved by a law also that law's s, v, a, j over x, unless it shows
+/// them itself.
 Figure design_figure(const problems::ProblemStatement& design, int points);
 
 /// One panel in words.

@@ -26,6 +26,7 @@ using problems::ProblemStatement;
 struct HeldProblem {
   optim::MultiProblem problem;
   std::vector<double> x;
+  bool whole;  ///< nothing had to be held: it is the problem itself
 };
 
 /// None where nothing is sought or nothing varies.
@@ -37,10 +38,11 @@ std::optional<HeldProblem> held_problem(const ProblemStatement& design) {
     return others || v.integer || !v.values.empty();
   });
   if (held.objectives.empty() || held.variables.empty()) return {};
+  const bool whole = design.laws.size() == 1 && held.variables.size() == design.variables.size();
   const problems::BoundProblem bound(std::move(held));
   optim::MultiProblem problem = bound.problem({});
   std::vector<double> x = problem.alone(0).start();
-  return HeldProblem{std::move(problem), std::move(x)};
+  return HeldProblem{std::move(problem), std::move(x), whole};
 }
 
 /// All that is found out about a design before it is told.
@@ -59,9 +61,9 @@ struct Review {
     limits =
         assessment ? problems::as_stated(design, assessment->limits) : problems::standing(design);
   }
-  bool is_certified() const {
-    return assessment && assessment->verdict == optim::Verdict::Certified;
-  }
+  /// Of the problem with its choices held: so far prices hold.
+  bool is_optimal() const { return assessment && assessment->verdict == optim::Verdict::Certified; }
+  bool is_certified() const { return is_optimal() && held->whole; }
   std::size_t met() const {
     return static_cast<std::size_t>(std::count_if(
         limits.begin(), limits.end(), [](const optim::LimitReport& l) { return l.met; }));
@@ -101,7 +103,7 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
   if (review.is_certified()) {
     html = badge("good", to_string(review.assessment->verdict));
   } else if (reported.verdict) {
-    html = badge(meets ? "plain" : "bad", *reported.verdict);
+    html = badge(!meets ? "bad" : review.is_optimal() ? "good" : "plain", *reported.verdict);
   } else {
     html = badge(meets ? "plain" : "bad", meets ? "meets its limits" : "passes a limit");
   }
@@ -133,7 +135,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
   page.sections = {problem_section(design), values_section(design),
-                   limits_section(design, review.limits, review.is_certified())};
+                   limits_section(design, review.limits, review.is_optimal())};
   if (!figure.panels.empty()) {
     const std::string svg = scene_svg(design, kPoints);
     if (!svg.empty()) page.sections.push_back(motion_section(design, svg));

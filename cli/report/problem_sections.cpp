@@ -130,8 +130,11 @@ ReportSection values_section(const ProblemStatement& design) {
                 bounds_text(v)});
   }
   const std::string machine = details("Every parameter of the machine", parameter_table(design));
-  return {"values", "The design",
-          (varied.empty() ? "" : varied.html()) + law_words(design) + machine};
+  constexpr std::size_t kMany = 24;
+  const std::size_t count = design.variables.size();
+  std::string variables = varied.empty() ? "" : varied.html();
+  if (count > kMany) variables = details(fmt::format("All {} variables", count), variables);
+  return {"values", "The design", variables + law_words(design) + machine};
 }
 
 ReportSection limits_section(const ProblemStatement& design,

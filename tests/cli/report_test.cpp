@@ -91,6 +91,13 @@ TEST_CASE("a report of a result judges its design again", "[cli][report]") {
   CHECK_THAT(page, Contains("<dt>seed</dt>"));
 }
 
+TEST_CASE("values whose whole numbers nobody searched are not called an optimum", "[cli][report]") {
+  const Folder folder;
+  const std::string own = page_of(shipped("balancing_cam/fewest_springs.toml"), folder);
+  CHECK(count_of(own, "certified optimum") == 0);
+  CHECK_THAT(own, Contains("meets its limits"));
+}
+
 TEST_CASE("a drawn roller stands where its own triangle puts it", "[cli][report]") {
   const Folder folder;
   const std::string page = page_of(shipped("cams/roller_least_base.toml"), folder);

@@ -129,7 +129,13 @@ class Browser:
         return [entry["message"] for entry in self.send("/se/log", {"type": "browser"})]
 
     def shot(self, path):
-        image = self.command("Page.captureScreenshot", captureBeyondViewport=True)["data"]
+        """The whole page: the window is made as high, or pictures are caught while they change."""
+        width, height = self.run("return [innerWidth, document.documentElement.scrollHeight]")
+        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                     deviceScaleFactor=1, mobile=False)
+        time.sleep(0.5)
+        image = self.command("Page.captureScreenshot")["data"]
+        self.width(width)
         pathlib.Path(path).write_bytes(base64.b64decode(image))
 
     def close(self):
