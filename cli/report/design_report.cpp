@@ -137,8 +137,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   page.sections = {problem_section(design), values_section(design),
                    limits_section(design, review.limits, review.is_optimal())};
   if (!figure.panels.empty()) {
-    const std::string svg = scene_svg(design, kPoints);
-    if (!svg.empty()) page.sections.push_back(motion_section(design, svg));
+    page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
     page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
   }
   if (auto rulers = rulers_section(design)) page.sections.push_back(*std::move(rulers));

@@ -136,8 +136,7 @@ ReportPage front_report(const FrontAnswer& answer, const std::string& file) {
                            {"designs", designs_json(answer, shown, figure)},
                            {"front", objectives_json(answer, shown, still)}}};
   if (!figure.panels.empty()) {
-    const std::string svg = page.data["designs"].front()["scene"];
-    if (!svg.empty()) page.sections.push_back(motion_section(stated, svg));
+    page.sections.push_back(motion_section(stated, page.data["designs"].front()["scene"]));
     page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
   }
   page.sections.push_back(points_section(answer, shown));

@@ -188,14 +188,15 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
 
 ReportSection motion_section(const ProblemStatement& design, const std::string& svg) {
   const std::string place = problems::place_name(design);
-  std::string html = "<div class=\"motion\">\n<div class=\"stage\">" + svg + "</div>\n";
+  const std::string stage = "<div class=\"stage\">" + svg + "</div>\n";
+  std::string html = "<div class=\"motion\">\n" + (svg.empty() ? "" : stage);
   html +=
       "<div class=\"controls\"><button type=\"button\" id=\"play\" "
       "aria-pressed=\"false\">Play</button>\n<label>" +
       plain_name(place.substr(0, place.find(" ["))) +
       " <input type=\"range\" id=\"place\" min=\"0\" max=\"1000\" value=\"0\"></label>\n"
       "<output id=\"place-text\"></output></div>\n</div>\n";
-  return {"motion", "In motion",
+  return {"motion", svg.empty() ? "Through the cycle" : "In motion",
           html + paragraph("The slider takes the arrow keys. The same place is marked in "
                            "every curve below; a click on a curve goes there.")};
 }

@@ -27,7 +27,8 @@ ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& ev
 /// A law's peaks measured with what no law passes; none for a mechanism without one law.
 std::optional<ReportSection> rulers_section(const problems::ProblemStatement& design);
 
-/// A mechanism to scale with the controls that move it; the still picture when printed.
+/// A mechanism to scale with the controls that move it; the still picture when printed. Where there
+/// is no drawing the controls alone, which move the mark in the curves.
 ReportSection motion_section(const problems::ProblemStatement& design, const std::string& svg);
 
 }  // namespace camlaw::cli
