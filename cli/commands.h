@@ -21,6 +21,7 @@ void add_mechanisms_command(CLI::App& app);
 void add_law_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 /// These set `status` where they end in another way than done.
 void add_reproduce_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);

@@ -78,7 +78,7 @@ CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
 int run(int argc, const char* const* argv) {
   reserve_standard_streams();
   CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
-  app.set_version_flag("--version", "camlaw 0.1.0");
+  app.set_version_flag("--version", "camlaw " CAMLAW_VERSION);
   app.require_subcommand(1);
   add_laws_command(app);
   add_mechanisms_command(app);
@@ -94,6 +94,7 @@ int run(int argc, const char* const* argv) {
   add_front_command(app, status);
   add_synthesize_command(app, status);
   add_fit_command(app);
+  add_report_command(app);
   try {
     app.parse(argc, argv);
     return finish(status);
