@@ -116,8 +116,8 @@ std::string verdict(const std::vector<ConstantsFit>& fits) {
     line(fmt::format("the same motion: {}", fmt::join(names_of(best.also), "; ")));
   }
   if (const auto equal = as_good(fits); !equal.empty()) {
-    line(fmt::format("{} explain{} it as shortly: more constants or digits would tell", fmt::join(equal, "; "),
-                     equal.size() == 1 ? "s" : ""));
+    line(fmt::format("{} explain{} it as shortly: more constants or digits would tell",
+                     fmt::join(equal, "; "), equal.size() == 1 ? "s" : ""));
   }
   if (off.size() < best.constants.size() && best.cost >= digits_of_print(best)) {
     line("that takes as many digits as the print has: it does not tell which law it is");

@@ -109,9 +109,12 @@ void give_samples(const FitCommand& options, const SamplesAnswer& answer,
 }
 
 void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
-  SamplesAnswer answer{*options.data, table.left_out, {}, {}, {}};
+  SamplesAnswer answer{.source = *options.data, .left_out = table.left_out};
   const std::vector<Member> laws = laws_of(options);
-  answer.cycle = problems::find_motions(problems::motion_samples(table));
+  const problems::MotionSamples samples = problems::motion_samples(table);
+  answer.each = samples.each;
+  answer.far_rows = samples.left_out;
+  answer.cycle = problems::find_motions(samples);
   for (const problems::FoundMotion& motion : answer.cycle.motions) {
     answer.fits.push_back(problems::fit_motion(motion, laws, how_of(options)));
   }
@@ -126,9 +129,11 @@ void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
-  SamplesAnswer answer{*options.data, table.left_out, {}, {}, {}};
+  SamplesAnswer answer{.source = *options.data, .left_out = table.left_out};
   answer.cam =
       problems::fit_cam(problems::measured_cam(table, machine), laws_of(options), how_of(options));
+  answer.each = answer.cam->cam.each;
+  answer.far_rows = answer.cam->cam.left_out;
   answer.cycle = answer.cam->cycle;
   answer.fits = answer.cam->fits;
   answer.segments = problems::fitted_segments(answer.cycle, answer.fits);

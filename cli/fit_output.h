@@ -20,6 +20,9 @@ std::string fitted_table(const optim::FitResult& fit);
 Json fitted_json(const optim::FitResult& fit);
 bool all_identifiable(const optim::FitResult& fit);
 
+/// What became of a table with too many rows to fit each: "100 neighbours each ..."; else nothing.
+std::string condensed_text(std::size_t each, std::size_t left_out);
+
 /// A recorded curve and the machine behind it.
 struct RecordAnswer {
   std::string machine_file;
@@ -37,6 +40,8 @@ Figure record_figure(const RecordAnswer& answer);
 struct SamplesAnswer {
   std::string source;
   std::size_t left_out = 0;  ///< rows that lack a number
+  std::size_t each = 1;      ///< rows that are taken as one mean
+  std::size_t far_rows = 0;  ///< of those, left out as far off their neighbours
   problems::FoundCycle cycle;
   std::vector<problems::MotionFit> fits;
   std::vector<problems::FoundSegment> segments;  ///< of the cycle, by the fitted laws

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cli/fit_output.h"
@@ -21,6 +23,13 @@ std::string fitted_table(const optim::FitResult& fit) {
                                : ""});
   }
   return table.text();
+}
+
+std::string condensed_text(std::size_t each, std::size_t left_out) {
+  if (each == 1) return "";
+  return fmt::format(
+      "{} neighbouring rows each are taken as their mean; {} rows far off left out\n", each,
+      left_out);
 }
 
 Json fitted_json(const optim::FitResult& fit) {

@@ -34,7 +34,7 @@ std::string record_text(const RecordAnswer& answer) {
                                  answer.fit.machine.mechanism->name, fit.residuals.size());
   if (answer.left_out > 0)
     text += fmt::format("{} rows without a number left out\n", answer.left_out);
-  text += fitted_table(fit);
+  text += condensed_text(answer.record.each, answer.record.left_out) + fitted_table(fit);
   text += fmt::format("rms {}, largest {} at {} {}; neighbouring residuals correlate by {:.2f}\n",
                       with_unit(number(fit.rms), unit),
                       with_unit(number(std::abs(fit.residuals[fit.largest])), unit),
@@ -56,6 +56,9 @@ Json record_json(const RecordAnswer& answer) {
           {"parameters", fitted_json(fit)},
           {"samples", fit.residuals.size()},
           {"left_out", answer.left_out},
+          {"rows_each", answer.record.each},
+          {"far_rows_left_out", answer.record.left_out},
+          {"far_off", answer.fit.far_off.samples.size()},
           {"rms", to_json(fit.rms)},
           {"max_residual", to_json(std::abs(fit.residuals[fit.largest]))},
           {"max_residual_at", to_json(answer.record.place[fit.largest])},

@@ -154,7 +154,6 @@ Json motion_json(const MotionFit& fit) {
           {"to", to_json(best.to)},
           {"parameters", fitted_json(best.fit)},
           {"samples", fit.motion.samples.place.size()},
-          {"samples_each_mean_of", fit.motion.samples.each},
           {"rms", to_json(best.fit.rms)},
           {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
           {"max_residual_at", to_json(fit.motion.samples.place[best.fit.largest])},
@@ -228,9 +227,7 @@ std::string samples_text(const SamplesAnswer& answer) {
   std::string text = (answer.cam ? cam_text(*answer.cam) : "") + segments_text(answer);
   if (answer.left_out > 0)
     text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
-  if (const auto& samples = answer.fits.front().motion.samples; samples.each > 1) {
-    text = fmt::format("{} neighbours each are taken as their mean\n", samples.each) + text;
-  }
+  text = condensed_text(answer.each, answer.far_rows) + text;
   for (const MotionFit& fit : answer.fits) {
     if (answer.fits.size() > 1) {
       text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
@@ -258,6 +255,8 @@ Json samples_json(const SamplesAnswer& answer) {
   result["segments"] = std::move(segments);
   result["motions"] = std::move(motions);
   result["left_out"] = answer.left_out;
+  result["rows_each"] = answer.each;
+  result["far_rows_left_out"] = answer.far_rows;
   if (answer.cam) result["cam"] = cam_json(*answer.cam);
   return result;
 }

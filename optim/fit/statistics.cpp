@@ -43,17 +43,53 @@ double median_absolute_deviation(std::span<const double> values, std::optional<d
   return median(distances) / kThirdQuartile;
 }
 
-double neighbour_correlation(std::span<const double> x, std::span<const double> residuals) {
+namespace {
+
+std::vector<double> in_order_of(std::span<const double> x, std::span<const double> values) {
   std::vector<std::size_t> order(x.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  std::vector<double> result;
+  for (const std::size_t i : order) result.push_back(values[i]);
+  return result;
+}
+
+}  // namespace
+
+double neighbour_correlation(std::span<const double> x, std::span<const double> residuals) {
+  const std::vector<double> r = in_order_of(x, residuals);
   double products = 0, squares = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double r = residuals[order[i]];
-    squares += r * r;
-    if (i > 0) products += r * residuals[order[i - 1]];
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    squares += r[i] * r[i];
+    if (i > 0) products += r[i] * r[i - 1];
   }
   return squares > 0 ? products / squares : 0;
+}
+
+double block_squares(std::span<const double> x, std::span<const double> residuals) {
+  constexpr std::size_t kBlocks = 30, kLeast = 4;
+  const std::vector<double> r = in_order_of(x, residuals);
+  const std::size_t n = r.size();
+  if (n < kLeast * kBlocks) return 1;
+  double differences = 0;
+  for (std::size_t i = 1; i < n; ++i) differences += (r[i] - r[i - 1]) * (r[i] - r[i - 1]);
+  const double variance = differences / (2 * static_cast<double>(n - 1));
+  if (!(variance > 0)) return 1;
+  double sum = 0;
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    const std::size_t begin = b * n / kBlocks, end = (b + 1) * n / kBlocks;
+    double total = 0;
+    for (std::size_t i = begin; i < end; ++i) total += r[i];
+    sum += total * total / (static_cast<double>(end - begin) * variance);
+  }
+  return sum / kBlocks;
+}
+
+bool is_curve(double correlation, double squares, std::size_t n) {
+  constexpr double kDeviations = 3.7, kMost = 0.5, kLeast = 0.1;
+  constexpr double kSquares = 2.3;  // chi-square of 30 over 30 at 1e-4
+  const double alike = std::clamp(kDeviations / std::sqrt(static_cast<double>(n)), kLeast, kMost);
+  return correlation > alike || (correlation > 0 && squares > kSquares);
 }
 
 double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& squared_error) {

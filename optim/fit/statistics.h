@@ -33,6 +33,16 @@ double median_absolute_deviation(std::span<const double> values, std::optional<d
 /// where a model leaves a curve; 0 where all are zero.
 double neighbour_correlation(std::span<const double> x, std::span<const double> residuals);
 
+/// Squares of the means of 30 blocks of neighbours by x, in units of what noise makes of them, on
+/// average: near one for noise, above where a model leaves a curve that is slow and small. The
+/// noise is told by differences of neighbours. One for fewer than 120 residuals.
+double block_squares(std::span<const double> x, std::span<const double> residuals);
+
+/// Whether n residuals are no noise, by their neighbours' correlation and block_squares: chance
+/// makes either about once in 10 000. A correlation below a tenth is passed over, however many
+/// there are: no model is that exact.
+bool is_curve(double correlation, double block_squares, std::size_t n);
+
 /// The sum of squared errors of the points `left_out` under a model fitted to the points `kept`.
 using FoldError = std::function<double(const std::vector<std::size_t>& kept,
                                        const std::vector<std::size_t>& left_out)>;

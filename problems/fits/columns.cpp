@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "problems/units.h"
@@ -18,6 +19,30 @@ bool is_plain(const std::string& unit) { return unit.empty() || unit == "1" || u
 std::vector<double> times(std::vector<double> values, double factor) {
   for (double& v : values) v *= factor;
   return values;
+}
+
+/// The step that all values are multiples of, counted from the first: of an encoder that prints
+/// more digits than it has. 0 where there is none.
+double common_step(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const double size = std::max(std::abs(values.front()), std::abs(values.back()));
+  constexpr double kSame = 1e-12;
+  double step = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double difference = values[i] - values[i - 1];
+    if (difference > kSame * size && (step == 0 || difference < step)) step = difference;
+  }
+  if (step == 0) return 0;
+  constexpr double kNear = 1e-3;
+  for (const double value : values) {
+    const double count = (value - values.front()) / step;
+    if (std::abs(count - std::round(count)) > kNear) return 0;
+  }
+  return step;
+}
+
+double resolution_of(const SampleColumn& column) {
+  return std::max(column.last_digit, common_step(column.values));
 }
 
 }  // namespace
@@ -36,13 +61,21 @@ const SampleColumn* find_column(const SampleTable& table,
   return nullptr;
 }
 
+const SampleColumn& place_column(const SampleTable& table, const SampleColumn& value) {
+  const SampleColumn* place =
+      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
+  if (place != nullptr && place != &value) return *place;
+  return table.columns[&value == &table.columns.front() ? 1 : 0];
+}
+
 UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
                    const std::vector<std::string>& units) {
   for (const std::string& unit : units) {
     if (is_plain(column.unit) != (unit == "1")) continue;
-    if (unit == "1") return {column.values, unit};
+    if (unit == "1") return {column.values, unit, resolution_of(column)};
     try {
-      return {times(column.values, convert_unit(1, column.unit, unit)), unit};
+      const double factor = convert_unit(1, column.unit, unit);
+      return {times(column.values, factor), unit, std::abs(factor) * resolution_of(column)};
     } catch (const std::invalid_argument&) {  // of another kind
     }
   }

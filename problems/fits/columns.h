@@ -15,10 +15,16 @@ bool is_called(const SampleColumn& column, std::initializer_list<const char*> na
 /// The first column that has one of the names; null where there is none.
 const SampleColumn* find_column(const SampleTable& table, std::initializer_list<const char*> names);
 
+/// The column of the place: called angle, cam_angle, phi, theta, x, t or time, else the first that
+/// is not `value`.
+const SampleColumn& place_column(const SampleTable& table, const SampleColumn& value);
+
 /// Values and the unit that they are in.
 struct UnitValues {
   std::vector<double> values;
   std::string unit;
+  /// What values are rounded to: one in the last digit, or a step that all are multiples of.
+  double resolution = 0;
 };
 
 /// A column's values in the first of `units` that is of its kind; "1" stands for plain numbers.

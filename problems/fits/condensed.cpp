@@ -11,12 +11,13 @@
 namespace camlaw::problems {
 namespace {
 
-/// The mean of a group's samples that lie near their median, added to the result.
-void add_mean(const std::vector<double>& place, const std::vector<double>& value,
-              Condensed& result) {
+/// The mean of a group's samples that lie near their median, added to the result; their deviation.
+double add_mean(const std::vector<double>& place, const std::vector<double>& value,
+                Condensed& result) {
   constexpr double kFar = 6;
   const double middle = optim::median(value);
-  const double far = kFar * optim::median_absolute_deviation(value, middle);
+  const double deviation = optim::median_absolute_deviation(value, middle);
+  const double far = kFar * deviation;
   double places = 0, values = 0, count = 0;
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (std::abs(value[i] - middle) > far) {
@@ -27,6 +28,7 @@ void add_mean(const std::vector<double>& place, const std::vector<double>& value
   }
   result.place.push_back(places / count);
   result.value.push_back(values / count);
+  return deviation;
 }
 
 }  // namespace
@@ -41,14 +43,15 @@ Condensed condensed(std::vector<double> place, std::vector<double> value) {
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b]; });
-  std::vector<double> places, values;
+  std::vector<double> places, values, deviations;
   for (std::size_t i = 0; i < n; ++i) {
     places.push_back(place[order[i]]);
     values.push_back(value[order[i]]);
     if (places.size() < result.each && i + 1 < n) continue;
-    add_mean(places, values, result);
+    deviations.push_back(add_mean(places, values, result));
     places.clear(), values.clear();
   }
+  result.deviation = optim::median(deviations);
   return result;
 }
 

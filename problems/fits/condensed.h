@@ -13,6 +13,7 @@ inline constexpr std::size_t kMostSamples = 20000;
 struct Condensed {
   std::vector<double> place, value;  ///< by place where `each` is above 1
   std::size_t each = 1;              ///< how many samples a mean stands for
+  double deviation = 0;      ///< of one sample from its neighbours, the median over the means
   std::size_t left_out = 0;  ///< that lie 6 deviations or more off the median of their neighbours
 };
 

@@ -37,6 +37,24 @@ int side_at(const std::vector<Left>& left, std::size_t k, double noise) {
   return mean > 0 ? 1 : -1;
 }
 
+/// A stretch begins and ends before its mean tells it from the noise: half a window further out.
+void widen(std::vector<Departure>& found, const std::vector<Left>& left) {
+  for (Departure& stretch : found) {
+    const auto at = [&](double place) {
+      return std::lower_bound(left.begin(), left.end(), place,
+                              [](const Left& l, double p) { return l.place < p; }) -
+             left.begin();
+    };
+    const auto half = static_cast<std::ptrdiff_t>(kHalf);
+    const auto last = static_cast<std::ptrdiff_t>(left.size()) - 1;
+    const std::ptrdiff_t from = std::max<std::ptrdiff_t>(at(stretch.from) - half, 0);
+    const std::ptrdiff_t to = std::min(at(stretch.to) + half, last);
+    stretch.from = left[static_cast<std::size_t>(from)].place;
+    stretch.to = left[static_cast<std::size_t>(to)].place;
+    stretch.count = static_cast<std::size_t>(to - from + 1);
+  }
+}
+
 }  // namespace
 
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise) {
@@ -58,6 +76,7 @@ std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fi
     before = side;
   }
   if (static_cast<double>(count) > kMost * static_cast<double>(left.size())) return {};
+  widen(found, left);
   return found;
 }
 

@@ -17,8 +17,8 @@ struct Departure {
 
 /// Stretches in which the mean of nine neighbouring samples lies more than 4.5 standard deviations
 /// of such a mean off the law, `noise` being that of one sample: in 1000 samples of the law itself
-/// chance makes one in about a hundredth of all cases. None where more than a third of the samples
-/// departs: then it is not the law that the others follow.
+/// chance makes one in about a hundredth of all cases. Each is told half a window wider. None where
+/// more than a third of the samples departs: then it is not the law that the others follow.
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise);
 
 /// Samples without those of the stretches, in a cycle that begins anew after `period` (0: not at

@@ -60,4 +60,12 @@ FarOff far_off(std::span<const double> place, std::span<const double> residual,
   return result;
 }
 
+bool draws(const FarOff& found, std::span<const double> residual) {
+  constexpr double kDrawn = 0.1;
+  double squares = 0, all = 0;
+  for (const double r : residual) all += r * r;
+  for (const std::size_t i : found.samples) squares += residual[i] * residual[i];
+  return squares > kDrawn * all;
+}
+
 }  // namespace camlaw::problems

@@ -24,4 +24,8 @@ struct FarOff {
 FarOff far_off(std::span<const double> place, std::span<const double> residual,
                std::size_t parameters, double least, double chance = 0.05);
 
+/// Whether far-off samples have drawn a least-squares fit: they make more than a tenth of its
+/// squares, which one good sample that chance has put beyond the bound does not.
+bool draws(const FarOff& found, std::span<const double> residual);
+
 }  // namespace camlaw::problems

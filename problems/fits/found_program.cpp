@@ -27,7 +27,7 @@ std::vector<Phase> phases_of(const std::vector<MotionFit>& fits) {
     const LawFit& law = fit.best();
     const MotionGuess& shown = fit.motion.guess;
     phases.push_back({&fit, fit.smooth ? shown.begin : law.begin, fit.smooth ? shown.end : law.end,
-                      law.from, law.to});
+                      fit.smooth ? shown.from : law.from, fit.smooth ? shown.to : law.to});
   }
   const auto lowest = std::min_element(
       phases.begin(), phases.end(), [](const Phase& a, const Phase& b) { return a.from < b.from; });

@@ -11,6 +11,7 @@
 #include "optim/fit/statistics.h"
 #include "problems/fits/coefficients.h"
 #include "problems/fits/law_limits.h"
+#include "problems/fits/lift_samples.h"
 
 namespace camlaw::problems {
 namespace {
@@ -123,11 +124,11 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
                     guess.begin, length});
   result.push_back(
       {"end", unit, guess.end - kBeyond * length, guess.end + kBeyond * length, guess.end, length});
-  result.push_back(
-      {"stroke", samples.unit, -optim::kInfinity, optim::kInfinity, stroke, std::abs(stroke)});
+  result.push_back({"stroke", samples.length_unit, -optim::kInfinity, optim::kInfinity, stroke,
+                    std::abs(stroke)});
   if (layout.with_zero) {
-    result.push_back(
-        {"zero", samples.unit, -optim::kInfinity, optim::kInfinity, guess.from, std::abs(stroke)});
+    result.push_back({"zero", samples.length_unit, -optim::kInfinity, optim::kInfinity, guess.from,
+                      std::abs(stroke)});
   }
   for (const Coefficient& c : coefficients_of(law)) {
     const bool is_held = is_end_value(law, c);
@@ -220,6 +221,12 @@ double LawFit::value(double place, int order) const {
   return (k == 0 ? from : 0) + (to - from) * d[k] * std::pow(length, -order);
 }
 
+std::vector<double> LawFit::counted_residuals() const {
+  std::vector<double> counted = fit.residuals;
+  for (std::size_t i = 0; i < counted.size(); ++i) counted[i] *= fit.weights[i];
+  return counted;
+}
+
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options) {
   check(samples, guess);
@@ -248,12 +255,14 @@ LawFit fit_of(const MotionSamples& samples, const Member& law, const MotionGuess
                ? r * r
                : optim::loss_at(options.loss, result.fit.loss_scale.value_or(1), r).rho;
   }
-  // What is left at the size of rounding tells no laws apart.
+  // What is left at the size of rounding, of doubles or of the values as written, tells no laws
+  // apart.
   constexpr double kRounding = 1e-10;
   double size = 0;
   for (const double y : samples.value) size = std::max(size, std::abs(y));
   const std::size_t n = samples.value.size();
-  sum = std::max(sum, static_cast<double>(n) * std::pow(kRounding * size, 2));
+  const double floor = std::max(kRounding * size, rounding_deviation(samples));
+  sum = std::max(sum, static_cast<double>(n) * floor * floor);
   result.criterion = optim::aicc(n, x.size(), sum);
   return result;
 }
@@ -273,6 +282,10 @@ double outer_value(const MotionSamples& samples, bool first) {
 }
 
 }  // namespace
+
+double rounding_deviation(const MotionSamples& samples) {
+  return samples.resolution / std::sqrt(12.0);
+}
 
 MotionGuess guess_motion(const MotionSamples& samples) {
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
@@ -321,7 +334,8 @@ void search_far(std::vector<Tried>& ranking, const MotionSamples& samples, const
                 const LawFitOptions& options) {
   constexpr double kNoise = 0.2, kNearly = 10;
   const LawFit& best = ranking.front().fit;
-  const bool leaves_noise = neighbour_correlation(samples, best) < kNoise;
+  const bool leaves_noise =
+      optim::neighbour_correlation(samples.place, best.counted_residuals()) < kNoise;
   const double limit = best.criterion + kNearly;
   for (Tried& tried : ranking) {
     if (coefficients_of(*tried.law).size() < 2) continue;
@@ -329,6 +343,19 @@ void search_far(std::vector<Tried>& ranking, const MotionSamples& samples, const
     Tried other{fit_of(samples, *tried.law, guess, options, Search::Far), tried.law};
     if (comes_before(other, tried)) tried = std::move(other);
   }
+}
+
+/// Losses of one scale for all laws: sums of different losses cannot be compared. By the noise that
+/// neighbours show; where there is none, or too few neighbours, each law by its own.
+LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options) {
+  if (options.loss == optim::Loss::None || options.loss_scale || samples.order != 0) return options;
+  try {
+    const double noise = lift_samples(samples.place, samples.value, {}, {}).sample_noise;
+    const double floor = std::max(noise, rounding_deviation(samples));
+    if (floor > 0) options.loss_scale = floor * optim::efficient_scale(options.loss);
+  } catch (const std::invalid_argument&) {  // too few
+  }
+  return options;
 }
 
 /// Those within two of the best explain the samples as well: of them the simplest comes first.
@@ -349,16 +376,17 @@ void put_simplest_first(std::vector<LawFit>& ranking) {
 std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                               const MotionGuess& guess, const LawFitOptions& options) {
   check(samples, guess);
+  const LawFitOptions alike = with_one_scale(samples, options);
   std::vector<Tried> all;
   for (const Member& law : laws) {
     try {
-      all.push_back({fit_of(samples, law, guess, options, Search::Near), &law});
+      all.push_back({fit_of(samples, law, guess, alike, Search::Near), &law});
     } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
     }
   }
   if (all.empty()) return {};
   std::stable_sort(all.begin(), all.end(), comes_before);
-  search_far(all, samples, guess, options);
+  search_far(all, samples, guess, alike);
   std::stable_sort(all.begin(), all.end(), comes_before);
   std::vector<LawFit> ranking;
   for (Tried& tried : all) ranking.push_back(std::move(tried.fit));
@@ -380,13 +408,6 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit,
         if (!others.evaluate(values_of(part), r, {})) return std::nan("");
         return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
       });
-}
-
-double neighbour_correlation(const MotionSamples& samples, const LawFit& fit) {
-  // Under a loss what it counts of them, so that far-off ones do not hide a curve.
-  std::vector<double> counted = fit.fit.residuals;
-  for (std::size_t i = 0; i < counted.size(); ++i) counted[i] *= fit.fit.weights[i];
-  return optim::neighbour_correlation(samples.place, counted);
 }
 
 }  // namespace camlaw::problems

@@ -16,9 +16,14 @@ struct MotionSamples {
   std::vector<double> place, value;
   int order = 0;  ///< 0 displacement, 1 velocity, 2 acceleration
   std::string place_unit = "1", unit = "1";
-  std::size_t each = 1;      ///< measured samples that one of these is the mean of
-  std::size_t left_out = 0;  ///< of those, far off their neighbours
+  std::string length_unit = "1";  ///< of the displacement, whatever the order
+  double resolution = 0;          ///< what values are rounded to; 0: to no more than doubles are
+  std::size_t each = 1;           ///< measured samples that one of these is the mean of
+  std::size_t left_out = 0;       ///< of those, far off their neighbours
 };
+
+/// Standard deviation of what rounding makes of values: resolution / sqrt(12).
+double rounding_deviation(const MotionSamples& samples);
 
 /// Where a motion is looked for to begin with.
 struct MotionGuess {
@@ -42,6 +47,8 @@ struct LawFit {
   double begin = 0, end = 1, from = 0, to = 1;
 
   double value(double place, int order) const;
+  /// Residuals as the loss counts them, so that far-off ones do not hide a curve.
+  std::vector<double> counted_residuals() const;
 };
 
 /// Fits a law's coefficients (all but the crossover and what shapes its data), with begin, end,
@@ -62,9 +69,5 @@ std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Me
 /// Root mean square error of prediction, by cross-validation in ten parts.
 double cross_validated(const MotionSamples& samples, const LawFit& fit,
                        const LawFitOptions& options = {});
-
-/// Correlation of neighbouring residuals, by place: near zero where they are noise, near one where
-/// the law leaves a curve.
-double neighbour_correlation(const MotionSamples& samples, const LawFit& fit);
 
 }  // namespace camlaw::problems

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <tuple>
+#include <utility>
 
 #include "optim/fit/statistics.h"
 #include "problems/fits/far_off.h"
@@ -36,6 +36,11 @@ void check(std::span<const double> phi, std::span<const double> s, std::optional
       refuse(fmt::format("sample {} is no number", i));
     }
   }
+  const auto [low, high] = std::minmax_element(s.begin(), s.end());
+  constexpr double kRounding = 1e-12;
+  if (*high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high))) {
+    refuse(fmt::format("the lift is {:.6g} throughout: it shows no motion", *low));
+  }
   if (period && !(*period > 0 && std::isfinite(*period))) {
     refuse(fmt::format("a period of {:.6g} is not above 0", *period));
   }
@@ -44,21 +49,38 @@ void check(std::span<const double> phi, std::span<const double> s, std::optional
   }
 }
 
-/// The order of the samples, and their places within the period.
-std::vector<std::tuple<double, double, std::size_t>> sorted(std::span<const double> phi,
-                                                            std::span<const double> s,
-                                                            std::optional<double> period) {
-  std::vector<std::tuple<double, double, std::size_t>> samples;
+/// The samples at one place.
+struct Group {
+  double phi, s;                     ///< the median of their lifts
+  std::vector<std::size_t> samples;  ///< by their place as given
+};
+
+/// The samples by place, within the period.
+std::vector<Group> sorted(std::span<const double> phi, std::span<const double> s,
+                          std::optional<double> period) {
+  std::vector<std::pair<double, std::size_t>> places;
   for (std::size_t i = 0; i < phi.size(); ++i) {
     double x = phi[i];
     if (period) {
       x -= *period * std::floor(x / *period);
       if (x >= *period) x = 0;
     }
-    samples.emplace_back(x, s[i], i);
+    places.emplace_back(x, i);
   }
-  std::sort(samples.begin(), samples.end());
-  return samples;
+  std::sort(places.begin(), places.end());
+  constexpr double kOne = 1e-9;
+  const double range = places.back().first - places.front().first;
+  std::vector<Group> groups;
+  for (const auto& [x, index] : places) {
+    if (groups.empty() || x - groups.back().phi > kOne * range) groups.push_back({x, 0, {}});
+    groups.back().samples.push_back(index);
+  }
+  for (Group& group : groups) {
+    std::vector<double> lifts;
+    for (const std::size_t i : group.samples) lifts.push_back(s[i]);
+    group.s = optim::median(lifts);
+  }
+  return groups;
 }
 
 /// Lagrange's weight of the k-th sample, one of those `at`, in the polynomial's value at the i-th.
@@ -93,10 +115,11 @@ std::vector<double> misses(std::span<const double> x, std::span<const double> s)
 }
 
 /// Whether any sample misses its neighbours' cubic by more than a normal deviation makes likely.
-bool has_suspects(const LiftSamples& lift) {
+bool has_suspects(const LiftSamples& lift, double least_noise) {
   constexpr double kSuspect = 5;
   const std::vector<double> sizes = misses(lift.phi, lift.s);
-  return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * optim::median(sizes) / 0.6745;
+  const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
+  return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * noise;
 }
 
 /// What a sample misses a cubic by that goes through the four nearest of those that are not left
@@ -139,14 +162,16 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
 }
 
 /// Samples far off a robust curve.
-std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> period) {
+std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> period,
+                             double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
   std::vector<double> residuals;
   for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const auto freedom = static_cast<std::size_t>(std::lround(curve.degrees_of_freedom()));
   constexpr double kLeast = 1e-4;
-  const FarOff found = far_off(lift.phi, residuals, freedom, kLeast * (*high - *low));
+  const FarOff found = far_off(lift.phi, residuals, freedom,
+                               std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
   return by_themselves(lift, residuals, found.samples);
 }
 
@@ -159,23 +184,29 @@ double estimated_noise(std::span<const double> x, std::span<const double> s) {
 }
 
 LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
-                         std::optional<double> period, std::optional<double> noise) {
+                         std::optional<double> period, std::optional<double> noise,
+                         double least_noise) {
   check(phi, s, period, noise);
-  const auto samples = sorted(phi, s, period);
+  const std::vector<Group> groups = sorted(phi, s, period);
   LiftSamples all;
-  for (const auto& [x, y, index] : samples) all.phi.push_back(x), all.s.push_back(y);
-  const std::vector<bool> is_off =
-      has_suspects(all) ? far_off_in(all, period) : std::vector<bool>(samples.size());
+  for (const Group& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
+  const std::vector<bool> is_off = has_suspects(all, least_noise)
+                                       ? far_off_in(all, period, least_noise)
+                                       : std::vector<bool>(groups.size());
   LiftSamples kept;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     if (is_off[i]) {
-      kept.outlying.push_back(std::get<2>(samples[i]));
+      const auto& samples = groups[i].samples;
+      kept.outlying.insert(kept.outlying.end(), samples.begin(), samples.end());
     } else {
       kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
     }
   }
   std::sort(kept.outlying.begin(), kept.outlying.end());
-  kept.noise = noise ? *noise : estimated_noise(kept.phi, kept.s);
+  const double each = static_cast<double>(phi.size()) / static_cast<double>(groups.size());
+  kept.noise =
+      noise ? *noise / std::sqrt(each) : std::max(estimated_noise(kept.phi, kept.s), least_noise);
+  kept.sample_noise = kept.noise * std::sqrt(each);
   return kept;
 }
 

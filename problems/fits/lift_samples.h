@@ -19,16 +19,20 @@ double estimated_noise(std::span<const double> x, std::span<const double> s);
 
 struct LiftSamples {
   std::vector<double> phi, s;  ///< phi increases, periodic ones from 0 to the period
-  double noise = 0;            ///< standard deviation, given or estimated
+  double noise = 0;            ///< standard deviation of these, given or estimated
+  double sample_noise = 0;     ///< of one sample as measured
   std::vector<std::size_t>
       outlying;  ///< left out of phi and s, by their place as given, increasing
 };
 
-/// Orders samples and leaves out those that lie farther than chance explains from a smoothing
-/// spline that is robust against them. Throws std::invalid_argument: lengths that differ, values
-/// that are no numbers, fewer than 24 samples, a period or noise out of range.
+/// Orders samples, takes those at one place as their median, and leaves out those that lie farther
+/// than chance explains from a smoothing spline that is robust against them. Throws
+/// std::invalid_argument: lengths that differ, values that are no numbers, fewer than 24 samples, a
+/// lift that is the same throughout, a period or noise out of range. `least_noise` is what rounding
+/// makes of the lifts (deviation).
 LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
-                         std::optional<double> period, std::optional<double> noise);
+                         std::optional<double> period, std::optional<double> noise,
+                         double least_noise = 0);
 
 /// A smoothing spline through them.
 optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double> period,

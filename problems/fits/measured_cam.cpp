@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "problems/fits/columns.h"
 #include "problems/fits/condensed.h"
@@ -92,17 +95,35 @@ Polar points_of(const SampleTable& table) {
   return points;
 }
 
-MeasuredProfile profile_of(const SampleTable& table) {
+/// Rows of an angle and a radius may be in any order.
+void sort_by_angle(Polar& points) {
+  std::vector<std::pair<double, double>> pairs;
   constexpr double kTurn = 2 * std::numbers::pi;
-  optim::SmoothingOptions smoothing;
-  smoothing.reweighting = optim::Reweighting::Bisquare;
+  for (std::size_t i = 0; i < points.r.size(); ++i) {
+    pairs.emplace_back(points.theta[i] - kTurn * std::floor(points.theta[i] / kTurn), points.r[i]);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    std::tie(points.theta[i], points.r[i]) = pairs[i];
+  }
+}
+
+/// Many points as means of neighbours.
+Condensed in_order(const SampleTable& table) {
+  constexpr double kTurn = 2 * std::numbers::pi;
   Polar points = points_of(table);
   if (points.r.size() <= kMostSamples) {
-    return MeasuredProfile::polar(points.theta, points.r, smoothing);
+    if (radius_of(table) != nullptr) sort_by_angle(points);
+    return {std::move(points.theta), std::move(points.r)};
   }
   for (double& theta : points.theta) theta -= kTurn * std::floor(theta / kTurn);
-  const Condensed means = condensed(std::move(points.theta), std::move(points.r));
-  return MeasuredProfile::polar(means.place, means.value, smoothing);
+  return condensed(std::move(points.theta), std::move(points.r));
+}
+
+MeasuredProfile profile_of(const Condensed& points) {
+  optim::SmoothingOptions smoothing;
+  smoothing.reweighting = optim::Reweighting::Bisquare;
+  return MeasuredProfile::polar(points.place, points.value, smoothing);
 }
 
 bool is_length(const SampleTable& table, const SampleColumn& column) {
@@ -119,7 +140,10 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) 
   const Sizes sizes = [&](const char* name) {
     return machine.constants[machine.mechanism->parameter(name)];
   };
-  MeasuredCam cam{MeasuredLift(profile_of(table), known.make(sizes), known.rotation), {}, {}};
+  const Condensed points = in_order(table);
+  MeasuredCam cam{MeasuredLift(profile_of(points), known.make(sizes), known.rotation), {}, {}};
+  cam.each = points.each;
+  cam.left_out = points.left_out;
   const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
   cam.samples.place_unit = "deg";
   cam.samples.unit = swings ? "deg" : "mm";

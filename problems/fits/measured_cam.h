@@ -23,6 +23,8 @@ struct MeasuredCam {
   MeasuredLift lift;      ///< in mm, or rad of an arm
   MotionSamples samples;  ///< lift by the cam's angle, mm or deg by deg, without the outlying
   std::vector<OutlyingPoint> outlying;
+  std::size_t each = 1;      ///< measured points that one of these is the mean of
+  std::size_t left_out = 0;  ///< of those, far off their neighbours
 };
 
 /// The disc cams whose follower a profile can be measured for.

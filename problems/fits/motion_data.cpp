@@ -33,26 +33,34 @@ std::string divided(const std::string& unit, const std::string& by, int order) {
 }  // namespace
 
 MotionSamples motion_samples(const SampleTable& table) {
-  const SampleColumn* place =
-      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
-  if (place == nullptr) place = &table.columns.front();
   const SampleColumn* value = nullptr;
   for (const SampleColumn& column : table.columns) {
     if (value == nullptr && order_of(column)) value = &column;
   }
-  if (value == nullptr) value = &table.columns[place == &table.columns.front() ? 1 : 0];
+  if (value == nullptr) {  // no known name: what is not the place
+    const SampleColumn& place = place_column(table, table.columns[1]);
+    value = &table.columns[&place == &table.columns.front() ? 1 : 0];
+  }
+  const SampleColumn* place = &place_column(table, *value);
   MotionSamples samples;
   samples.order = order_of(*value).value_or(0);
   UnitValues places = in_unit(table, *place, {"deg", "s", "1"});
+  const std::vector<std::string> lengths{"mm", "deg", "1"};
   std::vector<std::string> units;
-  for (const char* length : {"mm", "deg", "1"}) {
+  for (const std::string& length : lengths) {
     units.push_back(divided(length, places.unit, samples.order));
   }
   UnitValues values = in_unit(table, *value, units);
+  const auto which = std::find(units.begin(), units.end(), values.unit) - units.begin();
+  samples.length_unit = lengths[static_cast<std::size_t>(which)];
   Condensed means = condensed(std::move(places.values), std::move(values.values));
   samples.place = std::move(means.place);
   samples.value = std::move(means.value);
   samples.each = means.each;
+  // Where noise is larger than the rounding, means are rounded so much less.
+  const bool is_dithered = means.deviation > values.resolution;
+  samples.resolution = is_dithered ? values.resolution / std::sqrt(static_cast<double>(means.each))
+                                   : values.resolution;
   samples.left_out = means.left_out;
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
@@ -63,6 +71,8 @@ MotionSamples between(const MotionSamples& all, double low, double high, double 
   MotionSamples part;
   part.order = all.order;
   part.each = all.each;
+  part.length_unit = all.length_unit;
+  part.resolution = all.resolution;
   part.place_unit = all.place_unit;
   part.unit = all.unit;
   for (std::size_t i = 0; i < all.place.size(); ++i) {
@@ -91,6 +101,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
     return result;
   }
   SegmentOptions options;
+  options.least_noise = rounding_deviation(samples);
   const double period = is_angle && range > kWhole * kTurn ? kTurn : 0;
   if (period > 0) options.period = period;
   FoundSegments found = motion_segments(samples.place, samples.value, options);

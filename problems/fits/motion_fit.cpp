@@ -2,18 +2,19 @@
 #include "problems/fits/motion_fit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/fit/statistics.h"
 #include "problems/fits/fitted_law.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// Neighbours alike to this degree are no noise; below this many residuals chance makes it.
-constexpr double kAlike = 0.5;
+/// Below this many residuals chance makes neighbours alike.
 constexpr std::size_t kEnough = 20;
 
 bool is_exact(const LawFit& fit) {
@@ -26,7 +27,8 @@ FarOff far_off_of(const MotionFit& fit) {
   constexpr double kRounding = 1e-6;
   double size = 0;
   for (const double y : fit.motion.samples.value) size = std::max(size, std::abs(y - best.from));
-  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, kRounding * size);
+  const double least = std::max(kRounding * size, fit.motion.samples.resolution);
+  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least);
 }
 
 std::string quantity(double value, const std::string& unit) {
@@ -45,30 +47,66 @@ std::string drawn_by(const MotionFit& fit) {
       quantity(samples.place[worst], samples.place_unit));
 }
 
+bool shows_no_stroke(const LawFit& fit) {
+  const optim::FittedParameter& stroke = fit.fit.parameters[2];
+  return stroke.low <= 0 && stroke.high >= 0;
+}
+
+/// Whether what is left is as small as the rounding of the values.
+bool is_rounding(const MotionFit& fit) {
+  return fit.best().fit.rms < fit.motion.samples.resolution / 2;
+}
+
+/// Other laws that explain rounded values as well, with no more numbers.
+std::string as_good(const MotionFit& fit) {
+  constexpr double kAsWell = 2;
+  const LawFit& best = fit.best();
+  std::vector<std::string> names;
+  for (const LawFit& other : fit.ranking) {
+    if (&other == &best || other.criterion > best.criterion + kAsWell) continue;
+    if (other.fit.parameters.size() > best.fit.parameters.size()) continue;
+    names.push_back(other.law.label());
+  }
+  if (names.empty()) return "";
+  return fmt::format("values rounded to {} do not tell {} from {}",
+                     quantity(fit.motion.samples.resolution, fit.motion.samples.unit),
+                     best.law.label(), fmt::join(names, ", "));
+}
+
+/// What of the residuals is a curve, in words; empty where they may be noise.
+std::string curve_left(const MotionFit& fit) {
+  const std::size_t count = fit.motion.samples.place.size();
+  if (count < kEnough || !optim::is_curve(fit.correlation, fit.slow, count)) return "";
+  return fmt::format(
+      "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
+      "residuals have a correlation of {:.2f}, blocks of them {:.1f} times the squares of noise)",
+      fit.best().law.label(), fit.correlation, fit.slow);
+}
+
 std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const LawFit& best = fit.best();
   if (!best.fit.reason.empty()) return best.fit.reason;
-  if (is_exact(best) || fit.motion.samples.place.size() < kEnough) return "";
-  if (fit.correlation >= kAlike) {
-    return fmt::format(
-        "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
-        "residuals have a correlation of {:.2f})",
-        best.law.label(), fit.correlation);
+  if (!std::isfinite(best.criterion) && best.criterion > 0) {
+    return fmt::format("{} samples are too few to tell laws apart",
+                       fit.motion.samples.place.size());
   }
-  const bool is_drawn = options.loss == optim::Loss::None && !fit.far_off.samples.empty();
+  if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
+  if (is_exact(best)) return "";
+  if (is_rounding(fit)) return as_good(fit);
+  if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
+  const bool is_drawn = options.loss == optim::Loss::None && draws(fit.far_off, best.fit.residuals);
   return is_drawn ? drawn_by(fit) : "";
 }
 
 /// A smooth curve from rest to rest between the ends that the samples show: those of a law that
 /// does not follow them are no better.
 std::optional<Law<double>> smoothed(const MotionFit& fit) {
-  const LawFit& best = fit.best();
   const MotionGuess& shown = fit.motion.guess;
   const MotionSamples inside = between(fit.motion.samples, shown.begin, shown.end);
   optim::SmoothingOptions options;
   options.range = std::pair(shown.begin, shown.end);
-  options.begin = {best.from, 0.0, {}};
-  options.end = {best.to, 0.0, {}};
+  options.begin = {shown.from, 0.0, {}};
+  options.end = {shown.to, 0.0, {}};
   try {
     return stretch_law(optim::smoothing_spline(inside.place, inside.value, options));
   } catch (const std::invalid_argument&) {  // too few samples for a curve
@@ -85,12 +123,14 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
     throw std::invalid_argument("none of the laws can be fitted to these samples");
   }
   result.prediction_error = cross_validated(motion.samples, result.best(), options);
-  result.correlation = neighbour_correlation(motion.samples, result.best());
+  const std::vector<double> counted = result.best().counted_residuals();
+  result.correlation = optim::neighbour_correlation(motion.samples.place, counted);
+  result.slow = optim::block_squares(motion.samples.place, counted);
   result.far_off = far_off_of(result);
   result.distrust = distrust_of(result, options);
-  const bool is_curve =
-      motion.samples.order == 0 && result.correlation >= kAlike && !result.distrust.empty();
-  if (is_curve && result.best().fit.reason.empty()) result.smooth = smoothed(result);
+  const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&
+                        result.distrust == curve_left(result);
+  if (is_curve) result.smooth = smoothed(result);
   return result;
 }
 

@@ -12,6 +12,7 @@ struct MotionFit {
   FoundMotion motion;
   std::vector<LawFit> ranking;  ///< the best by AICc first; not empty
   double prediction_error = 0;  ///< of the first, by cross-validation
+  double slow = 1;              ///< squares of means of its residuals, in units of noise
   double correlation = 0;       ///< of its neighbouring residuals
   FarOff far_off;               ///< samples that it leaves farther off than chance explains
   /// Why the first should not be taken for the law behind the samples; empty where it may.

@@ -118,17 +118,23 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
   }
 }
 
-std::string distrust_of(const RecordFit& fit, double size) {
-  constexpr double kAlike = 0.5, kRounding = 1e-9;
+std::string distrust_of(const RecordFit& fit, const RecordFitOptions& options, double slow) {
   constexpr std::size_t kEnough = 20;
   std::string why = fit.fit.reason;
-  const bool exact = fit.fit.rms < kRounding * size;
-  if (exact || fit.model.size() < kEnough || fit.correlation < kAlike) return why;
-  return why + (why.empty() ? "" : "; ") +
-         fmt::format(
-             "the machine as it is stated does not follow the record: what is left is no noise "
-             "(neighbouring residuals have a correlation of {:.2f})",
-             fit.correlation);
+  const auto add = [&](const std::string& more) { why += (why.empty() ? "" : "; ") + more; };
+  if (fit.model.size() >= kEnough && optim::is_curve(fit.correlation, slow, fit.model.size())) {
+    add(fmt::format(
+        "the machine as it is stated does not follow the record: what is left is no noise "
+        "(neighbouring residuals have a correlation of {:.2f})",
+        fit.correlation));
+  }
+  if (options.loss == optim::Loss::None && draws(fit.far_off, fit.fit.residuals)) {
+    add(
+        fmt::format("{} of {} values lie farther off than chance explains and draw the fit; --loss "
+                    "huber or --loss cauchy bounds what they count",
+                    fit.far_off.samples.size(), fit.model.size()));
+  }
+  return why;
 }
 
 }  // namespace
@@ -151,7 +157,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   optim::FitOptions how;
   how.loss = options.loss;
   how.confidence = options.confidence;
-  RecordFit result{optim::fit(parameters, residuals, how), machine, {}, 0, ""};
+  RecordFit result{optim::fit(parameters, residuals, how), machine, {}, 0, {}, ""};
   std::vector<double> x;
   for (const auto& p : result.fit.parameters) x.push_back(p.value);
   result.machine = bound.at({}, optim::Design(x).first(variables));
@@ -160,8 +166,16 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
     result.model.push_back(record.value[i] + result.fit.residuals[i]);
     size = std::max(size, std::abs(record.value[i]));
   }
-  result.correlation = optim::neighbour_correlation(record.place, result.fit.residuals);
-  result.distrust = distrust_of(result, size);
+  const std::vector<double>& r = result.fit.residuals;
+  std::vector<double> counted = r;
+  for (std::size_t i = 0; i < r.size(); ++i) counted[i] *= result.fit.weights[i];
+  result.correlation = optim::neighbour_correlation(record.place, counted);
+  constexpr double kRounding = 1e-9;
+  result.far_off = far_off(record.place, r, result.fit.rank, kRounding * size);
+  const bool exact = result.fit.rms < kRounding * size;
+  result.distrust = exact
+                        ? result.fit.reason
+                        : distrust_of(result, options, optim::block_squares(record.place, counted));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optim/fit/least_squares.h"
+#include "problems/fits/far_off.h"
 #include "problems/fits/recorded_curve.h"
 #include "problems/statement/statement.h"
 
@@ -20,7 +21,8 @@ struct RecordFit {
   optim::FitResult fit;
   ProblemStatement machine;   ///< with the fitted values
   std::vector<double> model;  ///< at the record's places, shifts included
-  double correlation = 0;     ///< of neighbouring residuals
+  double correlation = 0;     ///< of neighbouring residuals, as the loss counts them
+  FarOff far_off;
   std::string distrust;  ///< why the values should not be taken for the machine's; may be empty
 };
 

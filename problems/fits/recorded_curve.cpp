@@ -70,17 +70,13 @@ RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanis
                                             table.source, column.name, mechanism.name,
                                             fmt::join(curve_names(mechanism), ", ")));
   }
-  const SampleColumn* place =
-      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
-  if (place == nullptr) place = &table.columns.front();
-  if (place == &column) {
-    throw std::invalid_argument(
-        fmt::format("{}: a column for the place is wanted, such as \"angle [deg]\"", table.source));
-  }
-  Condensed means = condensed(in_unit(table, *place, {record.response.response->along}).values,
+  const SampleColumn& place = place_column(table, column);
+  Condensed means = condensed(in_unit(table, place, {record.response.response->along}).values,
                               in_unit(table, column, {record.response.unit}).values);
   record.place = std::move(means.place);
   record.value = std::move(means.value);
+  record.each = means.each;
+  record.left_out = means.left_out;
   return record;
 }
 

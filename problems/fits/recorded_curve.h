@@ -15,6 +15,8 @@ namespace camlaw::problems {
 struct RecordedCurve {
   ResponseName response;
   std::vector<double> place, value;
+  std::size_t each = 1;      ///< measured samples that one of these is the mean of
+  std::size_t left_out = 0;  ///< of those, far off their neighbours
 };
 
 /// The column called as a curve of the machine (case, spaces and underscores do not matter), or as

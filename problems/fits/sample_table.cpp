@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <boost/algorithm/string/predicate.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -57,7 +59,8 @@ SampleColumn named(std::string_view cell) {
 
 /// A number; NaN for an empty cell and for "nan", none for anything else.
 bool read_number(std::string_view cell, char between, double& value) {
-  const bool none = cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN";
+  const bool none = cell.empty() || boost::algorithm::iequals(cell, "nan") ||
+                    boost::algorithm::iequals(cell, "n/a") || boost::algorithm::iequals(cell, "na");
   if (none) {
     value = kNaN;
     return true;
@@ -72,6 +75,42 @@ bool read_number(std::string_view cell, char between, double& value) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   return error == std::errc() && end == cell.data() + cell.size();
 }
+
+/// How many digits after the point a number is written with; below 0 of 1e3.
+int decimals_of(std::string_view cell) {
+  const std::size_t e = cell.find_first_of("eE");
+  const std::string_view digits = cell.substr(0, e);
+  const std::size_t point = digits.find_first_of(".,");
+  const std::size_t after = point == std::string_view::npos ? 0 : digits.size() - point - 1;
+  int exponent = 0;
+  if (e != std::string_view::npos) {
+    const std::string_view power = cell.substr(e + (e + 1 < cell.size() && cell[e + 1] == '+') + 1);
+    std::from_chars(power.data(), power.data() + power.size(), exponent);
+  }
+  return static_cast<int>(after) - exponent;
+}
+
+/// How often numbers of a column have so many decimals.
+class Decimals {
+ public:
+  void take(int decimals) {
+    ++counts_[static_cast<std::size_t>(std::clamp(decimals, -kMost, kMost) + kMost)];
+  }
+  /// One in the last digit that half of the cells have or go beyond.
+  double last_digit() const {
+    std::size_t all = 0, so_far = 0;
+    for (const std::size_t count : counts_) all += count;
+    for (int k = -kMost; k <= kMost; ++k) {
+      so_far += counts_[static_cast<std::size_t>(k + kMost)];
+      if (2 * so_far >= all) return std::pow(10.0, -k);
+    }
+    return 0;
+  }
+
+ private:
+  static constexpr int kMost = 30;
+  std::array<std::size_t, 2 * kMost + 1> counts_{};
+};
 
 class Reader {
  public:
@@ -88,6 +127,9 @@ class Reader {
     if (table_.rows() < 2) {
       refuse(fmt::format("it has {} row{} of numbers; two at least are wanted", table_.rows(),
                          table_.rows() == 1 ? "" : "s"));
+    }
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      table_.columns[i].last_digit = decimals_[i].last_digit();
     }
     return std::move(table_);
   }
@@ -126,7 +168,8 @@ class Reader {
   }
 
   void read_row(std::string_view line) {
-    row_.clear();
+    row_.clear(), places_.clear();
+    decimals_.resize(table_.columns.size());
     for_cells(line, between_, [&](std::string_view cell) {
       double value = 0;
       if (!read_number(cell, between_, value)) {
@@ -134,6 +177,7 @@ class Reader {
       }
       if (std::isinf(value)) refuse_line(fmt::format("'{}' is infinite", cell));
       row_.push_back(value);
+      places_.push_back(decimals_of(cell));
     });
     if (row_.size() != table_.columns.size()) {
       refuse_line(
@@ -144,12 +188,15 @@ class Reader {
       return;
     }
     for (std::size_t i = 0; i < row_.size(); ++i) table_.columns[i].values.push_back(row_[i]);
+    for (std::size_t i = 0; i < row_.size(); ++i) decimals_[i].take(places_[i]);
   }
 
   SampleTable table_;
   char between_ = ',';
   std::size_t line_ = 0;
   std::vector<double> row_;
+  std::vector<int> places_;
+  std::vector<Decimals> decimals_;
 };
 
 SampleTable read_from(std::istream& in, const std::string& source) {

@@ -11,6 +11,8 @@ namespace camlaw::problems {
 struct SampleColumn {
   std::string name, unit;  ///< as the header has them; unit "" where none is stated
   std::vector<double> values;
+  /// One in the last digit that most cells have.
+  double last_digit = 0;
 };
 
 struct SampleTable {

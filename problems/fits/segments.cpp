@@ -423,8 +423,8 @@ std::string to_string(SegmentKind kind) {
 FoundSegments motion_segments(std::span<const double> phi, std::span<const double> s,
                               const SegmentOptions& options) {
   check(options);
-  LiftSamples lift = lift_samples(phi, s, options.period, options.noise);
-  const double noise = lift.noise;
+  LiftSamples lift = lift_samples(phi, s, options.period, options.noise, options.least_noise);
+  const double noise = lift.sample_noise;
   return {Segmenter(lift, options).run(), noise, std::move(lift.outlying)};
 }
 

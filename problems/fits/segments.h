@@ -29,6 +29,8 @@ struct SegmentOptions {
   std::optional<double> period = {};
   /// Standard deviation of the lift's noise; none: estimated from the samples.
   std::optional<double> noise = {};
+  /// What rounding makes of the lifts, a standard deviation: noise is not below it.
+  double least_noise = 0;
   /// The shortest dwell, as a share of the period or of the range; a shorter one between a rise and
   /// a return counts as the place where the follower turns.
   double least_dwell = 0.02;

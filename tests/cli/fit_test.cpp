@@ -2,12 +2,14 @@
 // The program's fit: what it answers and what it refuses.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
 #include <string>
 
+#include "kinematics/catalogue.h"
 #include "tests/cli/program_runner.h"
 #include "tests/random_numbers.h"
 
@@ -134,11 +136,11 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
            {{"fit", written(folder, "one.csv", "angle,lift\n1,2\n")}, "1 row"},
            {{"fit", written(folder, "text.csv", "angle,lift\n1,2\n2,high\n")}, "text.csv:3"},
            {{"fit", written(folder, "unit.csv", "angle [kg],lift [mm]\n1,2\n2,3\n")}, "'angle'"},
-           {{"fit", written(folder, "still.csv", still)}, "still.csv"},
+           {{"fit", written(folder, "still.csv", still)}, "3.5 throughout"},
            {{"fit", "--constants", "B"}, "name=value"},
            {{"fit", "--constants", "B=2", "--loss", "huber"}, "--loss"},
            {{"fit", "--constants", "B=2", "--out", folder / "out"}, "--out"},
-           {{"fit", good, "--mechanism", "press.toml"}, "--mechanism"},
+           {{"fit", good, "--mechanism", "press.toml"}, "press.toml"},
            {{"fit", "--constants", "B=0.5, C=0.25"}, "no law"},
            {{"fit", "--constants", "radius=3"}, "radius"}}) {
     std::string line;
@@ -197,6 +199,82 @@ TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
     all.insert(all.end(), words.begin(), words.end());
     CHECK_THAT(failed(all, 2), Contains(says));
   }
+}
+
+TEST_CASE("fit takes repeated angles, in any order and from several sweeps", "[program]") {
+  const Folder folder;
+  const Law<double> law = find_law("cycloidal").law();
+  Random random(8);
+  std::vector<std::string> rows;
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    for (int i = 0; i < 360; i += 2) {  // rest, rise from 60 to 180, rest, return from 240 to 330
+      const double s = i < 60    ? 0
+                       : i < 180 ? law((i - 60) / 120.0).s
+                       : i < 240 ? 1
+                       : i < 330 ? 1 - law((i - 240) / 90.0).s
+                                 : 0;
+      rows.push_back(fmt::format("{}, {:.5f}\n", i, 25 * s + 0.01 * random.normal()));
+    }
+  }
+  std::reverse(rows.begin() + 100, rows.end());
+  std::string text = "angle [deg], lift [mm]\n";
+  for (const std::string& row : rows) text += row;
+  const Json found =
+      json_of({"fit", written(folder, "sweeps.csv", text), "--law", "cycloidal", "--json"});
+  CHECK(found["trusted"] == true);
+  REQUIRE(found["motions"].size() == 2);
+  for (const Json& motion : found["motions"]) {
+    const bool rises = motion["to"].get<double>() > motion["from"].get<double>();
+    CHECK(motion["begin"].get<double>() == Approx(rises ? 60 : 240).margin(0.3));
+    CHECK(motion["end"].get<double>() == Approx(rises ? 180 : 330).margin(0.3));
+  }
+}
+
+TEST_CASE("fit does not tell laws apart beyond the digits of the table", "[program][heavy]") {
+  const Folder folder;
+  std::string text = "angle [deg], lift [mm]\n";
+  for (int i = 0; i <= 80; ++i) {  // to a tenth of a millimetre
+    const double u = i / 80.0;
+    text += fmt::format("{}, {:.1f}\n", 200 + i, 20 * u * u * u * (10 - 15 * u + 6 * u * u));
+  }
+  const Json found = json_of({"fit", written(folder, "tenths.csv", text), "--json"});
+  // The right law or a word that others do as well; never another law without a word.
+  const bool is_right = found["law"] == "poly-3-4-5";
+  const std::string reason = found["reason"];
+  CHECK((is_right || reason.find("poly-3-4-5") != std::string::npos));
+  // The same with the law named: nothing speaks against it.
+  const Json named = json_of({"fit", folder / "tenths.csv", "--law", "poly-3-4-5", "--json"});
+  CHECK(named["trusted"] == true);
+}
+
+TEST_CASE("fit trusts no law that leaves a curve, however much noise lies over it", "[program]") {
+  const Folder folder;
+  Random random(5);
+  std::string text = "angle [deg], lift [mm]\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double u = i / 400.0;
+    const double s = u * u * u * (10 - 15 * u + 6 * u * u);
+    text += fmt::format("{}, {:.4f}\n", 90 * u, 20 * s + 0.06 * random.normal());
+  }
+  const std::string data = written(folder, "noisy.csv", text);
+  CHECK(json_of({"fit", data, "--law", "cycloidal", "--json"})["trusted"] == false);
+  CHECK(json_of({"fit", data, "--law", "poly-3-4-5", "--json"})["trusted"] == true);
+  // Velocities give a stroke in the displacement's unit; too few samples, or none of a motion, say
+  // so.
+  std::string velocity = "angle [deg], velocity [mm/deg]\n", noise = "angle [deg], lift [mm]\n";
+  for (int i = 0; i <= 90; ++i) {
+    const double u = i / 90.0;
+    velocity += fmt::format("{}, {:.6f}\n", i, 20.0 / 90 * 30 * u * u * (1 - u) * (1 - u));
+  }
+  for (int i = 0; i < 12; ++i) noise += fmt::format("{}, {:.4f}\n", i, random.normal());
+  const Json moved =
+      json_of({"fit", written(folder, "velocity.csv", velocity), "--law", "poly-3-4-5", "--json"});
+  for (const Json& p : moved["parameters"]) {
+    if (p["name"] == "stroke") CHECK(p["unit"] == "mm");
+  }
+  CHECK(json_of({"fit", written(folder, "few.csv", "angle,lift\n0,0\n1,1\n2,5\n3,9\n4,10\n"),
+                 "--json"})["trusted"] == false);
+  CHECK(json_of({"fit", written(folder, "noise.csv", noise), "--json"})["trusted"] == false);
 }
 
 TEST_CASE("a million rows are fitted within ten times the memory of their file",

@@ -140,7 +140,7 @@ TEST_CASE("each follower's program comes back from its measured cam", "[measured
         const LawFit& law = f.best();
         INFO(law.law.name());
         const bool rises = law.to > law.from;
-        CHECK(f.distrust.empty());
+        CHECK(f.distrust == "");
         CHECK(law.law.name() == (rises ? "modified-sine" : "cycloidal"));
         CHECK(law.begin == Approx(rises ? 50 : 210).margin(0.1));
         CHECK(law.end == Approx(rises ? 150 : 320).margin(0.1));
@@ -185,7 +185,7 @@ TEST_CASE("wrong points and worn stretches of a cam are named and left out",
   // Worn along the normal, read along the follower's way: not the same, but near.
   CHECK(fit.departures[0].most == Approx(-0.1).margin(0.03));
   for (const MotionFit& f : fit.fits) {
-    CHECK(f.distrust.empty());
+    CHECK(f.distrust == "");
     CHECK(f.best().law.name() == (f.best().to > f.best().from ? "modified-sine" : "cycloidal"));
   }
 }

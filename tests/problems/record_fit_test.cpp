@@ -129,6 +129,7 @@ TEST_CASE("several turns, wrong zeros and outliers", "[record]") {
   CHECK(p[4].value == Approx(-0.4).margin(0.01));
   for (const auto& [k, value] : kTrue) CHECK(p[k].value == Approx(value).epsilon(0.02));
   for (std::size_t i = 0; i < record.value.size(); i += 10) record.value[i] += 30;
+  CHECK_THAT(fit_record(cam(), record, options).distrust, Contains("draw the fit"));
   options.loss = optim::Loss::Cauchy;
   const RecordFit robust = fit_record(cam(), record, options);
   for (const auto& [k, value] : kTrue) {
