@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/law_json.h"
+#include "cli/progress_line.h"
 #include "cli/text_table.h"
 #include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
@@ -168,8 +170,12 @@ void run_reproduce(std::vector<std::string> names, bool json, std::optional<int>
   for (const std::string& name : names) systems.push_back(&find_system(name));
   Json all = Json::array();
   std::vector<SystemReproduction> results;
+  ProgressLine line(!json);
   for (const auto* system : systems) {
+    line.show(fmt::format("{}, {} of {}", system->name, results.size() + 1, systems.size()),
+              static_cast<double>(results.size()) / static_cast<double>(systems.size()));
     results.push_back(system->reproduce());
+    line.clear();
     if (json) {
       all.push_back(to_json(results.back()));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
@@ -194,9 +200,14 @@ void add_reproduce_command(CLI::App& app, int& status) {
   const auto names = std::make_shared<std::vector<std::string>>();
   const auto json = std::make_shared<bool>(false);
   const auto n = std::make_shared<std::optional<int>>();
-  command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)");
+  command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)")
+      ->type_name(takes::kSystem);
   add_switch(*command, "--json", *json, "print JSON");
-  command->add_option("--n", *n, "cam-shape: solve it for this many radii instead");
+  command->add_option("--n", *n, "cam-shape: solve it for this many radii instead")->type_name("N");
+  add_examples(*command,
+               {{"camlaw reproduce spine-cutter",
+                 "the printed numbers, which agree, and what is behind those that do not"},
+                {"camlaw reproduce cam-shape --n 1000", "one case of the COPS cam, of any size"}});
   command->callback([names, json, n, &status] { run_reproduce(*names, *json, *n, status); });
 }
 
