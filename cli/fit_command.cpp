@@ -52,7 +52,12 @@ problems::LawFitOptions how_of(const FitCommand& options) {
 }
 
 problems::ProblemStatement machine_of(const FitCommand& options) {
-  problems::ProblemStatement machine = problems::asked_machine(*options.mechanism);
+  problems::ProblemStatement machine;
+  try {
+    machine = problems::asked_machine(*options.mechanism);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--mechanism: {}", error.what()));
+  }
   for (const std::string& assignment : options.set) problems::set_value(machine, assignment);
   return machine;
 }
