@@ -43,6 +43,7 @@ int main(int argc, char* argv[]) {
   measures::register_search();
   measures::register_cams();
   measures::register_constants();
+  measures::register_fits();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -42,5 +42,6 @@ void register_study();
 void register_search();
 void register_cams();
 void register_constants();
+void register_fits();
 
 }  // namespace camlaw::benchmarks

@@ -24,10 +24,12 @@ void add_fit_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
 /// Prints the manual page; for the build, and not listed by --help.
 void add_man_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 /// These set `status` where they end in another way than done.
 void add_reproduce_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_evaluate_command(CLI::App& app);
+void add_export_command(CLI::App& app);
 void add_optimize_command(CLI::App& app, int& status);
 void add_pareto_command(CLI::App& app, int& status);
 void add_front_command(CLI::App& app, int& status);

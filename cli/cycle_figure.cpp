@@ -12,14 +12,14 @@
 namespace camlaw::cli {
 namespace {
 
-Line curve_line(const optim::Trace& trace) {
-  constexpr int kPoints = 720;
+Line curve_line(const optim::Trace& trace, int points) {
   Line line;
   const auto breaks = trace.breaks();
   const double cycle = breaks.back() - breaks.front();
+  const int least = std::clamp(points / static_cast<int>(breaks.size()), 1, 4);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double share = (breaks[k + 1] - breaks[k]) / cycle;
-    const int steps = std::max(4, static_cast<int>(kPoints * share));
+    const int steps = std::max(least, static_cast<int>(points * share));
     for (int i = 0; i <= steps; ++i) {
       const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], steps, i);
       line.x.push_back(place.angle);
@@ -29,17 +29,17 @@ Line curve_line(const optim::Trace& trace) {
   return line;
 }
 
-/// A dashed line across the cycle.
-Line level(const optim::Trace& trace, double value) {
-  const auto breaks = trace.breaks();
-  Line line{.name = "limit", .x = {breaks.front(), breaks.back()}, .y = {value, value}};
+/// A dashed line across a panel.
+Line level(const Panel& panel, double value) {
+  Line line{.name = "limit", .x = {*panel.x.lower, *panel.x.upper}, .y = {value, value}};
   line.colour = "#b00020";
   line.dashed = true;
   line.width = 1.2;
   return line;
 }
 
-Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit) {
+Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit,
+                  int points = kCyclePoints) {
   Panel panel;
   const auto breaks = trace.breaks();
   panel.x = {.label = breaks.back() > 1 ? "angle" : "x",
@@ -47,7 +47,7 @@ Panel curve_panel(const optim::Trace& trace, const std::string& name, const std:
              .lower = breaks.front(),
              .upper = breaks.back()};
   panel.y = {.label = name, .unit = shown_unit(unit)};
-  panel.lines.push_back(curve_line(trace));
+  panel.lines.push_back(curve_line(trace, points));
   panel.lines.back().colour = "#0072b2";
   return panel;
 }
@@ -79,7 +79,7 @@ Figure cycle_figure(const Answer& answer) {
       figure.panels.push_back(curve_panel(*trace, curve, response.unit));
       panel = &figure.panels.back();
     }
-    for (const double value : levels) panel->lines.push_back(level(*trace, value));
+    for (const double value : levels) panel->lines.push_back(level(*panel, value));
   };
   add(problem.objective.response, statement.objectives.front().response, {});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
@@ -92,7 +92,7 @@ Figure cycle_figure(const Answer& answer) {
   return figure;
 }
 
-Figure curves_figure(const problems::ProblemStatement& statement) {
+Figure curves_figure(const problems::ProblemStatement& statement, int points) {
   Figure figure;
   figure.title = statement.title;
   figure.subtitle = statement.mechanism->name;
@@ -101,9 +101,24 @@ Figure curves_figure(const problems::ProblemStatement& statement) {
   }
   figure.panel_height = 150;
   for (const optim::Response& response : problems::curves_of(statement)) {
-    figure.panels.push_back(curve_panel(*response.curve().trace({}), response.name, response.unit));
+    figure.panels.push_back(
+        curve_panel(*response.curve().trace({}), response.name, response.unit, points));
   }
   return figure;
+}
+
+void draw_limits(const problems::ProblemStatement& statement, Figure& figure) {
+  for (const problems::ConstraintStatement& limit : statement.constraints) {
+    if (limit.response.response == nullptr) continue;
+    const auto panel =
+        std::find_if(figure.panels.begin(), figure.panels.end(),
+                     [&](const Panel& p) { return p.y.label == limit.response.response->name; });
+    if (panel == figure.panels.end()) continue;
+    if (limit.lower) panel->lines.push_back(level(*panel, *limit.lower));
+    if (limit.upper) panel->lines.push_back(level(*panel, *limit.upper));
+    const bool both_ways = limit.response.part == optim::Part::Magnitude && limit.upper;
+    if (both_ways) panel->lines.push_back(level(*panel, -*limit.upper));
+  }
 }
 
 std::string curves_csv(const problems::ProblemStatement& statement, int steps) {

@@ -14,6 +14,7 @@
 #include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
+#include "cli/possible.h"
 #include "cli/profile_figure.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
@@ -117,23 +118,6 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
           {"constants", std::move(constants)},
           {"responses", std::move(values)},
           {"constraints", std::move(constraints)}};
-}
-
-/// Refuses values that leave no number at all: there is no such machine.
-void check_possible(const std::string& file, const ProblemStatement& statement,
-                    const std::vector<EvaluatedResponse>& responses) {
-  const bool possible = std::any_of(responses.begin(), responses.end(), [](const auto& r) {
-    return !std::isnan(r.is_curve ? r.highest : r.value);
-  });
-  if (possible) return;
-  std::vector<std::string> values;
-  const auto& parameters = statement.mechanism->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    values.push_back(fmt::format("{} = {}", parameters[i].name,
-                                 problems::with_unit(statement.constants[i], parameters[i].unit)));
-  }
-  throw std::invalid_argument(fmt::format("{}: {} is not possible with these values: {}", file,
-                                          statement.mechanism->name, fmt::join(values, ", ")));
 }
 
 /// Tables and pictures of the curves that were asked for.

@@ -115,12 +115,13 @@ void give_samples(const FitCommand& options, const SamplesAnswer& answer,
 }
 
 void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
-  SamplesAnswer answer{*options.data, table.left_out, {}, {}};
+  SamplesAnswer answer{*options.data, table.left_out, {}, {}, {}};
   const std::vector<Member> laws = laws_of(options);
   answer.cycle = problems::find_motions(problems::motion_samples(table));
   for (const problems::FoundMotion& motion : answer.cycle.motions) {
     answer.fits.push_back(problems::fit_motion(motion, laws, how_of(options)));
   }
+  answer.segments = problems::fitted_segments(answer.cycle, answer.fits);
   give_samples(options, answer, {});
 }
 
@@ -131,11 +132,12 @@ void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
-  SamplesAnswer answer{*options.data, table.left_out, {}, {}};
+  SamplesAnswer answer{*options.data, table.left_out, {}, {}, {}};
   answer.cam =
       problems::fit_cam(problems::measured_cam(table, machine), laws_of(options), how_of(options));
   answer.cycle = answer.cam->cycle;
   answer.fits = answer.cam->fits;
+  answer.segments = problems::fitted_segments(answer.cycle, answer.fits);
   std::vector<OutputFile> files;
   if (options.out) {
     const auto program = problems::found_program(*answer.cam, machine);

@@ -39,6 +39,7 @@ struct SamplesAnswer {
   std::size_t left_out = 0;  ///< rows that lack a number
   problems::FoundCycle cycle;
   std::vector<problems::MotionFit> fits;
+  std::vector<problems::FoundSegment> segments;  ///< of the cycle, by the fitted laws
   /// Of a measured cam; cycle and fits are its own then.
   std::optional<problems::CamFit> cam = {};
 };

@@ -9,6 +9,9 @@
 namespace camlaw::cli {
 
 std::string front_text(const FrontAnswer& answer);
+/// Of it what is said of the front as a whole: measures, rulers, the knee, the work. For fronts
+/// with points.
+std::string front_summary(const FrontAnswer& answer);
 Json front_json(const FrontAnswer& answer);
 std::string front_csv(const FrontAnswer& answer);
 /// Empty of panels unless there are two or three objectives.

@@ -175,14 +175,17 @@ std::string work_text(const FrontAnswer& answer) {
 
 }  // namespace
 
+std::string front_summary(const FrontAnswer& answer) {
+  return measures_text(answer) + knee_text(answer) + "\n" + work_text(answer);
+}
+
 std::string front_text(const FrontAnswer& answer) {
   const std::string& title = answer.study.bound().statement().title;
   std::string text = title.empty() ? "" : title + "\n\n";
   if (answer.front.points.empty()) {
     return text + "no design that meets every limit was found\n" + work_text(answer);
   }
-  text += table_text(answer) + slopes_note(answer) + "\n" + measures_text(answer);
-  return text + knee_text(answer) + "\n" + work_text(answer);
+  return text + table_text(answer) + slopes_note(answer) + "\n" + front_summary(answer);
 }
 
 std::string point_text(const FrontAnswer& answer, std::size_t k) {

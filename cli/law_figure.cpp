@@ -11,15 +11,14 @@
 namespace camlaw::cli {
 namespace {
 
-constexpr int kCurvePoints = 400;
-
 /// One curve, piece by piece, so that jumps are drawn as gaps.
-Line motion_line(const NamedLaw& named, std::size_t order) {
+Line motion_line(const NamedLaw& named, std::size_t order, int points) {
+  const int least = std::clamp(points / static_cast<int>(named.law.pieces().size()), 1, 8);
   Line line;
   line.name = named.name;
   line.dashed = named.dashed;
   for (const auto& piece : named.law.pieces()) {
-    const int steps = std::max(8, static_cast<int>(kCurvePoints * (piece.end - piece.begin)));
+    const int steps = std::max(least, static_cast<int>(points * (piece.end - piece.begin)));
     for (int i = 0; i <= steps; ++i) {
       const double x =
           i == steps ? piece.end : std::lerp(piece.begin, piece.end, i / double(steps));
@@ -76,7 +75,7 @@ void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>
 
 }  // namespace
 
-Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws) {
+Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws, int points) {
   struct Row {
     const char *title, *unit;
   };
@@ -89,7 +88,7 @@ Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws
     Panel panel;
     panel.x = {.label = "x = t / T", .unit = "", .lower = 0.0, .upper = 1.0};
     panel.y = {.label = kRows[order].title, .unit = kRows[order].unit};
-    for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order));
+    for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order, points));
     mark_unbounded(panel, order, laws);
     figure.panels.push_back(std::move(panel));
   }

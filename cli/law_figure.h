@@ -16,7 +16,9 @@ struct NamedLaw {
   Law<double> law;
   bool dashed = false;
 };
-Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws);
+inline constexpr int kMotionPoints = 400;  ///< that each curve is drawn with, or some more
+Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws,
+                     int points = kMotionPoints);
 
 /// A law at one place.
 struct MotionSample {

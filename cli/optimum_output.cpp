@@ -10,6 +10,7 @@
 #include "cli/limit_text.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "problems/results/recorded_design.h"
 
 namespace camlaw::cli {
 namespace {
@@ -277,7 +278,8 @@ Json answer_json(const Answer& answer) {
       {"solver_asked", answer.asked},
       {"why_solver", found.why_solver},
       {"seed", answer.seed},
-      {"law", law ? Json(law->name()) : Json(nullptr)}};
+      {"law", law ? Json(law->name()) : Json(nullptr)},
+      {"design", problems::recorded_design(answer.bound, answer.optimum.options, found.x)}};
 }
 
 std::string scaling_text(const optim::Problem& problem) {

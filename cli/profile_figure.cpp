@@ -8,39 +8,20 @@
 #include <limits>
 #include <stdexcept>
 
-#include "problems/statement/bind.h"
+#include "problems/exports/plane_curve.h"
 
 namespace camlaw::cli {
 namespace {
 
-/// A drawn curve and the responses that are its coordinates.
-struct Drawn {
-  const char *name, *curve;
-  bool dashed;
-};
-constexpr Drawn kDrawn[] = {{"profile", "profile", false},
-                            {"second profile", "second_profile", false},
-                            {"pitch curve", "pitch", true},
-                            {"middle of the tool", "cutter", true}};
-
-const optim::Response* find_curve(const std::vector<optim::Response>& curves,
-                                  const std::string& name) {
-  const auto found = std::find_if(curves.begin(), curves.end(),
-                                  [&](const optim::Response& curve) { return curve.name == name; });
-  return found == curves.end() ? nullptr : &*found;
-}
-
-/// The points of a curve given by two, over the whole turn.
-Line line_of(const Drawn& drawn, const optim::Response& x, const optim::Response& y) {
+/// The points of a curve over the whole turn.
+Line line_of(const problems::PlaneCurve& curve) {
   constexpr int kSteps = 720;
-  Line line{.name = drawn.name};
-  line.dashed = drawn.dashed;
-  const auto across = x.curve().trace({}), along = y.curve().trace({});
-  const std::vector<double> breaks = across->breaks();
+  Line line{.name = curve.name()};
+  line.dashed = !curve.name().ends_with("profile");
   for (int i = 0; i <= kSteps; ++i) {
-    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), kSteps, i);
-    line.x.push_back(across->at(place)[0]);
-    line.y.push_back(along->at(place)[0]);
+    const auto point = curve.look(optim::even_place(curve.begin(), curve.end(), kSteps, i)).at;
+    line.x.push_back(point.x());
+    line.y.push_back(point.y());
   }
   return line;
 }
@@ -62,12 +43,9 @@ struct Range {
 }  // namespace
 
 Figure profile_figure(const problems::ProblemStatement& statement) {
-  const auto curves = problems::curves_of(statement);
   Panel panel;
-  for (const Drawn& drawn : kDrawn) {
-    const auto* x = find_curve(curves, fmt::format("{}_x", drawn.curve));
-    const auto* y = find_curve(curves, fmt::format("{}_y", drawn.curve));
-    if (x != nullptr && y != nullptr) panel.lines.push_back(line_of(drawn, *x, *y));
+  for (const auto& curve : problems::cam_curves(statement, "all")) {
+    panel.lines.push_back(line_of(curve));
   }
   if (panel.lines.empty()) {
     throw std::invalid_argument(

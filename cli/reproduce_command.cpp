@@ -6,9 +6,12 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/files.h"
 #include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/progress_line.h"
+#include "cli/report/report.h"
+#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
@@ -154,15 +157,27 @@ void print_worsened(const std::vector<SystemReproduction>& results, int& status)
   }
 }
 
-void run_reproduce(std::vector<std::string> names, bool json, std::optional<int> n, int& status) {
-  if (n) {
-    if (names.size() != 1 || names.front() != "cam-shape") {
-      throw std::invalid_argument(
-          "--n is for cam-shape alone: camlaw reproduce cam-shape --n 1000");
-    }
-    run_cam_shape(*n, json);
-    return;
+struct ReproduceOptions {
+  std::vector<std::string> names;
+  bool json = false;
+  std::optional<int> n;
+  std::optional<std::string> report;
+};
+
+/// The one case that --n asks for.
+void run_size(const ReproduceOptions& options) {
+  if (options.names.size() != 1 || options.names.front() != "cam-shape") {
+    throw std::invalid_argument("--n is for cam-shape alone: camlaw reproduce cam-shape --n 1000");
   }
+  if (options.report) throw std::invalid_argument("--report goes with tables, not with --n");
+  run_cam_shape(*options.n, options.json);
+}
+
+void run_reproduce(const ReproduceOptions& options, int& status) {
+  if (options.n) return run_size(options);
+  std::vector<std::string> names = options.names;
+  const bool json = options.json;
+  if (options.report) check_writable({*options.report});
   if (names.empty()) {
     for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
   }
@@ -189,6 +204,10 @@ void run_reproduce(std::vector<std::string> names, bool json, std::optional<int>
   } else if (systems.size() > 1) {
     print_counts(results);
   }
+  if (options.report) {
+    write_files({{*options.report, page_html(reproduction_report(results))}});
+    if (!json && !is_quiet()) fmt::print("wrote {}\n", *options.report);
+  }
   print_worsened(results, status);
 }
 
@@ -197,18 +216,21 @@ void run_reproduce(std::vector<std::string> names, bool json, std::optional<int>
 void add_reproduce_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
-  const auto names = std::make_shared<std::vector<std::string>>();
-  const auto json = std::make_shared<bool>(false);
-  const auto n = std::make_shared<std::optional<int>>();
-  command->add_option("SYSTEM", *names, "systems to reproduce (all, if none is named)")
+  const auto options = std::make_shared<ReproduceOptions>();
+  command->add_option("SYSTEM", options->names, "systems to reproduce (all, if none is named)")
       ->type_name(takes::kSystem);
-  add_switch(*command, "--json", *json, "print JSON");
-  command->add_option("--n", *n, "cam-shape: solve it for this many radii instead")->type_name("N");
+  add_switch(*command, "--json", options->json, "print JSON");
+  command->add_option("--n", options->n, "cam-shape: solve it for this many radii instead")
+      ->type_name("N");
+  command
+      ->add_option("--report", options->report,
+                   "write the tables as a page for the browser to this HTML file")
+      ->type_name(takes::kFile);
   add_examples(*command,
                {{"camlaw reproduce spine-cutter",
                  "the printed numbers, which agree, and what is behind those that do not"},
                 {"camlaw reproduce cam-shape --n 1000", "one case of the COPS cam, of any size"}});
-  command->callback([names, json, n, &status] { run_reproduce(*names, *json, *n, status); });
+  command->callback([options, &status] { run_reproduce(*options, status); });
 }
 
 }  // namespace camlaw::cli

@@ -26,7 +26,7 @@ std::string shortened(const std::string& label) {
 }
 
 std::string segments_text(const SamplesAnswer& answer) {
-  if (answer.cycle.segments.size() < 2) return "";
+  if (answer.segments.size() < 2) return "";
   const problems::MotionSamples& samples = answer.fits.front().motion.samples;
   TextTable table({{"segment", TextTable::Align::Left},
                    {fmt::format("from, {}", samples.place_unit)},
@@ -37,7 +37,7 @@ std::string segments_text(const SamplesAnswer& answer) {
                    {"to"},
                    {shown_unit(samples.unit), TextTable::Align::Left}});
   const auto error = [](double value) { return in_digits(value, 2); };
-  for (const FoundSegment& s : answer.cycle.segments) {
+  for (const FoundSegment& s : answer.segments) {
     table.add({to_string(s.kind), number(s.begin), error(s.begin_error), number(s.end),
                error(s.end_error), number(s.from), number(s.to), ""});
   }
@@ -154,6 +154,7 @@ Json motion_json(const MotionFit& fit) {
           {"to", to_json(best.to)},
           {"parameters", fitted_json(best.fit)},
           {"samples", fit.motion.samples.place.size()},
+          {"samples_each_mean_of", fit.motion.samples.each},
           {"rms", to_json(best.fit.rms)},
           {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
           {"max_residual_at", to_json(fit.motion.samples.place[best.fit.largest])},
@@ -227,6 +228,9 @@ std::string samples_text(const SamplesAnswer& answer) {
   std::string text = (answer.cam ? cam_text(*answer.cam) : "") + segments_text(answer);
   if (answer.left_out > 0)
     text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
+  if (const auto& samples = answer.fits.front().motion.samples; samples.each > 1) {
+    text = fmt::format("{} neighbours each are taken as their mean\n", samples.each) + text;
+  }
   for (const MotionFit& fit : answer.fits) {
     if (answer.fits.size() > 1) {
       text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
@@ -241,7 +245,7 @@ std::string samples_text(const SamplesAnswer& answer) {
 Json samples_json(const SamplesAnswer& answer) {
   Json result = motion_json(main_motion(answer));
   Json segments = Json::array(), motions = Json::array();
-  for (const FoundSegment& s : answer.cycle.segments) {
+  for (const FoundSegment& s : answer.segments) {
     segments.push_back({{"kind", to_string(s.kind)},
                         {"begin", to_json(s.begin)},
                         {"end", to_json(s.end)},

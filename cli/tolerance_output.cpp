@@ -33,16 +33,22 @@ std::size_t variable_named(const optim::MultiProblem& problem, const std::string
 
 }  // namespace
 
+std::vector<double> hundredths(const std::vector<optim::Variable>& variables, optim::Design x) {
+  constexpr double kShare = 0.01;
+  std::vector<double> tolerances;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const optim::Variable& v = variables[i];
+    const double range = std::isfinite(v.upper - v.lower) ? v.upper - v.lower : 1;
+    tolerances.push_back(kShare * (x[i] != 0 ? std::abs(x[i]) : range));
+  }
+  return tolerances;
+}
+
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments) {
-  constexpr double kShare = 0.01;
   const optim::MultiProblem problem = problem_of(answer, point);
+  if (assignments.empty()) return hundredths(problem.variables, point.x);
   std::vector<double> tolerances(point.x.size(), 0.0);
-  for (std::size_t i = 0; i < tolerances.size() && assignments.empty(); ++i) {
-    const optim::Variable& v = problem.variables[i];
-    const double range = std::isfinite(v.upper - v.lower) ? v.upper - v.lower : 1;
-    tolerances[i] = kShare * (point.x[i] != 0 ? std::abs(point.x[i]) : range);
-  }
   for (const std::string& assignment : assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos) {

@@ -17,11 +17,17 @@ endfunction()
 
 # Turns a data file into a string constant, so that the program needs no files beside it:
 #   camlaw_embed(target file.csv variable) gives #include "<folder>/file.csv.h" with
-#   inline constexpr std::string_view camlaw::data::variable.
+#   inline constexpr std::string_view camlaw::data::variable; a file of the system, by its whole
+#   path, is included by its name alone.
 function(camlaw_embed target file variable)
-  file(RELATIVE_PATH from_root ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  if(IS_ABSOLUTE ${file})
+    set(source ${file})
+    get_filename_component(from_root ${file} NAME)
+  else()
+    set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    file(RELATIVE_PATH from_root ${PROJECT_SOURCE_DIR} ${source})
+  endif()
   set(header ${PROJECT_BINARY_DIR}/embedded/${from_root}.h)
-  set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
   file(READ ${source} content)
   set(template ${PROJECT_SOURCE_DIR}/cmake/embedded.h.in)

@@ -150,11 +150,14 @@ std::vector<optim::FitParameter> with_held(std::vector<optim::FitParameter> para
 /// What fits to the same residuals are compared by.
 double merit(const optim::FitResult& fit) { return fit.loss_scale.value_or(fit.sum_of_squares); }
 
+/// How far a fit looks.
+enum class Search { Near, Far };
+
 /// Laws of several coefficients have valleys in which longer motions with other coefficients nearly
-/// do as well: they are looked for from shorter and longer motions too.
+/// do as well: a far search begins at shorter and longer motions too.
 optim::FitResult in_stages(std::vector<optim::FitParameter> parameters,
                            const optim::Residuals& residuals, const optim::FitOptions& options,
-                           std::size_t first) {
+                           std::size_t first, Search search) {
   constexpr double kLonger[] = {-0.1, 0.1};
   constexpr double kExact = 1e-9;
   if (parameters.size() == first) return optim::fit(parameters, residuals, options);
@@ -165,7 +168,7 @@ optim::FitResult in_stages(std::vector<optim::FitParameter> parameters,
   for (const double longer : kLonger) {
     // Where the samples do not determine the numbers no start helps.
     const bool is_single = parameters.size() < first + 2 || !best.free_directions.empty();
-    if (is_single || best.rms < kExact * std::abs(stroke)) break;
+    if (search == Search::Near || is_single || best.rms < kExact * std::abs(stroke)) break;
     std::vector<optim::FitParameter> others = parameters;
     const double by = longer * (rough.parameters[1].value - rough.parameters[0].value);
     others[0].start = std::clamp(others[0].start - by, others[0].lower, others[0].upper);
@@ -177,7 +180,8 @@ optim::FitResult in_stages(std::vector<optim::FitParameter> parameters,
 }
 
 optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::size_t>& which,
-                        const Member& law, const MotionGuess& guess, const LawFitOptions& options) {
+                        const Member& law, const MotionGuess& guess, const LawFitOptions& options,
+                        Search search) {
   const Layout layout{samples.order == 0};
   const MotionResiduals residuals(samples, which, law, layout);
   optim::FitOptions fit;
@@ -186,12 +190,12 @@ optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::siz
   fit.confidence = options.confidence;
   const auto parameters = parameters_of(samples, law, guess, layout);
   const auto limit = limit_of(law);
-  if (!limit) return in_stages(parameters, residuals, fit, layout.first());
+  if (!limit) return in_stages(parameters, residuals, fit, layout.first(), search);
   std::vector<double> start;
   for (const auto& p : parameters) start.push_back(p.start);
   const LimitedResiduals limited(residuals, *limit, layout.first(), start);
   return limited.of_coefficients(
-      in_stages(limited.limited(parameters), limited, fit, layout.first()), parameters,
+      in_stages(limited.limited(parameters), limited, fit, layout.first(), search), parameters,
       options.confidence);
 }
 
@@ -200,6 +204,9 @@ std::vector<double> values_of(const optim::FitResult& fit) {
   for (const auto& p : fit.parameters) result.push_back(p.value);
   return result;
 }
+
+LawFit fit_of(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+              const LawFitOptions& options, Search search);
 
 }  // namespace
 
@@ -216,8 +223,15 @@ double LawFit::value(double place, int order) const {
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options) {
   check(samples, guess);
+  return fit_of(samples, law, guess, options, Search::Far);
+}
+
+namespace {
+
+LawFit fit_of(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+              const LawFitOptions& options, Search search) {
   const Layout layout{samples.order == 0};
-  LawFit result{law, fitted(samples, all_of(samples), law, guess, options)};
+  LawFit result{law, fitted(samples, all_of(samples), law, guess, options, search)};
   const std::vector<double> x = values_of(result.fit);
   for (const LawVariable& v : variables_of(law, layout)) {
     result.law.arguments.values()[v.parameter][v.element] = x[v.variable];
@@ -243,8 +257,6 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   result.criterion = optim::aicc(n, x.size(), sum);
   return result;
 }
-
-namespace {
 
 /// The median of the few outermost values, which a far-off one does not move.
 double outer_value(const MotionSamples& samples, bool first) {
@@ -293,29 +305,65 @@ MotionGuess guess_motion(const MotionSamples& samples) {
   return guess;
 }
 
+namespace {
+
+/// A fit and the law that it began with.
+struct Tried {
+  LawFit fit;
+  const Member* law;
+};
+
+bool comes_before(const Tried& a, const Tried& b) { return a.fit.criterion < b.fit.criterion; }
+
+/// Searches far for the laws of several coefficients: for those that may yet be the best. Where the
+/// best leaves noise, that is those which are nearly as good; where it leaves a curve, all.
+void search_far(std::vector<Tried>& ranking, const MotionSamples& samples, const MotionGuess& guess,
+                const LawFitOptions& options) {
+  constexpr double kNoise = 0.2, kNearly = 10;
+  const LawFit& best = ranking.front().fit;
+  const bool leaves_noise = neighbour_correlation(samples, best) < kNoise;
+  const double limit = best.criterion + kNearly;
+  for (Tried& tried : ranking) {
+    if (coefficients_of(*tried.law).size() < 2) continue;
+    if (leaves_noise && tried.fit.criterion > limit) continue;
+    Tried other{fit_of(samples, *tried.law, guess, options, Search::Far), tried.law};
+    if (comes_before(other, tried)) tried = std::move(other);
+  }
+}
+
+/// Those within two of the best explain the samples as well: of them the simplest comes first.
+void put_simplest_first(std::vector<LawFit>& ranking) {
+  constexpr double kAsWell = 2;
+  const auto as_well = std::find_if(ranking.begin(), ranking.end(), [&](const LawFit& fit) {
+    return fit.criterion > ranking.front().criterion + kAsWell;
+  });
+  const auto simplest =
+      std::min_element(ranking.begin(), as_well, [](const LawFit& a, const LawFit& b) {
+        return a.fit.parameters.size() < b.fit.parameters.size();
+      });
+  if (simplest != as_well) std::rotate(ranking.begin(), simplest, simplest + 1);
+}
+
+}  // namespace
+
 std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                               const MotionGuess& guess, const LawFitOptions& options) {
   check(samples, guess);
-  std::vector<LawFit> result;
+  std::vector<Tried> all;
   for (const Member& law : laws) {
     try {
-      result.push_back(fit_law(samples, law, guess, options));
+      all.push_back({fit_of(samples, law, guess, options, Search::Near), &law});
     } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
     }
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const LawFit& a, const LawFit& b) { return a.criterion < b.criterion; });
-  // Those within two of the best explain the samples as well: of them the simplest comes first.
-  constexpr double kAsWell = 2;
-  const auto as_well = std::find_if(result.begin(), result.end(), [&](const LawFit& fit) {
-    return fit.criterion > result.front().criterion + kAsWell;
-  });
-  const auto simplest =
-      std::min_element(result.begin(), as_well, [](const LawFit& a, const LawFit& b) {
-        return a.fit.parameters.size() < b.fit.parameters.size();
-      });
-  if (simplest != as_well) std::rotate(result.begin(), simplest, simplest + 1);
-  return result;
+  if (all.empty()) return {};
+  std::stable_sort(all.begin(), all.end(), comes_before);
+  search_far(all, samples, guess, options);
+  std::stable_sort(all.begin(), all.end(), comes_before);
+  std::vector<LawFit> ranking;
+  for (Tried& tried : all) ranking.push_back(std::move(tried.fit));
+  put_simplest_first(ranking);
+  return ranking;
 }
 
 double cross_validated(const MotionSamples& samples, const LawFit& fit,
@@ -326,7 +374,7 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit,
   return optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
         const MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
-        const auto part = fitted(samples, kept, fit.law, guess, options);
+        const auto part = fitted(samples, kept, fit.law, guess, options, Search::Near);
         const MotionResiduals others(samples, left_out, fit.law, layout);
         std::vector<double> r(left_out.size());
         if (!others.evaluate(values_of(part), r, {})) return std::nan("");

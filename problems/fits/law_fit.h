@@ -16,6 +16,8 @@ struct MotionSamples {
   std::vector<double> place, value;
   int order = 0;  ///< 0 displacement, 1 velocity, 2 acceleration
   std::string place_unit = "1", unit = "1";
+  std::size_t each = 1;      ///< measured samples that one of these is the mean of
+  std::size_t left_out = 0;  ///< of those, far off their neighbours
 };
 
 /// Where a motion is looked for to begin with.

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "problems/fits/columns.h"
+#include "problems/fits/condensed.h"
 
 namespace camlaw::problems {
 namespace {
@@ -65,22 +66,43 @@ const SampleColumn* polar_angle_of(const SampleTable& table) {
   return find_column(table, {"angle", "polar_angle", "theta", "phi", "cam_angle"});
 }
 
-MeasuredProfile profile_of(const SampleTable& table) {
-  optim::SmoothingOptions smoothing;
-  smoothing.reweighting = optim::Reweighting::Bisquare;
+struct Polar {
+  std::vector<double> theta, r;  ///< rad, mm
+};
+
+Polar points_of(const SampleTable& table) {
+  Polar points;
   if (const SampleColumn* radius = radius_of(table)) {
     const SampleColumn* angle = polar_angle_of(table);
     if (angle == nullptr) {
       throw std::invalid_argument(fmt::format(
           "column '{}' wants one for the angle beside it, such as \"angle [deg]\"", radius->name));
     }
-    std::vector<double> theta = in_unit(table, *angle, {"deg"}).values;
-    for (double& t : theta) t *= kDegree;
-    return MeasuredProfile::polar(theta, in_unit(table, *radius, {"mm"}).values, smoothing);
+    points = {in_unit(table, *angle, {"deg"}).values, in_unit(table, *radius, {"mm"}).values};
+    for (double& theta : points.theta) theta *= kDegree;
+    return points;
   }
-  return MeasuredProfile::points(
-      in_unit(table, *find_column(table, {"x", "profile_x"}), {"mm"}).values,
-      in_unit(table, *find_column(table, {"y", "profile_y"}), {"mm"}).values, smoothing);
+  points = {in_unit(table, *find_column(table, {"x", "profile_x"}), {"mm"}).values,
+            in_unit(table, *find_column(table, {"y", "profile_y"}), {"mm"}).values};
+  for (std::size_t i = 0; i < points.r.size(); ++i) {
+    const double x = points.theta[i], y = points.r[i];
+    points.theta[i] = std::atan2(y, x);
+    points.r[i] = std::hypot(x, y);
+  }
+  return points;
+}
+
+MeasuredProfile profile_of(const SampleTable& table) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  optim::SmoothingOptions smoothing;
+  smoothing.reweighting = optim::Reweighting::Bisquare;
+  Polar points = points_of(table);
+  if (points.r.size() <= kMostSamples) {
+    return MeasuredProfile::polar(points.theta, points.r, smoothing);
+  }
+  for (double& theta : points.theta) theta -= kTurn * std::floor(theta / kTurn);
+  const Condensed means = condensed(std::move(points.theta), std::move(points.r));
+  return MeasuredProfile::polar(means.place, means.value, smoothing);
 }
 
 bool is_length(const SampleTable& table, const SampleColumn& column) {

@@ -30,9 +30,9 @@ std::vector<std::string> measured_cams();
 
 /// The follower is that of `machine`, with its sizes. Points are as they lie on the cam at angle 0,
 /// polar angles (angle, theta, phi) counterclockwise; each counts by how far it lies from a robust
-/// smoothing spline through all. Throws std::invalid_argument: machines other than
-/// measured_cams(), columns in units of another kind, and what MeasuredProfile and MeasuredLift
-/// throw; the sentence begins with the table's name.
+/// smoothing spline through all; many points are condensed(). Throws std::invalid_argument:
+/// machines other than measured_cams(), columns in units of another kind, and what MeasuredProfile
+/// and MeasuredLift throw; the sentence begins with the table's name.
 MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine);
 
 }  // namespace camlaw::problems

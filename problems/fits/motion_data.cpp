@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "problems/fits/columns.h"
+#include "problems/fits/condensed.h"
 
 namespace camlaw::problems {
 namespace {
@@ -48,8 +49,11 @@ MotionSamples motion_samples(const SampleTable& table) {
     units.push_back(divided(length, places.unit, samples.order));
   }
   UnitValues values = in_unit(table, *value, units);
-  samples.place = std::move(places.values);
-  samples.value = std::move(values.values);
+  Condensed means = condensed(std::move(places.values), std::move(values.values));
+  samples.place = std::move(means.place);
+  samples.value = std::move(means.value);
+  samples.each = means.each;
+  samples.left_out = means.left_out;
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
   return samples;
@@ -58,6 +62,7 @@ MotionSamples motion_samples(const SampleTable& table) {
 MotionSamples between(const MotionSamples& all, double low, double high, double period) {
   MotionSamples part;
   part.order = all.order;
+  part.each = all.each;
   part.place_unit = all.place_unit;
   part.unit = all.unit;
   for (std::size_t i = 0; i < all.place.size(); ++i) {

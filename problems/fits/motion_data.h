@@ -12,8 +12,8 @@ namespace camlaw::problems {
 /// The columns of a table as a place and a displacement, velocity or acceleration. The place is the
 /// column called angle, cam_angle, phi, theta, x, t or time, else the first; the value that called
 /// lift, displacement, s, y; velocity, v; or acceleration, a, else the second. Angles become deg,
-/// lengths mm, times s, what has no unit stays; velocity is in mm/deg and the like. Throws
-/// std::invalid_argument naming the column and the units that it may have.
+/// lengths mm, times s, what has no unit stays; velocity is in mm/deg and the like. Many samples
+/// are condensed(). Throws std::invalid_argument naming the column and the units that it may have.
 MotionSamples motion_samples(const SampleTable& table);
 
 /// Samples from `low` to `high`, in a cycle that begins anew after `period` (0: not at all).

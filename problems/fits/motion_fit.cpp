@@ -94,4 +94,46 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   return result;
 }
 
+namespace {
+
+/// Where a fitted law has an end of a motion, seen from where the segment had it.
+struct FittedEnd {
+  double shift, error;
+};
+
+FittedEnd fitted_end(const MotionFit& fit, bool begin) {
+  const MotionGuess& guess = fit.motion.guess;
+  const double shift = begin ? fit.best().begin - guess.begin : fit.best().end - guess.end;
+  return {shift, fit.best().fit.parameters[begin ? 0 : 1].standard_deviation};
+}
+
+}  // namespace
+
+std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
+                                          const std::vector<MotionFit>& fits) {
+  std::vector<FoundSegment> result = cycle.segments;
+  const std::size_t count = result.size();
+  std::size_t motion = 0;
+  for (std::size_t i = 0; i < count && motion < fits.size(); ++i) {
+    if (cycle.segments[i].kind == SegmentKind::Dwell) continue;
+    const MotionFit& fit = fits[motion++];
+    if (!fit.distrust.empty()) continue;
+    const FittedEnd begin = fitted_end(fit, true), end = fitted_end(fit, false);
+    result[i].begin = cycle.segments[i].begin + begin.shift;
+    result[i].begin_error = begin.error;
+    result[i].end = cycle.segments[i].end + end.shift;
+    result[i].end_error = end.error;
+    FoundSegment &before = result[(i + count - 1) % count], &after = result[(i + 1) % count];
+    if (before.kind == SegmentKind::Dwell && before.end_error > 0) {
+      before.end += begin.shift;
+      before.end_error = begin.error;
+    }
+    if (after.kind == SegmentKind::Dwell && after.begin_error > 0) {
+      after.begin += end.shift;
+      after.begin_error = end.error;
+    }
+  }
+  return result;
+}
+
 }  // namespace camlaw::problems

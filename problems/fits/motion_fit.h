@@ -23,6 +23,11 @@ struct MotionFit {
   const LawFit& best() const { return ranking.front(); }
 };
 
+/// The segments of a cycle, the ends of motions where the fitted laws have them, with the standard
+/// errors of these; ends of motions whose law is not trusted stay.
+std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
+                                          const std::vector<MotionFit>& fits);
+
 /// Throws std::invalid_argument where none of the laws can be fitted.
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options = {});

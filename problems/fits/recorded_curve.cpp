@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "problems/fits/columns.h"
+#include "problems/fits/condensed.h"
 
 namespace camlaw::problems {
 namespace {
@@ -76,8 +77,10 @@ RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanis
     throw std::invalid_argument(
         fmt::format("{}: a column for the place is wanted, such as \"angle [deg]\"", table.source));
   }
-  record.place = in_unit(table, *place, {record.response.response->along}).values;
-  record.value = in_unit(table, column, {record.response.unit}).values;
+  Condensed means = condensed(in_unit(table, *place, {record.response.response->along}).values,
+                              in_unit(table, column, {record.response.unit}).values);
+  record.place = std::move(means.place);
+  record.value = std::move(means.value);
   return record;
 }
 

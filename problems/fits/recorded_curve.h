@@ -19,8 +19,8 @@ struct RecordedCurve {
 
 /// The column called as a curve of the machine (case, spaces and underscores do not matter), or as
 /// `name`, in any unit of its kind; the place is the column called angle, cam_angle, phi, theta, x,
-/// t or time, else the first. Throws std::invalid_argument: no such column, several, units of
-/// another kind.
+/// t or time, else the first. Many samples are condensed(). Throws std::invalid_argument: no such
+/// column, several, units of another kind.
 RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanism,
                              const std::optional<std::string>& name = {});
 

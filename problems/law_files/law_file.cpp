@@ -155,6 +155,11 @@ Member read_law_file(const std::string& path, const std::string& asked) {
   }
 }
 
+Member read_law_text(const std::string& text, const std::string& asked) {
+  const bool path = is_law_path(asked);
+  return member_of(law_of(text), path ? fs::path(asked).stem().string() : asked, path ? asked : "");
+}
+
 bool is_law_path(std::string_view name) {
   return name.ends_with(".json") || name.find('/') != std::string_view::npos;
 }

@@ -27,6 +27,10 @@ void check_law_text(const std::string& text);
 /// file and what is wrong with it.
 Member read_law_file(const std::string& path, const std::string& asked = "");
 
+/// The same of a file's text; `asked` is what the file was asked for by, a path or a name. Throws
+/// std::invalid_argument that says what is wrong with the text.
+Member read_law_text(const std::string& text, const std::string& asked);
+
 /// Whether a law was read from a file.
 bool is_law_file(const Member& law);
 /// A law of a file, called by the path that it was asked for by, where it was.

@@ -38,6 +38,13 @@ std::string folder_of(const Entry& entry) {
   return std::filesystem::path(entry.place).parent_path().string();
 }
 
+Member find_law_of(const Entry& name, LawFiles& files) {
+  if (const auto known = files.find(name.text); known != files.end()) return known->second;
+  const Member found = find_any_law(name.text, folder_of(name), read_value);
+  if (is_law_file(found)) files.emplace(name.text, found);
+  return found;
+}
+
 /// The parameters that a law's name gives: those before an equals sign.
 std::set<std::string> given_in(std::string_view name, const Family& family) {
   std::set<std::string> given;
@@ -64,10 +71,9 @@ void tell_apart(std::vector<Member>& laws) {
   }
 }
 
-NamedLaw read_law_name(const Entry& name) {
+NamedLaw read_law_name(const Entry& name, LawFiles& files) {
   const std::string& text = text_of(name);
-  const Member found =
-      located(name, [&] { return find_any_law(text, folder_of(name), read_value); });
+  const Member found = located(name, [&] { return find_law_of(name, files); });
   const Member law = as_family_member(found);
   for (std::size_t i = 0; i < law.arguments.size(); ++i) {
     for (const double value : law.arguments.list(i)) {

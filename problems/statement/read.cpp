@@ -41,7 +41,7 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
   }
 }
 
-ProblemStatement read_problem(std::string_view toml, const std::string& source) {
+ProblemStatement read_problem(std::string_view toml, const std::string& source, LawFiles known) {
   const Entry file = parse_toml(toml, source);
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
@@ -50,6 +50,8 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source) 
                     "objective", "objectives", "constraints", "solver"});
   ProblemStatement problem;
   problem.source = source;
+  problem.text = toml;
+  problem.law_files = std::move(known);
   if (const Entry* title = find(file, "title")) {
     problem.title = text_of(*title);
     check_printable(*title);

@@ -82,9 +82,9 @@ FreeEnd read_end(const Entry& table, const char* key, int continuity) {
                              text));
 }
 
-Law<double> read_start(const Entry& table) {
+Law<double> read_start(const Entry& table, LawFiles& files) {
   const Entry* entry = find(table, "start");
-  return entry == nullptr ? find_law("poly-3-4-5").law() : read_law_name(*entry).law.law();
+  return entry == nullptr ? find_law("poly-3-4-5").law() : read_law_name(*entry, files).law.law();
 }
 
 /// Between which the coefficients lie.
@@ -169,7 +169,7 @@ std::optional<NamedParameter> unfixed(const ProblemStatement& problem, const std
 
 bool is_free_name(std::string_view name) { return name == kFree; }
 
-Member read_free_law(const Entry& file) {
+Member read_free_law(const Entry& file, LawFiles& files) {
   const Entry table = free_table(file);
   FreeLaw shape;
   shape.degree = smooth_or(table, "degree", kLeastDegree, kMostDegree, shape.degree);
@@ -180,7 +180,7 @@ Member read_free_law(const Entry& file) {
   shape.end = read_end(table, "end", shape.continuity);
   shape.symmetric = truth_of(table, "symmetric");
   shape.moving_knots = truth_of(table, "moving_knots");
-  const Law<double> start = read_start(table);
+  const Law<double> start = read_start(table, files);
   return located(table, [&] { return free_law(shape, start); });
 }
 

@@ -18,24 +18,24 @@ struct NamedLaws {
   std::set<std::string> given;
 };
 
-void read_law(const Entry& file, const Entry& name, NamedLaws& result) {
+void read_law(const Entry& file, const Entry& name, LawFiles& files, NamedLaws& result) {
   if (name.kind == Kind::Text && is_free_name(name.text)) {
-    result.laws.push_back(read_free_law(file));
+    result.laws.push_back(read_free_law(file, files));
     return;
   }
-  NamedLaw law = read_law_name(name);
+  NamedLaw law = read_law_name(name, files);
   result.given.merge(law.given);
   result.laws.push_back(std::move(law.law));
 }
 
-NamedLaws read_names(const Entry& file, const Entry& name) {
+NamedLaws read_names(const Entry& file, const Entry& name, LawFiles& files) {
   NamedLaws result;
   if (name.kind == Kind::List) {
     if (name.items.empty()) refuse(name, "the list is empty; name at least one law");
-    for (const Entry& item : name.items) read_law(file, item, result);
+    for (const Entry& item : name.items) read_law(file, item, files, result);
   } else {
     expect(name, Kind::Text, "a law's name in quotes, or a list of names");
-    read_law(file, name, result);
+    read_law(file, name, files, result);
   }
   tell_apart(result.laws);
   return result;
@@ -118,11 +118,11 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
     if (program == nullptr) {
       refuse(file, "program is missing; write [program] and [[program.segments]]");
     }
-    problem.laws = read_program(file, *program);
+    problem.laws = read_program(file, *program, problem.law_files);
     return;
   }
   const Entry& law = law_entry(file);
-  const NamedLaws named_laws = read_names(file, name_entry(law));
+  const NamedLaws named_laws = read_names(file, name_entry(law), problem.law_files);
   problem.laws = named_laws.laws;
   for (const Entry& entry : law.items) {
     if (entry.key != "name") read_fixed(entry, named_laws.given, problem, fixed);

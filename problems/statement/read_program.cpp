@@ -50,26 +50,26 @@ std::optional<double> read_angle(const Entry& segment, std::optional<double> cyc
   return positive_of(*time, "s") / *cycle_time * kCycle;
 }
 
-Member read_segment_law(const Entry& file, const Entry& name) {
+Member read_segment_law(const Entry& file, const Entry& name, LawFiles& files) {
   const bool free = name.kind == Kind::Text && is_free_name(name.text);
-  return free ? read_free_law(file) : read_law_name(name).law;
+  return free ? read_free_law(file, files) : read_law_name(name, files).law;
 }
 
-std::vector<Member> read_segment_laws(const Entry& file, const Entry& law) {
+std::vector<Member> read_segment_laws(const Entry& file, const Entry& law, LawFiles& files) {
   std::vector<Member> laws;
   if (law.kind == Kind::List) {
     if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
-    for (const Entry& item : law.items) laws.push_back(read_segment_law(file, item));
+    for (const Entry& item : law.items) laws.push_back(read_segment_law(file, item, files));
   } else {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
-    if (law.text != kJoining) laws.push_back(read_segment_law(file, law));
+    if (law.text != kJoining) laws.push_back(read_segment_law(file, law, files));
   }
   tell_apart(laws);
   return laws;
 }
 
 StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t index, double level,
-                           std::optional<double> cycle_time) {
+                           std::optional<double> cycle_time, LawFiles& files) {
   expect(entry, Kind::Table, "a table with name, angle and, where it moves, law and to");
   check_keys(entry, {"name", "angle", "time", "law", "to"});
   StatedSegment result{&entry, {}, {}};
@@ -84,7 +84,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   }
   segment.to = segment.rests ? level : level == 0 ? 1 : 0;
   if (to != nullptr) segment.to = quantity_of(*to, "1");
-  if (law != nullptr) result.laws = read_segment_laws(file, *law);
+  if (law != nullptr) result.laws = read_segment_laws(file, *law, files);
   return result;
 }
 
@@ -139,7 +139,7 @@ std::string segment_name(const Entry& segment, std::size_t i) {
   return name != nullptr ? text_of(*name) : fmt::format("segment{}", i + 1);
 }
 
-std::vector<Member> read_program(const Entry& file, const Entry& program) {
+std::vector<Member> read_program(const Entry& file, const Entry& program, LawFiles& files) {
   expect(program, Kind::Table, "a table, [program] with [[program.segments]]");
   check_keys(program, {"matched", "cycle_time", "segments"});
   const Matched matched = read_matched(program);
@@ -150,7 +150,7 @@ std::vector<Member> read_program(const Entry& file, const Entry& program) {
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : list->items) {
-    stated.push_back(read_segment(file, entry, stated.size(), level, cycle_time));
+    stated.push_back(read_segment(file, entry, stated.size(), level, cycle_time, files));
     level = stated.back().segment.to;
   }
   if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");

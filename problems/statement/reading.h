@@ -24,7 +24,7 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 /// What [free] says: the law that the name "free" stands for, and its coefficients (and knots) as
 /// variables, but for those that the file states. Refuses the table where no law is free.
 bool is_free_name(std::string_view name);
-Member read_free_law(const Entry& file);
+Member read_free_law(const Entry& file, LawFiles& files);
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);

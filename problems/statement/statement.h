@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,9 @@ struct SolverStatement {
   std::optional<double> time_limit;  ///< seconds
 };
 
+/// Laws of files by the names that a problem's text has for them: what it does not hold itself.
+using LawFiles = std::map<std::string, Member>;
+
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.
 struct ProblemStatement {
   std::string title;
@@ -62,12 +66,16 @@ struct ProblemStatement {
   std::vector<ConstraintStatement> constraints;
   SolverStatement solver;
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
+  std::string text = {};    ///< as it was read
+  LawFiles law_files = {};  ///< those that were read with it
 };
 
 /// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.
 /// Throws std::invalid_argument with the line, the key and what is accepted:
-/// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20".
-ProblemStatement read_problem(std::string_view toml, const std::string& source);
+/// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20". Laws of files that are known
+/// already are not looked for on the disk.
+ProblemStatement read_problem(std::string_view toml, const std::string& source,
+                              LawFiles known = {});
 /// Reads a file of at most 16 MiB. Throws std::invalid_argument too where it cannot be read.
 ProblemStatement read_problem_file(const std::string& path);
 /// The text of such a file.

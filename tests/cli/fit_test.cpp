@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The program's fit: what it answers and what it refuses.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
 
 #include "tests/cli/program_runner.h"
+#include "tests/random_numbers.h"
 
 namespace camlaw::cli {
 namespace {
+
+using testing::Random;
 
 std::string written(const Folder& folder, const std::string& name, const std::string& text) {
   const std::string path = folder / name;
@@ -140,6 +146,83 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
     INFO("camlaw" << line);
     CHECK_THAT(failed(bad.words, 2), Contains(bad.says));
   }
+}
+
+TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[program][heavy]") {
+  const Folder folder;
+  const std::string data = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const Words words{
+      "fit",   data,          "--mechanism", "disc-cam-roller", "--set", "roller_radius=8 mm",
+      "--out", folder / "out"};
+  const std::string text = done(words);
+  CHECK_THAT(text, Contains("as where it is worn") && Contains("lie off the profile"));
+  CHECK(folder.content() == std::set<std::string>{"out", "out/fit.json", "out/fit.svg",
+                                                  "out/law.json", "out/program.toml"});
+  check_svg(folder / "out/fit.svg");
+  const Json found = Json::parse(read(folder / "out/fit.json"));
+  CHECK(found["cam"]["departures"].size() == 1);
+  CHECK(found["cam"]["outlying"].size() >= 2);
+  // What the file of the cam says: cycloidal over 80 deg, 60 at rest, modified sine over 100.
+  CHECK_THAT(read(folder / "out/program.toml"), Contains("cycloidal") && Contains("modified-sine"));
+  const Json again = json_of({"evaluate", folder / "out/program.toml", "--json"});
+  CHECK(again["constants"]["stroke"]["value"].get<double>() == Approx(30).margin(0.01));
+  CHECK(again["constants"]["base_radius"]["value"].get<double>() == Approx(60).margin(0.01));
+  CHECK_THAT(failed({"fit", data}, 2), Contains("--mechanism") && Contains("disc-cam-roller"));
+}
+
+TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
+  const Folder folder;
+  const std::string base = CAMLAW_SOURCE_DIR "/problems/cams/recorded_torque";
+  const Json found = json_of({"fit", base + ".csv", "--mechanism", base + ".toml", "--json"});
+  CHECK(found["trusted"] == true);
+  CHECK(found["identifiable"] == true);
+  // The sizes that the table was made with stand at its head; intervals of 95 %.
+  const std::map<std::string, double> made{
+      {"mass", 2.4}, {"spring_rate", 8}, {"guide_friction", 0.12}};
+  REQUIRE(found["parameters"].size() == made.size());
+  for (const Json& p : found["parameters"]) {
+    const double value = made.at(p["name"]), deviation = p["standard_deviation"];
+    CHECK(std::abs(p["value"].get<double>() - value) < 3 * deviation);
+    CHECK(deviation < 0.02 * value);
+  }
+  done({"fit", base + ".csv", "--mechanism", base + ".toml", "--out", folder / "out"});
+  CHECK(folder.content() == std::set<std::string>{"out", "out/fit.json", "out/fit.svg"});
+  check_svg(folder / "out/fit.svg");
+  for (const auto& [words, says] : std::vector<std::pair<Words, std::string>>{
+           {{"--mechanism", base + ".toml", "--response", "drive_power"}, "'drive_power'"},
+           {{"--mechanism", base + ".toml", "--shift", "time"}, "place"},
+           {{"--mechanism", "disc-cam-flat"}, "[variables]"},
+           {{"--shift", "place"}, "--mechanism"}}) {
+    Words all{"fit", base + ".csv"};
+    all.insert(all.end(), words.begin(), words.end());
+    CHECK_THAT(failed(all, 2), Contains(says));
+  }
+}
+
+TEST_CASE("a million rows are fitted within ten times the memory of their file",
+          "[program][heavy]") {
+  const Folder folder;
+  const std::string path = folder / "big.csv";
+  {
+    std::ofstream file(path);
+    file << "angle [deg], lift [mm]\n";
+    Random random(3);
+    constexpr int kRows = 1000000;
+    for (int i = 0; i < kRows; ++i) {
+      const double u = i / (kRows - 1.0);
+      const double s = u * u * u * (10 - 15 * u + 6 * u * u);
+      file << fmt::format("{:.6f},{:.6f}\n", 90 * u, 20 * s + 0.05 * random.normal());
+    }
+  }
+  const Outcome outcome = run({"fit", path, "--law", "poly-3-4-5", "--json"});
+  REQUIRE(outcome.status == 0);
+  CHECK(outcome.memory < 10.0 * static_cast<double>(fs::file_size(path)));
+  const Json found = Json::parse(outcome.out);
+  for (const Json& p : found["parameters"]) {
+    if (p["name"] == "stroke") CHECK(p["value"].get<double>() == Approx(20).margin(0.001));
+    if (p["name"] == "end") CHECK(p["value"].get<double>() == Approx(90).margin(0.005));
+  }
+  CHECK(found["trusted"] == true);
 }
 
 }  // namespace camlaw::cli

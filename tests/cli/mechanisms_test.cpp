@@ -56,7 +56,7 @@ TEST_CASE("evaluate draws the cam's profile, and refuses what is not there", "[p
   const std::string svg = folder / "profile.svg", csv = folder / "none.csv";
   CHECK_THAT(done({"evaluate", kCam, "--profile", svg}), Contains("wrote " + svg));
   check_svg(svg);
-  CHECK_THAT(read(svg), Contains("pitch curve") && Contains("middle of the tool"));
+  CHECK_THAT(read(svg), Contains("pitch curve") && Contains("cutter path"));
   const std::string problems = CAMLAW_SOURCE_DIR "/problems/";
   const std::string geneva = problems + "geneva/fastest.toml";
   const std::string springs = problems + "springs/lightest_helical.toml";

@@ -4,6 +4,7 @@
 // The built program, run as a user runs it. CAMLAW_PROGRAM is its path.
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +32,7 @@ using testing::Folder, testing::read;
 struct Outcome {
   int status = -1;
   std::string out, err;
+  double memory = 0;  ///< the most that it held, bytes
 };
 
 /// The program as a process of its own, its output in files of a folder that is gone afterwards.
@@ -55,8 +57,11 @@ class Running {
   pid_t id() const { return child_; }
   Outcome wait() const {
     int status = 0;
-    waitpid(child_, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out_), read(err_)};
+    rusage used{};
+    wait4(child_, &status, 0, &used);
+    constexpr double kKibibyte = 1024;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out_), read(err_),
+            kKibibyte * static_cast<double>(used.ru_maxrss)};
   }
 
  private:

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/export_options.h"
+#include "cli/export_output.h"
+#include "cli/files.h"
+#include "cli/help.h"
+#include "cli/terminal.h"
+#include "problems/exports/curve_svg.h"
+#include "problems/exports/dxf.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::CurveForm;
+
+/// What writing moves arcs and cubics by, mm; lines are rounded before they are measured.
+double written_rounding(ExportFormat format, CurveForm form, int decimals) {
+  if (form == CurveForm::Lines) return 0;
+  if (format == ExportFormat::Gcode) return problems::gcode_rounding(decimals);
+  return format == ExportFormat::Svg ? 2e-6 : 1e-9;
+}
+
+/// With --tool the way of a tool of that radius on the profile.
+void add_tool_way(const ExportOptions& o, const problems::ProblemStatement& statement,
+                  const std::string& asked, std::vector<problems::PlaneCurve>& curves) {
+  if (!o.tool || asked == "pitch") return;
+  if (!problems::cam_curves(statement, "cutter").empty()) {
+    throw std::invalid_argument(fmt::format(
+        "--tool: {} has its tool's radius as cutter_radius; write --set 'cutter_radius={}'",
+        statement.mechanism->name, *o.tool));
+  }
+  const auto profile =
+      problems::cam_curves(statement, asked == "second-profile" ? "second-profile" : "profile");
+  if (profile.empty()) return;
+  if (asked != "all") curves.clear();
+  curves.push_back(problems::tool_way(profile.front(), *tool_radius(o)));
+}
+
+/// What a mechanism without a profile has instead, in words.
+std::string instead(const problems::ProblemStatement& statement) {
+  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
+    return "; --format table and json have its motion and law";
+  }
+  const bool moves = !problems::curves_of(statement).empty();
+  return moves ? "; --format table --slave NAME writes one of its curves" : "";
+}
+
+[[noreturn]] void refuse_without(const problems::ProblemStatement& statement,
+                                 const std::string& asked) {
+  const std::string& name = statement.mechanism->name;
+  std::vector<std::string> there;
+  for (const problems::CurveKind& kind : problems::curve_kinds()) {
+    if (!problems::cam_curves(statement, kind.option).empty()) there.push_back(kind.option);
+  }
+  if (there.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} has no profile to export{}", name, instead(statement)));
+  }
+  throw std::invalid_argument(fmt::format(
+      "{} has no curve '{}' of its own; it has {}{}", name, asked, fmt::join(there, ", "),
+      asked == "cutter" ? ", and --tool '10 mm' gives the way of a tool of that radius" : ""));
+}
+
+std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
+                                               const problems::ProblemStatement& statement) {
+  const bool gcode = format.format == ExportFormat::Gcode;
+  const std::string asked = o.curve.value_or(gcode ? "cutter" : "all");
+  auto curves = problems::cam_curves(statement, asked);
+  add_tool_way(o, statement, asked, curves);
+  const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
+  const bool without = format.format == ExportFormat::Json && law && !o.curve;
+  if (curves.empty() && !without) refuse_without(statement, asked);
+  if (gcode && curves.size() > 1) {
+    throw std::invalid_argument("--curve all: a gcode program follows one curve");
+  }
+  return curves;
+}
+
+/// What keeps a tool from going along a curve, in words.
+std::vector<std::string> obstacles(const problems::PlaneCurve& curve) {
+  std::vector<std::string> result;
+  for (const auto& [place, way] : curve.jumps()) {
+    result.push_back(
+        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
+                    "line bridges it",
+                    curve.name(), way, place));
+  }
+  if (const auto angle = problems::turns_back(curve)) {
+    result.push_back(fmt::format(
+        "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
+        curve.name(), *angle));
+  }
+  return result;
+}
+
+/// Refuses a program for a way with obstacles. The way of a tool as large as the roller is smooth
+/// where the profile that it leaves is undercut: the follower would not move as it should.
+void check_way(const problems::ProblemStatement& statement, const problems::PlaneCurve& way) {
+  if (const auto found = obstacles(way); !found.empty()) throw std::invalid_argument(found.front());
+  for (const problems::PlaneCurve& profile : problems::cam_curves(statement, "profile")) {
+    if (way.name() != "cutter path" || !problems::turns_back(profile)) continue;
+    throw std::invalid_argument(obstacles(profile).back());
+  }
+}
+
+void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
+  const CurveForm form = form_of(o, format);
+  const auto curves = curves_asked(o, format, e.design.statement);
+  if (format.format == ExportFormat::Gcode) check_way(e.design.statement, curves.front());
+  for (const problems::PlaneCurve& curve : curves) {
+    for (std::string& note : obstacles(curve)) e.notes.push_back(std::move(note));
+  }
+  const double slack = written_rounding(format.format, form, e.accuracy.decimals);
+  auto inner = e.accuracy;
+  inner.tolerance -= slack;
+  for (const problems::PlaneCurve& curve : curves) {
+    e.curves.push_back(problems::exported(curve, form, inner));
+    std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
+  }
+}
+
+/// The radius of the tool, for who sets up the machine.
+std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement) {
+  const auto& parameters = statement.mechanism->parameters;
+  const auto own = std::find_if(parameters.begin(), parameters.end(),
+                                [](const auto& p) { return p.name == "cutter_radius"; });
+  if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
+  const double radius =
+      o.tool ? *tool_radius(o)
+             : statement.constants[static_cast<std::size_t>(own - parameters.begin())];
+  return fmt::format("tool radius {:.6g} mm; start spindle and coolant before", radius);
+}
+
+std::string content(const ExportOptions& o, const FormatRow& format, Exported& e) {
+  if (format.format == ExportFormat::Table) {
+    return problems::table_text(
+        problems::motion_table(e.design.statement, o.slave, o.step, e.accuracy.decimals),
+        e.accuracy.decimals);
+  }
+  fit_curves(o, format, e);
+  std::vector<std::string> comments = comments_of(e);
+  switch (format.format) {
+    case ExportFormat::Csv:
+      return export_csv(e);
+    case ExportFormat::Dxf:
+      return problems::dxf_text(e.curves, comments);
+    case ExportFormat::Svg:
+      return problems::svg_text(e.curves, e.design.statement.title, comments);
+    case ExportFormat::Gcode:
+      comments.push_back(tool_line(o, e.design.statement));
+      return problems::gcode_text(e.curves.front(), gcode_settings(o, e.accuracy.decimals),
+                                  comments);
+    default:
+      return export_json(e).dump(2) + "\n";
+  }
+}
+
+void run_export(const ExportOptions& options) {
+  const FormatRow& format = format_of(options);
+  check_options(options, format);
+  problems::ReadDesign design = problems::read_design_file(options.file);
+  for (const std::string& setting : options.settings) {
+    problems::set_value(design.statement, setting);
+  }
+  Exported e{.design = design,
+             .file = std::filesystem::path(options.file).filename().string(),
+             .settings = options.settings,
+             .accuracy = accuracy_of(options, format)};
+  const std::string text = content(options, format, e);
+  if (!options.out) {
+    std::fputs(text.c_str(), stdout);
+    return;
+  }
+  write_out({}, {{*options.out, text}}, false);
+  if (is_quiet()) return;
+  for (const std::string& line : curve_lines(e)) fmt::print("{}\n", line);
+  fmt::print("wrote {}\n", *options.out);
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Write a cam's curves, its motion or its law for drawing, cutting and control");
+  const auto options = std::make_shared<ExportOptions>();
+  add_export_options(*command, *options);
+  add_examples(*command,
+               {{"camlaw export problems/cams/roller_least_base.toml --format dxf --out cam.dxf",
+                 "the profile as a drawing for CAD"},
+                {"camlaw export problems/cams/roller_least_base.toml --format table --step '1 deg' "
+                 "--out table.csv",
+                 "a table, degree by degree"}});
+  command->callback([options] { run_export(*options); });
+}
+
+}  // namespace camlaw::cli

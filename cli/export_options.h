@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/exports/exported_curve.h"
+#include "problems/exports/gcode.h"
+
+/// The options of camlaw export, and what they say together. Each function throws
+/// std::invalid_argument that names the option and what is accepted.
+namespace camlaw::cli {
+
+struct ExportOptions {
+  using Text = std::optional<std::string>;
+  std::string file;
+  Text format, out, curve, tolerance, step, form, decimals, tool, feed, clearance, depth, slave;
+  std::vector<std::string> settings;
+};
+
+enum class ExportFormat { Csv, Dxf, Svg, Json, Gcode, Table };
+
+struct FormatRow {
+  ExportFormat format;
+  const char* name;
+  std::vector<const char*> endings;
+  std::vector<problems::CurveForm> forms;  ///< the first is the standard one; none: no curves
+  int decimals;                            ///< the standard ones
+};
+
+/// What --format says, else the ending of --out.
+const FormatRow& format_of(const ExportOptions& options);
+/// Refuses what a format makes no use of.
+void check_options(const ExportOptions& options, const FormatRow& format);
+/// What curves are replaced by.
+problems::CurveForm form_of(const ExportOptions& options, const FormatRow& format);
+problems::ExportAccuracy accuracy_of(const ExportOptions& options, const FormatRow& format);
+problems::GcodeSettings gcode_settings(const ExportOptions& options, int decimals);
+/// The radius of --tool, mm; none where it is not given.
+std::optional<double> tool_radius(const ExportOptions& options);
+
+void add_export_options(CLI::App& command, ExportOptions& options);
+
+}  // namespace camlaw::cli

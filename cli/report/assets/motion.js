@@ -1,0 +1,123 @@
+// The mechanism in motion, and the place of the cycle that is marked in every curve.
+'use strict';
+
+report.cycle = null;   // {lower, upper, unit} of the cycle that the curves run over
+report.place = 0;
+report.playing = false;
+
+// The cycle is the axis of the first panel; a law's own curves over x are not along it.
+report.findCycle = () => {
+  const panel = (report.data.panels || [])[0];
+  report.cycle = panel ? panel.x : null;
+};
+
+report.isAlong = (panel) =>
+  report.cycle !== null && panel.x.label === report.cycle.label &&
+  panel.x.upper === report.cycle.upper;
+
+// How a body lies when the cam has turned to the place and the follower moved by `moved`.
+report.transformOf = (body, place, moved) => {
+  const factor = Number(body.dataset.factor);
+  const [x, y] = body.dataset.about.split(' ').map(Number);
+  switch (body.dataset.motion) {
+    case 'turn': return `rotate(${factor * place} ${x} ${y})`;
+    case 'swing': return `rotate(${factor * moved} ${x} ${y})`;
+    case 'slide': return `translate(${factor * moved * x} ${factor * moved * y})`;
+    case 'travel': return `translate(${factor * place} 0)`;
+    default: throw new Error('no motion ' + body.dataset.motion);
+  }
+};
+
+report.moveBodies = () => {
+  const scene = document.querySelector('.scene');
+  const design = report.shown[0];
+  if (!scene || !design) return;
+  const index = report.data.panels.findIndex((panel) => panel.id === scene.dataset.curve);
+  const value = report.valueAt(design, index, report.place);
+  for (const body of scene.querySelectorAll('[data-motion]')) {
+    const moved = value - Number(body.dataset.zero);
+    body.setAttribute('transform', report.transformOf(body, report.place, moved));
+  }
+};
+
+// Sets one plot's cursor.
+report.mark = (plot) => {
+  const design = report.shown[0];
+  if (!design || !plot.cursor || !report.isAlong(plot.panel)) return;
+  const { x, y } = plot.chart.scales;
+  const area = plot.chart.chartArea;
+  if (!area) return;
+  const value = report.valueAt(design, plot.index, report.place);
+  plot.cursor.hidden = false;
+  plot.cursor.style.transform = `translateX(${x.getPixelForValue(report.place)}px)`;
+  plot.cursor.style.top = area.top + 'px';
+  plot.cursor.style.height = area.bottom - area.top + 'px';
+  const height = value === null ? -1 : y.getPixelForValue(value) - area.top;
+  const inside = height >= 0 && height <= area.bottom - area.top;
+  plot.dot.style.display = inside ? '' : 'none';
+  plot.dot.style.top = height - 4 + 'px';
+  plot.output.textContent = report.withUnit(report.text(value), plot.panel.y.unit);
+};
+
+report.goTo = (place) => {
+  if (report.cycle === null) return;
+  report.place = Math.min(Math.max(place, report.cycle.lower), report.cycle.upper);
+  const slider = document.getElementById('place');
+  if (slider) {
+    const text = report.withUnit(report.text(report.place, 4), report.cycle.unit);
+    slider.value = 1000 * (report.place - report.cycle.lower) /
+      (report.cycle.upper - report.cycle.lower);
+    slider.setAttribute('aria-valuetext', text);
+    document.getElementById('place-text').textContent = text;
+  }
+  report.moveBodies();
+  report.plots.forEach(report.mark);
+};
+
+report.clicked = (plot, place) => {
+  if (report.isAlong(plot.panel)) report.goTo(place);
+};
+
+// One cycle in six seconds; for readers who want less motion in twelve still pictures.
+report.play = () => {
+  const calm = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const length = report.cycle.upper - report.cycle.lower;
+  let before = null;
+  let waited = 0;
+  const frame = (now) => {
+    if (!report.playing) return;
+    const passed = before === null ? 0 : (now - before) / 6000;
+    before = now;
+    waited += passed;
+    if (!calm || waited >= 1 / 12) {
+      const next = report.place - report.cycle.lower + waited * length;
+      report.goTo(report.cycle.lower + next % length);
+      waited = 0;
+    }
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+};
+
+report.setPlaying = (on) => {
+  const button = document.getElementById('play');
+  report.playing = on;
+  button.textContent = on ? 'Halt' : 'Play';
+  button.setAttribute('aria-pressed', String(on));
+  if (on) report.play();
+};
+
+report.startMotion = () => {
+  report.findCycle();
+  const slider = document.getElementById('place');
+  if (slider && report.cycle) {
+    slider.addEventListener('input', () => {
+      report.setPlaying(false);
+      const share = Number(slider.value) / 1000;
+      report.goTo(report.cycle.lower + share * (report.cycle.upper - report.cycle.lower));
+    });
+    document.getElementById('play').addEventListener('click',
+      () => report.setPlaying(!report.playing));
+  }
+  if (report.cycle) report.goTo(report.cycle.lower);
+};

@@ -1,0 +1,166 @@
+// What all of a report's scripts share, and curves over the cycle drawn with Chart.js.
+'use strict';
+
+const report = {
+  data: JSON.parse(document.getElementById('data').textContent),
+  plots: [],   // of panels: {panel, figure, chart, cursor, dot, output}
+  shown: [],   // the designs whose curves are drawn: A, then B
+  errors: [],
+};
+
+// What goes wrong is kept where a test, or a reader who asks, can see it.
+window.addEventListener('error', (event) => report.errors.push(event.message));
+window.addEventListener('unhandledrejection', (event) => report.errors.push(String(event.reason)));
+
+report.colour = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+
+// A number for people: so many digits, with a real minus.
+report.text = (value, digits = 5) => {
+  if (value === null || !Number.isFinite(value)) return '–';
+  return String(Number(value.toPrecision(digits))).replace('-', '−');
+};
+
+report.withUnit = (text, unit) => (unit ? text + '\u00a0' + unit : text);
+
+// The samples of one panel of a design, as Chart.js takes them.
+report.points = (design, index) => {
+  const line = design.lines[index];
+  const places = design.grids[line.grid];
+  return line.y.map((y, i) => ({ x: places[i], y: y === null ? NaN : y }));
+};
+
+// The value of a panel's curve at a place, between samples in proportion.
+report.valueAt = (design, index, place) => {
+  const line = design.lines[index];
+  const x = design.grids[line.grid];
+  let low = 0;
+  let high = x.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= place) low = middle; else high = middle;
+  }
+  const [from, to] = [line.y[low], line.y[high]];
+  if (from === null || to === null || x[high] === x[low]) return from;
+  return from + (to - from) * (place - x[low]) / (x[high] - x[low]);
+};
+
+// Limits far beyond the curve are named under it, but do not press it flat.
+report.rangeOf = (panel, series) => {
+  const values = series.flat().map((p) => p.y).filter(Number.isFinite);
+  let low = values.reduce((a, b) => Math.min(a, b), Infinity);
+  let high = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  if (!(low <= high)) return {};
+  const span = Math.max(high - low, 1e-3 * Math.max(Math.abs(low), Math.abs(high)), 1e-12);
+  for (const limit of panel.limits) {
+    if (limit > high && limit - high < 4 * span) high = limit;
+    if (limit < low && low - limit < 4 * span) low = limit;
+  }
+  if (panel.y.lower !== null) return { min: panel.y.lower, max: panel.y.upper };
+  return high - low < span ? { suggestedMin: low - span, suggestedMax: high + span }
+    : { suggestedMin: low, suggestedMax: high };
+};
+
+report.axis = (options) => ({
+  type: 'linear',
+  grid: { color: report.colour('line'), borderColor: report.colour('line') },
+  ...options,
+  ticks: { color: report.colour('soft'), maxRotation: 0, font: { size: 11 }, ...options.ticks },
+  title: { display: false, color: report.colour('soft'), ...options.title },
+});
+
+// Angles are read in quarters and thirds of a turn.
+report.stepOf = (axis) => {
+  const whole = axis.unit === 'deg' && (axis.upper - axis.lower) % 360 === 0;
+  return whole ? (axis.upper - axis.lower) / 6 : undefined;
+};
+
+report.datasets = (panel, index) => {
+  const sets = report.shown.map((design, i) => ({
+    label: design.label || panel.name,
+    data: report.points(design, index),
+    borderColor: report.colour(i === 0 ? 'a' : 'b'),
+    backgroundColor: report.colour(i === 0 ? 'a' : 'b'),
+    borderWidth: 1.7,
+  }));
+  for (const limit of panel.limits) {
+    sets.push({
+      label: 'limit',
+      data: [{ x: panel.x.lower, y: limit }, { x: panel.x.upper, y: limit }],
+      borderColor: report.colour('limit'),
+      borderDash: [6, 4],
+      borderWidth: 1.4,
+      isLimit: true,
+    });
+  }
+  return sets;
+};
+
+report.tooltip = (panel) => ({
+  filter: (item) => !item.dataset.isLimit,
+  displayColors: false,
+  callbacks: {
+    title: (items) => items.length === 0 ? ''
+      : report.withUnit(report.text(items[0].parsed.x, 4), panel.x.unit),
+    label: (item) => (report.shown.length > 1 ? item.dataset.label + ': ' : '') +
+      report.withUnit(report.text(item.parsed.y), panel.y.unit),
+  },
+});
+
+report.yAxis = (panel, index) => report.axis({
+  ...report.rangeOf(panel, report.shown.map((design) => report.points(design, index))),
+  ticks: { maxTicksLimit: 7, callback: (value) => report.text(value, 6) },
+  afterFit: (scale) => { scale.width = 58; },
+});
+
+report.plot = (figure) => {
+  const index = Number(figure.dataset.panel);
+  const panel = report.data.panels[index];
+  const canvas = figure.querySelector('canvas');
+  const plot = { panel, index, figure, output: figure.querySelector('output') };
+  plot.chart = new Chart(canvas, {
+    type: 'line',
+    data: { datasets: report.datasets(panel, index) },
+    options: {
+      animation: false,
+      responsive: true,
+      maintainAspectRatio: false,
+      parsing: false,
+      normalized: true,
+      elements: { point: { radius: 0, hitRadius: 0 } },
+      interaction: { mode: 'nearest', axis: 'x', intersect: false },
+      plugins: { legend: { display: false }, tooltip: report.tooltip(panel) },
+      scales: {
+        x: report.axis({
+          min: panel.x.lower, max: panel.x.upper,
+          ticks: { stepSize: report.stepOf(panel.x), maxTicksLimit: 8 },
+          title: { display: true, text: [panel.x.label, panel.x.unit].filter(Boolean).join(', ') },
+        }),
+        y: report.yAxis(panel, index),
+      },
+      onClick: (event, items, chart) => report.clicked(plot, chart.scales.x.getValueForPixel(event.x)),
+      onResize: () => requestAnimationFrame(() => report.mark(plot)),
+    },
+  });
+  report.addCursor(plot);
+  report.plots.push(plot);
+};
+
+report.addCursor = (plot) => {
+  plot.cursor = document.createElement('div');
+  plot.cursor.className = 'cursor';
+  plot.cursor.hidden = true;
+  plot.dot = document.createElement('i');
+  plot.cursor.append(plot.dot);
+  plot.figure.querySelector('.canvas').append(plot.cursor);
+};
+
+// Draws the designs A and B, or A alone, in every panel.
+report.show = (designs) => {
+  report.shown = designs;
+  for (const plot of report.plots) {
+    plot.chart.data.datasets = report.datasets(plot.panel, plot.index);
+    plot.chart.options.scales.y = report.yAxis(plot.panel, plot.index);
+    plot.chart.update();
+  }
+};

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/chart_svg.h"
+#include "cli/possible.h"
+#include "cli/report/design_figure.h"
+#include "cli/report/figure_json.h"
+#include "cli/report/html.h"
+#include "cli/report/problem_sections.h"
+#include "cli/report/report.h"
+#include "cli/report/scene.h"
+#include "cli/report/sensitivity_section.h"
+#include "cli/text_table.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+
+/// The design's problem with its choices held: one law, and only what varies evenly.
+struct HeldProblem {
+  optim::MultiProblem problem;
+  std::vector<double> x;
+  bool whole;  ///< nothing had to be held: it is the problem itself
+};
+
+/// None where nothing is sought or nothing varies.
+std::optional<HeldProblem> held_problem(const ProblemStatement& design) {
+  ProblemStatement held = design;
+  held.laws.erase(held.laws.begin() + 1, held.laws.end());
+  std::erase_if(held.variables, [&](const problems::VariableStatement& v) {
+    const bool others = v.of_law && !problems::index_in(*held.laws.front().family, v.law_parameter);
+    return others || v.integer || !v.values.empty();
+  });
+  if (held.objectives.empty() || held.variables.empty()) return {};
+  const bool whole = design.laws.size() == 1 && held.variables.size() == design.variables.size();
+  const problems::BoundProblem bound(std::move(held));
+  optim::MultiProblem problem = bound.problem({});
+  std::vector<double> x = problem.alone(0).start();
+  return HeldProblem{std::move(problem), std::move(x), whole};
+}
+
+/// All that is found out about a design before it is told.
+struct Review {
+  std::vector<problems::EvaluatedResponse> evaluated;
+  std::optional<HeldProblem> held;
+  std::optional<optim::Assessment> assessment;  ///< of a problem with one objective
+  std::vector<optim::LimitReport> limits;
+
+  explicit Review(const ProblemStatement& design)
+      : evaluated(problems::evaluate(design)), held(held_problem(design)) {
+    if (held && design.objectives.size() == 1) {
+      const optim::Problem problem = held->problem.alone(0);
+      assessment = optim::assess(problem, optim::sizes(problem, held->x), held->x, true);
+    }
+    limits =
+        assessment ? problems::as_stated(design, assessment->limits) : problems::standing(design);
+  }
+  /// Of the problem with its choices held: so far prices hold.
+  bool is_optimal() const { return assessment && assessment->verdict == optim::Verdict::Certified; }
+  bool is_certified() const { return is_optimal() && held->whole; }
+  std::size_t met() const {
+    return static_cast<std::size_t>(std::count_if(
+        limits.begin(), limits.end(), [](const optim::LimitReport& l) { return l.met; }));
+  }
+};
+
+/// The value of what is sought.
+std::string objective_text(const ProblemStatement& design, const Review& review) {
+  if (!review.assessment) return "";
+  const optim::ObjectiveReport& objective = review.assessment->objective;
+  const problems::ObjectiveStatement& stated = design.objectives.front();
+  if (std::isnan(objective.value)) return "";
+  return fmt::format("<p class=\"answer\">{} <b>{}</b></p>\n",
+                     xml_escape(plain_name(stated.response.name)),
+                     xml_escape(with_unit(in_digits(objective.value), stated.response.unit)));
+}
+
+std::string limits_words(const Review& review) {
+  if (review.limits.empty()) return "The problem states no limits.";
+  if (review.met() == review.limits.size()) return "Every limit is met.";
+  return fmt::format("{} of {} limits are met.", review.met(), review.limits.size());
+}
+
+/// Why the verdict is what it is.
+std::string reasons(const Review& review) {
+  if (!review.is_certified()) return paragraph(limits_words(review));
+  const optim::Assessment& a = *review.assessment;
+  return paragraph(fmt::format("Certified: {}.", a.reason)) +
+         (a.global ? paragraph(fmt::format("Global: {}.", *a.global)) : "");
+}
+
+/// What stands under the title: the verdict, and of values that nobody searched for how to search.
+std::string lead(const ReportedDesign& reported, const Review& review) {
+  const ProblemStatement& design = reported.design;
+  const bool meets = review.met() == review.limits.size();
+  std::string html;
+  if (review.is_certified()) {
+    html = badge("good", to_string(review.assessment->verdict));
+  } else if (reported.verdict) {
+    html = badge(!meets ? "bad" : review.is_optimal() ? "good" : "plain", *reported.verdict);
+  } else {
+    html = badge(meets ? "plain" : "bad", meets ? "meets its limits" : "passes a limit");
+  }
+  html = "<p>" + html + "</p>\n" + objective_text(design, review) + reasons(review);
+  if (reported.verdict) {
+    return html + paragraph(fmt::format(
+                      "The search said: {}. For this report the design was judged again, what was "
+                      "chosen among options held.",
+                      *reported.verdict));
+  }
+  const bool front = design.objectives.size() > 1;
+  html += paragraph(fmt::format(
+      "The design is the file's own, not searched for. {}",
+      design.objectives.empty()
+          ? "The file names no objective."
+          : fmt::format("To search: camlaw {} {}", front ? "pareto" : "optimize", reported.file)));
+  return html;
+}
+
+}  // namespace
+
+ReportPage design_report(const ReportedDesign& reported) {
+  constexpr int kPoints = 360;
+  const ProblemStatement& design = reported.design;
+  const Review review(design);
+  check_possible(reported.file, design, review.evaluated);
+  const Figure figure = design_figure(design, kPoints);
+  const auto words = panel_words(figure, design, review.evaluated);
+  const std::string title = design.title.empty() ? design.mechanism->title : design.title;
+  ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
+  page.sections = {problem_section(design), values_section(design),
+                   limits_section(design, review.limits, review.is_optimal())};
+  if (!figure.panels.empty()) {
+    page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
+    page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
+  }
+  if (auto rulers = rulers_section(design)) page.sections.push_back(*std::move(rulers));
+  if (review.held) {
+    page.sections.push_back(sensitivity_section(review.held->problem, review.held->x));
+  }
+  const ReportSection numbers = numbers_section(review.evaluated);
+  if (!numbers.html.empty()) page.sections.push_back(numbers);
+  Facts facts = reported.facts;
+  facts.emplace_back("input", reported.file);
+  page.sections.push_back(provenance_section(facts, "The problem file", reported.text));
+  page.data = {{"panels", panels_json(figure, words)},
+               {"designs", Json::array({lines_json(figure)})}};
+  return page;
+}
+
+}  // namespace camlaw::cli

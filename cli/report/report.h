@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "cli/front_answer.h"
+#include "cli/report/page.h"
+#include "cli/report/provenance.h"
+#include "problems/reproduction.h"
+
+/// What reports are written about, one page each.
+namespace camlaw::cli {
+
+/// A design and where it comes from.
+struct ReportedDesign {
+  problems::ProblemStatement design;  ///< at its own values
+  std::string file;                   ///< as it was named
+  std::string text;                   ///< of the problem file
+  Facts facts = {};                   ///< of the search that found it
+  /// The verdict of that search, of all combinations of its choices; none: the values are those of
+  /// a problem file.
+  std::optional<std::string> verdict = {};
+};
+
+/// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.
+/// Throws std::invalid_argument for a design that cannot be at all.
+ReportPage design_report(const ReportedDesign& reported);
+
+/// A front with the curves of its designs, of which two can be compared.
+ReportPage front_report(const FrontAnswer& answer, const std::string& file);
+
+/// Published tables beside what the program computes.
+ReportPage reproduction_report(const std::vector<problems::SystemReproduction>& results);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "cli/report/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cli/chart_svg.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string motion_attributes(const BodyMotion& motion, double zero) {
+  using K = BodyMotion::Kind;
+  const Point about = motion.kind == K::Slide ? motion.direction : motion.pivot;
+  const auto attribute = [&](const char* kind) {
+    return fmt::format(
+        " data-motion=\"{}\" data-factor=\"{:.9g}\" data-about=\"{:.6g} {:.6g}\" "
+        "data-zero=\"{:.9g}\"",
+        kind, motion.factor, about.x, about.y, zero);
+  };
+  switch (motion.kind) {
+    case K::Turn:
+      return attribute("turn");
+    case K::Slide:
+      return attribute("slide");
+    case K::Swing:
+      return attribute("swing");
+    case K::Travel:
+      return attribute("travel");
+    case K::Fixed:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+void Scene::body(std::string_view name, const BodyMotion& motion) {
+  if (open_) bodies_ += "</g>\n";
+  bodies_ += fmt::format("<g class=\"body\"{}><title>{}</title>\n",
+                         motion_attributes(motion, zero_), xml_escape(name));
+  open_ = true;
+}
+
+void Scene::polyline(std::string_view kind, const std::vector<Point>& points, bool closed) {
+  std::string path;
+  for (const Point& p : points) {
+    path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", p.x, p.y);
+  }
+  bodies_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", kind, path, closed ? "Z" : "");
+}
+
+void Scene::circle(std::string_view kind, Point centre, double radius) {
+  bodies_ += fmt::format("<circle class=\"{}\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"/>\n", kind,
+                         centre.x, centre.y, radius);
+}
+
+void Scene::segment(std::string_view kind, Point from, Point to) {
+  bodies_ +=
+      fmt::format("<line class=\"{}\" x1=\"{:.3f}\" y1=\"{:.3f}\" x2=\"{:.3f}\" y2=\"{:.3f}\"/>\n",
+                  kind, from.x, from.y, to.x, to.y);
+}
+
+void Scene::include(Point p) {
+  if (!window_) window_ = {p, p};
+  auto& [low, high] = *window_;
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+void Scene::include(Point centre, double radius) {
+  include({centre.x - radius, centre.y - radius});
+  include({centre.x + radius, centre.y + radius});
+}
+
+std::string Scene::svg() const {
+  const auto& [low, high] = window_.value();
+  const double margin = 0.04 * std::max(high.x - low.x, high.y - low.y);
+  const double width = high.x - low.x + 2 * margin, height = high.y - low.y + 2 * margin;
+  return fmt::format(
+             "<svg class=\"scene\" role=\"img\" aria-label=\"{}\" viewBox=\"{:.2f} {:.2f} {:.2f} "
+             "{:.2f}\" data-curve=\"{}\">\n<g transform=\"scale(1,-1)\">\n",
+             xml_escape(title_), low.x - margin, -(high.y + margin), width, height, follows_) +
+         bodies_ + (open_ ? "</g>\n" : "") + "</g></svg>\n";
+}
+
+SceneCurves::SceneCurves(const problems::ProblemStatement& design, int points)
+    : curves_(problems::curves_of(design)), points_(points) {}
+
+bool SceneCurves::has(const std::string& name) const {
+  return std::any_of(curves_.begin(), curves_.end(),
+                     [&](const optim::Response& curve) { return curve.name == name; });
+}
+
+std::vector<double> SceneCurves::values(const std::string& name) const {
+  const auto curve =
+      std::find_if(curves_.begin(), curves_.end(),
+                   [&](const optim::Response& response) { return response.name == name; });
+  if (curve == curves_.end()) throw std::logic_error("no curve " + name);
+  const auto trace = curve->curve().trace({});
+  const std::vector<double> breaks = trace->breaks();
+  std::vector<double> result;
+  for (int i = 0; i <= points_; ++i) {
+    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), points_, i);
+    result.push_back(trace->at(place)[0]);
+  }
+  return result;
+}
+
+std::vector<Point> SceneCurves::points(const std::string& name) const {
+  const std::vector<double> x = values(name + "_x"), y = values(name + "_y");
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back({x[i], y[i]});
+  return result;
+}
+
+bool has_parameter(const problems::ProblemStatement& design, std::string_view name) {
+  const auto& all = design.mechanism->parameters;
+  return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+}
+
+double parameter_of(const problems::ProblemStatement& design, std::string_view name) {
+  return design.constants[design.mechanism->parameter(name)];
+}
+
+std::string scene_svg(const problems::ProblemStatement& design, int points) {
+  for (const auto& draw : {disc_scene, plate_scene, geneva_scene, slider_scene}) {
+    if (const std::optional<Scene> scene = draw(design, points)) return scene->svg();
+  }
+  return "";
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/help.h"
+#include "cli/report/report.h"
+#include "problems/fronts/front_study.h"
+#include "problems/results/recorded_design.h"
+#include "problems/statement/file_text.h"
+
+namespace camlaw::cli {
+namespace {
+
+struct ReportOptions {
+  std::string input;
+  std::optional<std::string> output;
+};
+
+/// What a result says of the search that found it.
+Facts facts_of(const std::string& result) {
+  const Json said = Json::parse(problems::file_text(result, "result"));
+  Facts facts;
+  const auto add = [&](const char* name, const char* key) {
+    const auto at = said.find(key);
+    if (at == said.end() || at->is_null()) return;
+    facts.emplace_back(name, at->is_string() ? at->get<std::string>() : at->dump());
+  };
+  add("solver", "solver"), add("why", "why_solver"), add("seed", "seed"), add("starts", "starts");
+  add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
+  add("evaluations", "evaluations"), add("search time, s", "wall_s");
+  return facts;
+}
+
+ReportPage design_page(const std::string& input) {
+  problems::ReadDesign read = problems::read_design_file(input);
+  const std::string text = read.statement.text;
+  return design_report({.design = std::move(read.statement),
+                        .file = input,
+                        .text = text,
+                        .facts = read.verdict ? facts_of(input) : Facts{},
+                        .verdict = read.verdict});
+}
+
+ReportPage study_page(const std::string& file) {
+  optim::StudyRecord record = optim::StudyRecord::read(file);
+  const problems::FrontStudy study = problems::FrontStudy::of(record);
+  optim::RecordedExecutor recorded(study.space(), record, nullptr);
+  const optim::Front front = study.run(recorded);
+  if (front.points.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));
+  }
+  return front_report(FrontAnswer{study, front}, file);
+}
+
+ReportPage page_of(const std::string& input) {
+  const std::string extension = std::filesystem::path(input).extension().string();
+  if (extension == ".db") return study_page(input);
+  if (extension == ".toml" || extension == ".json") return design_page(input);
+  throw std::invalid_argument(fmt::format(
+      "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
+}
+
+void run_report(const ReportOptions& options) {
+  const std::filesystem::path output =
+      options.output ? std::filesystem::path(*options.output)
+                     : std::filesystem::path(options.input).replace_extension(".html");
+  check_writable({output});
+  const std::vector<OutputFile> files{{output, page_html(page_of(options.input))}};
+  write_files(files);
+  say_written(files);
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "report", "Write a page for the browser about a design or a front: one HTML file");
+  const auto options = std::make_shared<ReportOptions>();
+  command
+      ->add_option(
+          "INPUT", options->input,
+          "a problem file (.toml), at its own values, a result of 'camlaw optimize' (.json) or a "
+          "study of 'camlaw pareto' (.db)")
+      ->required()
+      ->type_name(takes::kFile);
+  command
+      ->add_option("-o,--out", options->output,
+                   "the HTML file; else beside the input, under its name")
+      ->type_name(takes::kFile);
+  add_examples(*command, {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
+                           "the design at the file's own values, on one page"},
+                          {"camlaw report results/front/study.db -o front.html",
+                           "the front of a study, after 'camlaw pareto'"}});
+  command->callback([options] { run_report(*options); });
+}
+
+}  // namespace camlaw::cli

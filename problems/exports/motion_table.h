@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/statement/statement.h"
+
+/// Motions as the cam tables of controllers: where the slave is for each place of the master.
+namespace camlaw::problems {
+
+struct MotionTable {
+  std::string master, slave;           ///< with units: "cam_angle [deg]", "displacement [mm]"
+  std::vector<double> places, values;  ///< at even places, ends included
+  bool closed = false;                 ///< the last value is the first
+};
+
+/// The table of a mechanism's motion. `slave` names one of its curves; none: the curve
+/// "displacement", else the law itself, s over x. The step is in the unit of the master; none: a
+/// 360th of the cycle. Values are rounded to the decimals; a motion that comes back ends in the
+/// digits in which it begins, a law in exactly 0 and 1. Throws std::invalid_argument with the
+/// curves that there are, for steps that do not divide the cycle, and where the motion jumps to
+/// infinity.
+MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
+                         const std::optional<std::string>& step, int decimals);
+
+/// "master,slave" and a row each, all with so many decimals.
+std::string table_text(const MotionTable& table, int decimals);
+
+}  // namespace camlaw::problems

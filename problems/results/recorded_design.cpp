@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "problems/results/recorded_design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "problems/law_files/law_file.h"
+#include "problems/statement/choices.h"
+#include "problems/statement/file_text.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr const char* kWanted = "a problem file or a result of 'camlaw optimize' is wanted";
+
+[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
+
+const Json& key(const Json& record, const char* name, bool (Json::*is)() const noexcept,
+                const char* kind) {
+  const auto found = record.find(name);
+  if (found == record.end()) refuse(fmt::format("its design has no {}", name));
+  if (!((*found).*is)()) refuse(fmt::format("{} of its design is no {}", name, kind));
+  return *found;
+}
+
+std::string text_of(const Json& record, const char* name) {
+  return key(record, name, &Json::is_string, "text").get<std::string>();
+}
+
+Json laws_to_json(const LawFiles& files) {
+  Json result = Json::object();
+  for (const auto& [name, law] : files) {
+    result[name] = law_file(law.law(), law.family->formula, nullptr);
+  }
+  return result;
+}
+
+LawFiles laws_of(const Json& record) {
+  LawFiles files;
+  for (const auto& [name, law] : key(record, "law_files", &Json::is_object, "object").items()) {
+    files.emplace(name, read_law_text(law.dump(), name));
+  }
+  return files;
+}
+
+/// Leaves the law that was chosen.
+void choose_law(const Json& record, ProblemStatement& statement) {
+  if (statement.laws.size() < 2) return;
+  const std::string name = text_of(record, "law");
+  const auto chosen = std::find_if(statement.laws.begin(), statement.laws.end(),
+                                   [&](const Member& law) { return law.name() == name; });
+  if (chosen == statement.laws.end()) {
+    refuse(fmt::format("its design has the law '{}', which its problem has not", name));
+  }
+  statement.laws = std::vector<Member>{*chosen};
+}
+
+/// Where a variable's number is among the parameters; none: the chosen law has it not.
+std::optional<NamedParameter> parameter_of(const ProblemStatement& statement,
+                                           const VariableStatement& variable) {
+  NamedParameter result;
+  result.of_law = variable.of_law;
+  result.parameter = variable.parameter;
+  result.law_parameter = variable.law_parameter;
+  const bool has = !variable.of_law ||
+                   index_in(*statement.laws.front().family, variable.law_parameter).has_value();
+  return has ? std::optional(result) : std::nullopt;
+}
+
+void set_variables(const Json& record, ProblemStatement& statement) {
+  const Json& numbers = key(record, "variables", &Json::is_object, "object");
+  for (VariableStatement& variable : statement.variables) {
+    const auto parameter = parameter_of(statement, variable);
+    if (!parameter) continue;
+    const auto number = numbers.find(variable.name);
+    if (number == numbers.end() || !number->is_number()) {
+      refuse(fmt::format("its design has no number for {}", variable.name));
+    }
+    const auto value = number->get<double>();
+    if (const auto why = why_not(variable, value)) {
+      refuse(fmt::format("{} of its design: {}", variable.name, *why));
+    }
+    variable.start = value;
+    put_value(statement, *parameter, variable.element, value);
+  }
+  check_laws(statement);
+}
+
+/// The object of a result with a design.
+Json result_of(std::string_view json) {
+  Json result = Json::parse(json, nullptr, false);
+  if (result.is_discarded()) refuse(fmt::format("it is not JSON, or not all of it; {}", kWanted));
+  if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
+    refuse(fmt::format("it is no result with a design in it; {}", kWanted));
+  }
+  if (result["design"].is_null()) {
+    refuse(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
+  }
+  if (!result["design"].is_object()) refuse("its design is no object");
+  return result;
+}
+
+}  // namespace
+
+Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
+                     optim::Design x) {
+  const ProblemStatement& problem = bound.statement();
+  const bool finite = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+  if (!finite || options.size() != bound.choices().size() ||
+      x.size() != bound.problem(options).variables.size()) {
+    return nullptr;
+  }
+  Json variables = Json::object();
+  for (const VariableStatement& v : bound.at(options, x).variables) variables[v.name] = v.start;
+  return {
+      {"source", std::filesystem::path(problem.source).filename().string()},
+      {"problem", problem.text},
+      {"law_files", laws_to_json(problem.law_files)},
+      {"law", problem.laws.size() > 1 ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
+      {"variables", std::move(variables)}};
+}
+
+ReadDesign read_result(std::string_view json, const std::string& source) {
+  try {
+    const Json result = result_of(json);
+    const Json& record = result["design"];
+    ReadDesign design{
+        read_problem(text_of(record, "problem"), text_of(record, "source"), laws_of(record))};
+    choose_law(record, design.statement);
+    set_variables(record, design.statement);
+    if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();
+    return design;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));
+  }
+}
+
+ReadDesign read_design_file(const std::string& path) {
+  const std::string text = file_text(path, "problem file or a result");
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && text[first] == '{') return read_result(text, path);
+  return {read_problem(text, path)};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "problems/law_files/pieces_json.h"
+#include "problems/statement/bind.h"
+
+/// A design as a result keeps it, so that the result stands alone: the text of the problem, the law
+/// files that it names, and what was chosen (docs/problem-files.md, "Answers").
+namespace camlaw::problems {
+
+/// The object that a result has under "design": `source` (the file's name), `problem` (its text),
+/// `law_files` by name, `law` where there were several to choose from, `variables` by name. Numbers
+/// keep every digit. Null where x is no design.
+Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
+                     optim::Design x);
+
+/// A design that was read.
+struct ReadDesign {
+  ProblemStatement statement;               ///< at the design; its laws are the one chosen
+  std::optional<std::string> verdict = {};  ///< of a result: "certified optimum"
+};
+
+/// The design of a result, the text of a result.json or what --json prints; `source` names it in
+/// errors. Throws std::invalid_argument for anything else, for a result without a design, and where
+/// the design does not fit the problem recorded with it.
+ReadDesign read_result(std::string_view json, const std::string& source);
+
+/// The design of a file: of a problem file its starts, of a result what was found. Throws
+/// std::invalid_argument with the path and what is wrong.
+ReadDesign read_design_file(const std::string& path);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// report and reproduce --report, as a user runs them. What a browser makes of the pages is looked
+// at by tests/report/open_reports.py.
+#include <chrono>
+#include <cmath>
+
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string shipped(const std::string& name) {
+  return std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name;
+}
+
+std::string page_of(const std::string& input, const Folder& folder) {
+  const std::string page = folder / "page.html";
+  CHECK(done({"report", input, "-o", page}) == "wrote " + page + "\n");
+  return read(page);
+}
+
+/// The JSON that a page carries for its scripts.
+Json data_of(const std::string& page) {
+  const std::string begin = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+/// Index of a panel by its curve.
+std::size_t panel_of(const Json& data, const std::string& id) {
+  for (std::size_t i = 0; i < data["panels"].size(); ++i) {
+    if (data["panels"][i]["id"] == id) return i;
+  }
+  throw std::runtime_error("no panel " + id);
+}
+
+/// A page that loads nothing: no address but those that readers are told.
+void check_whole(const std::string& page) {
+  CHECK_THAT(page, Catch::Matchers::StartsWith("<!DOCTYPE html>"));
+  CHECK_THAT(page, Contains("default-src 'none'"));
+  CHECK(count_of(page, " src=") == 0);
+  CHECK(count_of(page, "@import") == 0);
+  CHECK(count_of(page, "<link ") == 1);
+  CHECK_THAT(page, Contains("<link rel=\"icon\" href=\"data:,\">"));
+  CHECK(page.size() < 3'000'000);
+}
+
+TEST_CASE("a report of a problem file says verdict, margins and how to search", "[cli][report]") {
+  const Folder folder;
+  const std::string page = page_of(shipped("spine_cutter/least_radius.toml"), folder);
+  check_whole(page);
+  CHECK_THAT(page, Contains("Least cam radius of the spine cutter"));
+  CHECK_THAT(page, Contains("To search: camlaw optimize"));
+  CHECK_THAT(page, Contains("meets its limits"));
+  // The margin that evaluate has.
+  const Json said = json_of({"evaluate", shipped("spine_cutter/least_radius.toml"), "--json"});
+  const double margin = said["constraints"][0]["margin"];
+  CHECK_THAT(page, Contains(std::to_string(margin).substr(0, 4)));
+  const Json data = data_of(page);
+  const std::size_t angle = panel_of(data, "cam_pressure_angle");
+  CHECK(data["panels"][angle]["limits"] == Json({30.0, -30.0}));
+  CHECK(data["designs"].size() == 1);
+  // The greatest pressure angle of the curve is that of the table.
+  double highest = 0;
+  for (const Json& y : data["designs"][0]["lines"][angle]["y"]) {
+    highest = std::max(highest, y.get<double>());
+  }
+  CHECK(highest == Approx(30 - margin).epsilon(1e-4));
+}
+
+TEST_CASE("a report of a result judges its design again", "[cli][report]") {
+  const Folder folder;
+  done({"optimize", shipped("spine_cutter/least_radius.toml"), "--out", folder / "out"});
+  const std::string page = page_of(folder / "out/result.json", folder);
+  check_whole(page);
+  CHECK_THAT(page, Contains("<span class=\"badge good\">certified optimum</span>"));
+  CHECK_THAT(page, Contains("cam radius <b>33.07973 mm</b>"));
+  // What easing the limit buys stands in the result too.
+  const Json result = Json::parse(read(folder / "out/result.json"));
+  const double price = result["constraints"][0]["multiplier"];
+  CHECK_THAT(page, Contains(">price</th>"));
+  CHECK_THAT(page, Contains(std::to_string(price).substr(0, 4)));
+  CHECK_THAT(page, Contains("<dt>seed</dt>"));
+}
+
+TEST_CASE("values whose whole numbers nobody searched are not called an optimum", "[cli][report]") {
+  const Folder folder;
+  const std::string own = page_of(shipped("balancing_cam/fewest_springs.toml"), folder);
+  CHECK(count_of(own, "certified optimum") == 0);
+  CHECK_THAT(own, Contains("meets its limits"));
+}
+
+TEST_CASE("a drawn roller stands where its own triangle puts it", "[cli][report]") {
+  const Folder folder;
+  const std::string page = page_of(shipped("cams/roller_least_base.toml"), folder);
+  check_whole(page);
+  // base_radius 60 and roller_radius 8, in line with the cam: its middle is 68 mm above it.
+  CHECK_THAT(page, Contains("<circle class=\"roller\" cx=\"0.000\" cy=\"68.000\" r=\"8.000\"/>"));
+  CHECK_THAT(page, Contains("data-motion=\"turn\" data-factor=\"1\""));
+}
+
+TEST_CASE("a report of a study has every point with its curves", "[cli][report]") {
+  const Folder folder;
+  const std::string study = folder / "study.db";
+  done({"pareto", shipped("spine_cutter/front.toml"), "--points", "12", "--db", study});
+  const auto before = std::chrono::steady_clock::now();
+  const std::string page = page_of(study, folder);
+  CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(2));
+  check_whole(page);
+  const Json data = data_of(page), front = json_of({"front", study, "--json"});
+  REQUIRE(data["designs"].size() == front["points"].size());
+  const std::size_t force = panel_of(data, "inertia_force");
+  for (std::size_t i = 0; i < front["points"].size(); ++i) {
+    const Json& design = data["designs"][i];
+    const double peak = front["points"][i]["objectives"]["peak_inertia_force"];
+    CHECK(design["objectives"][1].get<double>() == Approx(peak).epsilon(1e-5));
+    double highest = 0;
+    for (const Json& y : design["lines"][force]["y"]) {
+      highest = std::max(highest, std::abs(y.get<double>()));
+    }
+    CHECK(highest == Approx(peak).epsilon(0.01));  // drawn from some tens of samples
+  }
+}
+
+TEST_CASE("the same input and time make the same report to the last byte", "[cli][report]") {
+  const Folder folder;
+  setenv("SOURCE_DATE_EPOCH", "86400", 1);
+  const std::string first = page_of(shipped("cams/flat_least_base.toml"), folder);
+  const std::string second = page_of(shipped("cams/flat_least_base.toml"), folder);
+  unsetenv("SOURCE_DATE_EPOCH");
+  CHECK(first == second);
+  CHECK_THAT(first, Contains("1970-01-02 00:00:00 UTC"));
+}
+
+TEST_CASE("text of a problem file stays text in its report", "[cli][report]") {
+  const Folder folder;
+  std::string text = read(shipped("spine_cutter/least_radius.toml"));
+  const std::string title = "Least cam radius of the spine cutter";
+  text.replace(text.find(title), title.size(), "</script><script>alert(1)</script> & <b>");
+  std::ofstream(folder / "odd.toml") << text;
+  const std::string page = page_of(folder / "odd.toml", folder);
+  CHECK(count_of(page, "alert(1)") > 0);
+  CHECK(count_of(page, "<script>alert(1)") == 0);
+  CHECK(count_of(page, "<script") == count_of(page, "</script>"));
+}
+
+TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
+  const Folder folder;
+  CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
+  CHECK_THAT(failed({"report", folder / "law.csv"}, 2), Contains(".toml"));
+  std::string text = read(shipped("cams/roller_least_base.toml"));
+  text.replace(text.find("stroke = "), 0, "offset = \"100 mm\"\n");
+  std::ofstream(folder / "odd.toml") << text;
+  CHECK_THAT(failed({"report", folder / "odd.toml"}, 2), Contains("offset = 100 mm"));
+  std::ofstream(folder / "no.db") << "no study";
+  CHECK_THAT(failed({"report", folder / "no.db"}, 2), Contains("no.db"));
+  CHECK_THAT(
+      failed({"report", shipped("spine_cutter/least_radius.toml"), "-o", "/proc/no/page.html"}, 1),
+      Contains("/proc/no"));
+  CHECK(folder.content() == std::set<std::string>{"no.db", "odd.toml"});
+}
+
+TEST_CASE("reproduce writes its tables beside the printed ones as a page", "[cli][report]") {
+  const Folder folder;
+  const std::string path = folder / "tables.html";
+  done({"reproduce", "spine-cutter", "--report", path});
+  const std::string page = read(path);
+  check_whole(page);
+  const Json said = json_of({"reproduce", "spine-cutter", "--json"});
+  CHECK(count_of(page, ">explained</span>") == said[0]["explained"].get<std::size_t>());
+  CHECK(count_of(page, ">reproduced</span>") == said[0]["reproduced"].get<std::size_t>());
+  CHECK_THAT(failed({"reproduce", "cam-shape", "--n", "10", "--report", path}, 2),
+             Contains("--report"));
+}
+
+TEST_CASE("reports open in a browser without a fault, at either width", "[cli][report][heavy]") {
+  if (std::system("command -v chromedriver >/dev/null") != 0) {
+    WARN("there is no chromedriver; reports were not opened");
+    return;
+  }
+  const Folder folder;
+  std::string pages;
+  const auto add = [&](const Words& words, const std::string& name) {
+    Words all = words;
+    all.push_back(folder / name);
+    done(all);
+    pages += " '" + folder / name + "'";
+  };
+  for (const char* problem :
+       {"cams/roller_least_base", "cams/knife_convex_base", "cams/flat_least_base",
+        "cams/conjugate_least_distance", "cams/leading_least_base", "cams/swinging_flat_least_base",
+        "cams/swinging_end_least_radius", "cams/linear_least_travel", "spine_cutter/least_radius",
+        "geneva/fastest", "springs/fewest_discs", "free_law/least_acceleration"}) {
+    add({"report", shipped(problem + std::string(".toml")), "-o"},
+        std::filesystem::path(problem).filename().string() + ".html");
+  }
+  for (const char* front : {"spine_cutter/front", "cams/roller_front"}) {
+    const std::string study = folder / std::filesystem::path(front).filename().string() + ".db";
+    done({"pareto", shipped(front + std::string(".toml")), "--points", "10", "--db", study});
+    add({"report", study, "-o"}, std::filesystem::path(study).stem().string() + "_study.html");
+  }
+  add({"reproduce", "spine-cutter", "die-press", "--report"}, "reproduction.html");
+  const std::string said = folder / "said.txt";
+  const std::string command = std::string("python3 '") + CAMLAW_SOURCE_DIR +
+                              "/tests/report/open_reports.py'" + pages + " > '" + said + "' 2>&1";
+  const int status = std::system(command.c_str());
+  INFO(read(said));
+  CHECK(status == 0);
+}
+
+}  // namespace
+}  // namespace camlaw::cli

@@ -1,0 +1,279 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Opens reports in a headless Chromium as a reader would, and says what is wrong with them.
+
+    open_reports.py [--shots FOLDER] REPORT.html...
+
+Checked of each, at 1280 and at 400 pixels: no message in the browser's log, no error in a script, no
+request to anywhere, nothing wider than the page, no empty picture, no words that lie on others or are
+cut; that the mechanism moves and, of fronts, that a click on a point shows its design and curves.
+Needs chromedriver and nothing but Python's own modules. Prints a line for each fault; status 1 with any.
+"""
+import base64
+import json
+import pathlib
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+
+WIDTHS = (1280, 400)
+
+# Faults that a page can see of itself: boxes of words that overlap, parts that stick out, blank canvases.
+LOOK = r"""
+const faults = [];
+const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+if (wide > 0) faults.push(`the page is ${wide} px wider than the window`);
+const name = (e) => (e.textContent || e.tagName).trim().slice(0, 40);
+const words = [...document.querySelectorAll(
+  'h1,h2,h3,p,li,figcaption,dt,dd,td,th,label,button,summary,legend')]
+  .filter((e) => e.getClientRects().length && e.textContent.trim() && !e.closest('.table, pre, nav'));
+const inside = (a, b) => a.contains(b) || b.contains(a);
+const boxes = words.map((e) => [e, e.getBoundingClientRect()]);
+for (let i = 0; i < boxes.length; ++i) {
+  const [e, r] = boxes[i];
+  if (r.right > document.documentElement.clientWidth + 1 || r.left < -1)
+    faults.push(`"${name(e)}" is cut by the window`);
+  for (let k = i + 1; k < Math.min(boxes.length, i + 30); ++k) {
+    const [f, q] = boxes[k];
+    if (inside(e, f)) continue;
+    const x = Math.min(r.right, q.right) - Math.max(r.left, q.left);
+    const y = Math.min(r.bottom, q.bottom) - Math.max(r.top, q.top);
+    if (x > 2 && y > 2) faults.push(`"${name(e)}" lies on "${name(f)}"`);
+  }
+}
+for (const canvas of document.querySelectorAll('canvas')) {
+  const { width, height } = canvas;
+  const what = canvas.getAttribute('aria-label');
+  if (!what) faults.push('a canvas has no words for those who do not see it');
+  const copy = document.createElement('canvas');
+  [copy.width, copy.height] = [width || 1, height || 1];
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  if (width && height) context.drawImage(canvas, 0, 0);
+  const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
+  let inked = 0;
+  for (let i = 3; i < pixels.length; i += 4) inked += pixels[i] > 0;
+  if (inked < 200) faults.push(`an empty picture: ${what}`);
+}
+for (const plot of report.plots) {
+  const { chartArea: a, width, height } = plot.chart;
+  if (a.width < 0.5 * width || a.height < 0.4 * height)
+    faults.push(`labels leave no room for the curve: ${plot.panel.name}`);
+}
+return faults;
+"""
+
+
+class Browser:
+    """A headless Chromium behind chromedriver, by plain WebDriver requests."""
+
+    def __init__(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        self.driver = subprocess.Popen(["chromedriver", f"--port={port}"], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+        self.base = f"http://127.0.0.1:{port}"
+        self.session = self.begin()
+
+    def begin(self):
+        options = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                            "--disable-dev-shm-usage", "--window-size=1300,1000"]}
+        wanted = {"capabilities": {"alwaysMatch": {
+            "browserName": "chrome", "goog:chromeOptions": options,
+            "goog:loggingPrefs": {"browser": "ALL"}}}}
+        for _ in range(100):
+            try:
+                return self.post("/session", wanted)["sessionId"]
+            except urllib.error.URLError as error:
+                if isinstance(error, urllib.error.HTTPError):
+                    raise RuntimeError(error.read().decode()) from error
+                time.sleep(0.1)  # the driver is not up yet
+        raise RuntimeError("chromedriver does not answer")
+
+    def post(self, path, body, method="POST"):
+        data = json.dumps(body).encode() if method == "POST" else None
+        request = urllib.request.Request(self.base + path, data, {"Content-Type": "application/json"},
+                                         method=method)
+        opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+        with opener.open(request, timeout=120) as answer:
+            return json.load(answer)["value"]
+
+    def send(self, path, body):
+        return self.post(f"/session/{self.session}{path}", body)
+
+    def run(self, script, *arguments):
+        return self.send("/execute/sync", {"script": script, "args": list(arguments)})
+
+    def command(self, name, **parameters):
+        return self.send("/goog/cdp/execute", {"cmd": name, "params": parameters})
+
+    def width(self, pixels):
+        self.command("Emulation.setDeviceMetricsOverride", width=pixels, height=900,
+                     deviceScaleFactor=1, mobile=False)
+
+    def click(self, x, y):
+        pointer = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [
+            {"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)},
+            {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}
+        self.send("/actions", {"actions": [pointer]})
+
+    def hover(self, x, y):
+        pointer = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [
+            {"type": "pointerMove", "duration": 0, "x": round(x), "y": round(y)}]}
+        self.send("/actions", {"actions": [pointer]})
+
+    def log(self):
+        return [entry["message"] for entry in self.send("/se/log", {"type": "browser"})]
+
+    def shot(self, path):
+        """The whole page: the window is made as high, or pictures are caught while they change."""
+        width, height = self.run("return [innerWidth, document.documentElement.scrollHeight]")
+        self.command("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                     deviceScaleFactor=1, mobile=False)
+        time.sleep(0.5)
+        image = self.command("Page.captureScreenshot")["data"]
+        self.width(width)
+        pathlib.Path(path).write_bytes(base64.b64decode(image))
+
+    def close(self):
+        try:
+            self.post(f"/session/{self.session}", None, "DELETE")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+
+
+def moving_faults(browser):
+    """The slider moves the mechanism and the mark in the curves."""
+    if not browser.run("return document.getElementById('place') !== null"):
+        return []
+    moved = browser.run("""
+        const look = () => [...document.querySelectorAll('.scene [data-motion]')]
+          .map((body) => body.getAttribute('transform')).join() +
+          report.plots.map((plot) => plot.output.textContent).join();
+        const before = look(), slider = document.getElementById('place');
+        slider.value = 370; slider.dispatchEvent(new Event('input'));
+        const after = look(), place = report.place;
+        slider.value = 0; slider.dispatchEvent(new Event('input'));
+        return [before !== after, place > report.cycle.lower, before === look()];""")
+    return [] if moved == [True, True, True] else [f"the mechanism does not follow its slider: {moved}"]
+
+
+def contact_faults(browser):
+    """A roller stays on its cam: its middle is as far from the drawn profile as its radius says."""
+    return browser.run(r"""
+        const faults = [], scene = document.querySelector('.scene');
+        const cam = scene && scene.querySelector('path.cam:not(.second)');
+        const roller = scene && scene.querySelector('circle.roller');
+        if (!cam || !roller) return faults;
+        const length = cam.getTotalLength(), radius = Number(roller.getAttribute('r'));
+        const outline = Array.from({length: 4000}, (_, i) => cam.getPointAtLength(length * i / 4000));
+        const share = radius * 0.02;
+        for (const place of [0.1, 0.3, 0.55, 0.8]) {
+          report.goTo(report.cycle.lower + place * (report.cycle.upper - report.cycle.lower));
+          const from = cam.getCTM(), to = roller.getCTM().inverse();
+          const matrix = to.multiply(from);
+          const x = Number(roller.getAttribute('cx')), y = Number(roller.getAttribute('cy'));
+          const gap = Math.min(...outline.map((p) => {
+            const q = p.matrixTransform(matrix);
+            return Math.hypot(q.x - x, q.y - y); })) - radius;
+          if (!(Math.abs(gap) < share))
+            faults.push(`the roller is ${gap.toFixed(3)} mm off its cam at ${report.place}`);
+        }
+        report.goTo(report.cycle.lower);
+        return faults;""")
+
+
+def front_faults(browser):
+    """A click on a point of the front chooses it, and its curves are drawn."""
+    if not browser.run("return Boolean(report.data.front) && report.fronts.length > 0"):
+        return []
+    faults = []
+    for which in ("a", "b"):
+        browser.run("document.querySelector('input[name=chooses][value=' + arguments[0] + ']').checked = true",
+                    which)
+        browser.run("report.fronts[0].chart.canvas.scrollIntoView({ block: 'center', behavior: 'instant' })")
+        time.sleep(0.3)  # the page comes to rest
+        x, y, i, before = browser.run("""
+            const { chart, pair } = report.fronts[0], canvas = chart.canvas;
+            const i = arguments[0] === 'a' ? 1 : report.data.designs.length - 2;
+            const point = report.data.designs[i].objectives, box = canvas.getBoundingClientRect();
+            return [box.left + chart.scales.x.getPixelForValue(point[pair.across]),
+                    box.top + chart.scales.y.getPixelForValue(point[pair.up]), i,
+                    report.plots.length ? JSON.stringify(report.plots[0].chart.data.datasets.map(
+                      (set) => set.data)) : ''];""", which)
+        browser.hover(x, y)
+        time.sleep(0.3)
+        if not browser.run("const tip = report.fronts[0].chart.tooltip;"
+                           "return tip.opacity > 0 && tip.body.some((part) => part.lines.length > 1)"):
+            faults.append(f"point {i} says nothing of itself when hovered")
+        browser.click(x, y)
+        time.sleep(0.3)  # Chart.js hears of a click with the next frame
+        chosen, label, table, after = browser.run("""
+            const i = report.chosen[arguments[0]];
+            return [i, i === null ? '' : report.data.designs[i].label,
+                    document.getElementById('compare').textContent,
+                    report.plots.length ? JSON.stringify(report.plots[0].chart.data.datasets.map(
+                      (set) => set.data)) : ''];""", which)
+        # Of points that lie on one another the nearest is taken.
+        near = browser.run("""
+            const { chart, pair } = report.fronts[0];
+            const at = (i) => [chart.scales.x.getPixelForValue(
+              report.data.designs[i].objectives[pair.across]), chart.scales.y.getPixelForValue(
+              report.data.designs[i].objectives[pair.up])];
+            const [p, q] = [at(arguments[0]), at(arguments[1])];
+            return Math.hypot(p[0] - q[0], p[1] - q[1]);""", i, chosen if chosen is not None else 0)
+        if chosen is None or near > 8:
+            faults.append(f"a click on point {i} chose {chosen} as {which.upper()}")
+        elif label not in table:
+            faults.append(f"the table does not have {label}")
+        if which == "b" and before == after and before:
+            faults.append("a second design adds no curves")
+    if browser.run("return report.plots.some((plot) => plot.chart.data.datasets"
+                   ".filter((set) => !set.isLimit).length !== 2)"):
+        faults.append("not every panel shows both designs")
+    return faults
+
+
+def faults_of(browser, path, shots):
+    faults = []
+    address = pathlib.Path(path).resolve().as_uri()
+    for width in WIDTHS:
+        browser.width(width)
+        browser.send("/url", {"url": address})
+        here = []
+        if not browser.run("return document.documentElement.dataset.ready === 'yes'"):
+            here.append("the scripts did not come to their end")
+        time.sleep(0.4)  # sizes settle
+        here += browser.run(LOOK)
+        if shots:
+            browser.shot(pathlib.Path(shots) / f"{pathlib.Path(path).stem}-{width}.png")
+        here += moving_faults(browser) + contact_faults(browser) + front_faults(browser)
+        here += browser.run(LOOK)
+        here += browser.run("return report.errors")
+        here += [f"in the browser's log: {message}" for message in browser.log()]
+        loaded = browser.run("return performance.getEntriesByType('resource')"
+                             ".map((entry) => entry.name).filter((name) => !name.startsWith('data:'))")
+        here += [f"asks for {name}" for name in loaded]
+        faults += [f"{path} at {width} px: {fault}" for fault in dict.fromkeys(here)]
+    return faults
+
+
+def main(words):
+    shots = None
+    if words[:1] == ["--shots"]:
+        shots, words = words[1], words[2:]
+    browser = Browser()
+    try:
+        faults = [fault for path in words for fault in faults_of(browser, path, shots)]
+    finally:
+        browser.close()
+    print("\n".join(faults) if faults else f"{len(words)} reports opened, nothing wrong")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
