@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/optimum_output.h"
 #include "optim/problem/check_derivatives.h"
 #include "problems/statement/bind.h"
@@ -91,11 +92,17 @@ void run_check(const CheckOptions& options, int& status) {
 void add_check_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("check", "Check a problem file and say it in words");
   const auto options = std::make_shared<CheckOptions>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")->required();
+  command->add_option("FILE", options->file, "the problem file (TOML)")
+      ->required()
+      ->type_name(takes::kFile);
   add_switch(*command, "--derivatives", options->derivatives,
              "compare every derivative with differences");
   add_switch(*command, "--scaling", options->scaling,
              "show what variables and limits are divided by");
+  add_examples(*command, {{"camlaw check problems/cams/roller_least_base.toml",
+                           "the file said back in words, every name and unit checked"},
+                          {"camlaw check problems/spine_cutter/least_force.toml --derivatives",
+                           "and its derivatives against differences"}});
   command->callback([options, &status] { run_check(*options, status); });
 }
 

@@ -21,6 +21,9 @@ void add_mechanisms_command(CLI::App& app);
 void add_law_command(CLI::App& app);
 void add_study_command(CLI::App& app);
 void add_fit_command(CLI::App& app);
+void add_completion_command(CLI::App& app);
+/// Prints the manual page; for the build, and not listed by --help.
+void add_man_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 /// These set `status` where they end in another way than done.
 void add_reproduce_command(CLI::App& app, int& status);

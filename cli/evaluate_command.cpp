@@ -11,10 +11,12 @@
 #include "cli/commands.h"
 #include "cli/cycle_figure.h"
 #include "cli/files.h"
+#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
 #include "cli/possible.h"
 #include "cli/profile_figure.h"
+#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -69,8 +71,9 @@ void print_text(const ProblemStatement& statement,
   if (!limits.empty()) fmt::print("\n");
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitText text = limit_text(limits[i], statement.constraints[i]);
-    fmt::print("{} {} = {} {}{}\n", limits[i].met ? "met" : "NOT met", limits[i].name, text.value,
-               with_unit(text.bound, limits[i].unit),
+    fmt::print("{} {} = {} {}{}\n",
+               limits[i].met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
+               limits[i].name, text.value, with_unit(text.bound, limits[i].unit),
                text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
   }
 }
@@ -147,9 +150,7 @@ void run_evaluate(const EvaluateOptions& options) {
     print_text(statement, responses);
   }
   write_files(files);
-  for (const OutputFile& file : files) {
-    if (!options.json) fmt::print("wrote {}\n", file.path.string());
-  }
+  if (!options.json) say_written(files);
 }
 
 }  // namespace
@@ -158,16 +159,32 @@ void add_evaluate_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Compute every response of a problem file's design");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")->required();
+  command->add_option("FILE", options->file, "the problem file (TOML)")
+      ->required()
+      ->type_name(takes::kFile);
   command
       ->add_option("--set", options->settings,
                    "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
-      ->allow_extra_args(false);
-  command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV");
-  command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG");
-  command->add_option("--profile", options->profile,
-                      "draw the cam's profile, pitch curve and way of the tool to this SVG");
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV")
+      ->type_name(takes::kFile);
+  command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG")
+      ->type_name(takes::kFile);
+  command
+      ->add_option("--profile", options->profile,
+                   "draw the cam's profile, pitch curve and way of the tool to this SVG")
+      ->type_name(takes::kFile);
   add_switch(*command, "--json", options->json, "print JSON");
+  add_examples(
+      *command,
+      {{"camlaw evaluate problems/cams/roller_least_base.toml",
+        "every response at the file's own values, and how the limits stand"},
+       {"camlaw evaluate problems/cams/roller_least_base.toml --set 'roller_radius=12 mm' "
+        "--profile profile.svg",
+        "another roller, and the cam drawn"},
+       {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg curves.svg",
+        "every curve over the cycle, with the profile's coordinates"}});
   command->callback([options] { run_evaluate(*options); });
 }
 

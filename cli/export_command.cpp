@@ -11,6 +11,8 @@
 #include "cli/export_options.h"
 #include "cli/export_output.h"
 #include "cli/files.h"
+#include "cli/help.h"
+#include "cli/terminal.h"
 #include "problems/exports/curve_svg.h"
 #include "problems/exports/dxf.h"
 #include "problems/statement/bind.h"
@@ -179,6 +181,7 @@ void run_export(const ExportOptions& options) {
     return;
   }
   write_out({}, {{*options.out, text}}, false);
+  if (is_quiet()) return;
   for (const std::string& line : curve_lines(e)) fmt::print("{}\n", line);
   fmt::print("wrote {}\n", *options.out);
 }
@@ -190,6 +193,12 @@ void add_export_command(CLI::App& app) {
       "export", "Write a cam's curves, its motion or its law for drawing, cutting and control");
   const auto options = std::make_shared<ExportOptions>();
   add_export_options(*command, *options);
+  add_examples(*command,
+               {{"camlaw export problems/cams/roller_least_base.toml --format dxf --out cam.dxf",
+                 "the profile as a drawing for CAD"},
+                {"camlaw export problems/cams/roller_least_base.toml --format table --step '1 deg' "
+                 "--out table.csv",
+                 "a table, degree by degree"}});
   command->callback([options] { run_export(*options); });
 }
 

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "cli/terminal.h"
+
 namespace camlaw::cli {
 namespace {
 
@@ -178,13 +180,18 @@ std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
   return removed;
 }
 
+void say_written(const std::vector<OutputFile>& files) {
+  if (is_quiet()) return;
+  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+}
+
 void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
   std::fflush(stdout);
   write_files(files);
   for (const OutputFile& file : files) std::erase(possible, file.path);
   const auto removed = remove_files(possible);
-  if (!says) return;
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  if (!says || is_quiet()) return;
+  say_written(files);
   for (const auto& path : removed) fmt::print("removed {}, of an earlier run\n", path.string());
 }
 

@@ -29,6 +29,9 @@ void check_writable(const std::vector<std::filesystem::path>& paths);
 /// were there come back. Throws std::runtime_error where one cannot be removed.
 std::vector<std::filesystem::path> remove_files(const std::vector<std::filesystem::path>& paths);
 
+/// Says which files were written, unless --quiet.
+void say_written(const std::vector<OutputFile>& files);
+
 /// Writes the files of a folder of results. Of `possible` those of an earlier run that this one
 /// does not write are removed: they must not stay beside its own. Says so unless told not to.
 void write_out(std::vector<std::filesystem::path> possible, const std::vector<OutputFile>& files,

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/fit_output.h"
+#include "cli/help.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/standard_machine.h"
 
@@ -51,7 +52,12 @@ problems::LawFitOptions how_of(const FitCommand& options) {
 }
 
 problems::ProblemStatement machine_of(const FitCommand& options) {
-  problems::ProblemStatement machine = problems::asked_machine(*options.mechanism);
+  problems::ProblemStatement machine;
+  try {
+    machine = problems::asked_machine(*options.mechanism);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--mechanism: {}", error.what()));
+  }
   for (const std::string& assignment : options.set) problems::set_value(machine, assignment);
   return machine;
 }
@@ -202,32 +208,53 @@ void add_fit_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("fit", "Find the law behind measured samples or printed constants");
   const auto options = std::make_shared<FitCommand>();
-  command->add_option("DATA", options->data,
-                      "table with a header: \"angle [deg], lift [mm]\" of a motion, \"angle [deg], "
-                      "radius [mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as "
-                      "\"angle [deg], drive_torque [N m]\"");
-  command->add_option("--constants", options->constants,
-                      "what is printed, with its digits: \"B=1.6125, C=4.66\"");
-  command->add_option("--law", options->law,
-                      "a law whose coefficients are wanted; auto: every law");
-  command->add_option("--mechanism", options->mechanism,
-                      "a problem file, or a mechanism's name: whose curve was recorded, whose "
-                      "variables are unknown, or what runs on a measured cam");
-  command->add_option("--set", options->set, "a value of the machine, such as 'mass=1.2 kg'");
-  command->add_option("--response", options->response,
-                      "the recorded curve, where several columns could be one");
+  command
+      ->add_option("DATA", options->data,
+                   "table with a header: \"angle [deg], lift [mm]\" of a motion, \"angle [deg], "
+                   "radius [mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as "
+                   "\"angle [deg], drive_torque [N m]\"")
+      ->type_name(takes::kFile);
+  command
+      ->add_option("--constants", options->constants,
+                   "what is printed, with its digits: \"B=1.6125, C=4.66\"")
+      ->type_name("NAME=VALUE,...");
+  command->add_option("--law", options->law, "a law whose coefficients are wanted; auto: every law")
+      ->type_name(takes::kLaw);
+  command
+      ->add_option("--mechanism", options->mechanism,
+                   "a problem file, or a mechanism's name: whose curve was recorded, whose "
+                   "variables are unknown, or what runs on a measured cam")
+      ->type_name(takes::kMechanism);
+  command->add_option("--set", options->set, "a value of the machine, such as 'mass=1.2 kg'")
+      ->type_name("NAME=VALUE");
+  command
+      ->add_option("--response", options->response,
+                   "the recorded curve, where several columns could be one")
+      ->type_name("NAME");
   command
       ->add_option("--shift", options->shifts,
                    "a zero of the record that is unknown and fitted along: place, value, or both")
       ->check(CLI::IsMember({"place", "value"}))
       ->delimiter(',');
-  command->add_option("--loss", options->loss,
-                      "how much far-off samples count: none (all alike), huber or cauchy");
+  command
+      ->add_option("--loss", options->loss,
+                   "how much far-off samples count: none (all alike), huber or cauchy")
+      ->type_name("{none,huber,cauchy}");
   add_switch(*command, "--json", options->json, "print JSON");
-  command->add_option(
-      "--out", options->out,
-      "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
-      "cam)");
+  command
+      ->add_option(
+          "--out", options->out,
+          "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
+          "cam)")
+      ->type_name(takes::kFolder);
+  add_examples(*command, {{"camlaw fit problems/cams/worn_cam.csv --mechanism disc-cam-roller "
+                           "--set 'roller_radius=8 mm' --out results/worn",
+                           "the motion program behind a worn cam, dwells and laws, as files"},
+                          {"camlaw fit problems/cams/recorded_torque.csv --mechanism "
+                           "problems/cams/recorded_torque.toml",
+                           "a machine's unknown sizes, from the torque that was recorded"},
+                          {"camlaw fit --constants \"B=1.6125, C=4.66\" --law polynomial-5",
+                           "the coefficient behind printed constants"}});
   command->callback([options] { run_fit(*options); });
 }
 

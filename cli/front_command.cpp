@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
+#include "cli/help.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_output.h"
 #include "problems/statement/solver_settings.h"
@@ -120,7 +121,7 @@ void run_front(const FrontCommand& options, int& status) {
     fmt::print("{}", tolerance_text(answer, front.points[point], spreads[i].tolerances,
                                     spreads[i].report));
   }
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  say_written(files);
 }
 
 }  // namespace
@@ -128,20 +129,30 @@ void run_front(const FrontCommand& options, int& status) {
 void add_front_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("front", "Look at the front that a study has found");
   const auto options = std::make_shared<FrontCommand>();
-  command->add_option("FILE", options->file, "the study's file, of 'camlaw pareto'")->required();
+  command->add_option("FILE", options->file, "the study's file, of 'camlaw pareto'")
+      ->required()
+      ->type_name(takes::kFile);
   add_switch(*command, "--knee", options->knee, "the point where the front bends most");
-  command->add_option("--weights", options->weights,
-                      "the compromise for these weights, one for each objective: 1,2");
-  command->add_option("--point", options->point, "the point of this number");
+  command
+      ->add_option("--weights", options->weights,
+                   "the compromise for these weights, one for each objective: 1,2")
+      ->type_name("A,B");
+  command->add_option("--point", options->point, "the point of this number")->type_name("N");
   add_switch(*command, "--sensitivity", options->sensitivity,
              "what becomes of the chosen design when it is made with tolerances");
   command
       ->add_option("--tolerance", options->tolerances,
                    "of a variable, name=value; unless stated a hundredth of each value")
-      ->allow_extra_args(false);
-  command->add_option("--csv", options->csv, "write the front here");
-  command->add_option("--svg", options->svg, "draw it here");
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  command->add_option("--csv", options->csv, "write the front here")->type_name(takes::kFile);
+  command->add_option("--svg", options->svg, "draw it here")->type_name(takes::kFile);
   add_switch(*command, "--json", options->json, "print JSON");
+  add_examples(*command, {{"camlaw front results/front/study.db", "the points of a study's front"},
+                          {"camlaw front results/front/study.db --knee --sensitivity",
+                           "the design where the front bends most, and what tolerances do to it"},
+                          {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
+                           "a compromise, and the picture"}});
   command->callback([options, &status] { run_front(*options, status); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/help.h"
 #include "cli/law_figure.h"
 #include "cli/law_json.h"
 #include "cli/text_table.h"
@@ -122,7 +123,7 @@ void show_law(const LawOptions& options) {
   if (options.samples > 0 && !options.csv) {
     fmt::print("samples\n{}", motion_csv(law, samples));
   }
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  say_written(files);
 }
 
 }  // namespace
@@ -133,16 +134,26 @@ void add_law_command(CLI::App& app) {
   command
       ->add_option("NAME", options->name,
                    "a name of 'camlaw laws', an alias, NAME k=v ..., or a law's file")
-      ->required();
+      ->required()
+      ->type_name(takes::kLaw);
   command
       ->add_option("--param", options->parameters,
                    "set a parameter: k=v, with a unit if it has one")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   command->add_option("--samples", options->samples, "tabulate this many even points")
-      ->check(CLI::Range(2, 1000000));
-  command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here");
-  command->add_option("--svg", options->svg, "draw s, v, a, j here");
+      ->check(CLI::Range(2, 1000000))
+      ->type_name("N");
+  command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here")
+      ->type_name(takes::kFile);
+  command->add_option("--svg", options->svg, "draw s, v, a, j here")->type_name(takes::kFile);
   add_switch(*command, "--json", options->json, "print JSON");
+  add_examples(*command, {{"camlaw law modified-sine",
+                           "its peaks, where they are, and to what they are proved"},
+                          {"camlaw law inclined-sinusoid --param 'angle=75 deg' --svg inclined.svg",
+                           "a parameter with its unit; s, v, a and j as a picture"},
+                          {"camlaw law 'modified-sine crossover=0.4' --csv table.csv --samples 721",
+                           "a table for the control or the cam cutter"}});
   command->callback([options] { show_law(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
@@ -65,16 +66,6 @@ std::string ranges(const Family& family) {
   return fmt::format("{}", fmt::join(lines, "<br>"));
 }
 
-/// Text for a cell of a Markdown table.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '|') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 /// The page docs/laws.md.
 void print_markdown() {
   fmt::print(
@@ -88,12 +79,12 @@ void print_markdown() {
     const Law<double> law = family.make(family.standard());
     const auto peak = peaks(law);
     fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
-               fmt::join(family.aliases, ", "), escaped(family.formula), ranges(family),
+               fmt::join(family.aliases, ", "), markdown_cell(family.formula), ranges(family),
                to_string(law.ends()), class_name(continuity(law)), shown(peak.B(), 6),
                shown(peak.high(Quantity::Acceleration).value, 6),
                shown(peak.low(Quantity::Acceleration).value, 6),
                shown(peak.high(Quantity::Jerk).value, 5), shown(peak.low(Quantity::Jerk).value, 5),
-               shown(peak.Cm(), 6), escaped(family.source));
+               shown(peak.Cm(), 6), markdown_cell(family.source));
   }
 }
 
@@ -113,6 +104,8 @@ void add_laws_command(CLI::App& app) {
   const auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
   CLI::Option* as_json = add_switch(*command, "--json", *json, "print JSON");
   add_switch(*command, "--markdown", *markdown, "print the page docs/laws.md")->excludes(as_json);
+  add_examples(*command, {{"camlaw laws", "the table of laws and their constants"},
+                          {"camlaw laws --json", "with every digit, formula and source"}});
   command->callback([json, markdown] {
     *json ? print_json() : *markdown ? print_markdown() : print_catalogue();
   });

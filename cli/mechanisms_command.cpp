@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/text_table.h"
 #include "problems/mechanism/mechanism.h"
@@ -119,16 +120,62 @@ void print_all() {
              table.text());
 }
 
+void print_markdown(const Mechanism& mechanism) {
+  fmt::print("\n## {}\n\n{}. Moved by {}. Source: {}.\n", mechanism.name, mechanism.title,
+             words_of(mechanism.moved_by), mechanism.source);
+  if (!mechanism.parameters.empty()) {
+    fmt::print(
+        "\n| parameter | symbol | standard | accepted | unit | meaning |\n"
+        "|---|---|--:|---|---|---|\n");
+  }
+  for (const auto& p : mechanism.parameters) {
+    fmt::print("| `{}` | {} | {:g} | {:g} .. {:g}{} | {} | {} |\n", p.name, markdown_cell(p.symbol),
+               p.standard, p.low, p.high, p.whole ? ", whole" : "", shown_unit(p.unit),
+               markdown_cell(p.meaning));
+  }
+  fmt::print("\n| response | kind | unit | meaning |\n|---|---|---|---|\n");
+  for (const auto& r : mechanism.responses) {
+    fmt::print("| `{}` | {} | {} | {} |\n", r.name, r.curve ? "curve" : "number",
+               shown_unit(r.unit), markdown_cell(r.meaning));
+  }
+  for (const auto& p : mechanism.peaks) {
+    fmt::print("| `{}` | {} `{}` | | {} |\n", p.name, part_of(p.part), p.curve,
+               markdown_cell(p.meaning));
+  }
+}
+
+/// The page docs/mechanisms.md.
+void print_markdown() {
+  fmt::print(
+      "# Mechanisms of problem files\n\nPrinted by `camlaw mechanisms --markdown` from the code. A "
+      "file names one, sets or varies its\nparameters and asks about its responses "
+      "([problem-files.md](problem-files.md)). A curve is asked about as\n`peak`, `highest` or "
+      "`lowest` of it.\n");
+  for (const Mechanism& m : problems::mechanisms()) print_markdown(m);
+}
+
 }  // namespace
 
 void add_mechanisms_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("mechanisms", "List the mechanisms of problem files");
   const auto json = std::make_shared<bool>(false);
   const auto name = std::make_shared<std::string>();
-  command->add_option("NAME", *name, "one mechanism, with its parameters and responses");
-  command->add_flag("--json", *json, "print JSON");
-  command->callback([json, name] {
-    if (*json) {
+  command->add_option("NAME", *name, "one mechanism, with its parameters and responses")
+      ->type_name(takes::kMechanism);
+  CLI::Option* as_json = add_switch(*command, "--json", *json, "print JSON");
+  const auto markdown = std::make_shared<bool>(false);
+  add_switch(*command, "--markdown", *markdown, "print the page docs/mechanisms.md")
+      ->excludes(as_json);
+  add_examples(*command, {{"camlaw mechanisms", "what a problem file may be about"},
+                          {"camlaw mechanisms disc-cam-roller",
+                           "its parameters and responses, with units and meanings"}});
+  command->callback([json, markdown, name] {
+    if (*markdown && !name->empty()) {
+      throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
+    }
+    if (*markdown) {
+      print_markdown();
+    } else if (*json) {
       Json all = Json::array();
       for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
       const Json wanted = name->empty() ? all : json_of(problems::find_mechanism(*name));

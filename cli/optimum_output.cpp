@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cli/limit_text.h"
+#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "problems/results/recorded_design.h"
 
@@ -17,6 +18,14 @@ namespace {
 using optim::Assessment;
 using optim::LimitReport;
 using optim::VariableReport;
+
+std::string shaded_verdict(optim::Verdict verdict) {
+  const bool good = verdict == optim::Verdict::Certified;
+  const bool bad = verdict == optim::Verdict::Infeasible || verdict == optim::Verdict::Failed;
+  return shaded(std::string(to_string(verdict)), good  ? Shade::Good
+                                                 : bad ? Shade::Bad
+                                                       : Shade::Unsure);
+}
 
 std::string number(double value) { return fmt::format("{:.7g}", value); }
 
@@ -192,10 +201,10 @@ std::string answer_text(const Answer& answer) {
   const Assessment& a = assessment(answer);
   const std::string& title = answer.bound.statement().title;
   std::string text = title.empty() ? "" : title + "\n";
-  text += fmt::format("{}: {}\n", to_string(a.verdict), a.reason);
+  text += fmt::format("{}: {}\n", shaded_verdict(a.verdict), a.reason);
   if (a.global) text += fmt::format("global: {}\n", *a.global);
-  text += "\n" + design_text(answer);
-  if (!a.limits.empty()) text += "\n" + limit_table(answer);
+  text += fmt::format("\n{}", design_text(answer));
+  if (!a.limits.empty()) text += fmt::format("\n{}", limit_table(answer));
   if (!a.active.empty()) text += fmt::format("\nactive: {}\n", fmt::join(a.active, ", "));
   if (const std::string costs = prices(answer); !costs.empty()) text += "\n" + costs;
   if (std::isfinite(a.kkt_residual)) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
+#include "cli/help.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/terminal.h"
 #include "cli/workers.h"
 #include "optim/study/workers.h"
 #include "problems/statement/solver_settings.h"
@@ -83,16 +84,14 @@ std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& pa
   return optim::StudyRecord::create(*path, study.settings());
 }
 
-std::string progress_text(const optim::StudyProgress& progress, double seconds) {
-  std::string text =
-      fmt::format("{} of {} points, {} searches, hypervolume {:.6g}", progress.points,
-                  progress.wanted, progress.tasks, progress.hypervolume);
-  if (progress.points > 2 && progress.points < progress.wanted) {
-    const auto done = static_cast<double>(progress.points);
-    const double left = seconds * (static_cast<double>(progress.wanted) - done) / done;
-    text += fmt::format(", about {:.0f} s left", left);
-  }
-  return text;
+void show(ProgressLine& line, const optim::StudyProgress& progress) {
+  constexpr std::size_t kEnds = 2;  // the first points tell nothing of the pace
+  const double done = progress.points > kEnds ? static_cast<double>(progress.points) /
+                                                    static_cast<double>(progress.wanted)
+                                              : 0;
+  line.show(fmt::format("{} of {} points, {} searches, hypervolume {:.6g}", progress.points,
+                        progress.wanted, progress.tasks, progress.hypervolume),
+            done);
 }
 
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string& json,
@@ -109,12 +108,8 @@ optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>
                   const ParetoCommand& options) {
   const Interruptible interruptible;
   ProgressLine line(!options.json);
-  const auto began = std::chrono::steady_clock::now();
   study.options().solve.stop = interruptible.flag();
-  study.options().progress = [&](const optim::StudyProgress& progress) {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
-    line.show(progress_text(progress, spent.count()));
-  };
+  study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
   optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options));
   if (!record) return study.run(workers);
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
@@ -138,7 +133,7 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const std::string json = front_json(answer).dump(2) + "\n";
   fmt::print("{}", options.json ? json : front_text(answer));
   status = status_of(front);
-  if (path && !options.json) fmt::print("study {}\n", *path);
+  if (path && !options.json && !is_quiet()) fmt::print("study {}\n", *path);
   if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
 }
 
@@ -148,17 +143,33 @@ void add_pareto_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("pareto", "Find the front of a problem file with two objectives or more");
   const auto options = std::make_shared<ParetoCommand>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")->required();
-  command->add_option("--points", options->points, "how many designs, 50 unless stated");
-  command->add_option("--method", options->method,
-                      "auto, sweep (searches by gradients) or nsga2, polished by gradients");
-  command->add_option("--workers", options->workers,
-                      "processes at work at a time; the answer does not depend on them");
-  command->add_option("--db", options->db, "record the study in this file");
+  command->add_option("FILE", options->file, "the problem file (TOML)")
+      ->required()
+      ->type_name(takes::kFile);
+  command->add_option("--points", options->points, "how many designs, 50 unless stated")
+      ->type_name("N");
+  command
+      ->add_option("--method", options->method,
+                   "auto, sweep (searches by gradients) or nsga2, polished by gradients")
+      ->type_name("{auto,sweep,nsga2}");
+  command
+      ->add_option("--workers", options->workers,
+                   "processes at work at a time; the answer does not depend on them")
+      ->type_name("N");
+  command->add_option("--db", options->db, "record the study in this file")
+      ->type_name(takes::kFile);
   add_switch(*command, "--resume", options->resume, "go on with the study of --db");
   add_switch(*command, "--json", options->json, "print JSON");
-  command->add_option("--out", options->out,
-                      "folder for front.json, front.csv, front.svg and, without --db, study.db");
+  command
+      ->add_option("--out", options->out,
+                   "folder for front.json, front.csv, front.svg and, without --db, study.db")
+      ->type_name(takes::kFolder);
+  add_examples(
+      *command,
+      {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",
+        "the front of cam radius and force, with pictures and the study's file"},
+       {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front --resume",
+        "more points of the same study: what it has is not searched again"}});
   command->callback([options, &status] { run_pareto(*options, status); });
 }
 

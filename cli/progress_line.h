@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace camlaw::cli {
 
-/// One line that is written over while something runs; on a terminal only, and gone at the end.
+/// "about 40 s left", "about 3 min left": of work that took `seconds` for the share `done` of it;
+/// empty where too little is done to say.
+std::string time_left(double seconds, double done);
+
+/// One line that is written over while something runs; on a terminal only, not with --quiet, and
+/// gone at the end.
 class ProgressLine {
  public:
   explicit ProgressLine(bool shown);
@@ -13,9 +19,14 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
   void show(const std::string& text);
+  /// And the time left, where the share `done`, 0 .. 1, of the whole is done.
+  void show(const std::string& text, double done);
+  /// Makes room for what is printed.
+  void clear();
 
  private:
   bool shown_, printed_ = false;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace camlaw::cli

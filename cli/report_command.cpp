@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/help.h"
 #include "cli/report/report.h"
 #include "problems/fronts/front_study.h"
 #include "problems/results/recorded_design.h"
@@ -70,8 +71,9 @@ void run_report(const ReportOptions& options) {
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
   check_writable({output});
-  write_files({{output, page_html(page_of(options.input))}});
-  fmt::print("wrote {}\n", output.string());
+  const std::vector<OutputFile> files{{output, page_html(page_of(options.input))}};
+  write_files(files);
+  say_written(files);
 }
 
 }  // namespace
@@ -85,9 +87,16 @@ void add_report_command(CLI::App& app) {
           "INPUT", options->input,
           "a problem file (.toml), at its own values, a result of 'camlaw optimize' (.json) or a "
           "study of 'camlaw pareto' (.db)")
-      ->required();
-  command->add_option("-o,--out", options->output,
-                      "the HTML file; else beside the input, under its name");
+      ->required()
+      ->type_name(takes::kFile);
+  command
+      ->add_option("-o,--out", options->output,
+                   "the HTML file; else beside the input, under its name")
+      ->type_name(takes::kFile);
+  add_examples(*command, {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
+                           "the design at the file's own values, on one page"},
+                          {"camlaw report results/front/study.db -o front.html",
+                           "the front of a study, after 'camlaw pareto'"}});
   command->callback([options] { run_report(*options); });
 }
 

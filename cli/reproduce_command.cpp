@@ -7,8 +7,11 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/help.h"
 #include "cli/law_json.h"
+#include "cli/progress_line.h"
 #include "cli/report/report.h"
+#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
@@ -182,8 +185,12 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
   for (const std::string& name : names) systems.push_back(&find_system(name));
   Json all = Json::array();
   std::vector<SystemReproduction> results;
+  ProgressLine line(!json);
   for (const auto* system : systems) {
+    line.show(fmt::format("{}, {} of {}", system->name, results.size() + 1, systems.size()),
+              static_cast<double>(results.size()) / static_cast<double>(systems.size()));
     results.push_back(system->reproduce());
+    line.clear();
     if (json) {
       all.push_back(to_json(results.back()));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
@@ -199,7 +206,7 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
   }
   if (options.report) {
     write_files({{*options.report, page_html(reproduction_report(results))}});
-    if (!json) fmt::print("wrote {}\n", *options.report);
+    if (!json && !is_quiet()) fmt::print("wrote {}\n", *options.report);
   }
   print_worsened(results, status);
 }
@@ -210,11 +217,19 @@ void add_reproduce_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
   const auto options = std::make_shared<ReproduceOptions>();
-  command->add_option("SYSTEM", options->names, "systems to reproduce (all, if none is named)");
+  command->add_option("SYSTEM", options->names, "systems to reproduce (all, if none is named)")
+      ->type_name(takes::kSystem);
   add_switch(*command, "--json", options->json, "print JSON");
-  command->add_option("--n", options->n, "cam-shape: solve it for this many radii instead");
-  command->add_option("--report", options->report,
-                      "write the tables as a page for the browser to this HTML file");
+  command->add_option("--n", options->n, "cam-shape: solve it for this many radii instead")
+      ->type_name("N");
+  command
+      ->add_option("--report", options->report,
+                   "write the tables as a page for the browser to this HTML file")
+      ->type_name(takes::kFile);
+  add_examples(*command,
+               {{"camlaw reproduce spine-cutter",
+                 "the printed numbers, which agree, and what is behind those that do not"},
+                {"camlaw reproduce cam-shape --n 1000", "one case of the COPS cam, of any size"}});
   command->callback([options, &status] { run_reproduce(*options, status); });
 }
 

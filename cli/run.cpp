@@ -10,6 +10,9 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/help.h"
+#include "cli/terminal.h"
+#include "cli/version_text.h"
 #include "kinematics/catalogue.h"
 
 namespace camlaw::cli {
@@ -68,6 +71,19 @@ int finish(int status) {
   return arrived ? status : complain("cannot write to standard output", kFailed);
 }
 
+/// --quiet, for the program and each command.
+void add_quiet(CLI::App& app) {
+  std::vector<CLI::App*> all = app.get_subcommands({});
+  all.push_back(&app);
+  for (CLI::App* command : all) {
+    command
+        ->add_flag_callback(
+            "-q,--quiet", [] { set_quiet(true); },
+            "print nothing but what was asked for: no progress, no word of files written")
+        ->disable_flag_override();
+  }
+}
+
 }  // namespace
 
 CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
@@ -78,7 +94,8 @@ CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
 int run(int argc, const char* const* argv) {
   reserve_standard_streams();
   CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
-  app.set_version_flag("--version", "camlaw " CAMLAW_VERSION);
+  app.set_version_flag("--version", version_text,
+                       "Print the versions of the program and of the libraries behind it");
   app.require_subcommand(1);
   add_laws_command(app);
   add_mechanisms_command(app);
@@ -95,6 +112,14 @@ int run(int argc, const char* const* argv) {
   add_synthesize_command(app, status);
   add_fit_command(app);
   add_report_command(app);
+  add_completion_command(app);
+  add_man_command(app);
+  add_quiet(app);
+  add_examples(app, {{"camlaw laws", "every motion law with its constants"},
+                     {"camlaw law modified-sine", "one law: its peaks, proved"},
+                     {"camlaw optimize problems/spine_cutter/least_radius.toml",
+                      "the best design of a problem file, and a verdict on it"},
+                     {"camlaw optimize --help", "what a command takes, with examples"}});
   try {
     app.parse(argc, argv);
     return finish(status);

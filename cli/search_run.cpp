@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "cli/cycle_figure.h"
+#include "cli/help.h"
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
 #include "cli/progress_line.h"
@@ -147,18 +148,27 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
 }
 
 void add_search_options(CLI::App& command, SearchOptions& options, const std::string& files) {
-  command.add_option("FILE", options.file, "the problem file (TOML)")->required();
-  command.add_option("--solver", options.solver,
-                     fmt::format("auto, {}", fmt::join(optim::solver_names(), ", ")));
-  command.add_option("--starts", options.starts,
-                     fmt::format("how many places to search from, 1 to {}; by default 1 where "
-                                 "the problem is convex or the solver global, else 8",
-                                 problems::kMostStarts));
-  command.add_option("--seed", options.seed,
-                     "for starts and for methods that draw numbers; a whole number from 0");
-  command.add_option("--time-limit", options.time_limit, "such as 30, \"30 s\" or \"1 min\"");
+  command.add_option("FILE", options.file, "the problem file (TOML)")
+      ->required()
+      ->type_name(takes::kFile);
+  command
+      .add_option("--solver", options.solver,
+                  fmt::format("auto, {}", fmt::join(optim::solver_names(), ", ")))
+      ->type_name(takes::kSolver);
+  command
+      .add_option("--starts", options.starts,
+                  fmt::format("how many places to search from, 1 to {}; by default 1 where "
+                              "the problem is convex or the solver global, else 8",
+                              problems::kMostStarts))
+      ->type_name("N");
+  command
+      .add_option("--seed", options.seed,
+                  "for starts and for methods that draw numbers; a whole number from 0")
+      ->type_name("N");
+  command.add_option("--time-limit", options.time_limit, "such as 30, \"30 s\" or \"1 min\"")
+      ->type_name("TIME");
   add_switch(command, "--json", options.json, "print JSON");
-  command.add_option("--out", options.out, "folder for " + files);
+  command.add_option("--out", options.out, "folder for " + files)->type_name(takes::kFolder);
 }
 
 }  // namespace camlaw::cli

@@ -7,6 +7,8 @@
 #include "cli/commands.h"
 #include "cli/delivery_study.h"
 #include "cli/files.h"
+#include "cli/help.h"
+#include "cli/progress_line.h"
 #include "cli/study_fronts.h"
 #include "cli/study_output.h"
 #include "cli/workers.h"
@@ -36,7 +38,12 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
   std::string text = study_text(study);
   std::vector<OutputFile> files{{out / "study.csv", study_csv(study)}};
   if (!options.table) {
-    const auto fronts = problems::prove_fronts(cutter, count_of_workers());
+    ProgressLine line(!options.json);
+    const auto fronts = problems::prove_fronts(
+        cutter, count_of_workers(), [&line](const std::string& front, double done) {
+          line.show(fmt::format("front of {}, {:.0f} %", front, 100 * done), done);
+        });
+    line.clear();
     json.update(fronts_json(fronts));
     draw_fronts(fronts, trade_off.panels.front());
     text = fronts_text(fronts) + "\n" + text;
@@ -77,9 +84,7 @@ void run_study(const StudyOptions& options) {
   }
   if (options.out) write_files(study.files);
   fmt::print("{}", options.json ? study.json : study.text);
-  if (options.json || !options.out) return;
-  fmt::print("\nresults\n");
-  for (const OutputFile& file : study.files) fmt::print("  {}\n", file.path.string());
+  if (!options.json && options.out) say_written(study.files);
 }
 
 }  // namespace
@@ -89,14 +94,23 @@ void add_study_command(CLI::App& app) {
       "study", "Compare laws on a machine, or what they cost: table and pictures");
   const auto options = std::make_shared<StudyOptions>();
   command->add_option("SYSTEM", options->system, "the machine: spine-cutter or sheet-delivery")
-      ->required();
-  command->add_option("--out", options->out, "folder for study.csv, study.json and the pictures");
+      ->required()
+      ->type_name("{spine-cutter,sheet-delivery}");
+  command->add_option("--out", options->out, "folder for study.csv, study.json and the pictures")
+      ->type_name(takes::kFolder);
   command
       ->add_option("--set", options->settings, "set a given: name=value, such as --set 'h=0.8 mm'")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   add_switch(*command, "--table", options->table,
              "of the spine cutter: the table of laws alone, without the proved fronts");
   add_switch(*command, "--json", options->json, "print JSON");
+  add_examples(*command, {{"camlaw study spine-cutter --out results/spine-cutter",
+                           "laws compared on the spine cutter, with proved fronts and pictures"},
+                          {"camlaw study spine-cutter --table --set 'h=1.0 mm' --set 'V=1.2 m/s'",
+                           "the table alone, for another depth and speed"},
+                          {"camlaw study sheet-delivery --out results/delivery",
+                           "what a delivery's laws cost, and what they gain"}});
   command->callback([options] { run_study(*options); });
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/help.h"
 #include "cli/rulers.h"
 #include "cli/search_run.h"
 #include "problems/law_files/law_file.h"
@@ -91,6 +92,11 @@ void add_synthesize_command(CLI::App& app, int& status) {
       .report = report,
       .measure = measure,
       .figures = figures};
+  add_examples(
+      *command,
+      {{"camlaw synthesize problems/free_law/least_acceleration_at_jerk.toml --out results/free",
+        "the best law there is for a limit on jerk, measured, as a file"},
+       {"camlaw law results/free/law.json", "the law that was found, like any other"}});
   command->callback([options, synthesize, &status] { status = run_search(*options, synthesize); });
 }
 

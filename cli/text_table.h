@@ -29,6 +29,9 @@ class TextTable {
 /// Rows of values as CSV (RFC 4180 quoting, first row the header).
 std::string to_csv(const std::vector<std::vector<std::string>>& rows);
 
+/// Text for a cell of a Markdown table.
+std::string markdown_cell(const std::string& text);
+
 /// A number for people: `decimals` places, "inf", "-inf" or "-" for NaN, never "-0.00".
 std::string shown(double value, int decimals);
 /// A number for people: as many digits as 7 of `size`, that of the numbers it stands beside, so

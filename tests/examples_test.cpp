@@ -48,3 +48,9 @@ TEST_CASE("the page of laws is what the catalogue prints") {
   CHECK(page.find("| modified-sine |") != std::string::npos);
   CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/laws.md"));
 }
+
+TEST_CASE("the page of mechanisms is what the program prints", "[documents]") {
+  const std::string page = output_of(CAMLAW_PROGRAM " mechanisms --markdown");
+  CHECK(page.find("## disc-cam-roller") != std::string::npos);
+  CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/mechanisms.md"));
+}

@@ -125,4 +125,6 @@ CeresSearch ceres_search(const Residuals& residuals, const FitBox& box, const Ve
   return {block.unscaled(y), static_cast<int>(summary.iterations.size())};
 }
 
+std::string ceres_version() { return "ceres " CERES_VERSION_STRING; }
+
 }  // namespace camlaw::optim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 #include "optim/fit/fit_point.h"
 
 /// The way from a start to the neighbourhood of a minimum.
@@ -26,5 +28,8 @@ struct CeresSearch {
 CeresSearch ceres_search(const Residuals& residuals, const FitBox& box,
                          const Eigen::VectorXd& scales, const Eigen::VectorXd& start,
                          int max_iterations, Pace pace);
+
+/// "ceres 2.1.0".
+std::string ceres_version();
 
 }  // namespace camlaw::optim

@@ -478,4 +478,6 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
   return in_order;
 }
 
+std::string sqlite_version() { return fmt::format("sqlite {}", SQLite::getLibVersion()); }
+
 }  // namespace camlaw::optim

@@ -60,4 +60,7 @@ class RecordedExecutor final : public Executor {
   Executor* others_;
 };
 
+/// "sqlite 3.40.1".
+std::string sqlite_version();
+
 }  // namespace camlaw::optim

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -78,7 +79,20 @@ double share_of(const FrontStudy& study, const optim::Front& front) {
   return reached / ruler->hypervolume(front.reference);
 }
 
-ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers) {
+/// Passes a front's progress on as that of all fronts: this is the one numbered `index`.
+optim::ParetoOptions with_progress(optim::ParetoOptions options, const std::string& name, int index,
+                                   const FrontsProgress& progress) {
+  constexpr double kFronts = 3;
+  if (!progress) return options;
+  options.progress = [=](const optim::StudyProgress& p) {
+    const double share = static_cast<double>(p.points) / static_cast<double>(p.wanted);
+    progress(name, (index + std::min(share, 1.0)) / kFronts);
+  };
+  return options;
+}
+
+ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers,
+                              const FrontsProgress& progress) {
   std::vector<FrontStudy> studies;
   std::vector<optim::MultiSpace> spaces;
   std::vector<std::string> names;
@@ -93,7 +107,9 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
   optim::ProcessExecutor executor(joined, studies.front().options().solve, workers);
   ProvedFront result;
   result.name = smooth_only ? "families of continuous acceleration" : "all families";
-  result.front = optim::pareto(joined, studies.front().options(), executor);
+  const auto options =
+      with_progress(studies.front().options(), result.name, smooth_only ? 1 : 0, progress);
+  result.front = optim::pareto(joined, options, executor);
   for (const optim::FrontPoint& point : result.front.points) {
     optim::FrontPoint of_study = point;
     of_study.part = 0;
@@ -103,8 +119,10 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
   return result;
 }
 
-ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers) {
-  const FrontStudy study = study_of(front_text(cutter, kFreeLaw));
+ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
+                              const FrontsProgress& progress) {
+  FrontStudy study = study_of(front_text(cutter, kFreeLaw));
+  study.options() = with_progress(study.options(), "free law", 2, progress);
   optim::ProcessExecutor executor(study.space(), study.options().solve, workers);
   ProvedFront result{"free law (degree 2, 64 even knots)", study.run(executor), {}, 0};
   result.laws.assign(result.front.points.size(), "free law");
@@ -139,10 +157,11 @@ Saving saving_over(const SpineCutter<double>& cutter, const char* law) {
 
 }  // namespace
 
-SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers) {
-  SpineCutterFronts fronts{front_of_families(cutter, false, workers),
-                           front_of_families(cutter, true, workers),
-                           front_of_free_law(cutter, workers),
+SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
+                               const FrontsProgress& progress) {
+  SpineCutterFronts fronts{front_of_families(cutter, false, workers, progress),
+                           front_of_families(cutter, true, workers, progress),
+                           front_of_free_law(cutter, workers, progress),
                            {}};
   for (const char* law : {"cosine", "polynomial-5 alpha=-3"}) {
     fronts.savings.push_back(saving_over(cutter, law));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include "optim/pareto/pareto.h"
 #include "problems/spine_cutter/study.h"
 
@@ -32,7 +35,11 @@ struct SpineCutterFronts {
   std::vector<Saving> savings;  ///< of the paper's choices, cosine and polynomial-5 alpha = -3
 };
 
+/// Told which front is looked for, and which share of all the work is done, 0 .. 1.
+using FrontsProgress = std::function<void(const std::string& front, double done)>;
+
 /// `workers` processes search side by side; the answer does not depend on them.
-SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers);
+SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
+                               const FrontsProgress& progress = {});
 
 }  // namespace camlaw::problems

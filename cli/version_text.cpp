@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "cli/version_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/Version.hpp>
+#include <nlohmann/json.hpp>
+
+#include "optim/versions.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string fmt_version() {
+  return fmt::format("fmt {}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                     FMT_VERSION % 100);
+}
+
+std::string json_version() {
+  return fmt::format("nlohmann-json {}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                     NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
+}
+
+}  // namespace
+
+// CAMLAW_VERSION is the project's version, from CMake.
+std::string short_version() { return "camlaw " CAMLAW_VERSION; }
+
+std::string version_text() {
+  return fmt::format("{}\n{}\n{}\n{}\n{}", short_version(),
+                     fmt::join(optim::library_versions(), "\n"), "cli11 " CLI11_VERSION,
+                     fmt_version(), json_version());
+}
+
+}  // namespace camlaw::cli

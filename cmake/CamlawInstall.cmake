@@ -1,0 +1,47 @@
+# What `cmake --install` puts where: the program with its man page and completions (component
+# program), and what other projects build against: headers, libraries, CMake's and pkg-config's
+# descriptions (component development).
+
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(CAMLAW_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/camlaw)
+set(CAMLAW_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/camlaw)
+
+# Headers that name a solver belong to the back ends.
+install(DIRECTORY kinematics optim problems
+  DESTINATION ${CAMLAW_HEADER_DIR} COMPONENT development
+  FILES_MATCHING PATTERN "*.h" PATTERN "nlopt_*.h" EXCLUDE)
+
+# Each library is a part of the package of its own, so that who asks for kinematics needs no solver.
+foreach(part kinematics optim problems)
+  set_target_properties(camlaw_${part} PROPERTIES EXPORT_NAME ${part})
+  target_include_directories(camlaw_${part} INTERFACE $<INSTALL_INTERFACE:${CAMLAW_HEADER_DIR}>)
+  install(TARGETS camlaw_${part} EXPORT camlaw_${part}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(EXPORT camlaw_${part} FILE camlaw_${part}.cmake NAMESPACE camlaw::
+    DESTINATION ${CAMLAW_CMAKE_DIR} COMPONENT development)
+endforeach()
+
+configure_package_config_file(cmake/camlawConfig.cmake.in ${PROJECT_BINARY_DIR}/camlawConfig.cmake
+  INSTALL_DESTINATION ${CAMLAW_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/camlawConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/camlawConfig.cmake ${PROJECT_BINARY_DIR}/camlawConfigVersion.cmake
+  DESTINATION ${CAMLAW_CMAKE_DIR} COMPONENT development)
+file(RELATIVE_PATH CAMLAW_PC_TO_PREFIX
+  /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(cmake/camlaw.pc.in ${PROJECT_BINARY_DIR}/camlaw.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/camlaw.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+install(TARGETS camlaw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+set(pages ${PROJECT_BINARY_DIR}/pages)
+install(FILES ${pages}/camlaw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${pages}/camlaw.bash RENAME camlaw COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${pages}/camlaw.zsh RENAME _camlaw COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${pages}/camlaw.fish COMPONENT program
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

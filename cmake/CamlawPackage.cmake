@@ -1,0 +1,30 @@
+# Debian packages by CPack, `cpack -G DEB` in the build folder: camlaw, the program, and
+# libcamlaw-dev, to build against. Run-time dependencies are what dpkg-shlibdeps finds.
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_VENDOR camlaw)
+set(CPACK_PACKAGE_CONTACT "camlaw maintainers <camlaw@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_STRIP_FILES ON)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME camlaw)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "The program, for engineers of cam drives: motion
+laws with exact peaks, cams, design optimisation with limits that hold over the whole cycle,
+fronts, fits to measurements.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcamlaw-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and libraries, to build against:
+motion laws and mechanisms generic in the scalar, the search for designs, problem files.")
+string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  libeigen3-dev libboost-dev libceres-dev libfmt-dev nlohmann-json3-dev libnlopt-dev
+  coinor-libipopt-dev libpagmo-dev libsqlitecpp-dev libsqlite3-dev libtomlplusplus-dev
+  libudunits2-dev)
+
+include(CPack)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "cli/progress_line.h"
+
+#include <catch2/catch.hpp>
+
+namespace camlaw::cli {
+
+TEST_CASE("the time left follows from the share that is done", "[program]") {
+  CHECK(time_left(10, 0.25) == "about 30 s left");  // a quarter took 10 s
+  CHECK(time_left(119, 0.5) == "about 119 s left");
+  CHECK(time_left(60, 0.1) == "about 9 min left");
+  CHECK(time_left(4, 0.99) == "about 1 s left");
+}
+
+TEST_CASE("nothing is said of the time left where it is not known or soon over", "[program]") {
+  CHECK(time_left(10, 0).empty());
+  CHECK(time_left(10, 1).empty());
+  CHECK(time_left(1, 0.5).empty());
+}
+
+}  // namespace camlaw::cli
