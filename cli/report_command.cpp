@@ -37,12 +37,8 @@ Facts facts_of(const std::string& result) {
 
 ReportPage design_page(const std::string& input) {
   problems::ReadDesign read = problems::read_design_file(input);
-  const std::string text = read.statement.text;
-  return design_report({.design = std::move(read.statement),
-                        .file = input,
-                        .text = text,
-                        .facts = read.verdict ? facts_of(input) : Facts{},
-                        .verdict = read.verdict});
+  Facts facts = read.verdict ? facts_of(input) : Facts{};
+  return design_report({.read = std::move(read), .file = input, .facts = std::move(facts)});
 }
 
 ReportPage study_page(const std::string& file) {

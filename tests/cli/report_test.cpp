@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // report and reproduce --report, as a user runs them. What a browser makes of the pages is looked
 // at by tests/report/open_reports.py.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -152,6 +153,66 @@ TEST_CASE("text of a problem file stays text in its report", "[cli][report]") {
   CHECK(count_of(page, "<script") == count_of(page, "</script>"));
 }
 
+/// What stands between a section's heading and the next section.
+std::string section_of(const std::string& page, const std::string& id) {
+  const std::size_t from = page.find("<section id=\"" + id + "\"");
+  REQUIRE(from != std::string::npos);
+  return page.substr(from, page.find("</section>", from) - from);
+}
+
+const std::string kCertified = "<span class=\"badge good\">certified optimum</span>";
+
+/// The sheet delivery with the laws of the list.
+std::string delivery(const std::string& laws) {
+  return "mechanism = 'sheet-delivery'\n[law]\nname = " + laws +
+         "\n[variables.guide_ratio]\nlower = 0.1\nupper = 2\nstart = 0.4\n"
+         "[variables.rod_angle_max]\nlower = '10 deg'\nupper = '75 deg'\nstart = '60 deg'\n"
+         "[objective]\nmaximize = 'lowest efficiency'\n"
+         "[[constraints]]\nresponse = 'slow_down'\nlower = 0.2\n";
+}
+
+TEST_CASE("a design of one of several laws is not called an optimum among them", "[cli][report]") {
+  const Folder folder;
+  const std::string several = delivery("['cycloidal', 'cosine']");
+  std::ofstream(folder / "one.toml") << delivery("'cycloidal'");
+  done({"optimize", folder / "one.toml", "--out", folder / "one"});
+  CHECK_THAT(page_of(folder / "one/result.json", folder), Contains(kCertified));
+  // A search of both laws that was stopped at the first, and so has not seen the better one.
+  Json result = Json::parse(read(folder / "one/result.json"));
+  result["verdict"] = "feasible";
+  result["design"]["problem"] = several;
+  result["design"]["law"] = "cycloidal";
+  std::ofstream(folder / "stopped.json") << result.dump();
+  const std::string page = page_of(folder / "stopped.json", folder);
+  CHECK(count_of(page, kCertified) == 0);
+  CHECK_THAT(page, Contains("<span class=\"badge plain\">feasible</span>"));
+  CHECK_THAT(section_of(page, "problem"), Contains("cosine"));
+}
+
+TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][report]") {
+  const Folder folder;
+  done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
+  const Json result = Json::parse(read(folder / "out/result.json"));
+  const auto page_at = [&](double share, const std::string& verdict) {
+    Json changed = result;
+    Json& radius = changed["design"]["variables"]["base_radius"];
+    radius = share * radius.get<double>();
+    changed["verdict"] = verdict;
+    std::ofstream(folder / "changed.json") << changed.dump();
+    return page_of(folder / "changed.json", folder);
+  };
+  const std::string optimum = page_at(1, "certified optimum");
+  CHECK_THAT(optimum, Contains(kCertified) && !Contains("options held"));
+  const std::string larger = page_at(1.02, "certified optimum");
+  CHECK_THAT(larger, Contains("<span class=\"badge plain\">meets its limits</span>"));
+  CHECK_THAT(larger, Contains("The search said: certified optimum.") && !Contains(kCertified));
+  const std::string smaller = page_at(0.97, "certified optimum");
+  CHECK_THAT(smaller, Contains("<span class=\"badge bad\">passes a limit</span>"));
+  CHECK_THAT(smaller, Contains("limits are met.") && !Contains(">certified optimum</span>"));
+  CHECK_THAT(page_at(0.97, "infeasible"), Contains("<span class=\"badge bad\">infeasible</span>"));
+  CHECK_THAT(page_at(1.02, "feasible"), Contains("<span class=\"badge plain\">feasible</span>"));
+}
+
 TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
@@ -197,8 +258,9 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
   for (const char* problem :
        {"cams/roller_least_base", "cams/knife_convex_base", "cams/flat_least_base",
         "cams/conjugate_least_distance", "cams/leading_least_base", "cams/swinging_flat_least_base",
-        "cams/swinging_end_least_radius", "cams/linear_least_travel", "spine_cutter/least_radius",
-        "geneva/fastest", "springs/fewest_discs", "free_law/least_acceleration"}) {
+        "cams/swinging_end_least_radius", "cams/linear_least_travel", "cams/groove_least_stress",
+        "spine_cutter/least_radius", "geneva/fastest", "springs/fewest_discs",
+        "free_law/least_acceleration"}) {
     add({"report", shipped(problem + std::string(".toml")), "-o"},
         std::filesystem::path(problem).filename().string() + ".html");
   }
