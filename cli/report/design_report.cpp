@@ -146,7 +146,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   const auto words = panel_words(figure, design, review.evaluated);
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
-  page.sections = {problem_section(design), values_section(design),
+  page.sections = {problem_section(reported.read.problem), values_section(design),
                    limits_section(design, review.limits, review.is_optimal())};
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));

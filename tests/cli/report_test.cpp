@@ -189,6 +189,15 @@ TEST_CASE("a design of one of several laws is not called an optimum among them",
   CHECK_THAT(section_of(page, "problem"), Contains("cosine"));
 }
 
+TEST_CASE("a page says the problem of a result as the problem was asked", "[cli][report]") {
+  const Folder folder;
+  const std::string problem = shipped("cams/roller_least_base.toml");
+  done({"optimize", problem, "--out", folder / "out"});
+  const std::string asked = section_of(page_of(problem, folder), "problem");
+  CHECK_THAT(asked, Contains("60 mm"));  // where the search begins
+  CHECK(section_of(page_of(folder / "out/result.json", folder), "problem") == asked);
+}
+
 TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][report]") {
   const Folder folder;
   done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
