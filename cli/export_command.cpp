@@ -83,19 +83,19 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
-/// What keeps a tool from going along a curve, in words.
+/// What keeps a tool from going along a curve, in words: first that it turns back, of which jumps
+/// may be the mere consequence.
 std::vector<std::string> obstacles(const problems::PlaneCurve& curve) {
   std::vector<std::string> result;
-  for (const auto& [place, way] : curve.jumps()) {
-    result.push_back(
-        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
-                    "line bridges it",
-                    curve.name(), way, place));
-  }
   if (const auto angle = problems::turns_back(curve)) {
     result.push_back(fmt::format(
         "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
         curve.name(), *angle));
+  }
+  for (const auto& [place, way] : curve.jumps()) {
+    result.push_back(
+        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg: a straight line bridges it",
+                    curve.name(), way, place));
   }
   return result;
 }
@@ -106,7 +106,7 @@ void check_way(const problems::ProblemStatement& statement, const problems::Plan
   if (const auto found = obstacles(way); !found.empty()) throw std::invalid_argument(found.front());
   for (const problems::PlaneCurve& profile : problems::cam_curves(statement, "profile")) {
     if (way.name() != "cutter path" || !problems::turns_back(profile)) continue;
-    throw std::invalid_argument(obstacles(profile).back());
+    throw std::invalid_argument(obstacles(profile).front());
   }
 }
 

@@ -439,4 +439,36 @@ TEST_CASE("a cam that is undercut is drawn with a note, and not cut", "[export]"
   CHECK_THAT(failed(roller, 2), Contains("the profile turns back near"));
 }
 
+TEST_CASE("a cam of which a stretch runs backwards as a whole is not cut", "[export]") {
+  const Folder folder;
+  // Where the acceleration jumps from one end of the stretch to the other, nothing turns within it.
+  const auto cam =
+      [&](const std::string& name, const std::string& follower) {
+        std::ofstream(folder / name)
+            << "mechanism = '" << follower << "'\n[constants]\nstroke = '30 mm'\n"
+            << (follower == "disc-cam-flat"
+                    ? "base_radius = '20 mm'\n"
+                    : "base_radius = '5 mm'\nroller_radius = '45 mm'\ncutter_radius = '45 mm'\n")
+            << "[program]\nmatched = 'velocity'\nsegments = ["
+               "{name = 'rise', angle = 60, law = 'parabolic'}, {name = 'high', angle = 60}, "
+               "{name = 'return', angle = 60, law = 'parabolic'}, {name = 'low'}]\n";
+        return folder / name;
+      };
+  const std::string out = folder / "cam.nc";
+  const std::string flat = cam("flat.toml", "disc-cam-flat");
+  const std::string roller = cam("roller.toml", "disc-cam-roller");
+  // r_b + s + s'' is below 0 in the second half of the rise: s'' = -4 S / beta^2.
+  const double angle = std::numbers::pi / 3, bend = 4 * 30 / (angle * angle);
+  REQUIRE(20 + 30 - bend < 0);
+  CHECK_THAT(failed({"export", flat, "--curve", "profile", "--out", out}, 2),
+             Contains("the profile turns back near"));
+  CHECK_THAT(failed({"export", flat, "--tool", "2 mm", "--out", out}, 2),
+             Contains("turns back near") && !Contains("velocity"));
+  CHECK_THAT(failed({"export", roller, "--out", out}, 2), Contains("the profile turns back near"));
+  CHECK(!fs::exists(out));
+  CHECK_THAT(
+      done({"export", flat, "--set", "base_radius=100 mm", "--curve", "profile", "--out", out}),
+      !Contains("turns back"));
+}
+
 }  // namespace camlaw::cli
