@@ -222,6 +222,26 @@ TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][re
   CHECK_THAT(page_at(1.02, "feasible"), Contains("<span class=\"badge plain\">feasible</span>"));
 }
 
+TEST_CASE("the report of a front of many points keeps the curve that its picture follows",
+          "[cli][report]") {
+  const Folder folder;
+  std::ofstream(folder / "geneva.toml")
+      << "mechanism = 'geneva'\n[constants]\ncentre_distance = '200 mm'\npin_radius = '10 mm'\n"
+         "slots = 6\n[variables.speed]\nlower = '10 rpm'\nupper = '200 rpm'\nstart = '50 rpm'\n"
+         "[[objectives]]\nmaximize = 'speed'\n[[objectives]]\nminimize = 'peak_acceleration'\n";
+  const std::string study = folder / "study.db";
+  done({"pareto", folder / "geneva.toml", "--points", "180", "--db", study});
+  const std::string page = page_of(study, folder);
+  const Json data = data_of(page);
+  REQUIRE(data["designs"].size() *
+              data_of(page_of(folder / "geneva.toml", folder))["panels"].size() >
+          1200);
+  const std::string scene = data["designs"][0]["scene"];
+  CHECK_THAT(scene, Contains("data-curve=\"wheel_angle\""));
+  CHECK_NOTHROW(panel_of(data, "wheel_angle"));
+  CHECK(data["designs"].size() * data["panels"].size() <= 1200);
+}
+
 TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
