@@ -11,6 +11,7 @@
 #include "cli/export_options.h"
 #include "cli/export_output.h"
 #include "cli/files.h"
+#include "optim/verdict/verdict.h"
 #include "problems/exports/curve_svg.h"
 #include "problems/exports/dxf.h"
 #include "problems/statement/bind.h"
@@ -162,6 +163,14 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   }
 }
 
+/// A design that its search could not bring within its limits is not to be made by oversight.
+std::vector<std::string> notes_on(const problems::ReadDesign& design,
+                                  const std::vector<std::string>& settings) {
+  if (design.verdict != to_string(optim::Verdict::Infeasible)) return {};
+  return {settings.empty() ? "the design does not meet its limits"
+                           : "before the changes the design did not meet its limits"};
+}
+
 void run_export(const ExportOptions& options) {
   const FormatRow& format = format_of(options);
   check_options(options, format);
@@ -172,7 +181,8 @@ void run_export(const ExportOptions& options) {
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
-             .accuracy = accuracy_of(options, format)};
+             .accuracy = accuracy_of(options, format),
+             .notes = notes_on(design, options.settings)};
   const std::string text = content(options, format, e);
   if (!options.out) {
     std::fputs(text.c_str(), stdout);

@@ -471,4 +471,37 @@ TEST_CASE("a cam of which a stretch runs backwards as a whole is not cut", "[exp
       !Contains("turns back"));
 }
 
+TEST_CASE("a verdict is that of the design it was passed on", "[export]") {
+  const Folder folder;
+  done({"optimize", kRoller, "--out", folder / ""});
+  const std::string result = folder / "result.json";
+  const Words changed{"export", result, "--set", "base_radius=40 mm", "--format"};
+  const auto in = [&](const char* format) {
+    Words words = changed;
+    words.push_back(format);
+    return done(words);
+  };
+  const Json json = Json::parse(in("json"));
+  CHECK(json["provenance"]["verdict"].is_null());
+  CHECK(json["law"]["provenance"]["verdict"].is_null());
+  CHECK_THAT(in("svg"), Contains("before the changes: certified optimum"));
+  CHECK_THAT(done({"export", result, "--format", "svg"}),
+             Contains("\ncertified optimum") && !Contains("before the changes"));
+}
+
+TEST_CASE("a result that does not meet its limits is exported with a note of it", "[export]") {
+  const Folder folder;
+  std::string text = read(kRoller);
+  text.replace(text.find("[[constraints]]"), 0,
+               "[[constraints]]\nresponse = 'base_radius'\nupper = '20 mm'\n\n");
+  std::ofstream(folder / "tight.toml") << text;
+  run({"optimize", folder / "tight.toml", "--out", folder / "out"});
+  const std::string result = folder / "out/result.json";
+  REQUIRE(Json::parse(read(result))["verdict"] == "infeasible");
+  const std::string note = "the design does not meet its limits";
+  CHECK_THAT(done({"export", result, "--out", folder / "cam.nc"}), Contains(note));
+  CHECK_THAT(read(folder / "cam.nc"), Contains(note));
+  CHECK(json_of({"export", result, "--format", "json"})["notes"][0] == note);
+}
+
 }  // namespace camlaw::cli
