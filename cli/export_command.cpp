@@ -174,6 +174,7 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 void run_export(const ExportOptions& options) {
   const FormatRow& format = format_of(options);
   check_options(options, format);
+  if (options.out) check_not_input(options.file, *options.out);
   problems::ReadDesign design = problems::read_design_file(options.file);
   for (const std::string& setting : options.settings) {
     problems::set_value(design.statement, setting);

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "cli/files.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/units.h"
 
@@ -43,8 +43,7 @@ double quantity(const Text& text, const char* name, const char* unit, double sta
 
 const FormatRow& format_of(const ExportOptions& options) {
   std::vector<const char*> names;
-  const std::string ending =
-      options.out ? std::filesystem::path(*options.out).extension().string() : "";
+  const std::string ending = options.out ? ending_of(*options.out) : "";
   for (const FormatRow& row : formats()) {
     names.push_back(row.name);
     const bool fits =

@@ -54,7 +54,7 @@ ReportPage study_page(const std::string& file) {
 }
 
 ReportPage page_of(const std::string& input) {
-  const std::string extension = std::filesystem::path(input).extension().string();
+  const std::string extension = ending_of(input);
   if (extension == ".db") return study_page(input);
   if (extension == ".toml" || extension == ".json") return design_page(input);
   throw std::invalid_argument(fmt::format(
@@ -65,6 +65,7 @@ void run_report(const ReportOptions& options) {
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
+  check_not_input(options.input, output);
   check_writable({output});
   write_files({{output, page_html(page_of(options.input))}});
   fmt::print("wrote {}\n", output.string());

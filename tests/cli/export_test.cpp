@@ -504,4 +504,14 @@ TEST_CASE("a result that does not meet its limits is exported with a note of it"
   CHECK(json_of({"export", result, "--format", "json"})["notes"][0] == note);
 }
 
+TEST_CASE("an export does not go over its own input", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "cam.json", text = read(kRoller);
+  std::ofstream(path) << text;
+  CHECK_THAT(failed({"export", path, "--out", path}, 2), Contains("the input itself"));
+  CHECK(read(path) == text);
+  CHECK_THAT(done({"export", path, "--out", folder / "CAM.SVG"}), Contains("wrote "));
+  check_svg(folder / "CAM.SVG");
+}
+
 }  // namespace camlaw::cli

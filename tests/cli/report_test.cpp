@@ -242,6 +242,15 @@ TEST_CASE("the report of a front of many points keeps the curve that its picture
   CHECK(data["designs"].size() * data["panels"].size() <= 1200);
 }
 
+TEST_CASE("a report does not go over its own input", "[cli][report]") {
+  const Folder folder;
+  const std::string path = folder / "p.TOML", text = read(shipped("cams/flat_least_base.toml"));
+  std::ofstream(path) << text;
+  CHECK_THAT(failed({"report", path, "-o", path}, 2), Contains("the input itself"));
+  CHECK(read(path) == text);
+  check_whole(page_of(path, folder));
+}
+
 TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
