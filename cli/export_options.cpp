@@ -113,6 +113,7 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
         "or more --decimals",
         accuracy.tolerance, accuracy.decimals, 10 * digit));
   }
+  if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
   if (o.step && format.format != ExportFormat::Table) {
     accuracy.step = problems::parse_quantity(*o.step, "deg", "deg", "--step");
   }

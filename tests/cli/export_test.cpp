@@ -504,6 +504,20 @@ TEST_CASE("a result that does not meet its limits is exported with a note of it"
   CHECK(json_of({"export", result, "--format", "json"})["notes"][0] == note);
 }
 
+TEST_CASE("a G-code program of a nearly straight way is as near as it says", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "long.toml", out = folder / "long.nc";
+  std::ofstream(path) << "mechanism = 'linear-cam'\n[constants]\nstroke = '6 mm'\n"
+                         "travel = '4000 mm'\nroller_radius = '20 mm'\ncutter_radius = '20 mm'\n"
+                         "[program]\nsegments = [{name = 'rise', angle = 180, law = 'cycloidal'},"
+                         "{name = 'return', law = 'poly-3-4-5'}]\n";
+  const std::string said = done({"export", path, "--out", out, "--tolerance", "2 um"});
+  const double stated = std::stod(said.substr(said.find("within ") + 7));
+  CHECK(stated <= 0.002);
+  const GcodeRun run = run_gcode(read(out));
+  CHECK(departure(points_of(exact_curve(path, "cutter")), run.cut) <= stated + 2e-5);
+}
+
 TEST_CASE("an export does not go over its own input", "[export]") {
   const Folder folder;
   const std::string path = folder / "cam.json", text = read(kRoller);
