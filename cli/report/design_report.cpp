@@ -142,7 +142,8 @@ ReportPage design_report(const ReportedDesign& reported) {
   const ProblemStatement& design = reported.read.statement;
   const Review review(reported.read);
   check_possible(reported.file, design, review.evaluated);
-  const Figure figure = design_figure(design, kPoints);
+  Figure figure = design_figure(design, kPoints);
+  std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
   const auto words = panel_words(figure, design, review.evaluated);
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};

@@ -135,6 +135,16 @@ Figure like(const Figure& first, const problems::ProblemStatement& design, int p
   return result;
 }
 
+/// Leaves out the panels of the first design in which neither it nor the last has values.
+void drop_empty(Figure& first, const problems::ProblemStatement& last) {
+  const Figure other = like(first, last, kFewSamples);
+  std::vector<Panel> kept;
+  for (std::size_t i = 0; i < first.panels.size(); ++i) {
+    if (has_values(first.panels[i]) || has_values(other.panels[i])) kept.push_back(first.panels[i]);
+  }
+  first.panels = std::move(kept);
+}
+
 /// Which objectives a still chart shows, and the line that no law passes.
 Json pair_json(const FrontAnswer& answer, const Panel& panel) {
   const auto& objectives = answer.front.objectives;
@@ -197,6 +207,7 @@ std::string named_with_unit(const std::string& name, const std::string& unit) {
 FrontPanels front_panels(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
   const problems::ProblemStatement first = design_of(answer, answer.front.points[shown.front()]);
   FrontPanels panels{design_figure(first, kFewSamples), {}};
+  drop_empty(panels.figure, design_of(answer, answer.front.points[shown.back()]));
   panels.words = panel_words(panels.figure, first, {});
   if (shown.size() * panels.figure.panels.size() > kMostCurves) {
     const std::optional<Scene> scene = scene_of(first, kFewSamples);

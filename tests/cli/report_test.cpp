@@ -242,6 +242,22 @@ TEST_CASE("the report of a front of many points keeps the curve that its picture
   CHECK(data["designs"].size() * data["panels"].size() <= 1200);
 }
 
+TEST_CASE("a report has a plot of every curve with values, and of no other", "[cli][report]") {
+  const Folder folder;
+  for (const char* name : {"groove_least_stress", "end_rise_share", "roller_least_base"}) {
+    INFO(name);
+    const std::string page = page_of(shipped("cams/" + std::string(name) + ".toml"), folder);
+    const Json data = data_of(page);
+    for (std::size_t i = 0; i < data["panels"].size(); ++i) {
+      const Json& y = data["designs"][0]["lines"][i]["y"];
+      INFO(data["panels"][i]["id"]);
+      CHECK(std::any_of(y.begin(), y.end(), [](const Json& value) { return value.is_number(); }));
+    }
+    CHECK(count_of(page, "; - ") == 0);
+    CHECK_NOTHROW(panel_of(data, "contact_stress"));
+  }
+}
+
 TEST_CASE("a report does not go over its own input", "[cli][report]") {
   const Folder folder;
   const std::string path = folder / "p.TOML", text = read(shipped("cams/flat_least_base.toml"));
