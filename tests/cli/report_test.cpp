@@ -258,6 +258,19 @@ TEST_CASE("a report has a plot of every curve with values, and of no other", "[c
   }
 }
 
+TEST_CASE("what is 0 but for rounding is shown as 0 among tolerances", "[cli][report]") {
+  const Folder folder;
+  for (const char* name : {"flat_least_base", "knife_convex_base"}) {
+    INFO(name);
+    done({"optimize", shipped("cams/" + std::string(name) + ".toml"), "--out", folder / "out"});
+    const std::string text = section_of(page_of(folder / "out/result.json", folder), "sensitivity");
+    CHECK_THAT(text, Contains("<td>margin of "));
+    for (const char* rounding : {"e-11", "e-12", "e-13", "e-14", "e-15", "e-16"}) {
+      CHECK(count_of(text, rounding) == 0);
+    }
+  }
+}
+
 TEST_CASE("a report does not go over its own input", "[cli][report]") {
   const Folder folder;
   const std::string path = folder / "p.TOML", text = read(shipped("cams/flat_least_base.toml"));
