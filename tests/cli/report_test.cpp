@@ -305,6 +305,8 @@ TEST_CASE("reproduce writes its tables beside the printed ones as a page", "[cli
   const Json said = json_of({"reproduce", "spine-cutter", "--json"});
   CHECK(count_of(page, ">explained</span>") == said[0]["explained"].get<std::size_t>());
   CHECK(count_of(page, ">reproduced</span>") == said[0]["reproduced"].get<std::size_t>());
+  CHECK_THAT(page, Contains("<span class=\"badge plain\">0 unexplained</span>"));
+  CHECK_THAT(page, Contains("published values of one system, computed again"));
   CHECK_THAT(failed({"reproduce", "cam-shape", "--n", "10", "--report", path}, 2),
              Contains("--report"));
 }
