@@ -528,4 +528,16 @@ TEST_CASE("an export does not go over its own input", "[export]") {
   check_svg(folder / "CAM.SVG");
 }
 
+TEST_CASE("a picture is well-formed whatever the title and the file's name", "[export]") {
+  const Folder folder;
+  const std::string text = read(problem("cams/flat_least_base.toml"));
+  std::ofstream(folder / "odd\xff.toml") << "title = \"]]> <b> & ' \\\"\"\n"
+                                         << text.substr(text.find("mechanism"));
+  done({"export", folder / "odd\xff.toml", "--out", folder / "odd.svg"});
+  check_svg(folder / "odd.svg");
+  const std::string svg = read(folder / "odd.svg");
+  CHECK_THAT(svg, Contains("<title>]]&gt; &lt;b&gt; &amp; &apos; &quot;</title>"));
+  CHECK_THAT(svg, Contains("odd?.toml") && !Contains("\xff"));
+}
+
 }  // namespace camlaw::cli
