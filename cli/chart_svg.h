@@ -7,6 +7,7 @@
 
 #include "cli/chart.h"
 #include "cli/chart_labels.h"
+#include "problems/exports/xml_text.h"
 
 /// SVG elements as text, with numbers of two decimals and escaped strings.
 namespace camlaw::cli {
@@ -14,9 +15,7 @@ namespace camlaw::cli {
 /// The number with two decimals, never -0.00.
 std::string svg_number(double value);
 
-/// The text for XML content or a quoted attribute: <, >, &, " and ' as entities, a control
-/// character as a space, a byte that is not UTF-8 as '?'.
-std::string xml_escape(std::string_view text);
+using problems::xml_escape;
 
 struct Stroke {
   std::string_view colour;

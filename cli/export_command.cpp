@@ -13,6 +13,7 @@
 #include "cli/files.h"
 #include "cli/help.h"
 #include "cli/terminal.h"
+#include "optim/verdict/verdict.h"
 #include "problems/exports/curve_svg.h"
 #include "problems/exports/dxf.h"
 #include "problems/statement/bind.h"
@@ -85,19 +86,19 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
-/// What keeps a tool from going along a curve, in words.
+/// What keeps a tool from going along a curve, in words: first that it turns back, of which jumps
+/// may be the mere consequence.
 std::vector<std::string> obstacles(const problems::PlaneCurve& curve) {
   std::vector<std::string> result;
-  for (const auto& [place, way] : curve.jumps()) {
-    result.push_back(
-        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg, where the velocity does: a straight "
-                    "line bridges it",
-                    curve.name(), way, place));
-  }
   if (const auto angle = problems::turns_back(curve)) {
     result.push_back(fmt::format(
         "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
         curve.name(), *angle));
+  }
+  for (const auto& [place, way] : curve.jumps()) {
+    result.push_back(
+        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg: a straight line bridges it",
+                    curve.name(), way, place));
   }
   return result;
 }
@@ -108,7 +109,7 @@ void check_way(const problems::ProblemStatement& statement, const problems::Plan
   if (const auto found = obstacles(way); !found.empty()) throw std::invalid_argument(found.front());
   for (const problems::PlaneCurve& profile : problems::cam_curves(statement, "profile")) {
     if (way.name() != "cutter path" || !problems::turns_back(profile)) continue;
-    throw std::invalid_argument(obstacles(profile).back());
+    throw std::invalid_argument(obstacles(profile).front());
   }
 }
 
@@ -164,9 +165,18 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   }
 }
 
+/// A design that its search could not bring within its limits is not to be made by oversight.
+std::vector<std::string> notes_on(const problems::ReadDesign& design,
+                                  const std::vector<std::string>& settings) {
+  if (design.verdict != to_string(optim::Verdict::Infeasible)) return {};
+  return {settings.empty() ? "the design does not meet its limits"
+                           : "before the changes the design did not meet its limits"};
+}
+
 void run_export(const ExportOptions& options) {
   const FormatRow& format = format_of(options);
   check_options(options, format);
+  if (options.out) check_not_input(options.file, *options.out);
   problems::ReadDesign design = problems::read_design_file(options.file);
   for (const std::string& setting : options.settings) {
     problems::set_value(design.statement, setting);
@@ -174,7 +184,8 @@ void run_export(const ExportOptions& options) {
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
-             .accuracy = accuracy_of(options, format)};
+             .accuracy = accuracy_of(options, format),
+             .notes = notes_on(design, options.settings)};
   const std::string text = content(options, format, e);
   if (!options.out) {
     std::fputs(text.c_str(), stdout);

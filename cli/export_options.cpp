@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "cli/files.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/units.h"
 
@@ -43,8 +43,7 @@ double quantity(const Text& text, const char* name, const char* unit, double sta
 
 const FormatRow& format_of(const ExportOptions& options) {
   std::vector<const char*> names;
-  const std::string ending =
-      options.out ? std::filesystem::path(*options.out).extension().string() : "";
+  const std::string ending = options.out ? ending_of(*options.out) : "";
   for (const FormatRow& row : formats()) {
     names.push_back(row.name);
     const bool fits =
@@ -114,6 +113,7 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
         "or more --decimals",
         accuracy.tolerance, accuracy.decimals, 10 * digit));
   }
+  if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
   if (o.step && format.format != ExportFormat::Table) {
     accuracy.step = problems::parse_quantity(*o.step, "deg", "deg", "--step");
   }

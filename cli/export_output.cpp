@@ -36,10 +36,11 @@ std::string size_text(const ExportedCurve& curve) {
 
 Json provenance(const Exported& e) {
   const problems::ProblemStatement& statement = e.design.statement;
+  const bool holds = e.design.verdict && e.settings.empty();
   return {{"file", e.file},
           {"problem", statement.source},
           {"mechanism", statement.mechanism->name},
-          {"verdict", e.design.verdict ? Json(*e.design.verdict) : Json(nullptr)},
+          {"verdict", holds ? Json(*e.design.verdict) : Json(nullptr)},
           {"set", e.settings}};
 }
 
@@ -93,7 +94,9 @@ std::vector<std::string> comments_of(const Exported& e) {
   std::vector<std::string> lines;
   if (!statement.title.empty()) lines.push_back(statement.title);
   lines.push_back(fmt::format("{} of {}", statement.mechanism->name, e.file));
-  if (e.design.verdict) lines.push_back(*e.design.verdict);
+  if (e.design.verdict) {
+    lines.push_back((e.settings.empty() ? "" : "before the changes: ") + *e.design.verdict);
+  }
   if (!e.settings.empty()) lines.push_back(fmt::format("set {}", fmt::join(e.settings, ", ")));
   if (has_law(e)) lines.push_back(statement.laws.front().listed().label());
   for (std::string& line : curve_lines(e)) lines.push_back(std::move(line));

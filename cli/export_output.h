@@ -19,7 +19,7 @@ struct Exported {
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
   problems::ExportAccuracy accuracy = {};
-  std::vector<std::string> notes = {};  ///< what else is to be said of the curves
+  std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
 };
 
 /// The lines of a comment: title, mechanism and file, verdict, settings, law; of each curve how

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -164,6 +165,20 @@ void check_writable(const std::vector<fs::path>& paths) {
     }
   }
   temporary_in_work[0] = 0;
+}
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+void check_not_input(const fs::path& input, const fs::path& output) {
+  std::error_code ignored;
+  if (!fs::equivalent(input, output, ignored)) return;
+  throw std::invalid_argument(
+      fmt::format("'{}' is the input itself; the output needs another name", output.string()));
 }
 
 std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {

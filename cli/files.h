@@ -25,6 +25,12 @@ void write_files(const std::vector<OutputFile>& files);
 /// does, and leaves nothing behind.
 void check_writable(const std::vector<std::filesystem::path>& paths);
 
+/// Throws std::invalid_argument where an output is the very file that is read, links followed.
+void check_not_input(const std::filesystem::path& input, const std::filesystem::path& output);
+
+/// The ending of a file's name in small letters, ".dxf"; empty where it has none.
+std::string ending_of(const std::filesystem::path& path);
+
 /// Removes files that an earlier run may have left; folders and what is no file stay. Those that
 /// were there come back. Throws std::runtime_error where one cannot be removed.
 std::vector<std::filesystem::path> remove_files(const std::vector<std::filesystem::path>& paths);

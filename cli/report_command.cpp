@@ -38,12 +38,8 @@ Facts facts_of(const std::string& result) {
 
 ReportPage design_page(const std::string& input) {
   problems::ReadDesign read = problems::read_design_file(input);
-  const std::string text = read.statement.text;
-  return design_report({.design = std::move(read.statement),
-                        .file = input,
-                        .text = text,
-                        .facts = read.verdict ? facts_of(input) : Facts{},
-                        .verdict = read.verdict});
+  Facts facts = read.verdict ? facts_of(input) : Facts{};
+  return design_report({.read = std::move(read), .file = input, .facts = std::move(facts)});
 }
 
 ReportPage study_page(const std::string& file) {
@@ -59,7 +55,7 @@ ReportPage study_page(const std::string& file) {
 }
 
 ReportPage page_of(const std::string& input) {
-  const std::string extension = std::filesystem::path(input).extension().string();
+  const std::string extension = ending_of(input);
   if (extension == ".db") return study_page(input);
   if (extension == ".toml" || extension == ".json") return design_page(input);
   throw std::invalid_argument(fmt::format(
@@ -70,6 +66,7 @@ void run_report(const ReportOptions& options) {
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
+  check_not_input(options.input, output);
   check_writable({output});
   const std::vector<OutputFile> files{{output, page_html(page_of(options.input))}};
   write_files(files);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "cli/chart_svg.h"
@@ -57,6 +58,19 @@ std::string law_meaning(const std::string& label) {
     if (label == name) return meaning;
   }
   return "";
+}
+
+/// A curve that has no values in places has no extremes over its cycle: those of its samples.
+EvaluatedResponse with_extremes(EvaluatedResponse r, const Line& samples) {
+  if (std::isfinite(r.lowest) && std::isfinite(r.highest)) return r;
+  r.lowest = std::numeric_limits<double>::infinity(), r.highest = -r.lowest;
+  for (std::size_t i = 0; i < samples.x.size(); ++i) {
+    const double value = samples.y[i];
+    if (!std::isfinite(value)) continue;
+    if (value < r.lowest) r.lowest = value, r.lowest_at = samples.x[i];
+    if (value > r.highest) r.highest = value, r.highest_at = samples.x[i];
+  }
+  return r;
 }
 
 std::string extremes_text(const EvaluatedResponse& r) {
@@ -122,6 +136,11 @@ Figure design_figure(const ProblemStatement& design, int points) {
   return figure;
 }
 
+bool has_values(const Panel& panel) {
+  const std::vector<double>& y = panel.lines.front().y;
+  return std::any_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); });
+}
+
 std::vector<PanelWords> panel_words(const Figure& figure, const ProblemStatement& design,
                                     const std::vector<EvaluatedResponse>& evaluated) {
   std::vector<PanelWords> all;
@@ -132,7 +151,8 @@ std::vector<PanelWords> panel_words(const Figure& figure, const ProblemStatement
       if (!is_of_law(panel) && declared.name == name) words.meaning = declared.meaning;
     }
     for (const EvaluatedResponse& r : evaluated) {
-      if (!is_of_law(panel) && r.is_curve && r.name == name) words.extremes = extremes_text(r);
+      if (is_of_law(panel) || !r.is_curve || r.name != name || !has_values(panel)) continue;
+      words.extremes = extremes_text(with_extremes(r, panel.lines.front()));
     }
     if (!is_of_law(panel)) words.limits = limits_on(name, design);
     all.push_back(std::move(words));

@@ -15,6 +15,10 @@ namespace camlaw::cli {
 /// them itself.
 Figure design_figure(const problems::ProblemStatement& design, int points);
 
+/// Whether a panel's curve has a value anywhere; that of a quotient by a spring force that is none
+/// has not.
+bool has_values(const Panel& panel);
+
 /// One panel in words.
 struct PanelWords {
   std::string name, meaning;

@@ -30,15 +30,16 @@ struct HeldProblem {
 };
 
 /// None where nothing is sought or nothing varies.
-std::optional<HeldProblem> held_problem(const ProblemStatement& design) {
-  ProblemStatement held = design;
+std::optional<HeldProblem> held_problem(const problems::ReadDesign& read) {
+  ProblemStatement held = read.statement;
   held.laws.erase(held.laws.begin() + 1, held.laws.end());
   std::erase_if(held.variables, [&](const problems::VariableStatement& v) {
     const bool others = v.of_law && !problems::index_in(*held.laws.front().family, v.law_parameter);
     return others || v.integer || !v.values.empty();
   });
   if (held.objectives.empty() || held.variables.empty()) return {};
-  const bool whole = design.laws.size() == 1 && held.variables.size() == design.variables.size();
+  const bool whole =
+      read.problem.laws.size() == 1 && held.variables.size() == read.statement.variables.size();
   const problems::BoundProblem bound(std::move(held));
   optim::MultiProblem problem = bound.problem({});
   std::vector<double> x = problem.alone(0).start();
@@ -52,8 +53,9 @@ struct Review {
   std::optional<optim::Assessment> assessment;  ///< of a problem with one objective
   std::vector<optim::LimitReport> limits;
 
-  explicit Review(const ProblemStatement& design)
-      : evaluated(problems::evaluate(design)), held(held_problem(design)) {
+  explicit Review(const problems::ReadDesign& read)
+      : evaluated(problems::evaluate(read.statement)), held(held_problem(read)) {
+    const ProblemStatement& design = read.statement;
     if (held && design.objectives.size() == 1) {
       const optim::Problem problem = held->problem.alone(0);
       assessment = optim::assess(problem, optim::sizes(problem, held->x), held->x, true);
@@ -95,24 +97,34 @@ std::string reasons(const Review& review) {
          (a.global ? paragraph(fmt::format("Global: {}.", *a.global)) : "");
 }
 
+/// The badge: what this page finds itself, or the words of the search where they agree with it.
+std::string verdict_badge(const std::optional<std::string>& said, const Review& review) {
+  using optim::Verdict;
+  if (review.is_certified()) return badge("good", to_string(Verdict::Certified));
+  const bool meets = review.met() == review.limits.size();
+  if (!meets) {
+    const bool agrees = said == to_string(Verdict::Infeasible);
+    return badge("bad", agrees ? *said : "passes a limit");
+  }
+  // Among its choices the search compared designs; among what varies evenly this page looks itself.
+  const bool optimal = said == to_string(Verdict::Certified) && review.is_optimal();
+  if (optimal) return badge("good", *said);
+  const bool agrees = said == to_string(Verdict::Feasible) ||
+                      (said == to_string(Verdict::Certified) && !review.held);
+  return badge("plain", agrees ? *said : "meets its limits");
+}
+
 /// What stands under the title: the verdict, and of values that nobody searched for how to search.
 std::string lead(const ReportedDesign& reported, const Review& review) {
-  const ProblemStatement& design = reported.design;
-  const bool meets = review.met() == review.limits.size();
-  std::string html;
-  if (review.is_certified()) {
-    html = badge("good", to_string(review.assessment->verdict));
-  } else if (reported.verdict) {
-    html = badge(!meets ? "bad" : review.is_optimal() ? "good" : "plain", *reported.verdict);
-  } else {
-    html = badge(meets ? "plain" : "bad", meets ? "meets its limits" : "passes a limit");
-  }
-  html = "<p>" + html + "</p>\n" + objective_text(design, review) + reasons(review);
-  if (reported.verdict) {
+  const ProblemStatement& design = reported.read.statement;
+  const auto& verdict = reported.read.verdict;
+  std::string html = "<p>" + verdict_badge(verdict, review) + "</p>\n" +
+                     objective_text(design, review) + reasons(review);
+  if (verdict) {
+    const bool chosen = !review.held || !review.held->whole;
     return html + paragraph(fmt::format(
-                      "The search said: {}. For this report the design was judged again, what was "
-                      "chosen among options held.",
-                      *reported.verdict));
+                      "The search said: {}. For this report the design was judged again{}.",
+                      *verdict, chosen ? ", what was chosen among options held" : ""));
   }
   const bool front = design.objectives.size() > 1;
   html += paragraph(fmt::format(
@@ -127,14 +139,15 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
 
 ReportPage design_report(const ReportedDesign& reported) {
   constexpr int kPoints = 360;
-  const ProblemStatement& design = reported.design;
-  const Review review(design);
+  const ProblemStatement& design = reported.read.statement;
+  const Review review(reported.read);
   check_possible(reported.file, design, review.evaluated);
-  const Figure figure = design_figure(design, kPoints);
+  Figure figure = design_figure(design, kPoints);
+  std::erase_if(figure.panels, [](const Panel& panel) { return !has_values(panel); });
   const auto words = panel_words(figure, design, review.evaluated);
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
-  page.sections = {problem_section(design), values_section(design),
+  page.sections = {problem_section(reported.read.problem), values_section(design),
                    limits_section(design, review.limits, review.is_optimal())};
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
@@ -148,7 +161,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   if (!numbers.html.empty()) page.sections.push_back(numbers);
   Facts facts = reported.facts;
   facts.emplace_back("input", reported.file);
-  page.sections.push_back(provenance_section(facts, "The problem file", reported.text));
+  page.sections.push_back(provenance_section(facts, "The problem file", design.text));
   page.data = {{"panels", panels_json(figure, words)},
                {"designs", Json::array({lines_json(figure)})}};
   return page;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "cli/report/figure_json.h"
 #include "cli/report/html.h"
@@ -88,25 +89,38 @@ int samples_for(std::size_t designs, std::size_t panels) {
   return std::clamp(static_cast<int>(numbers), kFewSamples, 240);
 }
 
-/// Of a machine with very many curves those that a front is read with: motions, and what is sought,
-/// limited or a load.
-void keep_essential(Figure& figure, std::vector<PanelWords>& words, const FrontAnswer& answer) {
-  std::vector<Panel> panels;
-  std::vector<PanelWords> kept;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& name = figure.panels[i].y.label;
-    bool keep = !words[i].limits.empty() || words[i].group == "Motion" ||
-                name == "pressure_angle" || name == "follower_force" || name == "drive_torque" ||
-                name == "contact_stress";
-    for (const auto& o : answer.study.bound().statement().objectives) {
-      keep = keep || (o.response.response != nullptr && o.response.response->name == name);
-    }
-    if (!keep) continue;
-    panels.push_back(figure.panels[i]);
-    kept.push_back(words[i]);
+/// Whether a front is read with a curve: motions, and what is sought, limited, a load or followed
+/// by the scene.
+bool is_essential(const std::string& name, const PanelWords& words, const FrontAnswer& answer,
+                  const std::string& followed) {
+  static const std::set<std::string> loads{"pressure_angle", "follower_force", "drive_torque",
+                                           "contact_stress"};
+  if (!words.limits.empty() || words.group == "Motion") return true;
+  if (loads.contains(name) || name == followed) return true;
+  const auto& objectives = answer.study.bound().statement().objectives;
+  return std::any_of(objectives.begin(), objectives.end(), [&](const auto& o) {
+    return o.response.response != nullptr && o.response.response->name == name;
+  });
+}
+
+/// Of a machine with very many curves the essential ones, and of the others as many as there is
+/// room for.
+void keep_essential(FrontPanels& all, std::size_t room, const FrontAnswer& answer,
+                    const std::string& followed) {
+  std::vector<bool> keep;
+  for (std::size_t i = 0; i < all.words.size(); ++i) {
+    keep.push_back(is_essential(all.figure.panels[i].y.label, all.words[i], answer, followed));
   }
-  figure.panels = std::move(panels);
-  words = std::move(kept);
+  auto count = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), true));
+  FrontPanels kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i] && count >= room) continue;
+    if (!keep[i]) ++count;
+    kept.figure.panels.push_back(all.figure.panels[i]);
+    kept.words.push_back(all.words[i]);
+  }
+  all.figure.panels = std::move(kept.figure.panels);
+  all.words = std::move(kept.words);
 }
 
 /// The curves of a design, in the panels of the first one.
@@ -119,6 +133,16 @@ Figure like(const Figure& first, const problems::ProblemStatement& design, int p
     result.panels.push_back(at == all.panels.end() ? wanted : *at);
   }
   return result;
+}
+
+/// Leaves out the panels of the first design in which neither it nor the last has values.
+void drop_empty(Figure& first, const problems::ProblemStatement& last) {
+  const Figure other = like(first, last, kFewSamples);
+  std::vector<Panel> kept;
+  for (std::size_t i = 0; i < first.panels.size(); ++i) {
+    if (has_values(first.panels[i]) || has_values(other.panels[i])) kept.push_back(first.panels[i]);
+  }
+  first.panels = std::move(kept);
 }
 
 /// Which objectives a still chart shows, and the line that no law passes.
@@ -183,9 +207,11 @@ std::string named_with_unit(const std::string& name, const std::string& unit) {
 FrontPanels front_panels(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
   const problems::ProblemStatement first = design_of(answer, answer.front.points[shown.front()]);
   FrontPanels panels{design_figure(first, kFewSamples), {}};
+  drop_empty(panels.figure, design_of(answer, answer.front.points[shown.back()]));
   panels.words = panel_words(panels.figure, first, {});
   if (shown.size() * panels.figure.panels.size() > kMostCurves) {
-    keep_essential(panels.figure, panels.words, answer);
+    const std::optional<Scene> scene = scene_of(first, kFewSamples);
+    keep_essential(panels, kMostCurves / shown.size(), answer, scene ? scene->follows() : "");
   }
   return panels;
 }

@@ -20,7 +20,8 @@ std::string verdict_words(const optim::FrontPoint& point);
 std::string named_with_unit(const std::string& name, const std::string& unit);
 
 /// The panels that every design is drawn in, with their words. Where designs and curves are very
-/// many only those stay that a front is read with: motions, loads, and what is sought or limited.
+/// many only those stay that a front is read with (motions, loads, what is sought or limited, what
+/// the picture follows), and as many others as there is room for.
 struct FrontPanels {
   Figure figure;
   std::vector<PanelWords> words;

@@ -7,19 +7,16 @@
 #include "cli/report/page.h"
 #include "cli/report/provenance.h"
 #include "problems/reproduction.h"
+#include "problems/results/recorded_design.h"
 
 /// What reports are written about, one page each.
 namespace camlaw::cli {
 
 /// A design and where it comes from.
 struct ReportedDesign {
-  problems::ProblemStatement design;  ///< at its own values
-  std::string file;                   ///< as it was named
-  std::string text;                   ///< of the problem file
-  Facts facts = {};                   ///< of the search that found it
-  /// The verdict of that search, of all combinations of its choices; none: the values are those of
-  /// a problem file.
-  std::optional<std::string> verdict = {};
+  problems::ReadDesign read;  ///< its verdict is the search's, of all combinations of its choices
+  std::string file;           ///< as it was named
+  Facts facts = {};           ///< of the search that found it
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.

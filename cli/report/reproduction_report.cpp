@@ -90,12 +90,15 @@ std::string lead(const std::vector<SystemReproduction>& results) {
     values += r.values.size(), reproduced += r.reproduced, explained += r.explained;
     worse += problems::worsened(r).size();
   }
-  std::string html = "<p>" + badge("good", fmt::format("{} reproduced", reproduced)) + " " +
-                     badge("plain", fmt::format("{} explained", explained)) + " " +
-                     badge("bad", fmt::format("{} unexplained", values - reproduced - explained)) +
-                     "</p>\n";
+  const std::size_t unexplained = values - reproduced - explained;
+  std::string html =
+      "<p>" + badge("good", fmt::format("{} reproduced", reproduced)) + " " +
+      badge("plain", fmt::format("{} explained", explained)) + " " +
+      badge(unexplained > 0 ? "bad" : "plain", fmt::format("{} unexplained", unexplained)) +
+      "</p>\n";
   html += paragraph(
-      fmt::format("{} published values of {} systems, computed again.", values, results.size()));
+      fmt::format("{} published values of {}, computed again.", values,
+                  results.size() == 1 ? "one system" : fmt::format("{} systems", results.size())));
   if (worse > 0)
     html += paragraph(fmt::format("{} of them have become worse than the baseline.", worse));
   return html;

@@ -125,11 +125,16 @@ double parameter_of(const problems::ProblemStatement& design, std::string_view n
   return design.constants[design.mechanism->parameter(name)];
 }
 
-std::string scene_svg(const problems::ProblemStatement& design, int points) {
+std::optional<Scene> scene_of(const problems::ProblemStatement& design, int points) {
   for (const auto& draw : {disc_scene, plate_scene, geneva_scene, slider_scene}) {
-    if (const std::optional<Scene> scene = draw(design, points)) return scene->svg();
+    if (std::optional<Scene> scene = draw(design, points)) return scene;
   }
-  return "";
+  return {};
+}
+
+std::string scene_svg(const problems::ProblemStatement& design, int points) {
+  const std::optional<Scene> scene = scene_of(design, points);
+  return scene ? scene->svg() : "";
 }
 
 }  // namespace camlaw::cli

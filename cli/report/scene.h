@@ -48,6 +48,7 @@ class Scene {
     follows_ = curve;
     zero_ = value;
   }
+  const std::string& follows() const { return follows_; }
   std::string svg() const;
 
  private:
@@ -83,7 +84,9 @@ std::optional<Scene> plate_scene(const problems::ProblemStatement& design, int p
 /// Of any machine with a displacement in mm whose shape is not known: a mark on its way.
 std::optional<Scene> slider_scene(const problems::ProblemStatement& design, int points);
 
-/// The first of them that draws the design, as SVG; empty where none does.
+/// The first of them that draws the design, if any.
+std::optional<Scene> scene_of(const problems::ProblemStatement& design, int points);
+/// The same as SVG; empty where none draws it.
 std::string scene_svg(const problems::ProblemStatement& design, int points);
 
 }  // namespace camlaw::cli

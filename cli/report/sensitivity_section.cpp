@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/report/html.h"
@@ -20,6 +21,15 @@ constexpr std::size_t kListed = 6;
 
 std::string number(double value) { return fmt::format("{:.4g}", value + 0.0); }
 
+/// A number of a spread, beside whose values rounding shows as such.
+std::string number(double value, const optim::Spread& spread) {
+  double size = 0;
+  for (const double other : {spread.nominal, spread.lowest, spread.highest}) {
+    if (std::isfinite(other)) size = std::max(size, std::abs(other));
+  }
+  return significant(value, size, 4);
+}
+
 std::string name_of(const optim::Spread& spread) {
   return (spread.is_margin ? "margin of " : "") + plain_name(spread.name);
 }
@@ -35,7 +45,7 @@ std::string change_table(const std::vector<optim::Variable>& variables,
   HtmlTable table(std::move(columns));
   for (const optim::Spread& spread : report.spreads) {
     std::vector<std::string> cells{name_of(spread), shown_unit(spread.unit)};
-    for (const double change : spread.by_variable) cells.push_back(number(change));
+    for (const double change : spread.by_variable) cells.push_back(number(change, spread));
     table.add(cells);
   }
   return table.html();
@@ -51,10 +61,10 @@ std::string spread_table(const optim::ToleranceReport& report) {
                    {"unit", Align::Left}});
   for (const optim::Spread& s : report.spreads) {
     const std::string none = "not possible";
-    table.add({name_of(s), number(s.nominal),
-               s.possible || !s.worst_is_lowest ? number(s.lowest) : none,
-               s.possible || s.worst_is_lowest ? number(s.highest) : none, number(s.low),
-               number(s.high), shown_unit(s.unit)});
+    table.add({name_of(s), number(s.nominal, s),
+               s.possible || !s.worst_is_lowest ? number(s.lowest, s) : none,
+               s.possible || s.worst_is_lowest ? number(s.highest, s) : none, number(s.low, s),
+               number(s.high, s), shown_unit(s.unit)});
   }
   return table.html();
 }
@@ -68,7 +78,8 @@ ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Des
   const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
   std::string html = paragraph(fmt::format(
       "What becomes of the design when {} off by up to a hundredth of {} value, up or down.",
-      variables.size() == 1 ? plain_name(variables.front().name) + " is" : "each variable is",
+      variables.size() == 1 ? plain_name(variables.front().name) + " is"
+                            : "each continuous variable is",
       "its"));
   if (variables.size() <= kListed) html += change_table(variables, tolerances, report);
   html += spread_table(report);

@@ -16,12 +16,14 @@ constexpr double kSame = 1e-8;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The arc that leaves a point in a direction and meets another.
-ArcPiece arc_of(const Vector2d& from, const Vector2d& direction, const Vector2d& to) {
+/// The arc that leaves a point in a direction and meets another; a line where it is too flat.
+ArcPiece arc_of(const Vector2d& from, const Vector2d& direction, const Vector2d& to,
+                double most_radius) {
   const Vector2d way = to - from;
   const double length = way.squaredNorm();
   const double curvature = length > 0 ? 2 * cross(direction, way) / length : 0;
-  if (std::abs(curvature) * length < 8 * kFlat) return {from, to, from, 0};
+  const bool flat = std::abs(curvature) * length < 8 * kFlat;
+  if (flat || std::abs(curvature) * most_radius < 1) return {from, to, from, 0};
   const Vector2d normal(-direction.y(), direction.x());
   return {from, to, from + normal / curvature,
           2 * std::atan2(cross(direction, way), direction.dot(way))};
@@ -36,17 +38,17 @@ struct Biarc {
   }
 };
 
-Biarc biarc_of(const CurveSpan& span) {
+Biarc biarc_of(const CurveSpan& span, double most_radius) {
   const Vector2d a = span.begin.at, b = span.end.at, way = b - a;
   const Vector2d s = span.begin.slope.normalized(), t = span.end.slope.normalized();
   const double along = way.dot(s + t), length = way.squaredNorm();
   const double root = std::sqrt(along * along + 2 * (1 - s.dot(t)) * length);
   const double d = along + root > 0 ? length / (along + root) : 0;
   const Vector2d middle = 0.5 * ((a + d * s) + (b - d * t));
-  ArcPiece back = arc_of(b, -t, middle);
+  ArcPiece back = arc_of(b, -t, middle, most_radius);
   std::swap(back.from, back.to);
   back.sweep = -back.sweep;
-  return {{arc_of(a, s, middle), back}, 0};
+  return {{arc_of(a, s, middle, most_radius), back}, 0};
 }
 
 bool has_tangents(const CurveSpan& span) {
@@ -93,11 +95,12 @@ double ArcPiece::distance(const Vector2d& point) const {
   return std::min((point - from).norm(), (point - to).norm());
 }
 
-ArcPath arcs_within(const PlaneCurve& curve, double tolerance) {
+ArcPath arcs_within(const PlaneCurve& curve, double tolerance, double most_radius) {
   const auto fit = fitted(
       curve, tolerance,
       [&](const CurveSpan& span) {
-        Biarc biarc = has_tangents(span) ? biarc_of(span) : line_of(span.begin.at, span.end.at);
+        Biarc biarc =
+            has_tangents(span) ? biarc_of(span, most_radius) : line_of(span.begin.at, span.end.at);
         biarc.deviation = worst_over(
             curve, span, [&](optim::Place, const Vector2d& p) { return biarc.distance(p); });
         return biarc;

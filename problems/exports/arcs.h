@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include "problems/exports/curve_fit.h"
 
 /// Curves as arcs and lines that go on in one direction where they meet.
@@ -24,7 +26,9 @@ struct ArcPath {
 /// Biarcs through points of the curve with the curve's tangents, as few as bisection finds within a
 /// tolerance, mm: of each pair the joint lies where both tangent lengths are equal, d with
 /// v.v = 2 d v.(t0 + t1) + 2 d^2 (1 - t0.t1), v from end to end (Bolton 1975). Neighbours on one
-/// circle are one arc. A closed curve's path ends where it begins.
-ArcPath arcs_within(const PlaneCurve& curve, double tolerance);
+/// circle are one arc. What would have a larger radius than `most_radius`, mm, is a line instead. A
+/// closed curve's path ends where it begins.
+ArcPath arcs_within(const PlaneCurve& curve, double tolerance,
+                    double most_radius = std::numeric_limits<double>::infinity());
 
 }  // namespace camlaw::problems

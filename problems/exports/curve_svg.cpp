@@ -5,28 +5,14 @@
 #include <iterator>
 #include <numbers>
 
+#include "problems/exports/xml_text.h"
+
 namespace camlaw::problems {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double kMargin = 5, kPen = 0.25;  // mm
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
 
 /// Down is greater y in a picture.
 std::string place(const Vector2d& p) {
@@ -72,15 +58,16 @@ std::string svg_text(const std::vector<ExportedCurve>& curves, const std::string
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{1:.6f}mm\" "
       "viewBox=\"{2:.6f} {3:.6f} {0:.6f} {1:.6f}\">\n<title>{4}</title>\n<desc>",
-      size.x(), size.y(), extent.low.x() - kMargin, -extent.high.y() - kMargin, escaped(title));
-  for (const std::string& comment : comments) text += escaped(comment) + "\n";
+      size.x(), size.y(), extent.low.x() - kMargin, -extent.high.y() - kMargin, xml_escape(title));
+  for (const std::string& comment : comments) text += xml_escape(comment) + "\n";
   text += fmt::format("</desc>\n<g fill=\"none\" stroke-width=\"{}\">\n", kPen);
   const bool centred =
       curves.front().closed && (extent.low.array() <= 0).all() && (extent.high.array() >= 0).all();
   if (centred) text += "<path id=\"centre\" stroke=\"#777777\" d=\"M -2 0 H 2 M 0 -2 V 2\"/>\n";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     text += fmt::format("<path id=\"{}\" stroke=\"{}\" d=\"{}\"><title>{}</title></path>\n",
-                        id_of(curves[i].name), kColours[i % 4], way_of(curves[i]), curves[i].name);
+                        id_of(curves[i].name), kColours[i % 4], way_of(curves[i]),
+                        xml_escape(curves[i].name));
   }
   return text + "</g>\n</svg>\n";
 }

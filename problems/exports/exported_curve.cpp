@@ -65,7 +65,7 @@ ExportedCurve exported(const PlaneCurve& curve, CurveForm form, const ExportAccu
   } else if (form == CurveForm::Lines) {
     result.path = chords_within(curve, accuracy.tolerance, accuracy.decimals);
   } else if (form == CurveForm::Arcs) {
-    result.path = arcs_within(curve, accuracy.tolerance);
+    result.path = arcs_within(curve, accuracy.tolerance, accuracy.most_radius);
   } else {
     result.path = cubics_within(curve, accuracy.tolerance);
   }

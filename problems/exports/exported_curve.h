@@ -19,7 +19,8 @@ enum class CurveForm { Lines, Arcs, Spline };
 struct ExportAccuracy {
   double tolerance = 0.01;
   std::optional<double> step = {};
-  int decimals = 6;  ///< of coordinates in mm
+  int decimals = 6;                                              ///< of coordinates in mm
+  double most_radius = std::numeric_limits<double>::infinity();  ///< of arcs, mm; above are lines
 };
 
 struct ExportedCurve {

@@ -8,9 +8,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Controllers take no larger radius, mm; the arc's line is near enough then.
-constexpr double kMostRadius = 99999;
-
 class Program {
  public:
   explicit Program(const GcodeSettings& settings) : settings_(settings) {}
@@ -28,7 +25,7 @@ class Program {
   void arc(const ArcPiece& piece) {
     // What rounds to a full turn would be one.
     if (place(piece.from) == place(piece.to)) return;
-    if (piece.is_line() || piece.radius() > kMostRadius) return straight(piece.to);
+    if (piece.is_line()) return straight(piece.to);
     const Vector2d start = rounded(piece.from, settings_.decimals);
     const Vector2d centre = piece.centre - start;
     line(fmt::format("G{} {} I{} J{}", piece.sweep > 0 ? 3 : 2, place(piece.to), number(centre.x()),

@@ -13,10 +13,14 @@ struct GcodeSettings {
   int decimals = 4;      ///< of coordinates in mm
 };
 
+/// Controllers take no larger radius, mm.
+inline constexpr double kMostArcRadius = 99999;
+
 /// G21 G17 G90 G40 G94; to the start at the clearance, down, along lines (G1) and arcs (G2, G3 with
 /// I and J from the start of the arc), up again; M30. A closed curve ends at its start to the last
-/// digit. Lines must be rounded to the settings' decimals already; rounding moves arcs by at most
-/// gcode_rounding(). Throws std::invalid_argument for splines.
+/// digit. Lines must be rounded to the settings' decimals already, and no arc may be larger than
+/// kMostArcRadius; rounding moves arcs by at most gcode_rounding(). Throws std::invalid_argument
+/// for splines.
 std::string gcode_text(const ExportedCurve& curve, const GcodeSettings& settings,
                        const std::vector<std::string>& comments);
 

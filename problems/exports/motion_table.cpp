@@ -77,6 +77,15 @@ void close(MotionTable& table) {
   if (table.closed) last = first;
 }
 
+/// Whether places are as even in so many decimals as they are meant.
+bool keeps_places(const MotionTable& table, int decimals) {
+  constexpr double kShare = 0.05;  // of a step
+  const double step = table.places[1] - table.places[0];
+  return std::all_of(table.places.begin(), table.places.end(), [&](double place) {
+    return std::abs(rounded(place, decimals) - place) <= kShare * step;
+  });
+}
+
 }  // namespace
 
 MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
@@ -101,6 +110,14 @@ MotionTable motion_table(const ProblemStatement& statement, const std::optional<
 }
 
 std::string table_text(const MotionTable& table, int decimals) {
+  if (!keeps_places(table, decimals)) {
+    int enough = decimals + 1;
+    while (!keeps_places(table, enough)) ++enough;
+    throw std::invalid_argument(
+        fmt::format("places of {} that are {:.6g} apart cannot be told with {} decimals; {} or "
+                    "more are wanted",
+                    table.master, table.places[1] - table.places[0], decimals, enough));
+  }
   std::string text = fmt::format("{},{}\n", table.master, table.slave);
   for (std::size_t i = 0; i < table.places.size(); ++i) {
     text += fmt::format("{:.{}f},{:.{}f}\n", table.places[i] + 0.0, decimals, table.values[i],

@@ -25,7 +25,8 @@ struct MotionTable {
 MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
                          const std::optional<std::string>& step, int decimals);
 
-/// "master,slave" and a row each, all with so many decimals.
+/// "master,slave" and a row each, all with so many decimals. Throws std::invalid_argument with how
+/// many it takes where they leave a place off by more than a twentieth of a step.
 std::string table_text(const MotionTable& table, int decimals);
 
 }  // namespace camlaw::problems

@@ -125,17 +125,22 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
 
 std::optional<double> turns_back(const PlaneCurve& curve) {
   constexpr double kStep = 0.1;  // deg
+  Eigen::Vector2d before(0, 0);  // the last slope that there was
+  const auto turns = [&](optim::Place place) {
+    const Eigen::Vector2d slope = curve.at(place).slope;
+    const bool back = slope.dot(before) < 0;
+    if (slope.norm() > 0) before = slope;
+    return back;
+  };
   for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
     const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
     const int count = static_cast<int>(std::ceil((to - from) / kStep));
-    Eigen::Vector2d before = curve.at({from}).slope;
-    for (int i = 1; i <= count; ++i) {
+    for (int i = 0; i <= count; ++i) {
       const optim::Place place = optim::even_place(from, to, count, i);
-      const Eigen::Vector2d slope = curve.at(place).slope;
-      if (slope.dot(before) < 0) return place.angle;
-      before = slope;
+      if (turns(place)) return place.angle;
     }
   }
+  if (curve.is_closed() && turns({curve.begin()})) return curve.end();
   return {};
 }
 

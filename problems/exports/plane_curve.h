@@ -68,7 +68,9 @@ const std::vector<CurveKind>& curve_kinds();
 std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::string_view option);
 
 /// Where a curve turns back on its way, deg, as an undercut profile does, or that of a tool too
-/// large for a hollow; none: it nowhere does. Looked for at steps of a tenth of a degree.
+/// large for a hollow; none: it nowhere does. Looked for at steps of a tenth of a degree and over
+/// every break, of a closed curve from its end to its beginning too: where the acceleration jumps a
+/// whole stretch may run backwards.
 std::optional<double> turns_back(const PlaneCurve& curve);
 
 /// The way of the middle of a tool of a radius, mm, that cuts the profile from outside: of a disc

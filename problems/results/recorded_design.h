@@ -20,7 +20,8 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
 
 /// A design that was read.
 struct ReadDesign {
-  ProblemStatement statement;               ///< at the design; its laws are the one chosen
+  ProblemStatement problem;                 ///< as it was asked: its own starts, every law
+  ProblemStatement statement = problem;     ///< at the design; its laws are the one chosen
   std::optional<std::string> verdict = {};  ///< of a result: "certified optimum"
 };
 

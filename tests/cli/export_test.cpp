@@ -439,4 +439,105 @@ TEST_CASE("a cam that is undercut is drawn with a note, and not cut", "[export]"
   CHECK_THAT(failed(roller, 2), Contains("the profile turns back near"));
 }
 
+TEST_CASE("a cam of which a stretch runs backwards as a whole is not cut", "[export]") {
+  const Folder folder;
+  // Where the acceleration jumps from one end of the stretch to the other, nothing turns within it.
+  const auto cam =
+      [&](const std::string& name, const std::string& follower) {
+        std::ofstream(folder / name)
+            << "mechanism = '" << follower << "'\n[constants]\nstroke = '30 mm'\n"
+            << (follower == "disc-cam-flat"
+                    ? "base_radius = '20 mm'\n"
+                    : "base_radius = '5 mm'\nroller_radius = '45 mm'\ncutter_radius = '45 mm'\n")
+            << "[program]\nmatched = 'velocity'\nsegments = ["
+               "{name = 'rise', angle = 60, law = 'parabolic'}, {name = 'high', angle = 60}, "
+               "{name = 'return', angle = 60, law = 'parabolic'}, {name = 'low'}]\n";
+        return folder / name;
+      };
+  const std::string out = folder / "cam.nc";
+  const std::string flat = cam("flat.toml", "disc-cam-flat");
+  const std::string roller = cam("roller.toml", "disc-cam-roller");
+  // r_b + s + s'' is below 0 in the second half of the rise: s'' = -4 S / beta^2.
+  const double angle = std::numbers::pi / 3, bend = 4 * 30 / (angle * angle);
+  REQUIRE(20 + 30 - bend < 0);
+  CHECK_THAT(failed({"export", flat, "--curve", "profile", "--out", out}, 2),
+             Contains("the profile turns back near"));
+  CHECK_THAT(failed({"export", flat, "--tool", "2 mm", "--out", out}, 2),
+             Contains("turns back near") && !Contains("velocity"));
+  CHECK_THAT(failed({"export", roller, "--out", out}, 2), Contains("the profile turns back near"));
+  CHECK(!fs::exists(out));
+  CHECK_THAT(
+      done({"export", flat, "--set", "base_radius=100 mm", "--curve", "profile", "--out", out}),
+      !Contains("turns back"));
+}
+
+TEST_CASE("a verdict is that of the design it was passed on", "[export]") {
+  const Folder folder;
+  done({"optimize", kRoller, "--out", folder / ""});
+  const std::string result = folder / "result.json";
+  const Words changed{"export", result, "--set", "base_radius=40 mm", "--format"};
+  const auto in = [&](const char* format) {
+    Words words = changed;
+    words.push_back(format);
+    return done(words);
+  };
+  const Json json = Json::parse(in("json"));
+  CHECK(json["provenance"]["verdict"].is_null());
+  CHECK(json["law"]["provenance"]["verdict"].is_null());
+  CHECK_THAT(in("svg"), Contains("before the changes: certified optimum"));
+  CHECK_THAT(done({"export", result, "--format", "svg"}),
+             Contains("\ncertified optimum") && !Contains("before the changes"));
+}
+
+TEST_CASE("a result that does not meet its limits is exported with a note of it", "[export]") {
+  const Folder folder;
+  std::string text = read(kRoller);
+  text.replace(text.find("[[constraints]]"), 0,
+               "[[constraints]]\nresponse = 'base_radius'\nupper = '20 mm'\n\n");
+  std::ofstream(folder / "tight.toml") << text;
+  run({"optimize", folder / "tight.toml", "--out", folder / "out"});
+  const std::string result = folder / "out/result.json";
+  REQUIRE(Json::parse(read(result))["verdict"] == "infeasible");
+  const std::string note = "the design does not meet its limits";
+  CHECK_THAT(done({"export", result, "--out", folder / "cam.nc"}), Contains(note));
+  CHECK_THAT(read(folder / "cam.nc"), Contains(note));
+  CHECK(json_of({"export", result, "--format", "json"})["notes"][0] == note);
+}
+
+TEST_CASE("a G-code program of a nearly straight way is as near as it says", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "long.toml", out = folder / "long.nc";
+  std::ofstream(path) << "mechanism = 'linear-cam'\n[constants]\nstroke = '6 mm'\n"
+                         "travel = '4000 mm'\nroller_radius = '20 mm'\ncutter_radius = '20 mm'\n"
+                         "[program]\nsegments = [{name = 'rise', angle = 180, law = 'cycloidal'},"
+                         "{name = 'return', law = 'poly-3-4-5'}]\n";
+  const std::string said = done({"export", path, "--out", out, "--tolerance", "2 um"});
+  const double stated = std::stod(said.substr(said.find("within ") + 7));
+  CHECK(stated <= 0.002);
+  const GcodeRun run = run_gcode(read(out));
+  CHECK(departure(points_of(exact_curve(path, "cutter")), run.cut) <= stated + 2e-5);
+}
+
+TEST_CASE("an export does not go over its own input", "[export]") {
+  const Folder folder;
+  const std::string path = folder / "cam.json", text = read(kRoller);
+  std::ofstream(path) << text;
+  CHECK_THAT(failed({"export", path, "--out", path}, 2), Contains("the input itself"));
+  CHECK(read(path) == text);
+  CHECK_THAT(done({"export", path, "--out", folder / "CAM.SVG"}), Contains("wrote "));
+  check_svg(folder / "CAM.SVG");
+}
+
+TEST_CASE("a picture is well-formed whatever the title and the file's name", "[export]") {
+  const Folder folder;
+  const std::string text = read(problem("cams/flat_least_base.toml"));
+  std::ofstream(folder / "odd\xff.toml") << "title = \"]]> <b> & ' \\\"\"\n"
+                                         << text.substr(text.find("mechanism"));
+  done({"export", folder / "odd\xff.toml", "--out", folder / "odd.svg"});
+  check_svg(folder / "odd.svg");
+  const std::string svg = read(folder / "odd.svg");
+  CHECK_THAT(svg, Contains("<title>]]&gt; &lt;b&gt; &amp; &apos; &quot;</title>"));
+  CHECK_THAT(svg, Contains("odd?.toml") && !Contains("\xff"));
+}
+
 }  // namespace camlaw::cli

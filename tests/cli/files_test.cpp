@@ -157,6 +157,25 @@ TEST_CASE("whether files can be written is found out without leaving anything", 
   CHECK(folder.content() == Names{"kept"});
 }
 
+TEST_CASE("an output that is the input is refused, by whatever name", "[files]") {
+  const Folder folder;
+  write(folder / "a", "input");
+  write(folder / "b", "other");
+  fs::create_symlink("a", folder / "link");
+  CHECK_NOTHROW(check_not_input(folder / "a", folder / "b"));
+  CHECK_NOTHROW(check_not_input(folder / "a", folder / "none"));
+  for (const char* name : {"a", "./a", "link"}) {
+    CHECK_THROWS_AS(check_not_input(folder / "a", folder / name), std::invalid_argument);
+    CHECK_THROWS_WITH(check_not_input(folder / "a", folder / name), Contains("the input itself"));
+  }
+}
+
+TEST_CASE("endings are read in small letters", "[files]") {
+  CHECK(ending_of("x/a.DXF") == ".dxf");
+  CHECK(ending_of("a.b.Json") == ".json");
+  CHECK(ending_of("x.y/a").empty());
+}
+
 TEST_CASE("files of an earlier run are removed, nothing else", "[files]") {
   const Folder folder;
   write(folder / "old", "x");

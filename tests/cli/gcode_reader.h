@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -14,7 +15,9 @@
 namespace camlaw::cli {
 
 struct GcodeRun {
-  std::vector<Eigen::Vector2d> cut;  ///< where the tool went at the feed, arcs in steps of 0.2 deg
+  /// Where the tool went at the feed, arcs in steps of 0.2 deg or less: none rises by more than
+  /// 1e-5 mm above its chord.
+  std::vector<Eigen::Vector2d> cut;
   double feed = 0, clearance = 0, cut_depth = 0;
   double worst_radius_mismatch = 0;  ///< of an arc's end from the circle about its centre
 };
@@ -86,7 +89,8 @@ inline GcodeRun run_gcode(const std::string& program) {
       double sweep = std::atan2(b.y(), b.x()) - begin;
       if (g == 3 && sweep <= 0) sweep += turn;
       if (g == 2 && sweep >= 0) sweep -= turn;
-      const int steps = static_cast<int>(std::abs(sweep) / turn * 1800) + 1;
+      const double step = std::min(turn / 1800, std::sqrt(8e-5 / a.norm()));
+      const int steps = static_cast<int>(std::abs(sweep) / step) + 1;
       for (int i = 1; i < steps; ++i) {
         const double share = static_cast<double>(i) / steps, angle = begin + share * sweep;
         const double radius = (1 - share) * a.norm() + share * b.norm();

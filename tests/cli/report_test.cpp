@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // report and reproduce --report, as a user runs them. What a browser makes of the pages is looked
 // at by tests/report/open_reports.py.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -152,6 +153,133 @@ TEST_CASE("text of a problem file stays text in its report", "[cli][report]") {
   CHECK(count_of(page, "<script") == count_of(page, "</script>"));
 }
 
+/// What stands between a section's heading and the next section.
+std::string section_of(const std::string& page, const std::string& id) {
+  const std::size_t from = page.find("<section id=\"" + id + "\"");
+  REQUIRE(from != std::string::npos);
+  return page.substr(from, page.find("</section>", from) - from);
+}
+
+const std::string kCertified = "<span class=\"badge good\">certified optimum</span>";
+
+/// The sheet delivery with the laws of the list.
+std::string delivery(const std::string& laws) {
+  return "mechanism = 'sheet-delivery'\n[law]\nname = " + laws +
+         "\n[variables.guide_ratio]\nlower = 0.1\nupper = 2\nstart = 0.4\n"
+         "[variables.rod_angle_max]\nlower = '10 deg'\nupper = '75 deg'\nstart = '60 deg'\n"
+         "[objective]\nmaximize = 'lowest efficiency'\n"
+         "[[constraints]]\nresponse = 'slow_down'\nlower = 0.2\n";
+}
+
+TEST_CASE("a design of one of several laws is not called an optimum among them", "[cli][report]") {
+  const Folder folder;
+  const std::string several = delivery("['cycloidal', 'cosine']");
+  std::ofstream(folder / "one.toml") << delivery("'cycloidal'");
+  done({"optimize", folder / "one.toml", "--out", folder / "one"});
+  CHECK_THAT(page_of(folder / "one/result.json", folder), Contains(kCertified));
+  // A search of both laws that was stopped at the first, and so has not seen the better one.
+  Json result = Json::parse(read(folder / "one/result.json"));
+  result["verdict"] = "feasible";
+  result["design"]["problem"] = several;
+  result["design"]["law"] = "cycloidal";
+  std::ofstream(folder / "stopped.json") << result.dump();
+  const std::string page = page_of(folder / "stopped.json", folder);
+  CHECK(count_of(page, kCertified) == 0);
+  CHECK_THAT(page, Contains("<span class=\"badge plain\">feasible</span>"));
+  CHECK_THAT(section_of(page, "problem"), Contains("cosine"));
+}
+
+TEST_CASE("a page says the problem of a result as the problem was asked", "[cli][report]") {
+  const Folder folder;
+  const std::string problem = shipped("cams/roller_least_base.toml");
+  done({"optimize", problem, "--out", folder / "out"});
+  const std::string asked = section_of(page_of(problem, folder), "problem");
+  CHECK_THAT(asked, Contains("60 mm"));  // where the search begins
+  CHECK(section_of(page_of(folder / "out/result.json", folder), "problem") == asked);
+}
+
+TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][report]") {
+  const Folder folder;
+  done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
+  const Json result = Json::parse(read(folder / "out/result.json"));
+  const auto page_at = [&](double share, const std::string& verdict) {
+    Json changed = result;
+    Json& radius = changed["design"]["variables"]["base_radius"];
+    radius = share * radius.get<double>();
+    changed["verdict"] = verdict;
+    std::ofstream(folder / "changed.json") << changed.dump();
+    return page_of(folder / "changed.json", folder);
+  };
+  const std::string optimum = page_at(1, "certified optimum");
+  CHECK_THAT(optimum, Contains(kCertified) && !Contains("options held"));
+  const std::string larger = page_at(1.02, "certified optimum");
+  CHECK_THAT(larger, Contains("<span class=\"badge plain\">meets its limits</span>"));
+  CHECK_THAT(larger, Contains("The search said: certified optimum.") && !Contains(kCertified));
+  const std::string smaller = page_at(0.97, "certified optimum");
+  CHECK_THAT(smaller, Contains("<span class=\"badge bad\">passes a limit</span>"));
+  CHECK_THAT(smaller, Contains("limits are met.") && !Contains(">certified optimum</span>"));
+  CHECK_THAT(page_at(0.97, "infeasible"), Contains("<span class=\"badge bad\">infeasible</span>"));
+  CHECK_THAT(page_at(1.02, "feasible"), Contains("<span class=\"badge plain\">feasible</span>"));
+}
+
+TEST_CASE("the report of a front of many points keeps the curve that its picture follows",
+          "[cli][report]") {
+  const Folder folder;
+  std::ofstream(folder / "geneva.toml")
+      << "mechanism = 'geneva'\n[constants]\ncentre_distance = '200 mm'\npin_radius = '10 mm'\n"
+         "slots = 6\n[variables.speed]\nlower = '10 rpm'\nupper = '200 rpm'\nstart = '50 rpm'\n"
+         "[[objectives]]\nmaximize = 'speed'\n[[objectives]]\nminimize = 'peak_acceleration'\n";
+  const std::string study = folder / "study.db";
+  done({"pareto", folder / "geneva.toml", "--points", "180", "--db", study});
+  const std::string page = page_of(study, folder);
+  const Json data = data_of(page);
+  REQUIRE(data["designs"].size() *
+              data_of(page_of(folder / "geneva.toml", folder))["panels"].size() >
+          1200);
+  const std::string scene = data["designs"][0]["scene"];
+  CHECK_THAT(scene, Contains("data-curve=\"wheel_angle\""));
+  CHECK_NOTHROW(panel_of(data, "wheel_angle"));
+  CHECK(data["designs"].size() * data["panels"].size() <= 1200);
+}
+
+TEST_CASE("a report has a plot of every curve with values, and of no other", "[cli][report]") {
+  const Folder folder;
+  for (const char* name : {"groove_least_stress", "end_rise_share", "roller_least_base"}) {
+    INFO(name);
+    const std::string page = page_of(shipped("cams/" + std::string(name) + ".toml"), folder);
+    const Json data = data_of(page);
+    for (std::size_t i = 0; i < data["panels"].size(); ++i) {
+      const Json& y = data["designs"][0]["lines"][i]["y"];
+      INFO(data["panels"][i]["id"]);
+      CHECK(std::any_of(y.begin(), y.end(), [](const Json& value) { return value.is_number(); }));
+    }
+    CHECK(count_of(page, "; - ") == 0);
+    CHECK_NOTHROW(panel_of(data, "contact_stress"));
+  }
+}
+
+TEST_CASE("what is 0 but for rounding is shown as 0 among tolerances", "[cli][report]") {
+  const Folder folder;
+  for (const char* name : {"flat_least_base", "knife_convex_base"}) {
+    INFO(name);
+    done({"optimize", shipped("cams/" + std::string(name) + ".toml"), "--out", folder / "out"});
+    const std::string text = section_of(page_of(folder / "out/result.json", folder), "sensitivity");
+    CHECK_THAT(text, Contains("<td>margin of "));
+    for (const char* rounding : {"e-11", "e-12", "e-13", "e-14", "e-15", "e-16"}) {
+      CHECK(count_of(text, rounding) == 0);
+    }
+  }
+}
+
+TEST_CASE("a report does not go over its own input", "[cli][report]") {
+  const Folder folder;
+  const std::string path = folder / "p.TOML", text = read(shipped("cams/flat_least_base.toml"));
+  std::ofstream(path) << text;
+  CHECK_THAT(failed({"report", path, "-o", path}, 2), Contains("the input itself"));
+  CHECK(read(path) == text);
+  check_whole(page_of(path, folder));
+}
+
 TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") {
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
@@ -177,6 +305,8 @@ TEST_CASE("reproduce writes its tables beside the printed ones as a page", "[cli
   const Json said = json_of({"reproduce", "spine-cutter", "--json"});
   CHECK(count_of(page, ">explained</span>") == said[0]["explained"].get<std::size_t>());
   CHECK(count_of(page, ">reproduced</span>") == said[0]["reproduced"].get<std::size_t>());
+  CHECK_THAT(page, Contains("<span class=\"badge plain\">0 unexplained</span>"));
+  CHECK_THAT(page, Contains("published values of one system, computed again"));
   CHECK_THAT(failed({"reproduce", "cam-shape", "--n", "10", "--report", path}, 2),
              Contains("--report"));
 }
@@ -197,8 +327,9 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
   for (const char* problem :
        {"cams/roller_least_base", "cams/knife_convex_base", "cams/flat_least_base",
         "cams/conjugate_least_distance", "cams/leading_least_base", "cams/swinging_flat_least_base",
-        "cams/swinging_end_least_radius", "cams/linear_least_travel", "spine_cutter/least_radius",
-        "geneva/fastest", "springs/fewest_discs", "free_law/least_acceleration"}) {
+        "cams/swinging_end_least_radius", "cams/linear_least_travel", "cams/groove_least_stress",
+        "spine_cutter/least_radius", "geneva/fastest", "springs/fewest_discs",
+        "free_law/least_acceleration"}) {
     add({"report", shipped(problem + std::string(".toml")), "-o"},
         std::filesystem::path(problem).filename().string() + ".html");
   }

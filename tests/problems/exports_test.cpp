@@ -279,6 +279,42 @@ TEST_CASE("Motion tables close to the last digit", "[exports]") {
   }
 }
 
+TEST_CASE("Arcs above a largest radius are lines, and the path stays within its tolerance",
+          "[exports]") {
+  auto statement = shipped("cams/linear_least_travel.toml");
+  set_value(statement, "travel = 1000 mm");
+  const PlaneCurve profile = cam_curves(statement, "profile").front();
+  constexpr double kMost = 2000, kFine = 1e-3;
+  const auto largest = [](const ArcPath& path) {
+    double radius = 0;
+    for (const ArcPiece& piece : path.pieces) {
+      if (!piece.is_line()) radius = std::max(radius, piece.radius());
+    }
+    return radius;
+  };
+  CHECK(largest(arcs_within(profile, kFine)) > kMost);
+  const ArcPath path = arcs_within(profile, kFine, kMost);
+  CHECK(largest(path) <= kMost);
+  CHECK(path.worst <= kFine);
+  for (int i = 0; i <= 5000; ++i) {
+    const auto place = optim::even_place(profile.begin(), profile.end(), 5000, i);
+    double least = 1e9;
+    for (const ArcPiece& piece : path.pieces) {
+      least = std::min(least, piece.distance(profile.at(place).at));
+    }
+    REQUIRE(least <= path.worst + 1e-9);
+  }
+}
+
+TEST_CASE("A table has the decimals that keep its places even", "[exports]") {
+  const auto statement = shipped("cams/roller_least_base.toml");
+  const MotionTable table = motion_table(statement, {}, "0.05 deg", 6);
+  CHECK_THROWS_WITH(table_text(table, 1), Contains("0.05 apart cannot be told with 1 decimals; 2"));
+  CHECK_NOTHROW(table_text(table, 2));
+  CHECK_THROWS_WITH(table_text(motion_table(statement, {}, "0.0125 deg", 6), 2),
+                    Contains("with 2 decimals; 3 or more are wanted"));
+}
+
 TEST_CASE("A table of a law that does not come back ends with exactly 1", "[exports]") {
   const auto statement =
       read_problem("mechanism = 'follower-train'\n[law]\nname = 'modified-trapezoid'\n", "f.toml");
@@ -289,8 +325,8 @@ TEST_CASE("A table of a law that does not come back ends with exactly 1", "[expo
   CHECK(table.values.front() == 0);
   CHECK(table.values.back() == 1);
   CHECK_FALSE(table.closed);
-  CHECK(table_text(table, 3).ends_with("1.000,1.000\n"));
-  CHECK(table_text(table, 3).starts_with("x,s [1]\n0.000,0.000\n"));
+  CHECK(table_text(table, 4).ends_with("1.0000,1.0000\n"));
+  CHECK(table_text(table, 4).starts_with("x,s [1]\n0.0000,0.0000\n"));
 }
 
 }  // namespace camlaw::problems

@@ -61,6 +61,8 @@ for (const plot of report.plots) {
   const { chartArea: a, width, height } = plot.chart;
   if (a.width < 0.5 * width || a.height < 0.4 * height)
     faults.push(`labels leave no room for the curve: ${plot.panel.name}`);
+  if (!plot.chart.data.datasets.some((set) => !set.isLimit && set.data.some((p) => Number.isFinite(p.y))))
+    faults.push(`a plot without a curve: ${plot.panel.name}`);
 }
 return faults;
 """

@@ -33,6 +33,7 @@ report.moveBodies = () => {
   const design = report.shown[0];
   if (!scene || !design) return;
   const index = report.data.panels.findIndex((panel) => panel.id === scene.dataset.curve);
+  if (index < 0) return;
   const value = report.valueAt(design, index, report.place);
   for (const body of scene.querySelectorAll('[data-motion]')) {
     const moved = value - Number(body.dataset.zero);

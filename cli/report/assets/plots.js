@@ -51,7 +51,8 @@ report.rangeOf = (panel, series) => {
   let low = values.reduce((a, b) => Math.min(a, b), Infinity);
   let high = values.reduce((a, b) => Math.max(a, b), -Infinity);
   if (!(low <= high)) return {};
-  const span = Math.max(high - low, 1e-3 * Math.max(Math.abs(low), Math.abs(high)), 1e-12);
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const span = size < 1e-12 ? 1 : Math.max(high - low, 1e-3 * size);
   for (const limit of panel.limits) {
     if (limit > high && limit - high < 4 * span) high = limit;
     if (limit < low && low - limit < 4 * span) low = limit;
