@@ -146,7 +146,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) 
   cam.left_out = points.left_out;
   const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
   cam.samples.place_unit = "deg";
-  cam.samples.unit = swings ? "deg" : "mm";
+  cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
   for (const LiftSample& sample : cam.lift.samples()) {
     if (sample.outlying) {
       cam.outlying.push_back({sample.phi / kDegree, sample.distance});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <regex>
+
 #include "tests/cli/shell.h"
 
 namespace camlaw::cli {
@@ -28,6 +30,19 @@ std::vector<Step> steps_of(const std::string& page) {
   return steps;
 }
 
+/// A picture is that of the page where its words are the same and its numbers by a last digit of
+/// two, which processors may round otherwise.
+void check_alike(const std::string& drawn, const std::string& kept) {
+  static const std::regex number("-?[0-9]+\\.[0-9]+");
+  CHECK(std::regex_replace(drawn, number, "#") == std::regex_replace(kept, number, "#"));
+  std::sregex_iterator a(drawn.begin(), drawn.end(), number), b(kept.begin(), kept.end(), number);
+  double most = 0;
+  for (const std::sregex_iterator end; a != end && b != end; ++a, ++b) {
+    most = std::max(most, std::abs(std::stod(a->str()) - std::stod(b->str())));
+  }
+  CHECK(most < 0.025);
+}
+
 }  // namespace
 
 TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
@@ -43,12 +58,12 @@ TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
       if (!line.empty()) CHECK_THAT(outcome.out, Contains(line));
     }
   }
-  CHECK(read(folder / "results/least_force/cycle.svg") ==
-        read(CAMLAW_SOURCE_DIR "/docs/tutorial/spine_cutter.svg"));
-  CHECK(read(folder / "results/disc_cam/profile.svg") ==
-        read(CAMLAW_SOURCE_DIR "/docs/tutorial/disc_cam.svg"));
-  CHECK(read(folder / "results/worn/fit.svg") ==
-        read(CAMLAW_SOURCE_DIR "/docs/tutorial/worn_cam.svg"));
+  check_alike(read(folder / "results/least_force/cycle.svg"),
+              read(CAMLAW_SOURCE_DIR "/docs/tutorial/spine_cutter.svg"));
+  check_alike(read(folder / "results/disc_cam/profile.svg"),
+              read(CAMLAW_SOURCE_DIR "/docs/tutorial/disc_cam.svg"));
+  check_alike(read(folder / "results/worn/fit.svg"),
+              read(CAMLAW_SOURCE_DIR "/docs/tutorial/worn_cam.svg"));
 }
 
 }  // namespace camlaw::cli

@@ -314,7 +314,8 @@ TEST_CASE("a problem without objective or with too many combinations is not boun
       return std::string(error.what());
     }
   };
-  CHECK_THAT(refused(read("")), StartsWith("f.toml: ") && Contains("no objective"));
+  const std::string varies = "[variables.stroke]\nlower = 10\nupper = 60\n";
+  CHECK_THAT(refused(read(varies)), StartsWith("f.toml: ") && Contains("no objective"));
   const std::string objective = "[objective]\nminimize = 'peak_inertia_force'\n";
   CHECK_THAT(refused(read(objective)), StartsWith("f.toml: ") && Contains("no variables"));
   std::string values = "values = [1";
