@@ -2,20 +2,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cli/fit_output.h"
 #include "cli/text_table.h"
+#include "problems/fits/turn.h"
 
 namespace camlaw::cli {
 namespace {
 
 using problems::CamFit;
 
-std::string number(double value) { return in_digits(value, 6); }
-
 double from_own_unit(const CamFit& fit, double s) {
-  return fit.cam.samples.unit == "deg" ? s * 180 / std::numbers::pi : s;
+  return fit.cam.samples.unit == "deg" ? s / problems::kDegree : s;
 }
 
 std::string outlying_text(const CamFit& fit) {
@@ -75,22 +73,14 @@ Json cam_json(const CamFit& fit) {
 }
 
 void mark_departures(const CamFit& fit, Figure& figure) {
-  constexpr double kTurn = 360;
   const auto& all = fit.cam.samples;
-  const auto& kept = problems::without(all, fit.departures, kTurn);
-  std::size_t next = 0;
-  std::vector<std::size_t> marked;  // `kept` has the others, in the same order
-  for (std::size_t i = 0; i < all.place.size(); ++i) {
-    const bool is_kept = next < kept.place.size() && kept.place[next] == all.place[i];
-    is_kept ? static_cast<void>(++next) : marked.push_back(i);
-  }
-  for (std::size_t k = 0; k < fit.fits.size(); ++k) {
-    const problems::LawFit& law = fit.fits[k].best();
+  for (std::size_t k = 0; k < fit.cycle.fits.size(); ++k) {
+    const problems::LawFit& law = fit.cycle.fits[k].best();
     Markers data{.name = "left out", .colour = "#cc3311", .size = 2.5}, left = data;
-    for (const std::size_t i : marked) {
-      const double ahead = all.place[i] - law.begin;
-      const double place = law.begin + ahead - kTurn * std::floor(ahead / kTurn);
+    for (std::size_t i = 0; i < all.place.size(); ++i) {
+      const double place = problems::in_period(all.place[i], law.begin, problems::kTurnDegrees);
       if (place > law.end) continue;
+      if (!problems::departs(all.place[i], fit.departures, problems::kTurnDegrees)) continue;
       data.points.push_back({place, all.value[i]});
       left.points.push_back({place, all.value[i] - law.value(place, 0)});
     }

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/next_step.h"
 #include "cli/optimum_output.h"
 #include "optim/problem/check_derivatives.h"
 #include "problems/statement/bind.h"
@@ -78,7 +79,7 @@ void run_check(const CheckOptions& options, int& status) {
   }
   fmt::print("{}", problems::in_words(statement));
   if (options.scaling) fmt::print("\n{}", scaling_text(variants->problem(0)));
-  if (!options.derivatives) return;
+  if (!options.derivatives) return say_next(search_command(statement, options.file));
   fmt::print("\n");
   bool agrees = true;
   for (std::size_t i = 0; i < variants->size(); ++i) {

@@ -14,6 +14,7 @@
 #include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
+#include "cli/next_step.h"
 #include "cli/possible.h"
 #include "cli/profile_figure.h"
 #include "cli/terminal.h"
@@ -59,15 +60,14 @@ TextTable response_table(const std::vector<EvaluatedResponse>& responses) {
   return table;
 }
 
-void print_text(const ProblemStatement& statement,
-                const std::vector<EvaluatedResponse>& responses) {
+void print_text(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
+                const std::vector<optim::LimitReport>& limits) {
   if (!statement.title.empty()) fmt::print("{}\n", statement.title);
   if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
     fmt::print("law {}\n", statement.laws.front().label());
   }
   fmt::print("\n");
   fmt::print("{}", response_table(responses).text());
-  const auto limits = problems::standing(statement);
   if (!limits.empty()) fmt::print("\n");
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitText text = limit_text(limits[i], statement.constraints[i]);
@@ -78,7 +78,8 @@ void print_text(const ProblemStatement& statement,
   }
 }
 
-Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses) {
+Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
+             const std::vector<optim::LimitReport>& limits) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -99,7 +100,7 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
                                      {"unit", parameters[i].unit}};
   }
   Json constraints = Json::array();
-  for (const auto& limit : problems::standing(statement)) {
+  for (const auto& limit : limits) {
     constraints.push_back(
         {{"name", limit.name},
          {"value", cli::to_json(limit.value)},
@@ -144,13 +145,17 @@ void run_evaluate(const EvaluateOptions& options) {
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);
+  const auto limits = problems::standing(statement);
   if (options.json) {
-    fmt::print("{}\n", to_json(statement, responses).dump(2));
+    fmt::print("{}\n", to_json(statement, responses, limits).dump(2));
   } else {
-    print_text(statement, responses);
+    print_text(statement, responses, limits);
   }
   write_files(files);
-  if (!options.json) say_written(files);
+  if (options.json) return;
+  say_written(files);
+  const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
+  if (!met) say_next(search_command(statement, options.file));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "problems/exports/curve_svg.h"
 #include "problems/exports/dxf.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 namespace {
@@ -131,13 +132,9 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
 
 /// The radius of the tool, for who sets up the machine.
 std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement) {
-  const auto& parameters = statement.mechanism->parameters;
-  const auto own = std::find_if(parameters.begin(), parameters.end(),
-                                [](const auto& p) { return p.name == "cutter_radius"; });
   if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
   const double radius =
-      o.tool ? *tool_radius(o)
-             : statement.constants[static_cast<std::size_t>(own - parameters.begin())];
+      o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
   return fmt::format("tool radius {:.6g} mm; start spindle and coolant before", radius);
 }
 

@@ -136,7 +136,8 @@ std::optional<double> tool_radius(const ExportOptions& o) {
 
 void add_export_options(CLI::App& command, ExportOptions& o) {
   command
-      .add_option("FILE", o.file, "a problem file (TOML), or a result.json of 'camlaw optimize'")
+      .add_option("FILE", o.file,
+                  "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'")
       ->required();
   command.add_option("--format", o.format,
                      "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, "

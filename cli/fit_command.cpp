@@ -11,6 +11,9 @@
 #include "cli/files.h"
 #include "cli/fit_output.h"
 #include "cli/help.h"
+#include "cli/next_step.h"
+#include "cli/progress_line.h"
+#include "problems/fits/found_program.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/standard_machine.h"
 
@@ -45,9 +48,10 @@ std::vector<Member> laws_of(const FitCommand& options) {
   return law ? std::vector{*law} : problems::laws_to_try();
 }
 
-problems::LawFitOptions how_of(const FitCommand& options) {
+problems::LawFitOptions how_of(const FitCommand& options, ProgressLine& line) {
   problems::LawFitOptions how;
   how.loss = loss_of(options);
+  how.progress = [&line](double share) { line.show("fitting laws", share); };
   return how;
 }
 
@@ -115,16 +119,12 @@ void give_samples(const FitCommand& options, const SamplesAnswer& answer,
 }
 
 void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
-  SamplesAnswer answer{.source = *options.data, .left_out = table.left_out};
-  const std::vector<Member> laws = laws_of(options);
   const problems::MotionSamples samples = problems::motion_samples(table);
-  answer.each = samples.each;
-  answer.far_rows = samples.left_out;
-  answer.cycle = problems::find_motions(samples);
-  for (const problems::FoundMotion& motion : answer.cycle.motions) {
-    answer.fits.push_back(problems::fit_motion(motion, laws, how_of(options)));
-  }
-  answer.segments = problems::fitted_segments(answer.cycle, answer.fits);
+  ProgressLine line(!options.json);
+  const SamplesAnswer answer{*options.data, samples.lacking, samples.each, samples.left_out,
+                             problems::fit_cycle(problems::find_motions(samples), laws_of(options),
+                                                 how_of(options, line))};
+  line.clear();
   give_samples(options, answer, {});
 }
 
@@ -135,17 +135,16 @@ void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
-  SamplesAnswer answer{.source = *options.data, .left_out = table.left_out};
-  answer.cam =
-      problems::fit_cam(problems::measured_cam(table, machine), laws_of(options), how_of(options));
-  answer.each = answer.cam->cam.each;
-  answer.far_rows = answer.cam->cam.left_out;
-  answer.cycle = answer.cam->cycle;
-  answer.fits = answer.cam->fits;
-  answer.segments = problems::fitted_segments(answer.cycle, answer.fits);
+  problems::MeasuredCam cam = problems::measured_cam(table, machine);
+  ProgressLine line(!options.json);
+  const std::size_t lacking = cam.lacking, each = cam.each, far_rows = cam.left_out;
+  const SamplesAnswer answer{
+      *options.data, lacking, each, far_rows,
+      problems::fit_cam(std::move(cam), laws_of(options), how_of(options, line))};
+  line.clear();
   std::vector<OutputFile> files;
   if (options.out) {
-    const auto program = problems::found_program(*answer.cam, machine);
+    const auto program = problems::found_program(*answer.cam(), machine);
     files.push_back({in_out(options, "program.toml"), program.problem});
     for (const problems::ProgramLaw& law : program.laws) {
       const Json provenance{{"fitted_to", answer.source}, {"law", "smoothing spline"}};
@@ -154,6 +153,9 @@ void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
     }
   }
   give_samples(options, answer, std::move(files));
+  if (options.out && !options.json) {
+    say_next("evaluate " + shell_word(in_out(options, "program.toml").string()));
+  }
 }
 
 bool shifts(const FitCommand& options, const char* what) {
@@ -169,15 +171,16 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
   how.place_shift = shifts(options, "place");
   how.value_shift = shifts(options, "value");
   const problems::RecordFit fit = problems::fit_record(machine, record, how);
-  const RecordAnswer answer{*options.mechanism, table.left_out, std::move(record), fit};
+  const RecordAnswer answer{*options.mechanism, record.lacking, std::move(record), fit};
   std::vector<OutputFile> files;
   if (options.out) files.push_back({in_out(options, "fit.svg"), to_svg(record_figure(answer))});
   give(options, record_text(answer), record_json(answer).dump(2) + "\n", std::move(files));
+  if (!options.json) say_next(record_evaluation(answer));
 }
 
 /// What a table is of: a cam's profile, a curve of a machine, or else a motion.
 void fit_table(const FitCommand& options) {
-  how_of(options), laws_of(options);  // wrong options before any work
+  loss_of(options), laws_of(options);  // wrong options before any work
   if (options.out) check_writable({in_out(options, "fit.json")});
   const problems::SampleTable table = problems::read_samples(*options.data);
   try {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <variant>
+
 #include "cli/chart.h"
 #include "cli/law_json.h"
 #include "problems/fits/cam_fit.h"
@@ -15,6 +17,8 @@ namespace camlaw::cli {
 std::string constants_text(const std::vector<problems::ConstantsFit>& fits);
 Json constants_json(const std::vector<problems::ConstantsFit>& fits);
 
+/// A number of a fit for people: six digits are beyond what is measured.
+std::string number(double value);
 /// Fitted numbers with their intervals.
 std::string fitted_table(const optim::FitResult& fit);
 Json fitted_json(const optim::FitResult& fit);
@@ -32,6 +36,8 @@ struct RecordAnswer {
 };
 
 std::string record_text(const RecordAnswer& answer);
+/// The command that shows the machine that was found: "evaluate FILE --set 'mass=1.2 kg'".
+std::string record_evaluation(const RecordAnswer& answer);
 Json record_json(const RecordAnswer& answer);
 /// The record with what the machine computes, and what is left.
 Figure record_figure(const RecordAnswer& answer);
@@ -42,11 +48,13 @@ struct SamplesAnswer {
   std::size_t left_out = 0;  ///< rows that lack a number
   std::size_t each = 1;      ///< rows that are taken as one mean
   std::size_t far_rows = 0;  ///< of those, left out as far off their neighbours
-  problems::FoundCycle cycle;
-  std::vector<problems::MotionFit> fits;
-  std::vector<problems::FoundSegment> segments;  ///< of the cycle, by the fitted laws
-  /// Of a measured cam; cycle and fits are its own then.
-  std::optional<problems::CamFit> cam = {};
+  /// The laws, or the cam that they and more were found of.
+  std::variant<problems::FittedCycle, problems::CamFit> fit;
+
+  const problems::CamFit* cam() const { return std::get_if<problems::CamFit>(&fit); }
+  const problems::FittedCycle& cycle() const {
+    return cam() != nullptr ? cam()->cycle : std::get<problems::FittedCycle>(fit);
+  }
 };
 
 /// What a measured cam adds: what of it lies off.

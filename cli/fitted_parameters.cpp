@@ -8,8 +8,9 @@
 
 namespace camlaw::cli {
 
+std::string number(double value) { return in_digits(value, 6); }
+
 std::string fitted_table(const optim::FitResult& fit) {
-  const auto number = [](double value) { return in_digits(value, 6); };
   TextTable table({{"number", TextTable::Align::Left},
                    {"value"},
                    {"from"},

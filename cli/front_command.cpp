@@ -9,8 +9,10 @@
 #include "cli/files.h"
 #include "cli/front_output.h"
 #include "cli/help.h"
+#include "cli/next_step.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_output.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -18,7 +20,7 @@ namespace {
 
 struct FrontCommand {
   std::string file;
-  std::optional<std::string> weights, point, csv, svg;
+  std::optional<std::string> weights, point, csv, svg, result;
   std::vector<std::string> tolerances;
   bool knee = false, sensitivity = false, json = false;
 };
@@ -59,6 +61,15 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
   return result;
 }
 
+/// A point as a result that stands alone, for report and export.
+Json point_result(const FrontAnswer& answer, std::size_t k) {
+  const optim::FrontPoint& point = answer.front.points[k];
+  Json object = point_json(answer, k);
+  object["design"] = problems::recorded_design(answer.study.bound(),
+                                               answer.study.space().options(point.part), point.x);
+  return object;
+}
+
 struct Spread {
   std::vector<double> tolerances;
   optim::ToleranceReport report;
@@ -92,6 +103,13 @@ void run_front(const FrontCommand& options, int& status) {
     files.push_back({*options.svg, to_svg(figure)});
   }
   const auto points = chosen(options, answer);
+  if (options.result) {
+    if (points.size() != 1) {
+      throw std::invalid_argument(
+          "--result: of which design? give one of --knee, --weights and --point");
+    }
+    files.push_back({*options.result, point_result(answer, points.front().second).dump(2) + "\n"});
+  }
   const bool spread = options.sensitivity || !options.tolerances.empty();
   if (spread && points.empty()) {
     throw std::invalid_argument(
@@ -122,6 +140,7 @@ void run_front(const FrontCommand& options, int& status) {
                                     spreads[i].report));
   }
   say_written(files);
+  if (options.result) say_next("export " + shell_word(*options.result));
 }
 
 }  // namespace
@@ -147,12 +166,19 @@ void add_front_command(CLI::App& app, int& status) {
       ->type_name("NAME=VALUE");
   command->add_option("--csv", options->csv, "write the front here")->type_name(takes::kFile);
   command->add_option("--svg", options->svg, "draw it here")->type_name(takes::kFile);
+  command
+      ->add_option("--result", options->result,
+                   "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
+                   "export'")
+      ->type_name(takes::kFile);
   add_switch(*command, "--json", options->json, "print JSON");
   add_examples(*command, {{"camlaw front results/front/study.db", "the points of a study's front"},
                           {"camlaw front results/front/study.db --knee --sensitivity",
                            "the design where the front bends most, and what tolerances do to it"},
                           {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
-                           "a compromise, and the picture"}});
+                           "a compromise, and the picture"},
+                          {"camlaw front results/front/study.db --knee --result knee.json",
+                           "the design where it bends most, to be drawn and exported"}});
   command->callback([options, &status] { run_front(*options, status); });
 }
 

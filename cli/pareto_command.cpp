@@ -9,6 +9,7 @@
 #include "cli/front_output.h"
 #include "cli/help.h"
 #include "cli/interrupt.h"
+#include "cli/next_step.h"
 #include "cli/progress_line.h"
 #include "cli/terminal.h"
 #include "cli/workers.h"
@@ -135,6 +136,9 @@ void run_pareto(const ParetoCommand& options, int& status) {
   status = status_of(front);
   if (path && !options.json && !is_quiet()) fmt::print("study {}\n", *path);
   if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
+  if (!path || options.json || front.points.empty()) return;
+  say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
+  say_next("report " + shell_word(*path));
 }
 
 }  // namespace

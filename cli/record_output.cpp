@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cli/fit_output.h"
+#include "cli/fit_panels.h"
+#include "cli/next_step.h"
 #include "cli/text_table.h"
 #include "optim/fit/statistics.h"
 
 namespace camlaw::cli {
 namespace {
 
-std::string number(double value) { return in_digits(value, 6); }
-
 const std::string& unit_of(const RecordAnswer& answer) { return answer.record.response.unit; }
-
-/// How to look at the machine that was found: "--set 'mass=1.2 kg'".
-std::string settings(const problems::ProblemStatement& machine) {
-  std::string text;
-  for (const problems::VariableStatement& v : machine.variables) {
-    text += fmt::format(" --set '{}={}'", v.name, with_unit(in_digits(v.start), v.unit));
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -39,12 +28,19 @@ std::string record_text(const RecordAnswer& answer) {
                       with_unit(number(fit.rms), unit),
                       with_unit(number(std::abs(fit.residuals[fit.largest])), unit),
                       number(answer.record.place[fit.largest]),
-                      answer.record.response.response->along, answer.fit.correlation);
+                      answer.record.response.response->along, answer.fit.left.correlation);
   if (!answer.fit.distrust.empty()) {
     text += fmt::format("not to be trusted: {}\n", answer.fit.distrust);
   }
-  return text +
-         fmt::format("camlaw evaluate {}{}\n", answer.machine_file, settings(answer.fit.machine));
+  return text;
+}
+
+std::string record_evaluation(const RecordAnswer& answer) {
+  std::string command = "evaluate " + shell_word(answer.machine_file);
+  for (const problems::VariableStatement& v : answer.fit.machine.variables) {
+    command += fmt::format(" --set '{}={}'", v.name, with_unit(in_digits(v.start), v.unit));
+  }
+  return command;
 }
 
 Json record_json(const RecordAnswer& answer) {
@@ -65,7 +61,7 @@ Json record_json(const RecordAnswer& answer) {
           {"residual_unit", unit_of(answer)},
           {"standard_deviation", to_json(fit.sigma)},
           {"degrees_of_freedom", fit.degrees_of_freedom},
-          {"correlation", to_json(answer.fit.correlation)},
+          {"correlation", to_json(answer.fit.left.correlation)},
           {"criterion",
            to_json(optim::aicc(fit.residuals.size(), fit.parameters.size(), fit.sum_of_squares))},
           {"criterion_name", "AICc"},
@@ -76,39 +72,28 @@ Json record_json(const RecordAnswer& answer) {
 }
 
 Figure record_figure(const RecordAnswer& answer) {
-  constexpr std::size_t kDots = 120, kResiduals = 2000;  // more would hide the curve, be a blot
   const problems::RecordedCurve& record = answer.record;
-  const std::size_t count = record.place.size();
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return record.place[a] < record.place[b]; });
-  Panel data, left;
-  data.title = record.response.name;
-  data.x = left.x = {.label = "place", .unit = shown_unit(record.response.response->along)};
-  data.y = {.label = "recorded and computed", .unit = shown_unit(unit_of(answer))};
-  left.y = {.label = "recorded less computed", .unit = shown_unit(unit_of(answer))};
-  Markers dots{.name = "recorded", .colour = "#555555", .filled = false, .size = 2.5};
-  Markers residuals{.name = "residuals", .colour = "#0072b2", .size = 1.5};
-  Line model{.name = "computed", .colour = "#d55e00"};
-  for (std::size_t k = 0; k < count; k += count / kDots + 1) {
-    dots.points.push_back({record.place[order[k]], record.value[order[k]]});
+  constexpr std::size_t kPoints = 2000;
+  const std::vector<std::size_t> order = optim::order_of(record.place);
+  Line model{.name = "computed"};
+  for (std::size_t k = 0; k < order.size(); k += order.size() / kPoints + 1) {
+    model.x.push_back(record.place[order[k]]);
+    model.y.push_back(answer.fit.model[order[k]]);
   }
-  for (std::size_t k = 0; k < count; k += count / kResiduals + 1) {
-    const std::size_t i = order[k];
-    residuals.points.push_back({record.place[i], -answer.fit.fit.residuals[i]});
-    model.x.push_back(record.place[i]);
-    model.y.push_back(answer.fit.model[i]);
-  }
-  data.lines.push_back(std::move(model));
-  data.markers.push_back(std::move(dots));
-  left.markers.push_back(std::move(residuals));
   Figure figure;
   figure.title = "Machine behind a record";
   figure.columns = 2;
   figure.panel_width = 480;
-  figure.panels.push_back(std::move(data));
-  figure.panels.push_back(std::move(left));
+  draw({.title = record.response.name,
+        .x = {.label = "place", .unit = shown_unit(record.response.response->along)},
+        .y = {.label = "recorded and computed", .unit = shown_unit(unit_of(answer))},
+        .dots = "recorded",
+        .left = "recorded less computed",
+        .place = record.place,
+        .value = record.value,
+        .residual = answer.fit.fit.residuals,
+        .model = std::move(model)},
+       figure);
   return figure;
 }
 

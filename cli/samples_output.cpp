@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/fit_output.h"
+#include "cli/fit_panels.h"
 #include "cli/text_table.h"
 #include "problems/law_files/law_file.h"
 
@@ -18,16 +19,15 @@ using problems::MotionFit;
 
 constexpr std::size_t kRanked = 10;
 
-std::string number(double value) { return in_digits(value, 6); }
-
 std::string shortened(const std::string& label) {
   constexpr std::size_t kMost = 60;
   return label.size() > kMost ? label.substr(0, kMost) + " ..." : label;
 }
 
 std::string segments_text(const SamplesAnswer& answer) {
-  if (answer.segments.size() < 2) return "";
-  const problems::MotionSamples& samples = answer.fits.front().motion.samples;
+  const problems::FittedCycle& cycle = answer.cycle();
+  if (cycle.segments.size() < 2) return "";
+  const problems::MotionSamples& samples = cycle.fits.front().motion.samples;
   TextTable table({{"segment", TextTable::Align::Left},
                    {fmt::format("from, {}", samples.place_unit)},
                    {"+-"},
@@ -37,14 +37,14 @@ std::string segments_text(const SamplesAnswer& answer) {
                    {"to"},
                    {shown_unit(samples.unit), TextTable::Align::Left}});
   const auto error = [](double value) { return in_digits(value, 2); };
-  for (const FoundSegment& s : answer.segments) {
+  for (const FoundSegment& s : cycle.segments) {
     table.add({to_string(s.kind), number(s.begin), error(s.begin_error), number(s.end),
                error(s.end_error), number(s.from), number(s.to), ""});
   }
   std::string text = table.text();
-  text += fmt::format("noise {}", with_unit(number(answer.cycle.noise), samples.unit));
-  if (answer.cycle.outlying > 0) {
-    text += fmt::format("; {} samples far off, left out here", answer.cycle.outlying);
+  text += fmt::format("noise {}", with_unit(number(cycle.found.noise), samples.unit));
+  if (cycle.found.outlying > 0) {
+    text += fmt::format("; {} samples far off, left out here", cycle.found.outlying);
   }
   return text + "\n\n";
 }
@@ -79,8 +79,8 @@ std::string residuals_text(const MotionFit& fit) {
   return text + fmt::format(
                     "sigma {} with {} degrees of freedom; neighbours' correlation {:.2f}; "
                     "condition {:.2g}, {}\n",
-                    with_unit(number(found.sigma), unit), found.degrees_of_freedom, fit.correlation,
-                    found.condition,
+                    with_unit(number(found.sigma), unit), found.degrees_of_freedom,
+                    fit.left.correlation, found.condition,
                     found.free_directions.empty() ? "all numbers are determined"
                                                   : "not all numbers are determined");
 }
@@ -161,7 +161,7 @@ Json motion_json(const MotionFit& fit) {
           {"place_unit", fit.motion.samples.place_unit},
           {"sigma", to_json(best.fit.sigma)},
           {"degrees_of_freedom", best.fit.degrees_of_freedom},
-          {"neighbour_correlation", to_json(fit.correlation)},
+          {"neighbour_correlation", to_json(fit.left.correlation)},
           {"condition", to_json(best.fit.condition)},
           {"free_directions", free_directions_json(best)},
           {"far_off", far_off_json(fit)},
@@ -177,59 +177,50 @@ Json motion_json(const MotionFit& fit) {
 
 /// The largest motion: what the answer is about where there are several.
 const MotionFit& main_motion(const SamplesAnswer& answer) {
-  return *std::max_element(
-      answer.fits.begin(), answer.fits.end(), [](const MotionFit& a, const MotionFit& b) {
-        return std::abs(a.best().to - a.best().from) < std::abs(b.best().to - b.best().from);
-      });
+  const std::vector<MotionFit>& fits = answer.cycle().fits;
+  return *std::max_element(fits.begin(), fits.end(), [](const MotionFit& a, const MotionFit& b) {
+    return std::abs(a.best().to - a.best().from) < std::abs(b.best().to - b.best().from);
+  });
 }
 
-/// Samples and law above, what is left below.
-void draw(const MotionFit& fit, Figure& figure) {
+/// Samples and law, and what is left.
+void draw_motion(const MotionFit& fit, Figure& figure) {
   constexpr int kCurve = 400;
-  constexpr std::size_t kDots = 120, kResiduals = 2000;  // more would hide the curve, be a blot
   const problems::MotionSamples& samples = fit.motion.samples;
   const LawFit& best = fit.best();
   const char* label = samples.order == 0   ? "displacement"
                       : samples.order == 1 ? "velocity"
                                            : "acceleration";
-  Panel data, left;
-  data.x = left.x = {.label = samples.place_unit == "deg" ? "cam angle" : "place",
-                     .unit = shown_unit(samples.place_unit)};
-  data.y = {.label = label, .unit = shown_unit(samples.unit)};
-  left.y = {.label = "samples less law", .unit = shown_unit(samples.unit)};
-  Markers dots{.name = "samples", .colour = "#555555", .filled = false, .size = 2.5};
-  Markers residuals{.name = "residuals", .colour = "#0072b2", .size = 1.5};
-  const std::size_t count = samples.place.size();
-  for (std::size_t i = 0; i < count; i += count / kDots + 1) {
-    dots.points.push_back({samples.place[i], samples.value[i]});
-  }
-  for (std::size_t i = 0; i < count; i += count / kResiduals + 1) {
-    residuals.points.push_back({samples.place[i], -best.fit.residuals[i]});
-  }
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
-  Line law{.name = "fit", .colour = "#d55e00"};
+  Line law{.name = "fit"};
   for (int i = 0; i <= kCurve; ++i) {
     const double x = *low + (*high - *low) * i / kCurve;
     law.x.push_back(x);
     law.y.push_back(best.value(x, samples.order));
   }
-  data.title = best.law.label();
-  data.lines.push_back(std::move(law));
-  data.markers.push_back(std::move(dots));
-  left.markers.push_back(std::move(residuals));
-  figure.panels.push_back(std::move(data));
-  figure.panels.push_back(std::move(left));
+  draw({.title = best.law.label(),
+        .x = {.label = samples.place_unit == "deg" ? "cam angle" : "place",
+              .unit = shown_unit(samples.place_unit)},
+        .y = {.label = label, .unit = shown_unit(samples.unit)},
+        .dots = "samples",
+        .left = "samples less law",
+        .place = samples.place,
+        .value = samples.value,
+        .residual = best.fit.residuals,
+        .model = std::move(law)},
+       figure);
 }
 
 }  // namespace
 
 std::string samples_text(const SamplesAnswer& answer) {
-  std::string text = (answer.cam ? cam_text(*answer.cam) : "") + segments_text(answer);
+  std::string text =
+      (answer.cam() != nullptr ? cam_text(*answer.cam()) : "") + segments_text(answer);
   if (answer.left_out > 0)
     text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
   text = condensed_text(answer.each, answer.far_rows) + text;
-  for (const MotionFit& fit : answer.fits) {
-    if (answer.fits.size() > 1) {
+  for (const MotionFit& fit : answer.cycle().fits) {
+    if (answer.cycle().fits.size() > 1) {
       text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
                           number(fit.best().begin),
                           with_unit(number(fit.best().end), fit.motion.samples.place_unit));
@@ -242,7 +233,7 @@ std::string samples_text(const SamplesAnswer& answer) {
 Json samples_json(const SamplesAnswer& answer) {
   Json result = motion_json(main_motion(answer));
   Json segments = Json::array(), motions = Json::array();
-  for (const FoundSegment& s : answer.segments) {
+  for (const FoundSegment& s : answer.cycle().segments) {
     segments.push_back({{"kind", to_string(s.kind)},
                         {"begin", to_json(s.begin)},
                         {"end", to_json(s.end)},
@@ -251,13 +242,13 @@ Json samples_json(const SamplesAnswer& answer) {
                         {"begin_error", to_json(s.begin_error)},
                         {"end_error", to_json(s.end_error)}});
   }
-  for (const MotionFit& fit : answer.fits) motions.push_back(motion_json(fit));
+  for (const MotionFit& fit : answer.cycle().fits) motions.push_back(motion_json(fit));
   result["segments"] = std::move(segments);
   result["motions"] = std::move(motions);
   result["left_out"] = answer.left_out;
   result["rows_each"] = answer.each;
   result["far_rows_left_out"] = answer.far_rows;
-  if (answer.cam) result["cam"] = cam_json(*answer.cam);
+  if (answer.cam() != nullptr) result["cam"] = cam_json(*answer.cam());
   return result;
 }
 
@@ -266,8 +257,8 @@ Figure samples_figure(const SamplesAnswer& answer) {
   figure.title = "Law behind samples";
   figure.columns = 2;
   figure.panel_width = 480;
-  for (const MotionFit& fit : answer.fits) draw(fit, figure);
-  if (answer.cam) mark_departures(*answer.cam, figure);
+  for (const MotionFit& fit : answer.cycle().fits) draw_motion(fit, figure);
+  if (answer.cam() != nullptr) mark_departures(*answer.cam(), figure);
   return figure;
 }
 

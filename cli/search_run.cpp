@@ -10,6 +10,7 @@
 #include "cli/help.h"
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
+#include "cli/next_step.h"
 #include "cli/progress_line.h"
 #include "problems/statement/solver_settings.h"
 
@@ -132,7 +133,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   optim::Optimum optimum;
   {
     ProgressLine line(!options.json);
-    search.progress = [&line](const optim::Progress& p) { line.show(progress_text(p)); };
+    search.progress = [&line](const optim::Progress& p) { line.show(progress_text(p), p.done); };
     optimum = optim::optimise(space, search);
   }
   search.progress = {};
@@ -143,6 +144,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     std::vector<OutputFile> files = command.figures(answer, out);
     files.insert(files.begin(), {possible.front(), json});
     write_out(possible, files, !options.json);
+    if (!options.json) say_next("report " + shell_word(possible.front().string()));
   }
   return exit_status(optimum.found.assessment.verdict);
 }

@@ -95,11 +95,12 @@ void add_harmonic(const Harmonic<T>& harmonic, const R& t, std::array<R, N>& d) 
 
 template <class R, std::size_t N, class T>
 void add_curve(const CurveTerm<T>& term, const R& t, std::array<R, N>& d) {
-  static_assert(N <= kCurveOrders, "a curve gives kCurveOrders derivatives");
+  static_assert(N <= kCurveOrders, "a curve gives kCurveOrders derivatives at most");
   const R rate = convert<R>(term.rate);
   const R y = rate * t + convert<R>(term.shift);
-  const auto values =
-      std::visit([&](const auto& shape) { return shape.template as<R>()(y); }, term.curve);
+  const auto values = std::visit(
+      [&](const auto& shape) { return shape.template as<R>().template derivatives<N>(y); },
+      term.curve);
   R factor = convert<R>(term.amplitude);
   for (std::size_t k = 0; k < N; ++k) {
     // Where powers grow without bound together the lowest, which comes first, has the last word.

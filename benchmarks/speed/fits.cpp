@@ -7,7 +7,7 @@
 
 #include "benchmarks/timing.h"
 #include "problems/fits/constants_fit.h"
-#include "problems/fits/motion_fit.h"
+#include "problems/fits/law_ranking.h"
 
 /// A lift table of 1000 points, a motion with noise of a thousandth of its stroke, to one law, to a
 /// family with its coefficient, and to every law of the catalogue.
@@ -52,7 +52,8 @@ void fit_all(benchmark::State& state) {
 }  // namespace
 
 void register_fits() {
-  for (const char* name : {"modified-sine", "polynomial-5", "scca"}) {
+  for (const char* name :
+       {"modified-sine", "polynomial-5", "fourier", "scca", "universal", "elliptic"}) {
     benchmark::RegisterBenchmark((std::string("fit/") + name).c_str(),
                                  [name](benchmark::State& state) { fit_one(state, name); })
         ->Unit(benchmark::kMillisecond);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/chart_svg.h"
+#include "cli/next_step.h"
 #include "cli/possible.h"
 #include "cli/report/design_figure.h"
 #include "cli/report/figure_json.h"
@@ -126,12 +127,11 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
                       "The search said: {}. For this report the design was judged again{}.",
                       *verdict, chosen ? ", what was chosen among options held" : ""));
   }
-  const bool front = design.objectives.size() > 1;
   html += paragraph(fmt::format(
       "The design is the file's own, not searched for. {}",
       design.objectives.empty()
           ? "The file names no objective."
-          : fmt::format("To search: camlaw {} {}", front ? "pareto" : "optimize", reported.file)));
+          : fmt::format("To search: camlaw {}", search_command(design, reported.file))));
   return html;
 }
 

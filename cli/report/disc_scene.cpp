@@ -15,6 +15,9 @@ namespace {
 using problems::ProblemStatement;
 using Kind = BodyMotion::Kind;
 
+/// Of followers that move along y.
+const BodyMotion kLift{Kind::Slide, 1, {0, 1}, "displacement"};
+
 /// What is drawn, with what is known of it.
 struct Disc {
   const ProblemStatement& design;
@@ -22,7 +25,9 @@ struct Disc {
   double zero, lowest, highest;  ///< displacement at the drawn pose; its range
   double size;                   ///< greatest radius of the cam
 
-  double operator[](const char* parameter) const { return parameter_of(design, parameter); }
+  double operator[](const char* parameter) const {
+    return problems::constant_of(design, parameter);
+  }
   /// Where the follower's point is at the drawn pose: the cam has not turned yet.
   Point follower() const { return curves.points("pitch").front(); }
 };
@@ -35,7 +40,7 @@ Point turned(Point p, Point pivot, double degrees) {
 }
 
 void draw_cam(Scene& scene, const Disc& disc, double turning) {
-  scene.body("cam", {Kind::Turn, turning});
+  scene.body("cam", {{Kind::Turn, turning}});
   if (disc.curves.has("second_profile_x")) {
     scene.polyline("cam second", disc.curves.points("second_profile"), true);
   }
@@ -59,10 +64,7 @@ void draw_way(Scene& scene, Point point, const Disc& disc) {
 void draw_roller(Scene& scene, const Disc& disc, Point centre) {
   const double radius = disc["roller_radius"], rise = disc.highest - disc.zero;
   draw_way(scene, centre, disc);
-  scene.body("roller", {Kind::Slide});
-  scene.circle("roller", centre, radius);
-  scene.circle("pin", centre, 0.15 * radius);
-  scene.segment("stem", centre, {centre.x, centre.y + 2.2 * radius});
+  draw_pushed_roller(scene, centre, radius, "displacement");
   scene.include({centre.x, centre.y + rise}, 2.4 * radius);
 }
 
@@ -70,7 +72,7 @@ void draw_knife(Scene& scene, const Disc& disc) {
   const Point tip = disc.follower();
   const double length = 0.3 * disc.size, half = 0.06 * disc.size;
   draw_way(scene, tip, disc);
-  scene.body("knife edge", {Kind::Slide});
+  scene.body("knife edge", {kLift});
   scene.polyline("roller",
                  {tip, {tip.x - half, tip.y + 2 * half}, {tip.x + half, tip.y + 2 * half}}, true);
   scene.segment("stem", {tip.x, tip.y + 2 * half}, {tip.x, tip.y + length});
@@ -79,10 +81,10 @@ void draw_knife(Scene& scene, const Disc& disc) {
 
 void draw_flat(Scene& scene, const Disc& disc) {
   const double face = disc["base_radius"] + disc.zero;
-  const auto offsets = disc.curves.values("contact_offset");
+  const std::vector<double>& offsets = disc.curves.values("contact_offset");
   const auto [left, right] = std::minmax_element(offsets.begin(), offsets.end());
   draw_way(scene, {0, face}, disc);
-  scene.body("flat face, as long as the contact needs it", {Kind::Slide});
+  scene.body("flat face, as long as the contact needs it", {kLift});
   scene.segment("face", {*left, face}, {*right, face});
   scene.segment("stem", {0, face}, {0, face + 0.4 * disc.size});
   scene.include({*left, face + disc.highest - disc.zero + 0.4 * disc.size});
@@ -95,25 +97,19 @@ void draw_conjugate(Scene& scene, const Disc& disc) {
   const Point lower{e, upper.y - disc["roller_distance"]};
   const double radius = disc["roller_radius"];
   draw_way(scene, upper, disc);
-  scene.body("carriage with two rollers", {Kind::Slide});
+  scene.body("carriage with two rollers", {kLift});
   scene.segment("stem", lower, upper);
   for (const Point& centre : {upper, lower}) {
-    scene.circle("roller", centre, radius);
-    scene.circle("pin", centre, 0.15 * radius);
+    scene.roller(centre, radius);
     scene.include({centre.x, centre.y + disc.highest - disc.zero}, 1.2 * radius);
     scene.include({centre.x, centre.y + disc.lowest - disc.zero}, 1.2 * radius);
   }
 }
 
-void draw_roller_arm(Scene& scene, const Disc& disc) {
+void draw_arm(Scene& scene, const Disc& disc) {
   const Point pivot{disc["pivot_distance"], 0}, centre = disc.follower();
   const double radius = disc["roller_radius"];
-  scene.body("arm with its roller", {Kind::Swing, -1, pivot});
-  scene.segment("arm", pivot, centre);
-  scene.circle("roller", centre, radius);
-  scene.circle("pin", centre, 0.15 * radius);
-  scene.body("pivot");
-  scene.circle("pivot", pivot, 0.3 * radius);
+  draw_roller_arm(scene, pivot, centre, radius);
   for (const double at : {disc.lowest, disc.highest}) {
     scene.include(turned(centre, pivot, disc.zero - at), radius);
   }
@@ -124,13 +120,14 @@ void draw_flat_arm(Scene& scene, const Disc& disc) {
   const Point pivot{disc["pivot_distance"], 0};
   const double sine = (disc["base_radius"] + disc["face_offset"]) / pivot.x;
   const double psi = std::asin(sine) + disc.zero * std::numbers::pi / 180;
-  const auto levers = disc.curves.values("contact_lever");
+  const std::vector<double>& levers = disc.curves.values("contact_lever");
   const auto [least, most] = std::minmax_element(levers.begin(), levers.end());
   // d - i f exp(-i psi) is the foot of the pivot on the face, -exp(-i psi) the face's direction.
   const double f = disc["face_offset"], c = std::cos(psi), s = std::sin(psi);
   const Point foot{pivot.x - f * s, -f * c};
   const auto along = [&](double t) { return Point{foot.x - t * c, foot.y + t * s}; };
-  scene.body("arm with its face, as long as the contact needs it", {Kind::Swing, -1, pivot});
+  scene.body("arm with its face, as long as the contact needs it",
+             {{Kind::Turn, -1, pivot, "displacement"}});
   scene.segment("arm", pivot, foot);
   scene.segment("arm", foot, along(*least));
   scene.segment("face", along(*least), along(*most));
@@ -148,7 +145,7 @@ std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
   const std::string& name = design.mechanism->name;
   if (!name.starts_with("disc-cam-")) return {};
   const SceneCurves curves(design, points);
-  const auto displacement = curves.values("displacement");
+  const std::vector<double>& displacement = curves.values("displacement");
   const auto [lowest, highest] = std::minmax_element(displacement.begin(), displacement.end());
   double size = 0;
   for (const char* curve : {"profile", "second_profile", "pitch"}) {
@@ -166,7 +163,7 @@ std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
   if (name == "disc-cam-conjugate") draw_conjugate(scene, disc);
   if (name == "disc-cam-swinging-flat") draw_flat_arm(scene, disc);
   if (name.ends_with("-swinging-roller") || name.ends_with("-leading-roller")) {
-    draw_roller_arm(scene, disc);
+    draw_arm(scene, disc);
   }
   return scene;
 }

@@ -90,13 +90,13 @@ int samples_for(std::size_t designs, std::size_t panels) {
 }
 
 /// Whether a front is read with a curve: motions, and what is sought, limited, a load or followed
-/// by the scene.
+/// by a body of the scene.
 bool is_essential(const std::string& name, const PanelWords& words, const FrontAnswer& answer,
-                  const std::string& followed) {
+                  const std::set<std::string>& followed) {
   static const std::set<std::string> loads{"pressure_angle", "follower_force", "drive_torque",
                                            "contact_stress"};
   if (!words.limits.empty() || words.group == "Motion") return true;
-  if (loads.contains(name) || name == followed) return true;
+  if (loads.contains(name) || followed.contains(name)) return true;
   const auto& objectives = answer.study.bound().statement().objectives;
   return std::any_of(objectives.begin(), objectives.end(), [&](const auto& o) {
     return o.response.response != nullptr && o.response.response->name == name;
@@ -106,7 +106,7 @@ bool is_essential(const std::string& name, const PanelWords& words, const FrontA
 /// Of a machine with very many curves the essential ones, and of the others as many as there is
 /// room for.
 void keep_essential(FrontPanels& all, std::size_t room, const FrontAnswer& answer,
-                    const std::string& followed) {
+                    const std::set<std::string>& followed) {
   std::vector<bool> keep;
   for (std::size_t i = 0; i < all.words.size(); ++i) {
     keep.push_back(is_essential(all.figure.panels[i].y.label, all.words[i], answer, followed));
@@ -211,7 +211,8 @@ FrontPanels front_panels(const FrontAnswer& answer, const std::vector<std::size_
   panels.words = panel_words(panels.figure, first, {});
   if (shown.size() * panels.figure.panels.size() > kMostCurves) {
     const std::optional<Scene> scene = scene_of(first, kFewSamples);
-    keep_essential(panels, kMostCurves / shown.size(), answer, scene ? scene->follows() : "");
+    keep_essential(panels, kMostCurves / shown.size(), answer,
+                   scene ? scene->follows() : std::set<std::string>{});
   }
   return panels;
 }

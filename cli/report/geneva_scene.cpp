@@ -34,24 +34,24 @@ std::vector<Point> slot(Point centre, double angle, double tip, double end, doub
 
 std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int) {
   if (design.mechanism->name != "geneva") return {};
-  const PlanarGeneva<double> geneva{parameter_of(design, "slots")};
-  const double distance = parameter_of(design, "centre_distance"),
+  const PlanarGeneva<double> geneva{problems::constant_of(design, "slots")};
+  const double distance = problems::constant_of(design, "centre_distance"),
                crank = distance * geneva.crank();
-  const double pin = parameter_of(design, "pin_radius");
+  const double pin = problems::constant_of(design, "pin_radius");
   const double tip = distance * std::cos(std::numbers::pi / geneva.slots);
   const double entry = -geneva.half_engagement();  // the driver's angle where the cycle begins
   const Point wheel{distance, 0}, pin_at{crank * std::cos(entry), crank * std::sin(entry)};
   const double wheel_angle = geneva.at(entry).angle;
   Scene scene(fmt::format("{}: crank, pin and slots, drawn to scale", design.mechanism->title));
   scene.drawn_at("wheel_angle", wheel_angle * 180 / std::numbers::pi);
-  scene.body("wheel", {Kind::Swing, -1, wheel});
+  scene.body("wheel", {{Kind::Turn, -1, wheel, "wheel_angle"}});
   scene.circle("pitch", wheel, tip);
   for (int k = 0; k < static_cast<int>(geneva.slots); ++k) {
     const double angle = std::numbers::pi - wheel_angle + 2 * std::numbers::pi * k / geneva.slots;
     scene.polyline("roller", slot(wheel, angle, tip, distance - crank, pin), false);
   }
   scene.circle("pivot", wheel, 0.05 * tip);
-  scene.body("driver", {Kind::Turn, 1});
+  scene.body("driver", {{Kind::Turn, 1}});
   scene.segment("arm", {0, 0}, pin_at);
   scene.circle("roller", pin_at, pin);
   scene.circle("pivot", {0, 0}, 0.05 * tip);

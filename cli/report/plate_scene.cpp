@@ -24,23 +24,6 @@ std::vector<Point> repeated(const std::vector<Point>& profile, double period, do
   return outline;
 }
 
-void draw_arm(Scene& scene, Point centre, double radius) {
-  scene.body("arm with its roller", {Kind::Swing, -1, {0, 0}});
-  scene.segment("arm", {0, 0}, centre);
-  scene.circle("roller", centre, radius);
-  scene.circle("pin", centre, 0.15 * radius);
-  scene.body("pivot");
-  scene.circle("pivot", {0, 0}, 0.3 * radius);
-  scene.include({0, 0}, radius);
-}
-
-void draw_roller(Scene& scene, Point centre, double radius) {
-  scene.body("roller", {Kind::Slide});
-  scene.circle("roller", centre, radius);
-  scene.circle("pin", centre, 0.15 * radius);
-  scene.segment("stem", centre, {centre.x, centre.y + 2.2 * radius});
-}
-
 }  // namespace
 
 std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
@@ -49,7 +32,7 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   const SceneCurves curves(design, points);
   const std::vector<Point> profile = curves.points("profile"), pitch = curves.points("pitch");
   const double period = pitch.back().x - pitch.front().x;
-  const double radius = parameter_of(design, "roller_radius");
+  const double radius = problems::constant_of(design, "roller_radius");
   double low = profile.front().y, high = pitch.front().y;
   for (const Point& p : profile) low = std::min(low, p.y);
   for (const Point& p : pitch) high = std::max(high, p.y);
@@ -58,14 +41,15 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   const double back = low - 1.5 * radius, centre = pitch.front().x;
   Scene scene(fmt::format("{}, developed, drawn to scale", design.mechanism->title));
   scene.drawn_at("displacement", curves.values("displacement").front());
-  scene.body("cam, developed", {Kind::Travel, -period / 360});
+  scene.body("cam, developed", {{Kind::Slide, -period / 360, {1, 0}}});
   scene.polyline("cam", repeated(profile, period, back), true);
   scene.polyline("pitch", pitch, false);
   scene.segment("mark", {profile.front().x, back}, profile.front());
   if (arm) {
-    draw_arm(scene, pitch.front(), radius);
+    draw_roller_arm(scene, {0, 0}, pitch.front(), radius);
+    scene.include({0, 0}, radius);
   } else {
-    draw_roller(scene, pitch.front(), radius);
+    draw_pushed_roller(scene, pitch.front(), radius, "displacement");
   }
   scene.include({centre - period / 2, back});
   scene.include({centre + period / 2, high + 2.6 * radius});
@@ -78,7 +62,7 @@ std::optional<Scene> slider_scene(const ProblemStatement& design, int points) {
   for (const auto& declared : design.mechanism->responses) {
     if (declared.name == "displacement" && declared.unit != "mm") return {};
   }
-  const auto displacement = curves.values("displacement");
+  const std::vector<double>& displacement = curves.values("displacement");
   const auto [low, high] = std::minmax_element(displacement.begin(), displacement.end());
   const double stroke = *high - *low, zero = displacement.front();
   if (!std::isfinite(stroke) || !(stroke > 0)) return {};
@@ -88,7 +72,7 @@ std::optional<Scene> slider_scene(const ProblemStatement& design, int points) {
   scene.body("way of the follower");
   scene.segment("way", {*low, 0}, {*high, 0});
   for (const double end : {*low, *high}) scene.segment("way", {end, -half}, {end, half});
-  scene.body("follower", {.kind = Kind::Slide, .direction = {1, 0}});
+  scene.body("follower", {{Kind::Slide, 1, {1, 0}, "displacement"}});
   scene.polyline(
       "roller",
       {{zero - thick, -half}, {zero + thick, -half}, {zero + thick, half}, {zero - thick, half}},

@@ -11,37 +11,37 @@
 namespace camlaw::cli {
 namespace {
 
-std::string motion_attributes(const BodyMotion& motion, double zero) {
+const char* kind_text(BodyMotion::Kind kind) {
   using K = BodyMotion::Kind;
-  const Point about = motion.kind == K::Slide ? motion.direction : motion.pivot;
-  const auto attribute = [&](const char* kind) {
-    return fmt::format(
-        " data-motion=\"{}\" data-factor=\"{:.9g}\" data-about=\"{:.6g} {:.6g}\" "
-        "data-zero=\"{:.9g}\"",
-        kind, motion.factor, about.x, about.y, zero);
-  };
-  switch (motion.kind) {
-    case K::Turn:
-      return attribute("turn");
-    case K::Slide:
-      return attribute("slide");
-    case K::Swing:
-      return attribute("swing");
-    case K::Travel:
-      return attribute("travel");
-    case K::Fixed:
-      break;
-  }
-  return "";
+  return kind == K::Turn ? "turn" : kind == K::Slide ? "slide" : "harmonic";
+}
+
+/// As motion.js reads it: the kind, the curve or "cycle", its value as drawn, then the numbers.
+std::string step_text(const BodyMotion& step, const std::map<std::string, double>& drawn_at) {
+  const bool by_cycle = step.curve.empty();
+  return fmt::format("{} {} {:.9g} {:.9g} {:.6g} {:.6g} {:.9g}", kind_text(step.kind),
+                     by_cycle ? "cycle" : step.curve, by_cycle ? 0 : drawn_at.at(step.curve),
+                     step.factor, step.about.x, step.about.y, step.phase);
 }
 
 }  // namespace
 
-void Scene::body(std::string_view name, const BodyMotion& motion) {
+void Scene::body(std::string_view name, const std::vector<BodyMotion>& steps) {
+  std::string motion;
+  for (const BodyMotion& step : steps) {
+    motion += (motion.empty() ? "" : "; ") + step_text(step, drawn_at_);
+  }
   if (open_) bodies_ += "</g>\n";
   bodies_ += fmt::format("<g class=\"body\"{}><title>{}</title>\n",
-                         motion_attributes(motion, zero_), xml_escape(name));
+                         motion.empty() ? "" : fmt::format(" data-motion=\"{}\"", motion),
+                         xml_escape(name));
   open_ = true;
+}
+
+std::set<std::string> Scene::follows() const {
+  std::set<std::string> curves;
+  for (const auto& [curve, value] : drawn_at_) curves.insert(curve);
+  return curves;
 }
 
 void Scene::polyline(std::string_view kind, const std::vector<Point>& points, bool closed) {
@@ -63,6 +63,11 @@ void Scene::segment(std::string_view kind, Point from, Point to) {
                   kind, from.x, from.y, to.x, to.y);
 }
 
+void Scene::roller(Point centre, double radius) {
+  circle("roller", centre, radius);
+  circle("pin", centre, 0.15 * radius);
+}
+
 void Scene::include(Point p) {
   if (!window_) window_ = {p, p};
   auto& [low, high] = *window_;
@@ -81,8 +86,8 @@ std::string Scene::svg() const {
   const double width = high.x - low.x + 2 * margin, height = high.y - low.y + 2 * margin;
   return fmt::format(
              "<svg class=\"scene\" role=\"img\" aria-label=\"{}\" viewBox=\"{:.2f} {:.2f} {:.2f} "
-             "{:.2f}\" data-curve=\"{}\">\n<g transform=\"scale(1,-1)\">\n",
-             xml_escape(title_), low.x - margin, -(high.y + margin), width, height, follows_) +
+             "{:.2f}\">\n<g transform=\"scale(1,-1)\">\n",
+             xml_escape(title_), low.x - margin, -(high.y + margin), width, height) +
          bodies_ + (open_ ? "</g>\n" : "") + "</g></svg>\n";
 }
 
@@ -94,7 +99,12 @@ bool SceneCurves::has(const std::string& name) const {
                      [&](const optim::Response& curve) { return curve.name == name; });
 }
 
-std::vector<double> SceneCurves::values(const std::string& name) const {
+const std::vector<double>& SceneCurves::values(const std::string& name) const {
+  const auto known = known_.find(name);
+  return known != known_.end() ? known->second : known_[name] = sampled(name);
+}
+
+std::vector<double> SceneCurves::sampled(const std::string& name) const {
   const auto curve =
       std::find_if(curves_.begin(), curves_.end(),
                    [&](const optim::Response& response) { return response.name == name; });
@@ -110,7 +120,7 @@ std::vector<double> SceneCurves::values(const std::string& name) const {
 }
 
 std::vector<Point> SceneCurves::points(const std::string& name) const {
-  const std::vector<double> x = values(name + "_x"), y = values(name + "_y");
+  const std::vector<double>&x = values(name + "_x"), &y = values(name + "_y");
   std::vector<Point> result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back({x[i], y[i]});
   return result;
@@ -121,12 +131,23 @@ bool has_parameter(const problems::ProblemStatement& design, std::string_view na
   return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
 }
 
-double parameter_of(const problems::ProblemStatement& design, std::string_view name) {
-  return design.constants[design.mechanism->parameter(name)];
+void draw_pushed_roller(Scene& scene, Point centre, double radius, const std::string& curve) {
+  scene.body("roller", {{BodyMotion::Kind::Slide, 1, {0, 1}, curve}});
+  scene.roller(centre, radius);
+  scene.segment("stem", centre, {centre.x, centre.y + 2.2 * radius});
+}
+
+void draw_roller_arm(Scene& scene, Point pivot, Point centre, double radius) {
+  scene.body("arm with its roller", {{BodyMotion::Kind::Turn, -1, pivot, "displacement"}});
+  scene.segment("arm", pivot, centre);
+  scene.roller(centre, radius);
+  scene.body("pivot");
+  scene.circle("pivot", pivot, 0.3 * radius);
 }
 
 std::optional<Scene> scene_of(const problems::ProblemStatement& design, int points) {
-  for (const auto& draw : {disc_scene, plate_scene, geneva_scene, slider_scene}) {
+  for (const auto& draw : {balancing_scene, disc_scene, feeder_scene, geneva_scene, plate_scene,
+                           spherical_geneva_scene, slider_scene}) {
     if (std::optional<Scene> scene = draw(design, points)) return scene;
   }
   return {};

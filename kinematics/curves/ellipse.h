@@ -15,17 +15,19 @@ struct Ellipse {
   Ellipse<R> as() const {
     return {convert<R>(n)};
   }
-  CurveDerivatives<T> operator()(const T& y) const;
+  template <std::size_t N>
+  CurveDerivatives<T, N> derivatives(const T& y) const;
 };
 
 template <class T>
-CurveDerivatives<T> Ellipse<T>::operator()(const T& y) const {
-  using S = Series<T, kCurveOrders>;
+template <std::size_t N>
+CurveDerivatives<T, N> Ellipse<T>::derivatives(const T& y) const {
+  using S = Series<T, N>;
   const T one = number<T>(1);
   const T k = one - one / (n * n);
   const auto [sine, cosine] = sincos(S::variable(pi<T>() * y, pi<T>()));
   const S shape = cosine / sqrt(S(one) - k * (sine * sine));
-  return derivatives(ratio<T>(1, 2) * (S(one) - shape));
+  return camlaw::derivatives(ratio<T>(1, 2) * (S(one) - shape));
 }
 
 }  // namespace camlaw

@@ -18,7 +18,8 @@ struct HalfEllipse {
   HalfEllipse<R> as() const {
     return {integrations};
   }
-  CurveDerivatives<T> operator()(T y) const;
+  template <std::size_t N>
+  CurveDerivatives<T, N> derivatives(T y) const;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -69,19 +70,19 @@ T ellipse_height(const T& y) {
 /// All derivatives of the height h: with w = 1 - y^2, h^(k) = -P_k(y) w^(1/2 - k), where P_1 = y
 /// and P_(k+1) = w P_k' + (2 k - 1) y P_k has no negative coefficient: bounds stay sharp near the
 /// ends.
-template <class T>
-CurveDerivatives<T> ellipse_height_derivatives(const T& y) {
+template <std::size_t N, class T>
+CurveDerivatives<T, N> ellipse_height_derivatives(const T& y) {
   const T w = (number<T>(1) - y) * (number<T>(1) + y);
-  CurveDerivatives<T> result;
+  CurveDerivatives<T, N> result;
   result[0] = ellipse_height(y);
-  std::array<double, kCurveOrders> p{};  // coefficients of P_k
+  std::array<double, N + 1> p{};  // coefficients of P_k
   p[1] = 1;
-  for (std::size_t k = 1; k < kCurveOrders; ++k) {
+  for (std::size_t k = 1; k < N; ++k) {
     T sum = number<T>(0);
-    for (std::size_t i = kCurveOrders; i-- > 0;) sum = sum * y + number<T>(p[i]);
+    for (std::size_t i = k + 1; i-- > 0;) sum = sum * y + number<T>(p[i]);
     result[k] = -(sum * real_power(w, 0.5 - static_cast<double>(k)));
-    std::array<double, kCurveOrders> next{};
-    for (std::size_t i = 0; i + 1 < kCurveOrders; ++i) {
+    std::array<double, N + 1> next{};
+    for (std::size_t i = 0; i + 1 < N; ++i) {
       const double power = static_cast<double>(i);
       if (i > 0) next[i - 1] += power * p[i];
       next[i + 1] += (2 * static_cast<double>(k) - 1 - power) * p[i];
@@ -123,18 +124,19 @@ struct EllipseMoment {
 }  // namespace detail
 
 template <class T>
-CurveDerivatives<T> HalfEllipse<T>::operator()(T y) const {
+template <std::size_t N>
+CurveDerivatives<T, N> HalfEllipse<T>::derivatives(T y) const {
   y = detail::on_ellipse(y);
-  CurveDerivatives<T> result;
+  CurveDerivatives<T, N> result;
   result[0] = detail::rising(detail::EllipseArea{}, y);
   std::size_t filled = 1;
   if (integrations == 2) {
-    result[1] = result[0];
+    if constexpr (N > 1) result[1] = result[0];
     result[0] = detail::rising(detail::EllipseMoment{}, y);
     filled = 2;
   }
-  const auto height = detail::ellipse_height_derivatives(y);
-  for (std::size_t k = filled; k < kCurveOrders; ++k) result[k] = height[k - filled];
+  const auto height = detail::ellipse_height_derivatives<N>(y);
+  for (std::size_t k = filled; k < N; ++k) result[k] = height[k - filled];
   return result;
 }
 

@@ -19,7 +19,8 @@ struct InclinedSine {
   InclinedSine<R> as() const {
     return {convert<R>(e)};
   }
-  CurveDerivatives<T> operator()(const T& y) const;
+  template <std::size_t N>
+  CurveDerivatives<T, N> derivatives(const T& y) const;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -51,24 +52,25 @@ Interval kepler_root(const Interval& e, const Interval& y);
 }  // namespace detail
 
 template <class T>
-CurveDerivatives<T> InclinedSine<T>::operator()(const T& y) const {
+template <std::size_t N>
+CurveDerivatives<T, N> InclinedSine<T>::derivatives(const T& y) const {
   const T t = detail::kepler_root(e, y);
   const T one = number<T>(1);
   const T turn = number<T>(2) * pi<T>();
-  const auto [sine, cosine] = sincos(Series<T, kCurveOrders>::variable(turn * t, turn));
-  const auto base = Series<T, kCurveOrders>::variable(t, one) - (e / turn) * sine;
-  const auto height = Series<T, kCurveOrders>::variable(t, one) - (one / turn) * sine;
-  CurveDerivatives<T> result;
+  const auto [sine, cosine] = sincos(Series<T, N>::variable(turn * t, turn));
+  const auto base = Series<T, N>::variable(t, one) - (e / turn) * sine;
+  const auto height = Series<T, N>::variable(t, one) - (one / turn) * sine;
+  CurveDerivatives<T, N> result;
   result[0] = height.c[0];
   // d/dy = (d/dt) / (dy/dt), one order lost with each derivative.
-  const auto next = [&]<std::size_t N>(const auto& self, const Series<T, N>& f) -> void {
-    if constexpr (N > 1) {
-      Series<T, N - 1> rate;
-      for (std::size_t k = 0; k + 1 < N; ++k) {
+  const auto next = [&]<std::size_t M>(const auto& self, const Series<T, M>& f) -> void {
+    if constexpr (M > 1) {
+      Series<T, M - 1> rate;
+      for (std::size_t k = 0; k + 1 < M; ++k) {
         rate.c[k] = number<T>(static_cast<double>(k + 1)) * base.c[k + 1];
       }
-      const Series<T, N - 1> slope = derivative(f) / rate;
-      result[kCurveOrders - (N - 1)] = slope.c[0];
+      const Series<T, M - 1> slope = derivative(f) / rate;
+      result[N - (M - 1)] = slope.c[0];
       self(self, slope);
     }
   };

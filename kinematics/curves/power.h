@@ -14,14 +14,16 @@ struct Power {
   Power<R> as() const {
     return {exponent};
   }
-  CurveDerivatives<T> operator()(const T& y) const;
+  template <std::size_t N>
+  CurveDerivatives<T, N> derivatives(const T& y) const;
 };
 
 template <class T>
-CurveDerivatives<T> Power<T>::operator()(const T& y) const {
-  CurveDerivatives<T> result;
+template <std::size_t N>
+CurveDerivatives<T, N> Power<T>::derivatives(const T& y) const {
+  CurveDerivatives<T, N> result;
   T factor = number<T>(1);
-  for (std::size_t k = 0; k < kCurveOrders; ++k) {
+  for (std::size_t k = 0; k < N; ++k) {
     const double rest = exponent - static_cast<double>(k);
     result[k] = is_number(factor, 0) ? factor : factor * real_power(y, rest);
     factor = rest == 0 ? number<T>(0) : factor * number<T>(rest);

@@ -54,17 +54,14 @@ class Block final : public ceres::CostFunction {
   mutable std::exception_ptr thrown_;
 };
 
-ceres::Solver::Options settings(int max_iterations, Pace pace) {
+ceres::Solver::Options settings(int max_iterations, double tolerance, Pace pace) {
   ceres::Solver::Options options;
   options.max_num_iterations = max_iterations;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
 
-  // Tolerances far below what is wanted: narrow valleys make little headway in many steps, and what
-  // ends too early here the polish after it cannot mend.
-  options.function_tolerance = 1e-15;
+  options.function_tolerance = options.parameter_tolerance = tolerance;
   options.gradient_tolerance = 1e-30;
-  options.parameter_tolerance = 1e-14;
   options.max_num_consecutive_invalid_steps = 50;
   if (pace == Pace::Cautious) {
     // Levenberg's damping, the same for all parameters in their scales, instead of Marquardt's by
@@ -92,7 +89,7 @@ class Silence {
 }  // namespace
 
 CeresSearch ceres_search(const Residuals& residuals, const FitBox& box, const VectorXd& scales,
-                         const VectorXd& start, int max_iterations, Pace pace) {
+                         const VectorXd& start, int max_iterations, double tolerance, Pace pace) {
   Block block(residuals, box, scales);
   VectorXd y = start.cwiseQuotient(scales);
   ceres::Problem::Options ownership;
@@ -120,7 +117,7 @@ CeresSearch ceres_search(const Residuals& residuals, const FitBox& box, const Ve
   ceres::Solver::Summary summary;
   if (!fixed.empty()) problem.SetManifold(y.data(), &manifold);
   const Silence silence;
-  ceres::Solve(settings(max_iterations, pace), &problem, &summary);
+  ceres::Solve(settings(max_iterations, tolerance, pace), &problem, &summary);
   block.rethrow();
   return {block.unscaled(y), static_cast<int>(summary.iterations.size())};
 }

@@ -23,11 +23,12 @@ struct CeresSearch {
 
 /// Levenberg and Marquardt's method of Ceres, from a start within the box at which the residuals
 /// are defined. `scales` are typical sizes of the parameters. Where the residuals are undefined a
-/// step is refused. Ends after `max_iterations` or where nothing is gained; whether the end is a
-/// minimum is for the caller to see. What the residuals throw is thrown on.
+/// step is refused. Ends after `max_iterations` or where the sum and the parameters change by no
+/// more than about `tolerance` of themselves; whether the end is a minimum is for the caller to
+/// see. What the residuals throw is thrown on.
 CeresSearch ceres_search(const Residuals& residuals, const FitBox& box,
                          const Eigen::VectorXd& scales, const Eigen::VectorXd& start,
-                         int max_iterations, Pace pace);
+                         int max_iterations, double tolerance, Pace pace);
 
 /// "ceres 2.1.0".
 std::string ceres_version();

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "optim/fit/identifiability.h"
+#include "optim/fit/statistics.h"
 
 namespace camlaw::optim {
 namespace {
@@ -119,11 +119,7 @@ void fill_covariance(const Identifiability& known, const std::vector<Index>& fre
 /// Deviation and interval of each parameter.
 void fill_intervals(const std::vector<FitParameter>& given, const std::vector<bool>& held,
                     double confidence, FitResult& result) {
-  double quantile = kNan;
-  if (result.degrees_of_freedom > 0) {
-    const boost::math::students_t_distribution<double> student(result.degrees_of_freedom);
-    quantile = boost::math::quantile(student, (1 + confidence) / 2);
-  }
+  const double quantile = student_quantile(result.degrees_of_freedom, confidence);
   for (std::size_t j = 0; j < given.size(); ++j) {
     FittedParameter& p = result.parameters[j];
     const FitParameter& bounds = given[j];

@@ -39,13 +39,14 @@ bool better(const FitPoint& next, const GaussNewton& next_step, const FitPoint& 
   return next.sum() <= point.sum() + slack && next_step.reduction < step.reduction;
 }
 
-/// Steps until none is better.
-FitPoint polished(const Residuals& residuals, const FitBox& box, double tolerance, FitPoint point) {
+/// Steps until none is better, or what is left to follow is at most `enough` of the residuals.
+FitPoint polished(const Residuals& residuals, const FitBox& box, double tolerance, double enough,
+                  FitPoint point) {
   // Steps converge linearly with a rate that grows with the residuals: slow fits are given time.
   constexpr int kMostSteps = 200;
   constexpr double kShares[] = {1, 0.5, 0.1, 0.01};
   GaussNewton step = gauss_newton(point, box, tolerance);
-  for (int i = 0; i < kMostSteps && step.reduction > 0; ++i) {
+  for (int i = 0; i < kMostSteps && step.reduction > enough * point.r.norm(); ++i) {
     bool went = false;
     for (const double share : kShares) {
       auto next = fit_point(residuals, stepped(point, box, step.step, share));
@@ -64,13 +65,13 @@ FitPoint polished(const Residuals& residuals, const FitBox& box, double toleranc
 
 }  // namespace
 
-FitPoint polish(const Residuals& residuals, const FitBox& box, FitPoint point) {
+FitPoint polish(const Residuals& residuals, const FitBox& box, double enough, FitPoint point) {
   // Weak directions have digits of their own to gain. Where the Jacobian is singular at the minimum
   // they lead astray instead, and the others go on without them.
   constexpr double kWeakest = 1e-13;
-  point = polished(residuals, box, kWeakest, std::move(point));
+  point = polished(residuals, box, kWeakest, enough, std::move(point));
   if (gauss_newton(point, box, kRankTolerance).full_rank) return point;
-  return polished(residuals, box, kRankTolerance, std::move(point));
+  return polished(residuals, box, kRankTolerance, enough, std::move(point));
 }
 
 }  // namespace camlaw::optim

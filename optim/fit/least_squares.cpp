@@ -110,6 +110,24 @@ std::vector<std::vector<double>> all_starts(const std::vector<FitParameter>& par
   return starts(box, options.starts, options.seed);
 }
 
+/// By Ceres's steps at a pace, or by those of Gauss and Newton alone.
+struct Way {
+  std::optional<Pace> pace;
+};
+
+/// What is tried in turn until an end is sound.
+std::vector<Way> ways(FitReach reach) {
+  switch (reach) {
+    case FitReach::Rough:
+      return {{Pace::Bold}};
+    case FitReach::Near:
+      return {{}, {Pace::Bold}, {Pace::Cautious}};
+    case FitReach::Full:
+      break;
+  }
+  return {{Pace::Bold}, {Pace::Cautious}};
+}
+
 /// The search of one fit, from one start at a time.
 class Search {
  public:
@@ -127,19 +145,21 @@ class Search {
     }
   }
 
-  /// Where it ends, and what ends are compared by: the sum of losses, or the estimated scale.
+  /// Where it ends, and what ends are compared by: the sum of losses, or the estimated scale's
+  /// square.
   struct End {
     FitEnd end;
     double merit = kInfinity;
+    bool stationary = false;
     bool sound = false;  ///< stationary, and every parameter matters there
   };
 
   /// Nothing where the residuals are undefined at the start.
-  std::optional<End> from(const VectorXd& start, Pace pace) {
+  std::optional<End> from(const VectorXd& start, Way way) {
     const bool estimated = options_.loss != Loss::None && !options_.loss_scale;
-    if (!estimated) return with_scale(start, pace, options_.loss, options_.loss_scale);
-    const auto plain = with_scale(start, pace, Loss::None, std::nullopt);
-    return plain ? std::optional(with_estimated_scale(*plain, pace)) : std::nullopt;
+    if (!estimated) return with_scale(start, way, options_.loss, options_.loss_scale);
+    const auto plain = with_scale(start, way, Loss::None, std::nullopt);
+    return plain ? std::optional(with_estimated_scale(*plain, way)) : std::nullopt;
   }
 
   const FitBox& box() const { return box_; }
@@ -147,23 +167,50 @@ class Search {
   int evaluations() const { return evaluations_; }
 
  private:
-  std::optional<End> with_scale(const VectorXd& start, Pace pace, Loss loss,
+  std::optional<End> with_scale(const VectorXd& start, Way way, Loss loss,
                                 std::optional<double> scale) {
     const LossResiduals summed(residuals_, loss, scale.value_or(1));
     std::optional<End> result;
     if (const auto first = fit_point(summed, start)) {
-      const CeresSearch found =
-          ceres_search(summed, box_, scales_, start, options_.max_iterations, pace);
-      iterations_ += found.iterations;
-      const auto last = fit_point(summed, found.p);
-      const FitPoint end = polish(summed, box_, last ? *last : *first);
+      const FitPoint end = found(summed, *first, way);
       const GaussNewton step = gauss_newton(end, box_, kRankTolerance);
+      // Next to a minimum a parameter that does not matter does not matter there either.
+      const bool stationary = is_stationary(end, step);
       result = {{end.p, loss == Loss::None ? std::nullopt : scale, {}},
                 end.sum(),
-                step.full_rank && is_stationary(end, step)};
+                stationary,
+                stationary && (step.full_rank || !way.pace)};
     }
     evaluations_ += summed.evaluations();
     return result;
+  }
+
+  /// Parameters that rounding has set beside a bound stand at it.
+  VectorXd at_bounds(VectorXd p) const {
+    constexpr double kBeside = 1e-12;
+    for (Index j = 0; j < p.size(); ++j) {
+      if (p[j] - box_.lower[j] < kBeside * scales_[j]) p[j] = box_.lower[j];
+      if (box_.upper[j] - p[j] < kBeside * scales_[j]) p[j] = box_.upper[j];
+    }
+    return p;
+  }
+
+  /// Where the search of the residuals with their loss ends.
+  FitPoint found(const Residuals& summed, FitPoint start, Way way) {
+    // Far below what is wanted: narrow valleys make little headway in many steps, and what ends too
+    // early here the polish after it cannot mend.
+    constexpr double kLastDigits = 1e-15, kRough = 1e-6;
+    const bool is_rough = options_.reach == FitReach::Rough;
+    if (way.pace) {
+      const CeresSearch end = ceres_search(summed, box_, scales_, start.p, options_.max_iterations,
+                                           is_rough ? kRough : kLastDigits, *way.pace);
+      iterations_ += end.iterations;
+      if (auto last = fit_point(summed, at_bounds(end.p))) start = std::move(*last);
+    }
+    if (is_rough) return start;
+    // In units of their standard deviations parameters are then off by about as much.
+    constexpr double kEnough = 1e-9;
+    return polish(summed, box_, way.pace ? 0 : kEnough, std::move(start));
   }
 
   /// The loss's scale from the residuals at p.
@@ -175,29 +222,29 @@ class Search {
   }
 
   /// Fits and estimates in turn, from a fit without a loss.
-  End with_estimated_scale(const End& plain, Pace pace) {
+  End with_estimated_scale(const End& plain, Way way) {
     constexpr int kRounds = 100;
-    constexpr double kSettled = 1e-8;
+    const double settled = options_.reach == FitReach::Rough ? 1e-3 : 1e-8;
     // Where more than half of the residuals vanish, so would the scale. This share of the first
     // fit's deviation is kept, and keeps the outliers' pull below what could be seen.
     constexpr double kLeast = 1e-6;
     const double least = kLeast * std::sqrt(plain.merit / static_cast<double>(residuals_.count()));
-    if (least == 0) return {plain.end, 0, plain.sound};
+    if (least == 0) return {plain.end, 0, plain.stationary, plain.sound};
     End now = plain;
     double scale = std::max(least, scale_at(now.end.p));
     for (int round = 0; round < kRounds; ++round) {
-      now = *with_scale(now.end.p, pace, options_.loss, scale);
+      now = *with_scale(now.end.p, way, options_.loss, scale);
       const double next = std::max(least, scale_at(now.end.p));
-      if (std::abs(next - scale) <= kSettled * scale) {
+      if (std::abs(next - scale) <= settled * scale) {
         if (scale == least) {
           now.end.doubt = "more than half of the residuals vanish: the loss has no scale to go by";
         }
-        return {now.end, scale, now.sound};
+        return {now.end, scale * scale, now.stationary, now.sound};
       }
       scale = next;
     }
     now.end.doubt = "the scale of the loss did not settle";
-    return {now.end, scale, now.sound};
+    return {now.end, scale * scale, now.stationary, now.sound};
   }
 
   const Residuals& residuals_;
@@ -209,21 +256,32 @@ class Search {
 
 }  // namespace
 
+std::vector<double> counted_residuals(const FitResult& fit) {
+  std::vector<double> counted = fit.residuals;
+  for (std::size_t i = 0; i < counted.size(); ++i) counted[i] *= fit.weights[i];
+  return counted;
+}
+
 FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
               const FitOptions& options) {
   check(parameters, residuals, options);
   Search search(parameters, residuals, options);
   const auto starts = all_starts(parameters, options);
   std::optional<Search::End> best;
-  for (const Pace pace : {Pace::Bold, Pace::Cautious}) {
+  for (const Way way : ways(options.reach)) {
     if (best && best->sound) break;
     for (const std::vector<double>& start : starts) {
       const Eigen::Map<const VectorXd> p(start.data(), static_cast<Index>(start.size()));
-      const auto end = search.from(p, pace);
-      if (end && (!best || end->merit < best->merit * (1 - kSame))) best = end;
+      const auto end = search.from(p, way);
+      if (!end) continue;
+      const bool is_better = !best || end->merit < best->merit * (1 - kSame);
+      const bool is_sounder =
+          best && end->stationary && !best->stationary && end->merit <= best->merit * (1 + kSame);
+      if (is_better || is_sounder) best = end;
     }
   }
   FitResult result = fit_report(parameters, residuals, options, search.box(), best->end);
+  result.merit = best->merit;
   result.iterations = search.iterations();
   result.evaluations = search.evaluations();
   return result;

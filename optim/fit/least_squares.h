@@ -27,6 +27,15 @@ struct FitParameter {
   std::optional<double> scale = {};
 };
 
+/// How far off a fit may begin, and how near the minimum it ends.
+enum class FitReach {
+  Full,  ///< searches from any start, ends at the last digits
+  /// From a start next to the minimum: steps of Gauss and Newton, the search only where these do
+  /// not settle.
+  Near,
+  Rough  ///< searches until the sum changes by no more than 1e-6 of itself: a start for Near
+};
+
 struct FitOptions {
   Loss loss = Loss::None;
   /// In the residuals' unit. By default efficient_scale() of the residuals' median absolute
@@ -38,6 +47,7 @@ struct FitOptions {
   std::uint64_t seed = 0;     ///< shifts the further starts
   double confidence = 0.95;   ///< of the intervals
   int max_iterations = 1000;  ///< of one search from one start
+  FitReach reach = FitReach::Full;
 };
 
 struct FittedParameter {
@@ -77,6 +87,9 @@ struct FitResult {
   /// asymptotic covariance: Huber's sandwich, (R6).
   double sigma = 0;
   std::optional<double> loss_scale = {};  ///< that was used; none without a loss
+  /// What fits to the same residuals are compared by, the less the better: the sum of rho(r), of an
+  /// estimated scale that scale's square.
+  double merit = 0;
 
   /// By our own test, not by a solver's word: what the model can still follow is less than 1e-6 of
   /// the residuals' length, or no more than the rounding of parameters makes of it (R4).
@@ -90,6 +103,10 @@ struct FitResult {
   /// In words why values or intervals cannot be trusted; empty where they can.
   std::string reason;
 };
+
+/// Residuals as the loss counts them, each times its weight, so that far-off ones do not hide what
+/// the others look like.
+std::vector<double> counted_residuals(const FitResult& fit);
 
 /// Equal inputs, equal bits. Throws std::invalid_argument naming what is wrong: no parameters or
 /// residuals, bounds that cross, a start outside its bounds, residuals or derivatives that are not

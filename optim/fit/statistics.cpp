@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -43,21 +44,23 @@ double median_absolute_deviation(std::span<const double> values, std::optional<d
   return median(distances) / kThirdQuartile;
 }
 
-namespace {
-
-std::vector<double> in_order_of(std::span<const double> x, std::span<const double> values) {
-  std::vector<std::size_t> order(x.size());
+std::vector<std::size_t> order_of(std::span<const double> values) {
+  std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
-  std::vector<double> result;
-  for (const std::size_t i : order) result.push_back(values[i]);
-  return result;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
 }
 
-}  // namespace
+double student_quantile(int degrees_of_freedom, double confidence) {
+  if (degrees_of_freedom <= 0) return std::numeric_limits<double>::quiet_NaN();
+  const boost::math::students_t_distribution<double> student(degrees_of_freedom);
+  return boost::math::quantile(student, (1 + confidence) / 2);
+}
 
-double neighbour_correlation(std::span<const double> x, std::span<const double> residuals) {
-  const std::vector<double> r = in_order_of(x, residuals);
+namespace {
+
+double neighbour_correlation(const std::vector<double>& r) {
   double products = 0, squares = 0;
   for (std::size_t i = 0; i < r.size(); ++i) {
     squares += r[i] * r[i];
@@ -66,9 +69,8 @@ double neighbour_correlation(std::span<const double> x, std::span<const double> 
   return squares > 0 ? products / squares : 0;
 }
 
-double block_squares(std::span<const double> x, std::span<const double> residuals) {
+double block_squares(const std::vector<double>& r) {
   constexpr std::size_t kBlocks = 30, kLeast = 4;
-  const std::vector<double> r = in_order_of(x, residuals);
   const std::size_t n = r.size();
   if (n < kLeast * kBlocks) return 1;
   double differences = 0;
@@ -85,11 +87,24 @@ double block_squares(std::span<const double> x, std::span<const double> residual
   return sum / kBlocks;
 }
 
-bool is_curve(double correlation, double squares, std::size_t n) {
+bool is_curve(const ResidualPattern& pattern, std::size_t n) {
+  constexpr std::size_t kEnough = 20;
   constexpr double kDeviations = 3.7, kMost = 0.5, kLeast = 0.1;
   constexpr double kSquares = 2.3;  // chi-square of 30 over 30 at 1e-4
+  if (n < kEnough) return false;
   const double alike = std::clamp(kDeviations / std::sqrt(static_cast<double>(n)), kLeast, kMost);
-  return correlation > alike || (correlation > 0 && squares > kSquares);
+  return pattern.correlation > alike ||
+         (pattern.correlation > 0 && pattern.block_squares > kSquares);
+}
+
+}  // namespace
+
+ResidualPattern residual_pattern(std::span<const double> x, std::span<const double> residuals) {
+  std::vector<double> r;
+  for (const std::size_t i : order_of(x)) r.push_back(residuals[i]);
+  ResidualPattern pattern{neighbour_correlation(r), block_squares(r)};
+  pattern.is_curve = is_curve(pattern, r.size());
+  return pattern;
 }
 
 double cross_validated_error(std::size_t n, std::size_t folds, const FoldError& squared_error) {

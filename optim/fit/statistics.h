@@ -29,19 +29,28 @@ double median(std::span<const double> values);
 /// that normal values have their standard deviation. By default the centre is the median.
 double median_absolute_deviation(std::span<const double> values, std::optional<double> centre = {});
 
-/// Correlation of residuals with their neighbours by x: near zero where they are noise, near one
-/// where a model leaves a curve; 0 where all are zero.
-double neighbour_correlation(std::span<const double> x, std::span<const double> residuals);
+/// The indexes of values from the least to the greatest.
+std::vector<std::size_t> order_of(std::span<const double> values);
 
-/// Squares of the means of 30 blocks of neighbours by x, in units of what noise makes of them, on
-/// average: near one for noise, above where a model leaves a curve that is slow and small. The
-/// noise is told by differences of neighbours. One for fewer than 120 residuals.
-double block_squares(std::span<const double> x, std::span<const double> residuals);
+/// Student's t that a share of all lies within, both sides together; NaN without degrees of
+/// freedom.
+double student_quantile(int degrees_of_freedom, double confidence);
 
-/// Whether n residuals are no noise, by their neighbours' correlation and block_squares: chance
-/// makes either about once in 10 000. A correlation below a tenth is passed over, however many
-/// there are: no model is that exact.
-bool is_curve(double correlation, double block_squares, std::size_t n);
+/// What n residuals look like along x.
+struct ResidualPattern {
+  /// Of neighbours: near zero for noise, near one where a model leaves a curve; 0 where all are
+  /// zero.
+  double correlation = 0;
+  /// Squares of the means of 30 blocks of neighbours, in units of what noise makes of them, on
+  /// average: near one for noise, above where a model leaves a curve that is slow and small. The
+  /// noise is told by differences of neighbours. One for fewer than 120 residuals.
+  double block_squares = 1;
+  /// Whether they are no noise: chance makes either number as large about once in 10 000. A
+  /// correlation below a tenth is passed over, however many there are: no model is that exact.
+  /// Fewer than 20 residuals may look like anything.
+  bool is_curve = false;
+};
+ResidualPattern residual_pattern(std::span<const double> x, std::span<const double> residuals);
 
 /// The sum of squared errors of the points `left_out` under a model fitted to the points `kept`.
 using FoldError = std::function<double(const std::vector<std::size_t>& kept,

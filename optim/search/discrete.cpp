@@ -37,7 +37,15 @@ class Whole {
         options_(options),
         deadline_(deadline),
         whole_(whole_variables(problem)),
-        sign_(problem.objective.sense == Sense::Minimize ? 1 : -1) {}
+        sign_(problem.objective.sense == Sense::Minimize ? 1 : -1) {
+    if (!options.progress) return;
+    options_.progress = [this, whole = options.progress](Progress progress) {
+      progress.done = done(progress.done);
+      whole(progress);
+    };
+  }
+  Whole(const Whole&) = delete;
+  Whole& operator=(const Whole&) = delete;
 
   WholeSearch run() {
     constexpr double kEnumerable = 2000;
@@ -59,6 +67,13 @@ class Whole {
   }
 
  private:
+  /// The share that is through, with that of the problem in hand; of a tree nobody knows it.
+  double done(double of_this) const {
+    if (!result_.enumerated) return 0;
+    return (static_cast<double>(result_.solved) + of_this) /
+           static_cast<double>(result_.combinations);
+  }
+
   /// Solves one continuous problem, counts, and keeps the best design whose whole variables are
   /// whole. The answer itself comes back.
   Found solve(const Problem& continuous) {
@@ -216,7 +231,7 @@ class Whole {
   }
 
   const Problem& problem_;
-  const OptimiseOptions& options_;
+  OptimiseOptions options_;
   const Deadline& deadline_;
   std::vector<std::size_t> whole_;
   double sign_;

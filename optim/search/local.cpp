@@ -117,7 +117,12 @@ class Search {
     result.time_limit = deadline_.left();
     result.seed = options_.seed;
     result.stop = options_.stop;
-    result.progress = options_.progress;
+    if (!options_.progress) return result;
+    result.progress = [this](Progress progress) {
+      const int planned = std::max(found_.planned_starts, 1);
+      progress.done = static_cast<double>(std::max(found_.starts - 1, 0)) / planned;
+      options_.progress(progress);
+    };
     return result;
   }
 

@@ -95,24 +95,35 @@ class Optimiser {
         tally_.combinations += count - i;
         break;
       }
-      solve(options_at(space_.choices, i));
+      solve(options_at(space_.choices, i), part_of_progress(i, count));
     }
     settle();
     return std::move(best_);
   }
 
  private:
-  void solve(std::vector<std::size_t> options) {
+  /// What is reported of one combination, as part of all.
+  OptimiseOptions part_of_progress(std::size_t i, std::size_t count) const {
+    OptimiseOptions result = options_;
+    if (!options_.progress) return result;
+    result.progress = [this, i, count](Progress progress) {
+      progress.done = (static_cast<double>(i) + progress.done) / static_cast<double>(count);
+      options_.progress(progress);
+    };
+    return result;
+  }
+
+  void solve(std::vector<std::size_t> options, const OptimiseOptions& how) {
     Problem problem = space_.problem(options);
     problem.check();
     const bool alone = space_.choices.empty() && !has_whole(problem);
     if (alone) {
       tally_.combinations = tally_.solved = 1;
       best_.problem = std::move(problem);
-      best_.found = search_continuous(best_.problem, options_, deadline_, true);
+      best_.found = search_continuous(best_.problem, how, deadline_, true);
       return;
     }
-    WholeSearch search = search_whole(problem, options_, deadline_);
+    WholeSearch search = search_whole(problem, how, deadline_);
     tally_.combinations += search.combinations;
     tally_.solved += search.solved;
     tally_.complete = tally_.complete && search.complete;

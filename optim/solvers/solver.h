@@ -36,6 +36,7 @@ struct Progress {
   int iteration;
   double objective;  ///< scaled back to the problem's unit
   double violation;  ///< the largest of the scaled rows
+  double done = 0;   ///< share of starts and combinations that are through; 0 where none can say
 };
 
 struct SolverOptions {

@@ -81,12 +81,27 @@ MechanismResponse given(Quantity which, ResponseAbout about) {
       std::move(about), [which](const auto& press) { return under(press, which, press.load()); });
 }
 
-MechanismResponse running(Quantity which, ResponseAbout about) {
+const Cycle& turn() {
   static const Cycle turn{"deg", {{0, 180}, {180, 360, true}}};
-  return listed_curve<DiePress>(std::move(about), turn, which,
+  return turn;
+}
+
+MechanismResponse running(Quantity which, ResponseAbout about) {
+  return listed_curve<DiePress>(std::move(about), turn(), which,
                                 [](const auto& press, Quantity wanted, const auto& motion) {
                                   return under(press, wanted, press.running_force(motion));
                                 });
+}
+
+MechanismResponse displacement() {
+  const ResponseAbout about{"displacement",
+                            "mm",
+                            "m",
+                            "way of the rollers from the lowest place",
+                            {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}};
+  return listed_curve<DiePress>(
+      about, turn(), Quantity{},
+      [](const auto& press, Quantity, const auto& motion) { return press.stroke * motion.s; });
 }
 
 struct Row {
@@ -123,6 +138,7 @@ std::vector<MechanismResponse> responses() {
                                  {{"stroke"}, S::Linear},
                                  {{"mass", "spring_rate", "spring_preload"}, S::Linear},
                                  {{"speed"}, S::Quasilinear}}})};
+  all.push_back(displacement());
   const std::vector<std::string> radii{"roller_radius", "segment_radius"};
   for (const Row& row : kRows) {
     const std::vector<ShapeStatement> shapes{{radii, row.in_radii}};

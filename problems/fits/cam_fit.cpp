@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "problems/fits/law_ranking.h"
+#include "problems/fits/turn.h"
+
 namespace camlaw::problems {
 namespace {
-
-constexpr double kTurn = 360;
 
 /// A law with what departs from it.
 struct Explanation {
@@ -64,20 +65,20 @@ std::vector<Departure> departures_of(const FoundMotion& motion, const std::vecto
 }  // namespace
 
 CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options) {
-  CamFit result{std::move(cam), {}, {}, {}};
-  const MotionSamples& samples = result.cam.samples;
-  result.cycle = find_motions(samples);
-  for (const FoundMotion& motion : result.cycle.motions) {
-    const auto found = departures_of(motion, laws, options, result.cycle.noise);
-    result.departures.insert(result.departures.end(), found.begin(), found.end());
+  FoundCycle cycle = find_motions(cam.samples);
+  std::vector<Departure> departed;
+  constexpr double kFirst = 0.5;  // of the work
+  const auto count = static_cast<double>(cycle.motions.size());
+  double before = 0;
+  for (const FoundMotion& motion : cycle.motions) {
+    const auto part = part_of(options, kFirst * before / count, kFirst * (before + 1) / count);
+    const auto found = departures_of(motion, laws, part, cycle.noise);
+    ++before;
+    departed.insert(departed.end(), found.begin(), found.end());
   }
-  if (!result.departures.empty()) {
-    result.cycle = find_motions(without(samples, result.departures, kTurn));
-  }
-  for (const FoundMotion& motion : result.cycle.motions) {
-    result.fits.push_back(fit_motion(motion, laws, options));
-  }
-  return result;
+  if (!departed.empty()) cycle = find_motions(without(cam.samples, departed, kTurnDegrees));
+  return {std::move(cam), fit_cycle(std::move(cycle), laws, part_of(options, kFirst, 1)),
+          std::move(departed)};
 }
 
 }  // namespace camlaw::problems

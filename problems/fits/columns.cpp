@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "problems/units.h"
@@ -16,9 +17,15 @@ namespace {
 
 bool is_plain(const std::string& unit) { return unit.empty() || unit == "1" || unit == "-"; }
 
-std::vector<double> times(std::vector<double> values, double factor) {
-  for (double& v : values) v *= factor;
-  return values;
+/// The factor from a column's unit to another; none where they are of different kinds.
+std::optional<double> factor_to(const std::string& unit, const SampleColumn& column) {
+  if (is_plain(column.unit) != (unit == "1")) return {};
+  if (unit == "1") return 1;
+  try {
+    return convert_unit(1, column.unit, unit);
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
 }
 
 /// The step that all values are multiples of, counted from the first: of an encoder that prints
@@ -41,10 +48,6 @@ double common_step(std::vector<double> values) {
   return step;
 }
 
-double resolution_of(const SampleColumn& column) {
-  return std::max(column.last_digit, common_step(column.values));
-}
-
 }  // namespace
 
 bool is_called(const SampleColumn& column, std::initializer_list<const char*> names) {
@@ -53,35 +56,52 @@ bool is_called(const SampleColumn& column, std::initializer_list<const char*> na
   });
 }
 
-const SampleColumn* find_column(const SampleTable& table,
-                                std::initializer_list<const char*> names) {
+const SampleColumn* first_column(const SampleTable& table,
+                                 const std::function<bool(const SampleColumn&)>& is_wanted) {
+  const SampleColumn* first = nullptr;
   for (const SampleColumn& column : table.columns) {
-    if (is_called(column, names)) return &column;
+    if (!is_wanted(column)) continue;
+    if (column.fault.empty()) return &column;
+    if (first == nullptr) first = &column;
   }
-  return nullptr;
+  return first;
 }
 
-const SampleColumn& place_column(const SampleTable& table, const SampleColumn& value) {
+const SampleColumn* find_column(const SampleTable& table,
+                                std::initializer_list<const char*> names) {
+  return first_column(table, [&](const SampleColumn& column) { return is_called(column, names); });
+}
+
+const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* other) {
+  return *first_column(table, [&](const SampleColumn& column) { return &column != other; });
+}
+
+const SampleColumn& place_column(const SampleTable& table, const SampleColumn* value) {
   const SampleColumn* place =
       find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
-  if (place != nullptr && place != &value) return *place;
-  return table.columns[&value == &table.columns.front() ? 1 : 0];
+  return place != nullptr && place != value ? *place : column_beside(table, value);
+}
+
+bool has_kind(const SampleColumn& column, const std::string& unit) {
+  return factor_to(unit, column).has_value();
 }
 
 UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
                    const std::vector<std::string>& units) {
   for (const std::string& unit : units) {
-    if (is_plain(column.unit) != (unit == "1")) continue;
-    if (unit == "1") return {column.values, unit, resolution_of(column)};
-    try {
-      const double factor = convert_unit(1, column.unit, unit);
-      return {times(column.values, factor), unit, std::abs(factor) * resolution_of(column)};
-    } catch (const std::invalid_argument&) {  // of another kind
-    }
+    const auto factor = factor_to(unit, column);
+    if (!factor) continue;
+    UnitValues result{column.values, unit, *factor};
+    for (double& v : result.values) v *= *factor;
+    return result;
   }
   throw std::invalid_argument(fmt::format(
       "{}: column '{}' is in '{}'; {} or a unit of the same kind is wanted", table.source,
       column.name, column.unit.empty() ? "no unit" : column.unit, fmt::join(units, ", ")));
+}
+
+double resolution_of(const SampleColumn& column) {
+  return std::max(column.last_digit, common_step(column.values));
 }
 
 }  // namespace camlaw::problems

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -12,24 +13,35 @@ namespace camlaw::problems {
 
 /// Whether a column has one of the names, in any case.
 bool is_called(const SampleColumn& column, std::initializer_list<const char*> names);
-/// The first column that has one of the names; null where there is none.
+/// The first column that is wanted, of several one of numbers; null where there is none.
+const SampleColumn* first_column(const SampleTable& table,
+                                 const std::function<bool(const SampleColumn&)>& is_wanted);
+/// That which has one of the names.
 const SampleColumn* find_column(const SampleTable& table, std::initializer_list<const char*> names);
 
-/// The column of the place: called angle, cam_angle, phi, theta, x, t or time, else the first that
-/// is not `value`.
-const SampleColumn& place_column(const SampleTable& table, const SampleColumn& value);
+/// That which is not the other one.
+const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* other);
+/// The column of the place: called angle, cam_angle, phi, theta, x, t or time, else the first but
+/// `value`, which may be null.
+const SampleColumn& place_column(const SampleTable& table, const SampleColumn* value);
+
+/// Whether a column's unit is of a unit's kind.
+bool has_kind(const SampleColumn& column, const std::string& unit);
 
 /// Values and the unit that they are in.
 struct UnitValues {
   std::vector<double> values;
   std::string unit;
-  /// What values are rounded to: one in the last digit, or a step that all are multiples of.
-  double resolution = 0;
+  double factor = 1;  ///< from the column's own unit
 };
 
 /// A column's values in the first of `units` that is of its kind; "1" stands for plain numbers.
 /// Throws std::invalid_argument naming table, column and the units that it may have.
 UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
                    const std::vector<std::string>& units);
+
+/// What a column's values are rounded to, in its own unit: one in the last digit, or a step that
+/// all are multiples of.
+double resolution_of(const SampleColumn& column);
 
 }  // namespace camlaw::problems

@@ -17,6 +17,10 @@ struct Condensed {
   std::size_t left_out = 0;  ///< that lie 6 deviations or more off the median of their neighbours
 };
 
+/// Means of `each` neighbours by place, far-off ones left out.
+Condensed means_of_neighbours(std::vector<double> place, std::vector<double> value,
+                              std::size_t each);
+
 /// More than kMostSamples are taken as at most 10000 means of equally many neighbours: so narrow a
 /// stretch is straight but for 1e-8 of the lift, the means scatter by the square root of their
 /// count less, and intervals found from them are the same. Deviations are by the median.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace camlaw::problems {
 namespace {
@@ -80,18 +79,19 @@ std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fi
   return found;
 }
 
+bool departs(double place, const std::vector<Departure>& stretches, double period) {
+  return std::any_of(stretches.begin(), stretches.end(), [&](const Departure& stretch) {
+    double ahead = place - stretch.from;
+    if (period > 0) ahead -= period * std::floor(ahead / period);
+    return ahead >= 0 && ahead <= stretch.to - stretch.from;
+  });
+}
+
 MotionSamples without(const MotionSamples& samples, const std::vector<Departure>& stretches,
                       double period) {
-  MotionSamples result = samples;
-  result.place.clear(), result.value.clear();
+  MotionSamples result = samples.none();
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
-    const bool departs =
-        std::any_of(stretches.begin(), stretches.end(), [&](const Departure& stretch) {
-          double ahead = samples.place[i] - stretch.from;
-          if (period > 0) ahead -= period * std::floor(ahead / period);
-          return ahead >= 0 && ahead <= stretch.to - stretch.from;
-        });
-    if (departs) continue;
+    if (departs(samples.place[i], stretches, period)) continue;
     result.place.push_back(samples.place[i]);
     result.value.push_back(samples.value[i]);
   }

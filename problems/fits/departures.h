@@ -21,8 +21,11 @@ struct Departure {
 /// more than a third of the samples departs: then it is not the law that the others follow.
 std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise);
 
-/// Samples without those of the stretches, in a cycle that begins anew after `period` (0: not at
-/// all).
+/// Whether a place lies in one of the stretches, in a cycle that begins anew after `period` (0: not
+/// at all).
+bool departs(double place, const std::vector<Departure>& stretches, double period = 0);
+
+/// Samples without those that depart.
 MotionSamples without(const MotionSamples& samples, const std::vector<Departure>& stretches,
                       double period = 0);
 

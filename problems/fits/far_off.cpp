@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "optim/fit/statistics.h"
@@ -43,10 +42,7 @@ FarOff far_off(std::span<const double> place, std::span<const double> residual,
   const double z =
       boost::math::quantile(boost::math::complement(boost::math::normal(), chance / (2 * n)));
   result.bound = std::max(z * result.deviation, least);
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+  const std::vector<std::size_t> order = optim::order_of(place);
   std::vector<double> sizes;
   for (const std::size_t i : order) sizes.push_back(std::abs(residual[i]));
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "problems/fits/found_program.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "problems/fits/cam_fit.h"
+#include "problems/fits/turn.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kTurn = 360;
 
 /// Numbers of a file that people read: six digits are beyond what is measured.
 std::string number(double value) { return fmt::format("{:.7g}", value + 0.0); }
@@ -33,7 +32,7 @@ std::vector<Phase> phases_of(const std::vector<MotionFit>& fits) {
       phases.begin(), phases.end(), [](const Phase& a, const Phase& b) { return a.from < b.from; });
   const double first = lowest->begin;
   for (Phase& p : phases) {
-    const double shift = kTurn * std::floor((p.begin - first) / kTurn + 1e-9);
+    const double shift = kTurnDegrees * std::floor((p.begin - first) / kTurnDegrees + 1e-9);
     p.begin -= shift, p.end -= shift;
   }
   std::sort(phases.begin(), phases.end(),
@@ -48,7 +47,7 @@ void join(std::vector<Phase>& phases) {
     const bool last = i + 1 == phases.size();
     Phase &before = phases[i], &after = phases[last ? 0 : i + 1];
     before.to = after.from = (before.to + after.from) / 2;
-    const double next = after.begin + (last ? kTurn : 0);
+    const double next = after.begin + (last ? kTurnDegrees : 0);
     if (next - before.end >= kMeet) continue;
     const double middle = (before.end + next) / 2;
     before.end = middle;
@@ -59,7 +58,7 @@ void join(std::vector<Phase>& phases) {
 class Writer {
  public:
   Writer(const CamFit& fit, const ProblemStatement& machine)
-      : fit_(fit), machine_(machine), phases_(phases_of(fit.fits)) {
+      : fit_(fit), machine_(machine), phases_(phases_of(fit.cycle.fits)) {
     join(phases_);
     lowest_ = highest_ = phases_.front().from;
     for (const Phase& p : phases_) {
@@ -96,13 +95,13 @@ class Writer {
 
   /// Samples of an arm are in deg, its lift in rad.
   double lowest_in_own_unit() const {
-    return fit_.cam.samples.unit == "deg" ? lowest_ * std::numbers::pi / 180 : lowest_;
+    return fit_.cam.samples.unit == "deg" ? lowest_ * kDegree : lowest_;
   }
 
   void add_motion(std::size_t i) {
     const Phase& p = phases_[i];
     const bool last = i + 1 == phases_.size();
-    const double next = last ? phases_.front().begin + kTurn : phases_[i + 1].begin;
+    const double next = last ? phases_.front().begin + kTurnDegrees : phases_[i + 1].begin;
     const bool rests = next > p.end;
     const std::string kind = p.to > p.from ? "rise" : "return";
     add_segment(fmt::format("{}{}", kind, i + 1), last && !rests, p.end - p.begin);

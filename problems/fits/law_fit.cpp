@@ -9,113 +9,17 @@
 #include <stdexcept>
 
 #include "optim/fit/statistics.h"
-#include "problems/fits/coefficients.h"
+#include "problems/fits/condensed.h"
 #include "problems/fits/law_limits.h"
-#include "problems/fits/lift_samples.h"
+#include "problems/fits/motion_residuals.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// Where the parameters of a fit stand: begin, end, stroke, zero for displacements, coefficients.
-struct Layout {
-  bool with_zero;
-  std::size_t zero() const { return 3; }
-  std::size_t first() const { return with_zero ? 4 : 3; }
-};
-
-std::vector<LawVariable> variables_of(const Member& law, Layout layout) {
-  std::vector<LawVariable> result;
-  for (const Coefficient& c : coefficients_of(law, layout.first())) result.push_back(c.at);
-  return result;
-}
-
-/// (P1) y = zero + h s(u) and its derivatives, u = (x - begin) / (end - begin) within 0 and 1.
-class MotionResiduals final : public optim::Residuals {
- public:
-  MotionResiduals(const MotionSamples& samples, std::vector<std::size_t> which, const Member& law,
-                  Layout layout)
-      : samples_(samples),
-        which_(std::move(which)),
-        layout_(layout),
-        binding_(law, variables_of(law, layout)) {}
-
-  std::size_t count() const override { return which_.size(); }
-
-  bool evaluate(std::span<const double> p, std::span<double> r,
-                std::span<double> jacobian) const override {
-    const double begin = p[0], length = p[1] - p[0], stroke = p[2];
-    if (!(length > 0)) return false;
-    const std::vector<double> values = binding_.values_at(p);
-    const auto k = static_cast<std::size_t>(samples_.order);
-    const double unit = std::pow(length, -samples_.order);
-    for (std::size_t i = 0; i < which_.size(); ++i) {
-      const double u = (samples_.place[which_[i]] - begin) / length;
-      const bool moves = u > 0 && u < 1;
-      const double at = std::clamp(u, 0.0, 1.0);
-      const MotionDerivatives m =
-          binding_.motion(at, u < 1 ? Side::Right : Side::Left, values, jacobian.empty() ? 0 : 1);
-      // At rest beyond the ends: displacement stays, derivatives are none.
-      const double own = k == 0 || moves ? m.value[k] : 0;
-      const double zero = layout_.with_zero ? p[layout_.zero()] : 0;
-      r[i] = zero + stroke * unit * own - samples_.value[which_[i]];
-      if (!std::isfinite(r[i])) return false;
-      if (!jacobian.empty()) {
-        fill(&jacobian[i * p.size()], p, m, moves ? u : -1, unit * stroke, own);
-      }
-    }
-    return true;
-  }
-
- private:
-  /// `u` below 0 at rest; `size` is what s^(k) is multiplied by.
-  void fill(double* row, std::span<const double> p, const MotionDerivatives& m, double u,
-            double size, double own) const {
-    const auto k = static_cast<std::size_t>(samples_.order);
-    const double length = p[1] - p[0];
-    std::fill_n(row, p.size(), 0.0);
-    row[2] = p[2] != 0 ? size / p[2] * own : 0;
-    if (layout_.with_zero) row[layout_.zero()] = 1;
-    const auto& variables = binding_.variables();
-    const bool moves = u >= 0;
-    for (std::size_t j = 0; j < variables.size(); ++j) {
-      if (moves || k == 0) row[variables[j].variable] = size * m.gradient[j][k];
-    }
-    if (!moves) return;
-    // du/dbegin = (u - 1) / length, du/dend = -u / length; the unit length^-k follows both.
-    const double slope = m.value[k + 1];
-    const double stretch = samples_.order * own / length;
-    row[0] = size * (slope * (u - 1) / length + stretch);
-    row[1] = size * (-slope * u / length - stretch);
-  }
-
-  const MotionSamples& samples_;
-  std::vector<std::size_t> which_;
-  Layout layout_;
-  LawBinding binding_;
-};
-
-void check(const MotionSamples& samples, const MotionGuess& guess) {
-  if (samples.place.size() != samples.value.size()) {
-    throw std::invalid_argument("samples: as many values as places are wanted");
-  }
-  if (samples.place.size() < 2) throw std::invalid_argument("samples: two at least are wanted");
-  for (std::size_t i = 0; i < samples.place.size(); ++i) {
-    if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
-    throw std::invalid_argument(fmt::format("sample {} is no finite number", i + 1));
-  }
-  if (!(guess.end > guess.begin) || guess.to == guess.from) {
-    throw std::invalid_argument("samples: they show no motion");
-  }
-}
-
-std::vector<std::size_t> all_of(const MotionSamples& samples) {
-  std::vector<std::size_t> which(samples.place.size());
-  std::iota(which.begin(), which.end(), std::size_t{0});
-  return which;
-}
+using optim::FitReach;
 
 std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, const Member& law,
-                                               const MotionGuess& guess, Layout layout) {
+                                               const MotionGuess& guess, MotionLayout layout) {
   const double length = guess.end - guess.begin, stroke = guess.to - guess.from;
   constexpr double kBeyond = 0.3;  // of the length: an end is looked for that far off its guess
   std::vector<optim::FitParameter> result;
@@ -138,6 +42,56 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
   return result;
 }
 
+/// The residuals of one law as they are fitted: with what its coefficients must meet together.
+class LawResiduals {
+ public:
+  LawResiduals(const MotionSamples& samples, const Member& law,
+               const std::vector<optim::FitParameter>& parameters)
+      : motion_(samples, law) {
+    const auto limit = limit_of(law);
+    if (!limit) return;
+    std::vector<double> start;
+    for (const auto& p : parameters) start.push_back(p.start);
+    limited_.emplace(motion_, *limit, motion_.layout().first(), start);
+  }
+  LawResiduals(const LawResiduals&) = delete;
+  LawResiduals& operator=(const LawResiduals&) = delete;
+
+  std::size_t first() const { return motion_.layout().first(); }
+  /// The parameters as they are fitted.
+  std::vector<optim::FitParameter> fitted(std::vector<optim::FitParameter> parameters) const {
+    return limited_ ? limited_->limited(std::move(parameters)) : parameters;
+  }
+  optim::FitResult fit(const std::vector<optim::FitParameter>& fitted,
+                       const optim::FitOptions& options) const {
+    if (limited_) return optim::fit(fitted, *limited_, options);
+    return optim::fit(fitted, motion_, options);
+  }
+  /// A fit of the fitted ones told of the parameters.
+  optim::FitResult told(optim::FitResult result, const std::vector<optim::FitParameter>& parameters,
+                        double confidence) const {
+    return limited_ ? limited_->of_coefficients(std::move(result), parameters, confidence) : result;
+  }
+
+ private:
+  MotionResiduals motion_;
+  std::optional<LimitedResiduals> limited_;
+};
+
+std::vector<double> values_of(const optim::FitResult& fit) {
+  std::vector<double> result;
+  for (const auto& p : fit.parameters) result.push_back(p.value);
+  return result;
+}
+
+std::vector<optim::FitParameter> from(std::vector<optim::FitParameter> parameters,
+                                      const std::vector<double>& values, std::size_t count) {
+  for (std::size_t j = 0; j < count; ++j) {
+    parameters[j].start = std::clamp(values[j], parameters[j].lower, parameters[j].upper);
+  }
+  return parameters;
+}
+
 /// Held where they start: a fit of begin, end, stroke and zero with the law as it is tells where a
 /// fit of all finds the right valley.
 std::vector<optim::FitParameter> with_held(std::vector<optim::FitParameter> parameters,
@@ -148,68 +102,127 @@ std::vector<optim::FitParameter> with_held(std::vector<optim::FitParameter> para
   return parameters;
 }
 
-/// What fits to the same residuals are compared by.
-double merit(const optim::FitResult& fit) { return fit.loss_scale.value_or(fit.sum_of_squares); }
-
-/// How far a fit looks.
-enum class Search { Near, Far };
-
-/// Laws of several coefficients have valleys in which longer motions with other coefficients nearly
-/// do as well: a far search begins at shorter and longer motions too.
-optim::FitResult in_stages(std::vector<optim::FitParameter> parameters,
-                           const optim::Residuals& residuals, const optim::FitOptions& options,
-                           std::size_t first, Search search) {
-  constexpr double kLonger[] = {-0.1, 0.1};
-  constexpr double kExact = 1e-9;
-  if (parameters.size() == first) return optim::fit(parameters, residuals, options);
-  const auto rough = optim::fit(with_held(parameters, first), residuals, options);
-  for (std::size_t j = 0; j < first; ++j) parameters[j].start = rough.parameters[j].value;
-  optim::FitResult best = optim::fit(parameters, residuals, options);
-  const double stroke = rough.parameters[2].value;
-  for (const double longer : kLonger) {
-    // Where the samples do not determine the numbers no start helps.
-    const bool is_single = parameters.size() < first + 2 || !best.free_directions.empty();
-    if (search == Search::Near || is_single || best.rms < kExact * std::abs(stroke)) break;
-    std::vector<optim::FitParameter> others = parameters;
-    const double by = longer * (rough.parameters[1].value - rough.parameters[0].value);
-    others[0].start = std::clamp(others[0].start - by, others[0].lower, others[0].upper);
-    others[1].start = std::clamp(others[1].start + by, others[1].lower, others[1].upper);
-    optim::FitResult other = optim::fit(others, residuals, options);
-    if (merit(other) < merit(best) * (1 - kExact)) best = std::move(other);
-  }
-  return best;
+/// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
+/// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
+/// needed, which from far off would let no sample count.
+MotionSamples few_of(const MotionSamples& samples, double low, double high, optim::Loss loss) {
+  constexpr std::size_t kMeans = 100, kLeast = 3, kEnough = 90;
+  MotionSamples few = between(samples, low, high);
+  const std::size_t count = few.value.size();
+  std::size_t each = count / kMeans;
+  if (loss != optim::Loss::None && count >= kEnough) each = std::max(each, kLeast);
+  Condensed means = means_of_neighbours(std::move(few.place), std::move(few.value), each);
+  few.place = std::move(means.place);
+  few.value = std::move(means.value);
+  few.each = means.each;
+  return few;
 }
 
-optim::FitResult fitted(const MotionSamples& samples, const std::vector<std::size_t>& which,
-                        const Member& law, const MotionGuess& guess, const LawFitOptions& options,
-                        Search search) {
-  const Layout layout{samples.order == 0};
-  const MotionResiduals residuals(samples, which, law, layout);
+optim::FitOptions how(const LawFitOptions& options, FitReach reach) {
   optim::FitOptions fit;
   fit.loss = options.loss;
   fit.loss_scale = options.loss_scale;
   fit.confidence = options.confidence;
-  const auto parameters = parameters_of(samples, law, guess, layout);
-  const auto limit = limit_of(law);
-  if (!limit) return in_stages(parameters, residuals, fit, layout.first(), search);
-  std::vector<double> start;
-  for (const auto& p : parameters) start.push_back(p.start);
-  const LimitedResiduals limited(residuals, *limit, layout.first(), start);
-  return limited.of_coefficients(
-      in_stages(limited.limited(parameters), limited, fit, layout.first(), search), parameters,
-      options.confidence);
+  fit.reach = reach;
+  fit.max_iterations = reach == FitReach::Rough ? 20 : 200;
+  return fit;
 }
 
-std::vector<double> values_of(const optim::FitResult& fit) {
-  std::vector<double> result;
-  for (const auto& p : fit.parameters) result.push_back(p.value);
+/// Where fits of all samples should begin, as values of the fitted parameters, the best first; by
+/// rough fits to a few. Laws of several coefficients have valleys in which longer motions with
+/// other coefficients nearly do as well: such fits begin at shorter and longer motions too.
+std::vector<std::vector<double>> starts(const LawResiduals& few,
+                                        const std::vector<optim::FitParameter>& parameters,
+                                        const LawFitOptions& options) {
+  constexpr double kLonger[] = {-0.1, 0.1};
+  constexpr double kSame = 1e-3, kNearly = 1.5;
+  const std::size_t first = few.first();
+  const optim::FitOptions rough = how(options, FitReach::Rough);
+  const optim::FitResult alone = few.fit(with_held(parameters, first), rough);
+  if (parameters.size() == first) return {values_of(alone)};
+  const auto begin = from(parameters, values_of(alone), first);
+  std::vector<optim::FitResult> ends{few.fit(begin, rough)};
+  // Where the samples do not determine the numbers no start helps.
+  const bool is_single = parameters.size() < first + 2 || !ends.front().free_directions.empty();
+  for (const double longer : kLonger) {
+    if (is_single) break;
+    const double from_place = begin[MotionLayout::kBegin].start,
+                 to = begin[MotionLayout::kEnd].start;
+    const double by = longer * (to - from_place);
+    const std::vector<double> ways{from_place - by, to + by};
+    ends.push_back(few.fit(from(begin, ways, 2), rough));
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const auto& a, const auto& b) { return a.merit < b.merit; });
+  std::vector<std::vector<double>> result;
+  double before = -1;
+  for (const optim::FitResult& end : ends) {
+    if (end.merit > kNearly * ends.front().merit) break;
+    if (end.merit <= before * (1 + kSame)) continue;  // the same valley
+    before = end.merit;
+    result.push_back(values_of(end));
+  }
   return result;
 }
 
-LawFit fit_of(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
-              const LawFitOptions& options, Search search);
+/// From the law as it is, at the guess.
+optim::FitResult fitted_near(const MotionSamples& samples, const Member& law,
+                             const MotionGuess& guess, const LawFitOptions& options) {
+  const auto parameters = parameters_of(samples, law, guess, {samples.order == 0});
+  const LawResiduals residuals(samples, law, parameters);
+  return residuals.told(residuals.fit(residuals.fitted(parameters), how(options, FitReach::Near)),
+                        parameters, options.confidence);
+}
+
+optim::FitResult fitted(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+                        const LawFitOptions& options) {
+  const auto parameters = parameters_of(samples, law, guess, {samples.order == 0});
+  const LawResiduals residuals(samples, law, parameters);
+  const auto own = residuals.fitted(parameters);
+  const MotionSamples means = few_of(samples, parameters[MotionLayout::kBegin].lower,
+                                     parameters[MotionLayout::kEnd].upper, options.loss);
+  const LawResiduals few(means, law, parameters);
+  LawFitOptions of_means = options;
+  of_means.loss_scale.reset();
+  if (means.each > 1) of_means.loss = optim::Loss::None;
+  std::optional<optim::FitResult> best;
+  for (const std::vector<double>& start : starts(few, own, of_means)) {
+    optim::FitResult fit =
+        residuals.fit(from(own, start, start.size()), how(options, FitReach::Near));
+    if (!best || fit.merit < best->merit) best = std::move(fit);
+  }
+  return residuals.told(std::move(*best), parameters, options.confidence);
+}
+
+/// By AICc.
+double criterion_of(const MotionSamples& samples, const optim::FitResult& fit, optim::Loss loss) {
+  // Under a loss what it sums, so that a far point does not decide which law is best.
+  double sum = 0;
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+    const double r = fit.residuals[i];
+    sum +=
+        loss == optim::Loss::None ? r * r : optim::loss_at(loss, fit.loss_scale.value_or(1), r).rho;
+  }
+  // What is left at the size of rounding, of doubles or of the values as written, tells no laws
+  // apart.
+  constexpr double kRounding = 1e-10;
+  double size = 0;
+  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  const std::size_t n = samples.value.size();
+  const double floor = std::max(kRounding * size, rounding_deviation(samples));
+  sum = std::max(sum, static_cast<double>(n) * floor * floor);
+  return optim::aicc(n, fit.parameters.size(), sum);
+}
 
 }  // namespace
+
+LawFitOptions part_of(LawFitOptions options, double from, double to) {
+  if (!options.progress) return options;
+  options.progress = [whole = options.progress, from, to](double share) {
+    whole(from + (to - from) * share);
+  };
+  return options;
+}
 
 double LawFit::value(double place, int order) const {
   const double length = end - begin;
@@ -221,191 +234,56 @@ double LawFit::value(double place, int order) const {
   return (k == 0 ? from : 0) + (to - from) * d[k] * std::pow(length, -order);
 }
 
-std::vector<double> LawFit::counted_residuals() const {
-  std::vector<double> counted = fit.residuals;
-  for (std::size_t i = 0; i < counted.size(); ++i) counted[i] *= fit.weights[i];
-  return counted;
+void check_motion(const MotionSamples& samples, const MotionGuess& guess) {
+  if (samples.place.size() != samples.value.size()) {
+    throw std::invalid_argument("samples: as many values as places are wanted");
+  }
+  if (samples.place.size() < 2) throw std::invalid_argument("samples: two at least are wanted");
+  for (std::size_t i = 0; i < samples.place.size(); ++i) {
+    if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
+    throw std::invalid_argument(fmt::format("sample {} is no finite number", i + 1));
+  }
+  if (!(guess.end > guess.begin) || guess.to == guess.from) {
+    throw std::invalid_argument("samples: they show no motion");
+  }
 }
 
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options) {
-  check(samples, guess);
-  return fit_of(samples, law, guess, options, Search::Far);
-}
-
-namespace {
-
-LawFit fit_of(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
-              const LawFitOptions& options, Search search) {
-  const Layout layout{samples.order == 0};
-  LawFit result{law, fitted(samples, all_of(samples), law, guess, options, search)};
+  check_motion(samples, guess);
+  const MotionLayout layout{samples.order == 0};
+  LawFit result{law, fitted(samples, law, guess, options)};
   const std::vector<double> x = values_of(result.fit);
-  for (const LawVariable& v : variables_of(law, layout)) {
-    result.law.arguments.values()[v.parameter][v.element] = x[v.variable];
+  for (const Coefficient& c : coefficients_of(law, layout.first())) {
+    result.law.arguments.values()[c.at.parameter][c.at.element] = x[c.at.variable];
   }
-  result.begin = x[0];
-  result.end = x[1];
-  result.from = layout.with_zero ? x[layout.zero()] : 0;
-  result.to = result.from + x[2];
-  // Under a loss what it sums, so that a far point does not decide which law is best.
-  double sum = 0;
-  for (std::size_t i = 0; i < result.fit.residuals.size(); ++i) {
-    const double r = result.fit.residuals[i];
-    sum += options.loss == optim::Loss::None
-               ? r * r
-               : optim::loss_at(options.loss, result.fit.loss_scale.value_or(1), r).rho;
-  }
-  // What is left at the size of rounding, of doubles or of the values as written, tells no laws
-  // apart.
-  constexpr double kRounding = 1e-10;
-  double size = 0;
-  for (const double y : samples.value) size = std::max(size, std::abs(y));
-  const std::size_t n = samples.value.size();
-  const double floor = std::max(kRounding * size, rounding_deviation(samples));
-  sum = std::max(sum, static_cast<double>(n) * floor * floor);
-  result.criterion = optim::aicc(n, x.size(), sum);
+  result.criterion = criterion_of(samples, result.fit, options.loss);
+  result.begin = x[MotionLayout::kBegin];
+  result.end = x[MotionLayout::kEnd];
+  result.from = layout.with_zero ? x[MotionLayout::kZero] : 0;
+  result.to = result.from + x[MotionLayout::kStroke];
   return result;
-}
-
-/// The median of the few outermost values, which a far-off one does not move.
-double outer_value(const MotionSamples& samples, bool first) {
-  std::vector<std::size_t> order = all_of(samples);
-  const std::size_t few = samples.place.size() < 30 ? 1 : 3;
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(few), order.end(),
-                    [&](std::size_t a, std::size_t b) {
-                      return first ? samples.place[a] < samples.place[b]
-                                   : samples.place[a] > samples.place[b];
-                    });
-  std::vector<double> values;
-  for (std::size_t i = 0; i < few; ++i) values.push_back(samples.value[order[i]]);
-  return optim::median(values);
-}
-
-}  // namespace
-
-double rounding_deviation(const MotionSamples& samples) {
-  return samples.resolution / std::sqrt(12.0);
-}
-
-MotionGuess guess_motion(const MotionSamples& samples) {
-  const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
-  MotionGuess guess;
-  guess.begin = *low;
-  guess.end = *high;
-  if (samples.order == 0) {
-    guess.from = outer_value(samples, true);
-    guess.to = outer_value(samples, false);
-    return guess;
-  }
-  // Of a derivative: where it is not zero, the stroke by its greatest value.
-  double greatest = 0;
-  for (const double v : samples.value) {
-    if (std::abs(v) > std::abs(greatest)) greatest = v;
-  }
-  constexpr double kRest = 0.01;
-  double begin = guess.end, end = guess.begin;
-  for (std::size_t i = 0; i < samples.place.size(); ++i) {
-    if (!(std::abs(samples.value[i]) > kRest * std::abs(greatest))) continue;
-    begin = std::min(begin, samples.place[i]);
-    end = std::max(end, samples.place[i]);
-  }
-  if (end > begin) guess = {begin, end, 0, 1};
-  constexpr double kTypicalB = 1.8, kTypicalC = 5.5;
-  const double length = guess.end - guess.begin;
-  guess.from = 0;
-  guess.to =
-      samples.order == 1 ? greatest * length / kTypicalB : greatest * length * length / kTypicalC;
-  return guess;
-}
-
-namespace {
-
-/// A fit and the law that it began with.
-struct Tried {
-  LawFit fit;
-  const Member* law;
-};
-
-bool comes_before(const Tried& a, const Tried& b) { return a.fit.criterion < b.fit.criterion; }
-
-/// Searches far for the laws of several coefficients: for those that may yet be the best. Where the
-/// best leaves noise, that is those which are nearly as good; where it leaves a curve, all.
-void search_far(std::vector<Tried>& ranking, const MotionSamples& samples, const MotionGuess& guess,
-                const LawFitOptions& options) {
-  constexpr double kNoise = 0.2, kNearly = 10;
-  const LawFit& best = ranking.front().fit;
-  const bool leaves_noise =
-      optim::neighbour_correlation(samples.place, best.counted_residuals()) < kNoise;
-  const double limit = best.criterion + kNearly;
-  for (Tried& tried : ranking) {
-    if (coefficients_of(*tried.law).size() < 2) continue;
-    if (leaves_noise && tried.fit.criterion > limit) continue;
-    Tried other{fit_of(samples, *tried.law, guess, options, Search::Far), tried.law};
-    if (comes_before(other, tried)) tried = std::move(other);
-  }
-}
-
-/// Losses of one scale for all laws: sums of different losses cannot be compared. By the noise that
-/// neighbours show; where there is none, or too few neighbours, each law by its own.
-LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options) {
-  if (options.loss == optim::Loss::None || options.loss_scale || samples.order != 0) return options;
-  try {
-    const double noise = lift_samples(samples.place, samples.value, {}, {}).sample_noise;
-    const double floor = std::max(noise, rounding_deviation(samples));
-    if (floor > 0) options.loss_scale = floor * optim::efficient_scale(options.loss);
-  } catch (const std::invalid_argument&) {  // too few
-  }
-  return options;
-}
-
-/// Those within two of the best explain the samples as well: of them the simplest comes first.
-void put_simplest_first(std::vector<LawFit>& ranking) {
-  constexpr double kAsWell = 2;
-  const auto as_well = std::find_if(ranking.begin(), ranking.end(), [&](const LawFit& fit) {
-    return fit.criterion > ranking.front().criterion + kAsWell;
-  });
-  const auto simplest =
-      std::min_element(ranking.begin(), as_well, [](const LawFit& a, const LawFit& b) {
-        return a.fit.parameters.size() < b.fit.parameters.size();
-      });
-  if (simplest != as_well) std::rotate(ranking.begin(), simplest, simplest + 1);
-}
-
-}  // namespace
-
-std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
-                              const MotionGuess& guess, const LawFitOptions& options) {
-  check(samples, guess);
-  const LawFitOptions alike = with_one_scale(samples, options);
-  std::vector<Tried> all;
-  for (const Member& law : laws) {
-    try {
-      all.push_back({fit_of(samples, law, guess, alike, Search::Near), &law});
-    } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
-    }
-  }
-  if (all.empty()) return {};
-  std::stable_sort(all.begin(), all.end(), comes_before);
-  search_far(all, samples, guess, alike);
-  std::stable_sort(all.begin(), all.end(), comes_before);
-  std::vector<LawFit> ranking;
-  for (Tried& tried : all) ranking.push_back(std::move(tried.fit));
-  put_simplest_first(ranking);
-  return ranking;
 }
 
 double cross_validated(const MotionSamples& samples, const LawFit& fit,
                        const LawFitOptions& options) {
   constexpr std::size_t kFolds = 10;
-  const Layout layout{samples.order == 0};
   const std::size_t n = samples.place.size();
+  const MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
+  const auto part = [&](const std::vector<std::size_t>& which) {
+    MotionSamples result = samples.none();
+    for (const std::size_t i : which) {
+      result.place.push_back(samples.place[i]);
+      result.value.push_back(samples.value[i]);
+    }
+    return result;
+  };
   return optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
-        const MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
-        const auto part = fitted(samples, kept, fit.law, guess, options, Search::Near);
-        const MotionResiduals others(samples, left_out, fit.law, layout);
+        const auto own = fitted_near(part(kept), fit.law, guess, options);
+        const MotionResiduals others(part(left_out), fit.law);
         std::vector<double> r(left_out.size());
-        if (!others.evaluate(values_of(part), r, {})) return std::nan("");
+        if (!others.evaluate(values_of(own), r, {})) return std::nan("");
         return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
       });
 }

@@ -1,42 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <span>
 
 #include "kinematics/catalogue.h"
 #include "optim/fit/least_squares.h"
+#include "problems/fits/motion_samples.h"
 
 /// Laws through samples of one motion (docs/optimisation.md, "Fits to samples").
 namespace camlaw::problems {
-
-/// Samples of a motion between two rests: places in any order, spacing and number, values of the
-/// displacement or of one of its derivatives by the place.
-struct MotionSamples {
-  std::vector<double> place, value;
-  int order = 0;  ///< 0 displacement, 1 velocity, 2 acceleration
-  std::string place_unit = "1", unit = "1";
-  std::string length_unit = "1";  ///< of the displacement, whatever the order
-  double resolution = 0;          ///< what values are rounded to; 0: to no more than doubles are
-  std::size_t each = 1;           ///< measured samples that one of these is the mean of
-  std::size_t left_out = 0;       ///< of those, far off their neighbours
-};
-
-/// Standard deviation of what rounding makes of values: resolution / sqrt(12).
-double rounding_deviation(const MotionSamples& samples);
-
-/// Where a motion is looked for to begin with.
-struct MotionGuess {
-  double begin = 0, end = 1;  ///< places
-  double from = 0, to = 1;    ///< displacement there
-};
 
 struct LawFitOptions {
   optim::Loss loss = optim::Loss::None;
   /// Of the loss, in the samples' unit; none: estimated with each fit.
   std::optional<double> loss_scale = {};
   double confidence = 0.95;
+  /// Told what share of many laws is fitted, 0 to 1.
+  std::function<void(double share)> progress = {};
 };
+
+/// The same, its progress being that from one share to another of something larger.
+LawFitOptions part_of(LawFitOptions options, double from, double to);
 
 /// y = from + (to - from) s((x - begin) / (end - begin)), before begin and after end at rest; the
 /// derivatives of that for samples of velocity and acceleration.
@@ -47,8 +32,6 @@ struct LawFit {
   double begin = 0, end = 1, from = 0, to = 1;
 
   double value(double place, int order) const;
-  /// Residuals as the loss counts them, so that far-off ones do not hide a curve.
-  std::vector<double> counted_residuals() const;
 };
 
 /// Fits a law's coefficients (all but the crossover and what shapes its data), with begin, end,
@@ -57,14 +40,8 @@ struct LawFit {
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options = {});
 
-/// A motion that the samples show: from the first place to the last where these are all there is.
-MotionGuess guess_motion(const MotionSamples& samples);
-
-/// Each of the laws, by AICc; first of those within two of the best, which explain the samples as
-/// well (Burnham and Anderson 2002), the one with the fewest parameters. Laws that cannot be fitted
-/// are left out.
-std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
-                              const MotionGuess& guess, const LawFitOptions& options = {});
+/// Throws std::invalid_argument as fit_law does for samples and guess, whatever the law.
+void check_motion(const MotionSamples& samples, const MotionGuess& guess);
 
 /// Root mean square error of prediction, by cross-validation in ten parts.
 double cross_validated(const MotionSamples& samples, const LawFit& fit,

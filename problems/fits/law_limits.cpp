@@ -2,11 +2,12 @@
 #include "problems/fits/law_limits.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string_view>
+
+#include "optim/fit/statistics.h"
 
 namespace camlaw::problems {
 namespace {
@@ -80,7 +81,7 @@ std::vector<optim::FitParameter> LimitedResiduals::limited(
   left = {limit_.name,
           "1",
           0,
-          limit_.is_equal ? 0 : 1,
+          limit_.is_equal ? 0.0 : 1.0,
           limit_.is_equal ? 0 : std::clamp(rest, 0.0, 1.0),
           1};
   return parameters;
@@ -124,13 +125,9 @@ optim::FitResult LimitedResiduals::of_coefficients(
   found = {.name = given.name, .unit = given.unit, .value = coefficient(p)};
   found.identifiable = identifiable;
   found.standard_deviation = std::sqrt(variance);
-  double half = found.standard_deviation;
-  if (identifiable && fit.degrees_of_freedom > 0) {
-    const boost::math::students_t_distribution<double> student(fit.degrees_of_freedom);
-    half *= boost::math::quantile(student, (1 + confidence) / 2);
-  } else if (identifiable) {
-    half = std::nan("");
-  }
+  const double half = identifiable ? found.standard_deviation *
+                                         optim::student_quantile(fit.degrees_of_freedom, confidence)
+                                   : optim::kInfinity;
   found.low = std::isnan(half) ? half : std::max(given.lower, found.value - half);
   found.high = std::isnan(half) ? half : std::min(given.upper, found.value + half);
   return fit;

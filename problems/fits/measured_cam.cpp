@@ -7,18 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "problems/fits/columns.h"
 #include "problems/fits/condensed.h"
+#include "problems/fits/turn.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The sizes of a machine by name, in mm.
 using Sizes = std::function<double(const char*)>;
@@ -73,20 +72,38 @@ struct Polar {
   std::vector<double> theta, r;  ///< rad, mm
 };
 
-Polar points_of(const SampleTable& table) {
+struct Coordinates {
+  const SampleColumn *x, *y;  ///< null where there is none
+};
+
+Coordinates coordinates_of(const SampleTable& table) {
+  return {find_column(table, {"x", "profile_x"}), find_column(table, {"y", "profile_y"})};
+}
+
+/// An angle and a radius, or else x and y.
+SampleTable profile_columns(const SampleTable& table) {
+  const SampleColumn* radius = radius_of(table);
+  if (radius == nullptr) {
+    const auto [x, y] = coordinates_of(table);
+    if (x != nullptr && y != nullptr) return numbers_of(table, {x, y});
+    throw std::invalid_argument(
+        "a profile is wanted: columns of an angle and a radius, or x and y");
+  }
+  const SampleColumn* angle = polar_angle_of(table);
+  if (angle != nullptr) return numbers_of(table, {angle, radius});
+  throw std::invalid_argument(fmt::format(
+      "column '{}' wants one for the angle beside it, such as \"angle [deg]\"", radius->name));
+}
+
+Polar points_of(const SampleTable& own) {
+  const SampleColumn &first = own.columns[0], &second = own.columns[1];
   Polar points;
-  if (const SampleColumn* radius = radius_of(table)) {
-    const SampleColumn* angle = polar_angle_of(table);
-    if (angle == nullptr) {
-      throw std::invalid_argument(fmt::format(
-          "column '{}' wants one for the angle beside it, such as \"angle [deg]\"", radius->name));
-    }
-    points = {in_unit(table, *angle, {"deg"}).values, in_unit(table, *radius, {"mm"}).values};
+  if (radius_of(own) != nullptr) {
+    points = {in_unit(own, first, {"deg"}).values, in_unit(own, second, {"mm"}).values};
     for (double& theta : points.theta) theta *= kDegree;
     return points;
   }
-  points = {in_unit(table, *find_column(table, {"x", "profile_x"}), {"mm"}).values,
-            in_unit(table, *find_column(table, {"y", "profile_y"}), {"mm"}).values};
+  points = {in_unit(own, first, {"mm"}).values, in_unit(own, second, {"mm"}).values};
   for (std::size_t i = 0; i < points.r.size(); ++i) {
     const double x = points.theta[i], y = points.r[i];
     points.theta[i] = std::atan2(y, x);
@@ -98,9 +115,8 @@ Polar points_of(const SampleTable& table) {
 /// Rows of an angle and a radius may be in any order.
 void sort_by_angle(Polar& points) {
   std::vector<std::pair<double, double>> pairs;
-  constexpr double kTurn = 2 * std::numbers::pi;
   for (std::size_t i = 0; i < points.r.size(); ++i) {
-    pairs.emplace_back(points.theta[i] - kTurn * std::floor(points.theta[i] / kTurn), points.r[i]);
+    pairs.emplace_back(in_turn(points.theta[i]), points.r[i]);
   }
   std::sort(pairs.begin(), pairs.end());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -109,14 +125,13 @@ void sort_by_angle(Polar& points) {
 }
 
 /// Many points as means of neighbours.
-Condensed in_order(const SampleTable& table) {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  Polar points = points_of(table);
+Condensed in_order(const SampleTable& own) {
+  Polar points = points_of(own);
   if (points.r.size() <= kMostSamples) {
-    if (radius_of(table) != nullptr) sort_by_angle(points);
+    if (radius_of(own) != nullptr) sort_by_angle(points);
     return {std::move(points.theta), std::move(points.r)};
   }
-  for (double& theta : points.theta) theta -= kTurn * std::floor(theta / kTurn);
+  for (double& theta : points.theta) theta = in_turn(theta);
   return condensed(std::move(points.theta), std::move(points.r));
 }
 
@@ -126,24 +141,15 @@ MeasuredProfile profile_of(const Condensed& points) {
   return MeasuredProfile::polar(points.place, points.value, smoothing);
 }
 
-bool is_length(const SampleTable& table, const SampleColumn& column) {
-  try {
-    in_unit(table, column, {"mm"});
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) {
   const KnownFollower& known = follower_of(machine);
-  const Sizes sizes = [&](const char* name) {
-    return machine.constants[machine.mechanism->parameter(name)];
-  };
-  const Condensed points = in_order(table);
+  const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
+  const SampleTable own = profile_columns(table);
+  const Condensed points = in_order(own);
   MeasuredCam cam{MeasuredLift(profile_of(points), known.make(sizes), known.rotation), {}, {}};
   cam.each = points.each;
   cam.left_out = points.left_out;
+  cam.lacking = own.left_out;
   const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
   cam.samples.place_unit = "deg";
   cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
@@ -168,9 +174,8 @@ std::vector<std::string> measured_cams() {
 
 bool shows_profile(const SampleTable& table) {
   if (radius_of(table) != nullptr) return true;
-  const SampleColumn* x = find_column(table, {"x", "profile_x"});
-  const SampleColumn* y = find_column(table, {"y", "profile_y"});
-  return x != nullptr && y != nullptr && is_length(table, *x) && is_length(table, *y);
+  const auto [x, y] = coordinates_of(table);
+  return x != nullptr && y != nullptr && has_kind(*x, "mm") && has_kind(*y, "mm");
 }
 
 MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine) {

@@ -25,6 +25,7 @@ struct MeasuredCam {
   std::vector<OutlyingPoint> outlying;
   std::size_t each = 1;      ///< measured points that one of these is the mean of
   std::size_t left_out = 0;  ///< of those, far off their neighbours
+  std::size_t lacking = 0;   ///< rows of the table without a number
 };
 
 /// The disc cams whose follower a profile can be measured for.

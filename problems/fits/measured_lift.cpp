@@ -12,24 +12,21 @@
 #include <stdexcept>
 
 #include "kinematics/laws/spline.h"
+#include "problems/fits/measured_refusal.h"
+#include "problems/fits/turn.h"
 
 namespace camlaw::problems {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2 * kPi;
 constexpr Complex kI{0, 1};
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("measured profile: " + why);
-}
-
-double in_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
+using measured::refuse;
 
 /// The polar angle as people read it, 0 to 360 deg.
 std::string place_of(double theta) {
-  return fmt::format("at a polar angle of {:.4g} deg", in_turn(theta) * 180 / kPi);
+  return fmt::format("at a polar angle of {:.4g} deg", in_turn(theta) / kDegree);
 }
 
 }  // namespace

@@ -5,22 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
+
+#include "problems/fits/measured_refusal.h"
+#include "problems/fits/turn.h"
 
 namespace camlaw::problems {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2 * kPi;
 constexpr Complex kI{0, 1};
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("measured profile: " + why);
-}
+using measured::refuse;
 
-double degrees(double angle) { return angle * 180 / kPi; }
+double degrees(double angle) { return angle / kDegree; }
 
 struct Polar {
   std::vector<double> theta, r;
@@ -60,7 +57,7 @@ void check_round(const std::vector<double>& steps) {
                        degrees(sum)));
   }
   // Noise may turn the angle back by a little between points that are close.
-  constexpr double kMostBack = kPi / 180;
+  constexpr double kMostBack = kDegree;
   const double sense = sum > 0 ? 1 : -1;
   double reached = 0, now = 0;
   for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
@@ -73,7 +70,7 @@ void check_round(const std::vector<double>& steps) {
 }
 
 void check_gaps(std::vector<double> theta) {
-  constexpr double kMostGap = kPi / 4;
+  constexpr double kMostGap = kTurn / 8;
   std::sort(theta.begin(), theta.end());
   for (std::size_t k = 0; k < theta.size(); ++k) {
     const bool last = k + 1 == theta.size();
@@ -89,7 +86,7 @@ Polar checked(Polar points) {
   check_points(points);
   check_round(steps_of(points.theta));
   for (double& theta : points.theta) {
-    theta = std::clamp(theta - kTurn * std::floor(theta / kTurn), 0.0, kTurn);
+    theta = std::clamp(in_turn(theta), 0.0, kTurn);
   }
   check_gaps(points.theta);
   return points;

@@ -10,11 +10,10 @@
 
 #include "problems/fits/columns.h"
 #include "problems/fits/condensed.h"
+#include "problems/fits/turn.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kTurn = 360;
 
 /// 0 displacement, 1 velocity, 2 acceleration; none for another name.
 std::optional<int> order_of(const SampleColumn& column) {
@@ -22,6 +21,12 @@ std::optional<int> order_of(const SampleColumn& column) {
   if (is_called(column, {"velocity", "v", "s'"})) return 1;
   if (is_called(column, {"acceleration", "a", "s''"})) return 2;
   return {};
+}
+
+const SampleColumn& motion_column(const SampleTable& table) {
+  const auto is_motion = [](const SampleColumn& column) { return order_of(column).has_value(); };
+  if (const SampleColumn* named = first_column(table, is_motion)) return *named;
+  return column_beside(table, &place_column(table, nullptr));
 }
 
 std::string divided(const std::string& unit, const std::string& by, int order) {
@@ -33,24 +38,19 @@ std::string divided(const std::string& unit, const std::string& by, int order) {
 }  // namespace
 
 MotionSamples motion_samples(const SampleTable& table) {
-  const SampleColumn* value = nullptr;
-  for (const SampleColumn& column : table.columns) {
-    if (value == nullptr && order_of(column)) value = &column;
-  }
-  if (value == nullptr) {  // no known name: what is not the place
-    const SampleColumn& place = place_column(table, table.columns[1]);
-    value = &table.columns[&place == &table.columns.front() ? 1 : 0];
-  }
-  const SampleColumn* place = &place_column(table, *value);
+  const SampleColumn& motion = motion_column(table);
+  const SampleTable own = numbers_of(table, {&place_column(table, &motion), &motion});
+  const SampleColumn &place = own.columns[0], &value = own.columns[1];
   MotionSamples samples;
-  samples.order = order_of(*value).value_or(0);
-  UnitValues places = in_unit(table, *place, {"deg", "s", "1"});
+  samples.lacking = own.left_out;
+  samples.order = order_of(value).value_or(0);
+  UnitValues places = in_unit(own, place, {"deg", "s", "1"});
   const std::vector<std::string> lengths{"mm", "deg", "1"};
   std::vector<std::string> units;
   for (const std::string& length : lengths) {
     units.push_back(divided(length, places.unit, samples.order));
   }
-  UnitValues values = in_unit(table, *value, units);
+  UnitValues values = in_unit(own, value, units);
   const auto which = std::find(units.begin(), units.end(), values.unit) - units.begin();
   samples.length_unit = lengths[static_cast<std::size_t>(which)];
   Condensed means = condensed(std::move(places.values), std::move(values.values));
@@ -58,31 +58,14 @@ MotionSamples motion_samples(const SampleTable& table) {
   samples.value = std::move(means.value);
   samples.each = means.each;
   // Where noise is larger than the rounding, means are rounded so much less.
-  const bool is_dithered = means.deviation > values.resolution;
-  samples.resolution = is_dithered ? values.resolution / std::sqrt(static_cast<double>(means.each))
-                                   : values.resolution;
+  samples.resolution = std::abs(values.factor) * resolution_of(value);
+  if (means.deviation > samples.resolution) {
+    samples.resolution /= std::sqrt(static_cast<double>(means.each));
+  }
   samples.left_out = means.left_out;
   samples.place_unit = std::move(places.unit);
   samples.unit = std::move(values.unit);
   return samples;
-}
-
-MotionSamples between(const MotionSamples& all, double low, double high, double period) {
-  MotionSamples part;
-  part.order = all.order;
-  part.each = all.each;
-  part.length_unit = all.length_unit;
-  part.resolution = all.resolution;
-  part.place_unit = all.place_unit;
-  part.unit = all.unit;
-  for (std::size_t i = 0; i < all.place.size(); ++i) {
-    double place = all.place[i];
-    if (period > 0) place = low + std::fmod(std::fmod(place - low, period) + period, period);
-    if (place < low || place > high) continue;
-    part.place.push_back(place);
-    part.value.push_back(all.value[i]);
-  }
-  return part;
 }
 
 FoundCycle find_motions(const MotionSamples& samples) {
@@ -92,7 +75,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
   const double range = *last - *first;
   const bool is_angle = samples.place_unit == "deg";
   constexpr double kWhole = 0.95;
-  if (is_angle && range > kTurn * (1 + 1e-6)) {
+  if (is_angle && range > kTurnDegrees * (1 + 1e-6)) {
     throw std::invalid_argument(
         fmt::format("the angles go over {:.6g} deg; one turn of 360 deg at most is wanted", range));
   }
@@ -102,7 +85,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
   }
   SegmentOptions options;
   options.least_noise = rounding_deviation(samples);
-  const double period = is_angle && range > kWhole * kTurn ? kTurn : 0;
+  const double period = is_angle && range > kWhole * kTurnDegrees ? kTurnDegrees : 0;
   if (period > 0) options.period = period;
   FoundSegments found = motion_segments(samples.place, samples.value, options);
   result.noise = found.noise;

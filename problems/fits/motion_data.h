@@ -16,9 +16,6 @@ namespace camlaw::problems {
 /// are condensed(). Throws std::invalid_argument naming the column and the units that it may have.
 MotionSamples motion_samples(const SampleTable& table);
 
-/// Samples from `low` to `high`, in a cycle that begins anew after `period` (0: not at all).
-MotionSamples between(const MotionSamples& all, double low, double high, double period = 0);
-
 /// One rise or return of a cycle, and its samples.
 struct FoundMotion {
   MotionGuess guess;

@@ -8,14 +8,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "optim/fit/statistics.h"
+#include "optim/fit/smoothing_spline.h"
 #include "problems/fits/fitted_law.h"
+#include "problems/fits/law_ranking.h"
+#include "problems/fits/motion_residuals.h"
 
 namespace camlaw::problems {
 namespace {
-
-/// Below this many residuals chance makes neighbours alike.
-constexpr std::size_t kEnough = 20;
 
 bool is_exact(const LawFit& fit) {
   constexpr double kRounding = 1e-9;
@@ -48,7 +47,7 @@ std::string drawn_by(const MotionFit& fit) {
 }
 
 bool shows_no_stroke(const LawFit& fit) {
-  const optim::FittedParameter& stroke = fit.fit.parameters[2];
+  const optim::FittedParameter& stroke = fit.fit.parameters[MotionLayout::kStroke];
   return stroke.low <= 0 && stroke.high >= 0;
 }
 
@@ -75,12 +74,11 @@ std::string as_good(const MotionFit& fit) {
 
 /// What of the residuals is a curve, in words; empty where they may be noise.
 std::string curve_left(const MotionFit& fit) {
-  const std::size_t count = fit.motion.samples.place.size();
-  if (count < kEnough || !optim::is_curve(fit.correlation, fit.slow, count)) return "";
+  if (!fit.left.is_curve) return "";
   return fmt::format(
       "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
       "residuals have a correlation of {:.2f}, blocks of them {:.1f} times the squares of noise)",
-      fit.best().law.label(), fit.correlation, fit.slow);
+      fit.best().law.label(), fit.left.correlation, fit.left.block_squares);
 }
 
 std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
@@ -123,56 +121,13 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
     throw std::invalid_argument("none of the laws can be fitted to these samples");
   }
   result.prediction_error = cross_validated(motion.samples, result.best(), options);
-  const std::vector<double> counted = result.best().counted_residuals();
-  result.correlation = optim::neighbour_correlation(motion.samples.place, counted);
-  result.slow = optim::block_squares(motion.samples.place, counted);
+  result.left =
+      optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
   result.far_off = far_off_of(result);
   result.distrust = distrust_of(result, options);
   const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&
                         result.distrust == curve_left(result);
   if (is_curve) result.smooth = smoothed(result);
-  return result;
-}
-
-namespace {
-
-/// Where a fitted law has an end of a motion, seen from where the segment had it.
-struct FittedEnd {
-  double shift, error;
-};
-
-FittedEnd fitted_end(const MotionFit& fit, bool begin) {
-  const MotionGuess& guess = fit.motion.guess;
-  const double shift = begin ? fit.best().begin - guess.begin : fit.best().end - guess.end;
-  return {shift, fit.best().fit.parameters[begin ? 0 : 1].standard_deviation};
-}
-
-}  // namespace
-
-std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
-                                          const std::vector<MotionFit>& fits) {
-  std::vector<FoundSegment> result = cycle.segments;
-  const std::size_t count = result.size();
-  std::size_t motion = 0;
-  for (std::size_t i = 0; i < count && motion < fits.size(); ++i) {
-    if (cycle.segments[i].kind == SegmentKind::Dwell) continue;
-    const MotionFit& fit = fits[motion++];
-    if (!fit.distrust.empty()) continue;
-    const FittedEnd begin = fitted_end(fit, true), end = fitted_end(fit, false);
-    result[i].begin = cycle.segments[i].begin + begin.shift;
-    result[i].begin_error = begin.error;
-    result[i].end = cycle.segments[i].end + end.shift;
-    result[i].end_error = end.error;
-    FoundSegment &before = result[(i + count - 1) % count], &after = result[(i + 1) % count];
-    if (before.kind == SegmentKind::Dwell && before.end_error > 0) {
-      before.end += begin.shift;
-      before.end_error = begin.error;
-    }
-    if (after.kind == SegmentKind::Dwell && after.begin_error > 0) {
-      after.begin += end.shift;
-      after.begin_error = end.error;
-    }
-  }
   return result;
 }
 

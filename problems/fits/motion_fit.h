@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/law.h"
+#include "optim/fit/statistics.h"
 #include "problems/fits/far_off.h"
 #include "problems/fits/motion_data.h"
 
@@ -10,24 +11,18 @@ namespace camlaw::problems {
 
 struct MotionFit {
   FoundMotion motion;
-  std::vector<LawFit> ranking;  ///< the best by AICc first; not empty
-  double prediction_error = 0;  ///< of the first, by cross-validation
-  double slow = 1;              ///< squares of means of its residuals, in units of noise
-  double correlation = 0;       ///< of its neighbouring residuals
-  FarOff far_off;               ///< samples that it leaves farther off than chance explains
+  std::vector<LawFit> ranking;       ///< the best by AICc first; not empty
+  double prediction_error = 0;       ///< of the first, by cross-validation
+  optim::ResidualPattern left = {};  ///< what its residuals look like, as the loss counts them
+  FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
   /// Why the first should not be taken for the law behind the samples; empty where it may.
-  std::string distrust;
+  std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch
   /// from motion.guess.begin to its end.
-  std::optional<Law<double>> smooth;
+  std::optional<Law<double>> smooth = {};
 
   const LawFit& best() const { return ranking.front(); }
 };
-
-/// The segments of a cycle, the ends of motions where the fitted laws have them, with the standard
-/// errors of these; ends of motions whose law is not trusted stay.
-std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
-                                          const std::vector<MotionFit>& fits);
 
 /// Throws std::invalid_argument where none of the laws can be fitted.
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "optim/fit/statistics.h"
+#include "problems/fits/turn.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {
 namespace {
-
-constexpr double kTurn = 360;
 
 /// The values of the fit's own parameters, behind those of the design.
 struct Shifts {
@@ -36,7 +34,7 @@ class RecordResiduals final : public optim::Residuals {
     const double begin = breaks.front(), length = breaks.back() - begin;
     for (std::size_t i = 0; i < count(); ++i) {
       double at = record_.place[i] - (shifts_.place ? p[*shifts_.place] : 0);
-      if (length == kTurn) at = begin + std::fmod(std::fmod(at - begin, kTurn) + kTurn, kTurn);
+      if (length == kTurnDegrees) at = in_period(at, begin, kTurnDegrees);
       const optim::Place place{at, at >= breaks.back(), -1};
       const std::span<double> row =
           jacobian.empty() ? jacobian : jacobian.subspan(i * p.size(), p.size());
@@ -106,7 +104,7 @@ Shifts add_shifts(std::vector<optim::FitParameter>& parameters, const RecordedCu
 void check_places(const RecordedCurve& record, const optim::Curve& curve, optim::Design x,
                   const RecordFitOptions& options) {
   const std::vector<double> breaks = curve.trace(x)->breaks();
-  if (breaks.back() - breaks.front() == kTurn) return;
+  if (breaks.back() - breaks.front() == kTurnDegrees) return;
   if (options.place_shift) {
     throw std::invalid_argument("the zero of the place can be fitted of whole turns only");
   }
@@ -118,15 +116,14 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
   }
 }
 
-std::string distrust_of(const RecordFit& fit, const RecordFitOptions& options, double slow) {
-  constexpr std::size_t kEnough = 20;
+std::string distrust_of(const RecordFit& fit, const RecordFitOptions& options) {
   std::string why = fit.fit.reason;
   const auto add = [&](const std::string& more) { why += (why.empty() ? "" : "; ") + more; };
-  if (fit.model.size() >= kEnough && optim::is_curve(fit.correlation, slow, fit.model.size())) {
+  if (fit.left.is_curve) {
     add(fmt::format(
         "the machine as it is stated does not follow the record: what is left is no noise "
         "(neighbouring residuals have a correlation of {:.2f})",
-        fit.correlation));
+        fit.left.correlation));
   }
   if (options.loss == optim::Loss::None && draws(fit.far_off, fit.fit.residuals)) {
     add(
@@ -157,7 +154,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   optim::FitOptions how;
   how.loss = options.loss;
   how.confidence = options.confidence;
-  RecordFit result{optim::fit(parameters, residuals, how), machine, {}, 0, {}, ""};
+  RecordFit result{optim::fit(parameters, residuals, how), machine, {}, {}, {}, ""};
   std::vector<double> x;
   for (const auto& p : result.fit.parameters) x.push_back(p.value);
   result.machine = bound.at({}, optim::Design(x).first(variables));
@@ -167,15 +164,11 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
     size = std::max(size, std::abs(record.value[i]));
   }
   const std::vector<double>& r = result.fit.residuals;
-  std::vector<double> counted = r;
-  for (std::size_t i = 0; i < r.size(); ++i) counted[i] *= result.fit.weights[i];
-  result.correlation = optim::neighbour_correlation(record.place, counted);
+  result.left = optim::residual_pattern(record.place, optim::counted_residuals(result.fit));
   constexpr double kRounding = 1e-9;
   result.far_off = far_off(record.place, r, result.fit.rank, kRounding * size);
   const bool exact = result.fit.rms < kRounding * size;
-  result.distrust = exact
-                        ? result.fit.reason
-                        : distrust_of(result, options, optim::block_squares(record.place, counted));
+  result.distrust = exact ? result.fit.reason : distrust_of(result, options);
   return result;
 }
 

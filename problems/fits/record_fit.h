@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optim/fit/least_squares.h"
+#include "optim/fit/statistics.h"
 #include "problems/fits/far_off.h"
 #include "problems/fits/recorded_curve.h"
 #include "problems/statement/statement.h"
@@ -19,9 +20,9 @@ struct RecordFitOptions {
 
 struct RecordFit {
   optim::FitResult fit;
-  ProblemStatement machine;   ///< with the fitted values
-  std::vector<double> model;  ///< at the record's places, shifts included
-  double correlation = 0;     ///< of neighbouring residuals, as the loss counts them
+  ProblemStatement machine;     ///< with the fitted values
+  std::vector<double> model;    ///< at the record's places, shifts included
+  optim::ResidualPattern left;  ///< what the residuals look like, as the loss counts them
   FarOff far_off;
   std::string distrust;  ///< why the values should not be taken for the machine's; may be empty
 };

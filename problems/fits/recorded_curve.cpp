@@ -70,9 +70,11 @@ RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanis
                                             table.source, column.name, mechanism.name,
                                             fmt::join(curve_names(mechanism), ", ")));
   }
-  const SampleColumn& place = place_column(table, column);
-  Condensed means = condensed(in_unit(table, place, {record.response.response->along}).values,
-                              in_unit(table, column, {record.response.unit}).values);
+  const SampleTable own = numbers_of(table, {&place_column(table, &column), &column});
+  record.lacking = own.left_out;
+  Condensed means =
+      condensed(in_unit(own, own.columns[0], {record.response.response->along}).values,
+                in_unit(own, own.columns[1], {record.response.unit}).values);
   record.place = std::move(means.place);
   record.value = std::move(means.value);
   record.each = means.each;

@@ -17,6 +17,7 @@ struct RecordedCurve {
   std::vector<double> place, value;
   std::size_t each = 1;      ///< measured samples that one of these is the mean of
   std::size_t left_out = 0;  ///< of those, far off their neighbours
+  std::size_t lacking = 0;   ///< rows of the table without a number
 };
 
 /// The column called as a curve of the machine (case, spaces and underscores do not matter), or as

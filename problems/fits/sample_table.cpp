@@ -28,11 +28,25 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
+/// Where a cell that begins at `from` ends: at the next `between` that stands in no quotes.
+std::size_t cell_end(std::string_view line, char between, std::size_t from) {
+  const std::size_t first = line.find_first_not_of(" \t", from);
+  if (first == std::string_view::npos || line[first] != '"') {
+    return std::min(line.find(between, from), line.size());
+  }
+  bool inside = false;
+  for (std::size_t i = first; i < line.size(); ++i) {
+    if (line[i] == '"') inside = !inside;  // two in a row are none
+    if (line[i] == between && !inside) return i;
+  }
+  return line.size();
+}
+
 /// Calls take(cell) for each cell of a line.
 template <class F>
 void for_cells(std::string_view line, char between, F take) {
   for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t to = std::min(line.find(between, from), line.size());
+    const std::size_t to = cell_end(line, between, from);
     take(trimmed(line.substr(from, to - from)));
     from = to + 1;
   }
@@ -50,11 +64,11 @@ SampleColumn named(std::string_view cell) {
   const std::size_t open = cell.find_first_of("[(");
   const std::size_t close = cell.find_last_of("])");
   if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
-    return {std::string(cell), "", {}};
+    return {.name = std::string(cell), .unit = "", .values = {}};
   }
-  return {std::string(trimmed(cell.substr(0, open))),
-          std::string(trimmed(cell.substr(open + 1, close - open - 1))),
-          {}};
+  return {.name = std::string(trimmed(cell.substr(0, open))),
+          .unit = std::string(trimmed(cell.substr(open + 1, close - open - 1))),
+          .values = {}};
 }
 
 /// A number; NaN for an empty cell and for "nan", none for anything else.
@@ -96,10 +110,11 @@ class Decimals {
   void take(int decimals) {
     ++counts_[static_cast<std::size_t>(std::clamp(decimals, -kMost, kMost) + kMost)];
   }
-  /// One in the last digit that half of the cells have or go beyond.
+  /// One in the last digit that half of the cells have or go beyond; 0 where none tells.
   double last_digit() const {
     std::size_t all = 0, so_far = 0;
     for (const std::size_t count : counts_) all += count;
+    if (all == 0) return 0;
     for (int k = -kMost; k <= kMost; ++k) {
       so_far += counts_[static_cast<std::size_t>(k + kMost)];
       if (2 * so_far >= all) return std::pow(10.0, -k);
@@ -111,6 +126,23 @@ class Decimals {
   static constexpr int kMost = 30;
   std::array<std::size_t, 2 * kMost + 1> counts_{};
 };
+
+void check_rows(const SampleTable& table) {
+  const std::size_t rows = table.rows();
+  if (rows >= 2) return;
+  throw std::invalid_argument(fmt::format("{}: it has {} row{} of numbers; two at least are wanted",
+                                          table.source, rows, rows == 1 ? "" : "s"));
+}
+
+void check_name(const SampleTable& table, const std::string& name) {
+  if (name.empty()) {
+    throw std::invalid_argument(fmt::format("{}: a column has no name", table.source));
+  }
+  const auto count = std::count_if(table.columns.begin(), table.columns.end(),
+                                   [&](const SampleColumn& c) { return c.name == name; });
+  if (count < 2) return;
+  throw std::invalid_argument(fmt::format("{}: column '{}' is there twice", table.source, name));
+}
 
 class Reader {
  public:
@@ -124,10 +156,7 @@ class Reader {
 
   SampleTable ended() {
     if (table_.columns.empty()) refuse("it is empty; a header and rows of numbers are wanted");
-    if (table_.rows() < 2) {
-      refuse(fmt::format("it has {} row{} of numbers; two at least are wanted", table_.rows(),
-                         table_.rows() == 1 ? "" : "s"));
-    }
+    check_rows(table_);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       table_.columns[i].last_digit = decimals_[i].last_digit();
     }
@@ -158,44 +187,36 @@ class Reader {
           "there is one column; two at least are wanted, separated by commas, semicolons "
           "or tabs");
     }
-    for (const SampleColumn& column : table_.columns) {
-      const auto same = [&](const SampleColumn& c) { return c.name == column.name; };
-      if (column.name.empty()) refuse_line("a column has no name");
-      if (std::count_if(table_.columns.begin(), table_.columns.end(), same) > 1) {
-        refuse_line(fmt::format("column '{}' is there twice", column.name));
-      }
-    }
   }
 
   void read_row(std::string_view line) {
-    row_.clear(), places_.clear();
     decimals_.resize(table_.columns.size());
+    std::size_t i = 0;
     for_cells(line, between_, [&](std::string_view cell) {
-      double value = 0;
-      if (!read_number(cell, between_, value)) {
-        refuse_line(fmt::format("'{}' is no number", cell.substr(0, 40)));
-      }
-      if (std::isinf(value)) refuse_line(fmt::format("'{}' is infinite", cell));
-      row_.push_back(value);
-      places_.push_back(decimals_of(cell));
+      if (i < table_.columns.size()) read_cell(cell, i);
+      ++i;
     });
-    if (row_.size() != table_.columns.size()) {
-      refuse_line(
-          fmt::format("{} cells, where the header has {}", row_.size(), table_.columns.size()));
+    if (i != table_.columns.size()) {
+      refuse_line(fmt::format("{} cells, where the header has {}", i, table_.columns.size()));
     }
-    if (std::any_of(row_.begin(), row_.end(), [](double v) { return std::isnan(v); })) {
-      ++table_.left_out;
-      return;
+  }
+
+  void read_cell(std::string_view cell, std::size_t i) {
+    SampleColumn& column = table_.columns[i];
+    double value = kNaN;
+    const bool is_number = read_number(cell, between_, value);
+    if ((!is_number || std::isinf(value)) && column.fault.empty()) {
+      column.fault = fmt::format("{}:{}: '{}' is {}", table_.source, line_, cell.substr(0, 40),
+                                 is_number ? "infinite" : "no number");
     }
-    for (std::size_t i = 0; i < row_.size(); ++i) table_.columns[i].values.push_back(row_[i]);
-    for (std::size_t i = 0; i < row_.size(); ++i) decimals_[i].take(places_[i]);
+    column.values.push_back(is_number ? value : kNaN);
+    // Of a zero nothing tells how many digits were meant.
+    if (is_number && std::isfinite(value) && value != 0) decimals_[i].take(decimals_of(cell));
   }
 
   SampleTable table_;
   char between_ = ',';
   std::size_t line_ = 0;
-  std::vector<double> row_;
-  std::vector<int> places_;
   std::vector<Decimals> decimals_;
 };
 
@@ -216,6 +237,31 @@ const SampleColumn& SampleTable::column(const std::string& name) const {
   }
   throw std::invalid_argument(
       fmt::format("{}: no column '{}'; there are {}", source, name, fmt::join(names, ", ")));
+}
+
+SampleTable numbers_of(const SampleTable& table,
+                       std::initializer_list<const SampleColumn*> columns) {
+  SampleTable result{.source = table.source, .columns = {}};
+  for (const SampleColumn* column : columns) {
+    check_name(table, column->name);
+    if (!column->fault.empty()) throw std::invalid_argument(column->fault);
+    result.columns.push_back({.name = column->name,
+                              .unit = column->unit,
+                              .values = {},
+                              .last_digit = column->last_digit});
+  }
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const bool lacks = std::any_of(columns.begin(), columns.end(), [&](const SampleColumn* column) {
+      return std::isnan(column->values[row]);
+    });
+    result.left_out += lacks ? 1 : 0;
+    std::size_t i = 0;
+    for (const SampleColumn* column : columns) {
+      if (!lacks) result.columns[i++].values.push_back(column->values[row]);
+    }
+  }
+  check_rows(result);
+  return result;
 }
 
 SampleTable read_samples(const std::string& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -9,16 +10,19 @@
 namespace camlaw::problems {
 
 struct SampleColumn {
-  std::string name, unit;  ///< as the header has them; unit "" where none is stated
-  std::vector<double> values;
+  std::string name, unit;      ///< as the header has them; unit "" where none is stated
+  std::vector<double> values;  ///< NaN where a row has no number
   /// One in the last digit that most cells have.
   double last_digit = 0;
+  /// Where a cell is neither empty nor a finite number, "t.csv:3: 'four' is no number"; empty where
+  /// none is.
+  std::string fault = {};
 };
 
 struct SampleTable {
   std::string source;
   std::vector<SampleColumn> columns;
-  std::size_t left_out = 0;  ///< rows with an empty cell or a NaN
+  std::size_t left_out = 0;  ///< rows that numbers_of() has left out
 
   std::size_t rows() const { return columns.front().values.size(); }
   /// The column of that name; throws std::invalid_argument with the ones that there are.
@@ -28,11 +32,16 @@ struct SampleTable {
 /// Reads a table with a line of names, each with its unit in brackets or parentheses:
 /// "angle [deg], lift [mm]". Cells are separated by commas, semicolons or tabs, whichever the
 /// header has; beside semicolons and tabs numbers may have a decimal comma. Empty lines and those
-/// that begin with # are passed over; rows that lack a number are left out and counted. Throws
-/// std::invalid_argument naming file, line and cell: no header, too few columns or rows, a row of
-/// another length, text that is no number, infinite numbers.
+/// that begin with # are passed over. Throws std::invalid_argument naming file and line: no header,
+/// too few columns or rows, a row of another length.
 SampleTable read_samples(const std::string& path);
 /// The same of a text; `source` names it in errors.
 SampleTable parse_samples(const std::string& text, const std::string& source);
+
+/// These columns of a table, in this order; rows in which one of them lacks a number are left out
+/// and counted. Throws std::invalid_argument: a cell of theirs that is no number, fewer than two
+/// rows.
+SampleTable numbers_of(const SampleTable& table,
+                       std::initializer_list<const SampleColumn*> columns);
 
 }  // namespace camlaw::problems

@@ -58,6 +58,9 @@ class LawBinding {
     }
     return member_.family->make(arguments);
   }
+  /// The law with derivatives by the varying parameters, one for each kDualWidth of them; none
+  /// where the values make no law.
+  std::vector<Law<Dual>> first_laws(std::span<const double> values) const;
   /// Motion at x with derivatives, order 0, 1 or 2, at values of the varying parameters; at a break
   /// the limit from the given side. NaN where the values make no law.
   MotionDerivatives motion(double x, Side side, std::span<const double> values, int order) const;
@@ -75,7 +78,6 @@ class LawBinding {
   Member with_values(std::span<const double> values) const;
   template <class S, class Seed>
   std::optional<Law<S>> seeded(std::span<const double> values, const Seed& seed) const;
-  std::vector<Law<Dual>> first_laws(std::span<const double> values) const;
   std::vector<Law<Dual2>> second_laws(std::span<const double> values) const;
   /// `look`: takes a law in any scalar to the four numbers that are wanted of it.
   template <class Look>

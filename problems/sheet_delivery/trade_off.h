@@ -10,12 +10,12 @@ namespace camlaw::problems {
 
 /// The best guide for one required slow-down.
 struct DeliveryChoice {
-  double slow_down;  ///< required
-  optim::Verdict verdict;
-  double efficiency;  ///< the least one within the stretch, at its greatest
-  double price;       ///< efficiency that one more of slow-down costs, to first order
-  std::string law;
-  double guide_ratio, rod_angle_max;  ///< lambda, and alpha_max in degrees
+  double slow_down = 0;  ///< required
+  optim::Verdict verdict = {};
+  double efficiency = 0;  ///< the least one within the stretch, at its greatest
+  double price = 0;       ///< efficiency that one more of slow-down costs, to first order
+  std::string law = {};
+  double guide_ratio = 0, rod_angle_max = 0;  ///< lambda, and alpha_max in degrees
 };
 
 /// The trade-off of the sheet delivery between the slow-down of its carriage and the least

@@ -59,6 +59,10 @@ void put_values(ProblemStatement& problem, const NamedParameter& parameter,
   }
 }
 
+double constant_of(const ProblemStatement& problem, std::string_view name) {
+  return problem.constants[problem.mechanism->parameter(name)];
+}
+
 std::optional<std::size_t> find_variable(const ProblemStatement& problem,
                                          const NamedParameter& parameter, std::size_t index) {
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {

@@ -54,6 +54,10 @@ void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::
 void put_values(ProblemStatement& problem, const NamedParameter& parameter,
                 const std::vector<double>& values);
 
+/// A size of the machine, in its listed unit. Throws std::invalid_argument with near and known
+/// names.
+double constant_of(const ProblemStatement& problem, std::string_view name);
+
 /// Where among the problem's variables one number of a parameter is; none: it does not vary.
 std::optional<std::size_t> find_variable(const ProblemStatement& problem,
                                          const NamedParameter& parameter, std::size_t index);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pareto and front, as a user runs them.
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <thread>
 
+#include "problems/results/recorded_design.h"
 #include "tests/cli/program_runner.h"
 
 namespace camlaw::cli {
@@ -412,6 +414,33 @@ TEST_CASE("points of a front are chosen by knee, weights and number", "[program]
     words.insert(words.end(), options.begin(), options.end());
     CHECK_THAT(failed(words, 2), Contains(options[0].substr(2)));
   }
+}
+
+TEST_CASE("a point of a front becomes a result for reports and exports", "[program]") {
+  const Folder folder;
+  const std::string db = folder / "study.db", result = folder / "point.json";
+  done(pareto(written(folder, "choices.toml", with_choices()), {"--points", "6", "--db", db}));
+  const Json front = Json::parse(done({"front", db, "--json"}));
+  REQUIRE(front["points"].size() >= 4);
+  for (const std::size_t k : {std::size_t{0}, front["points"].size() - 1}) {
+    const Json& point = front["points"][k];
+    CAPTURE(point.dump());
+    const std::string text =
+        done({"front", db, "--point", std::to_string(k + 1), "--result", result});
+    CHECK_THAT(text, Contains("wrote " + result) && Contains("next: camlaw export " + result));
+    const problems::ReadDesign design = problems::read_design_file(result);
+    CHECK(design.verdict == point["verdict"].get<std::string>());
+    CHECK(design.statement.laws.front().name() == point["law"].get<std::string>());
+    for (const auto& variable : design.statement.variables) {
+      if (!point["variables"].contains(variable.name)) continue;
+      CHECK(variable.start == point["variables"][variable.name].get<double>());
+    }
+    const Json motion = Json::parse(done({"export", result, "--format", "json"}));
+    CHECK(motion.is_object());
+  }
+  CHECK_THAT(failed({"front", db, "--result", result}, 2), Contains("--knee"));
+  CHECK_THAT(failed({"front", db, "--knee", "--point", "1", "--result", result}, 2),
+             Contains("one of"));
 }
 
 TEST_CASE("fewer than three points have no knee to choose", "[program]") {

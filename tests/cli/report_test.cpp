@@ -105,7 +105,7 @@ TEST_CASE("a drawn roller stands where its own triangle puts it", "[cli][report]
   check_whole(page);
   // base_radius 60 and roller_radius 8, in line with the cam: its middle is 68 mm above it.
   CHECK_THAT(page, Contains("<circle class=\"roller\" cx=\"0.000\" cy=\"68.000\" r=\"8.000\"/>"));
-  CHECK_THAT(page, Contains("data-motion=\"turn\" data-factor=\"1\""));
+  CHECK_THAT(page, Contains("data-motion=\"turn cycle 0 1 0 0 0\""));
 }
 
 TEST_CASE("a report of a study has every point with its curves", "[cli][report]") {
@@ -237,7 +237,7 @@ TEST_CASE("the report of a front of many points keeps the curve that its picture
               data_of(page_of(folder / "geneva.toml", folder))["panels"].size() >
           1200);
   const std::string scene = data["designs"][0]["scene"];
-  CHECK_THAT(scene, Contains("data-curve=\"wheel_angle\""));
+  CHECK_THAT(scene, Contains("data-motion=\"turn wheel_angle "));
   CHECK_NOTHROW(panel_of(data, "wheel_angle"));
   CHECK(data["designs"].size() * data["panels"].size() <= 1200);
 }
@@ -329,6 +329,7 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
         "cams/conjugate_least_distance", "cams/leading_least_base", "cams/swinging_flat_least_base",
         "cams/swinging_end_least_radius", "cams/linear_least_travel", "cams/groove_least_stress",
         "spine_cutter/least_radius", "geneva/fastest", "springs/fewest_discs",
+        "balancing_cam/fewest_springs", "signature_feeder/least_acceleration",
         "free_law/least_acceleration"}) {
     add({"report", shipped(problem + std::string(".toml")), "-o"},
         std::filesystem::path(problem).filename().string() + ".html");

@@ -26,4 +26,21 @@ TEST_CASE("verdicts are coloured on a terminal alone, and not where that is unwa
              !Contains("\x1b"));
 }
 
+TEST_CASE("an answer ends with what one would do next, unless it is unwanted", "[program]") {
+  const ProjectFolder folder;
+  const std::string file = "problems/cams/roller_least_base.toml";
+  const auto says = [&](const std::string& command) { return shell(folder, command).out; };
+  CHECK(says("camlaw check " + file).ends_with("next: camlaw optimize " + file + "\n"));
+  CHECK_THAT(says("camlaw check problems/spine_cutter/front.toml"),
+             Contains("next: camlaw pareto problems/spine_cutter/front.toml"));
+  CHECK_THAT(says("camlaw evaluate " + file), !Contains("next:"));
+  CHECK_THAT(says("camlaw evaluate " + file + " --set 'base_radius=40 mm'"),
+             Contains("next: camlaw optimize " + file));
+  const std::string found = says("camlaw optimize " + file + " --out 'my cam'");
+  CHECK(found.ends_with("next: camlaw report 'my cam/result.json'\n"));
+  CHECK(shell(folder, found.substr(found.rfind("next: ") + 6)).status == 0);
+  CHECK_THAT(says("camlaw --quiet check " + file), !Contains("next:"));
+  CHECK_THAT(says("camlaw optimize " + file + " --json --out out"), !Contains("next:"));
+}
+
 }  // namespace camlaw::cli

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cctype>
 #include <regex>
+#include <set>
 
 #include "tests/cli/shell.h"
 
@@ -43,12 +45,10 @@ void check_alike(const std::string& drawn, const std::string& kept) {
   CHECK(most < 0.025);
 }
 
-}  // namespace
-
-TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
-  const ProjectFolder folder;
-  const auto steps = steps_of(read(CAMLAW_SOURCE_DIR "/docs/tutorial.md"));
-  CHECK(steps.size() >= 8);
+/// Runs a page's commands and looks for the lines that it says they print.
+void check_page(const ProjectFolder& folder, const std::string& page, std::size_t least) {
+  const auto steps = steps_of(read(CAMLAW_SOURCE_DIR "/" + page));
+  CHECK(steps.size() >= least);
   for (const Step& step : steps) {
     INFO(step.command);
     const Outcome outcome = shell(folder, step.command);
@@ -58,6 +58,64 @@ TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
       if (!line.empty()) CHECK_THAT(outcome.out, Contains(line));
     }
   }
+}
+
+/// What a heading is linked by: small letters, digits, hyphens for spaces.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '-' || c == '_')
+      anchor += static_cast<char>(std::tolower(byte));
+    if (c == ' ') anchor += '-';
+  }
+  return anchor;
+}
+
+std::set<std::string> anchors_of(const fs::path& page) {
+  std::set<std::string> anchors;
+  std::istringstream text(read(page.string()));
+  bool code = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) code = !code;
+    const std::size_t title = line.find_first_not_of('#');
+    if (code || title == 0 || title == std::string::npos || line[title] != ' ') continue;
+    anchors.insert(anchor_of(line.substr(title + 1)));
+  }
+  return anchors;
+}
+
+}  // namespace
+
+TEST_CASE("the README's five minutes print what it says", "[documents]") {
+  check_page(ProjectFolder(), "README.md", 4);
+}
+
+TEST_CASE("links of the documents lead somewhere", "[documents]") {
+  const fs::path root = CAMLAW_SOURCE_DIR;
+  std::vector<fs::path> pages{root / "README.md", root / "benchmarks/README.md"};
+  for (const auto& file : fs::directory_iterator(root / "docs")) {
+    if (file.path().extension() == ".md") pages.push_back(file.path());
+  }
+  static const std::regex link("\\]\\(([^)#: ]*)(#[^) ]*)?\\)");
+  std::size_t count = 0;
+  for (const fs::path& page : pages) {
+    const std::string text = read(page.string());
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
+      const std::string path = (*found)[1], anchor = (*found)[2];
+      INFO(page << " links " << path << anchor);
+      const fs::path to = path.empty() ? page : page.parent_path() / path;
+      CHECK(fs::exists(to));
+      if (!anchor.empty()) CHECK(anchors_of(to).contains(anchor.substr(1)));
+      ++count;
+    }
+  }
+  CHECK(count > 40);
+}
+
+TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
+  const ProjectFolder folder;
+  check_page(folder, "docs/tutorial.md", 8);
   check_alike(read(folder / "results/least_force/cycle.svg"),
               read(CAMLAW_SOURCE_DIR "/docs/tutorial/spine_cutter.svg"));
   check_alike(read(folder / "results/disc_cam/profile.svg"),

@@ -45,7 +45,7 @@ void check_derivatives(const Curve& curve, const Formula& formula, double low, d
   std::uniform_real_distribution<double> place(low, high);
   for (int i = 0; i < 50; ++i) {
     const double y = place(random);
-    const auto d = curve(y);
+    const auto d = curve.template derivatives<kCurveOrders>(y);
     const Auto exact = formula(boost::math::differentiation::make_fvar<long double, kOrders>(y));
     double size = 1;
     for (int k = 0; k <= kOrders; ++k) {
@@ -54,6 +54,8 @@ void check_derivatives(const Curve& curve, const Formula& formula, double low, d
       size = std::max(size, std::abs(wanted));
       REQUIRE(std::abs(d[static_cast<std::size_t>(k)] - wanted) <= 1e-11 * size);
     }
+    const auto few = curve.template derivatives<3>(y);
+    for (std::size_t k = 0; k < 3; ++k) REQUIRE(few[k] == Approx(d[k]).epsilon(1e-14));
   }
 }
 
@@ -85,8 +87,8 @@ TEST_CASE("A power has the derivatives of its formula", "[curve]") {
 TEST_CASE("Half-ellipses end with infinities of the limit's sign", "[curve]") {
   // sqrt(1 - y^2) rises from -1 like sqrt(h): signs +, -, +, ...; at 1 every derivative falls.
   for (const int integrations : {1, 2}) {
-    const auto first = HalfEllipse<double>{integrations}(-1);
-    const auto last = HalfEllipse<double>{integrations}(1);
+    const auto first = HalfEllipse<double>{integrations}.derivatives<kCurveOrders>(-1);
+    const auto last = HalfEllipse<double>{integrations}.derivatives<kCurveOrders>(1);
     const auto m = static_cast<std::size_t>(integrations);
     for (std::size_t k = 0; k <= m; ++k) CHECK(first[k] == 0);
     CHECK(last[m] == 0);
@@ -102,18 +104,19 @@ TEST_CASE("Half-ellipses end with infinities of the limit's sign", "[curve]") {
 
 TEST_CASE("A half-ellipse is held at its ends where rounding steps over them", "[curve]") {
   const double over = std::nextafter(1.0, 2.0);
-  CHECK(HalfEllipse<double>{1}(over)[0] == HalfEllipse<double>{1}(1)[0]);
-  CHECK(HalfEllipse<double>{1}(-over)[0] == 0);
-  const auto dual = HalfEllipse<Dual>{1}(Dual(over, 0));
-  CHECK(dual[0].a == HalfEllipse<double>{1}(1)[0]);
+  CHECK(HalfEllipse<double>{1}.derivatives<kCurveOrders>(over)[0] ==
+        HalfEllipse<double>{1}.derivatives<kCurveOrders>(1)[0]);
+  CHECK(HalfEllipse<double>{1}.derivatives<kCurveOrders>(-over)[0] == 0);
+  const auto dual = HalfEllipse<Dual>{1}.derivatives<kCurveOrders>(Dual(over, 0));
+  CHECK(dual[0].a == HalfEllipse<double>{1}.derivatives<kCurveOrders>(1)[0]);
   CHECK(dual[0].v[0] == 0);  // the slope sqrt(1 - y^2) vanishes
 }
 
 TEST_CASE("The round ellipse is the cosine law and the upright sine is the cycloid", "[curve]") {
   for (int i = 0; i <= 20; ++i) {
     const double y = i / 20.0;
-    const auto round = Ellipse<double>{1}(y);
-    const auto upright = InclinedSine<double>{0}(y);
+    const auto round = Ellipse<double>{1}.derivatives<kCurveOrders>(y);
+    const auto upright = InclinedSine<double>{0}.derivatives<kCurveOrders>(y);
     CHECK(std::abs(round[0] - (1 - std::cos(kPi * y)) / 2) <= 1e-15);
     CHECK(std::abs(upright[0] - (y - std::sin(2 * kPi * y) / (2 * kPi))) <= 1e-15);
     for (int k = 1; k < static_cast<int>(kCurveOrders); ++k) {
@@ -178,10 +181,12 @@ void check_encloses(double low, double high, P... parameters) {
     const Interval box =
         i == 0 ? Interval(low, high)
                : Interval(std::min(a, b), i % 2 == 0 ? std::max(a, b) : std::min(a, b) + 1e-3);
-    const auto d = Shape<double>{parameters...}.template as<Interval>()(box);
+    const auto d =
+        Shape<double>{parameters...}.template as<Interval>().template derivatives<kCurveOrders>(
+            box);
     for (const double share : {0.0, 0.3, 0.5, 0.9, 1.0}) {
       const double y = std::min(high, std::lerp(box.lower(), box.upper(), share));
-      const auto point = Shape<double>{parameters...}(y);
+      const auto point = Shape<double>{parameters...}.template derivatives<kCurveOrders>(y);
       for (std::size_t k = 0; k < kCurveOrders; ++k) {
         CAPTURE(box.lower(), box.upper(), y, k, d[k].lower(), d[k].upper());
         const double rounding = std::isfinite(point[k]) ? 1e-9 * (1 + std::abs(point[k])) : 0;
@@ -204,7 +209,7 @@ TEST_CASE("Curves over a box enclose their derivatives at every point of it", "[
 }
 
 TEST_CASE("A whole power has finite dual derivatives at 0", "[curve]") {
-  const auto d = Power<Dual>{2}(Dual(0.0, 0));
+  const auto d = Power<Dual>{2}.derivatives<kCurveOrders>(Dual(0.0, 0));
   for (std::size_t k = 0; k < 4; ++k) {
     CAPTURE(k);
     CHECK(d[k].a == (k == 2 ? 2 : 0));

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/fits/cam_fit.h"
 #include "problems/fits/constants_fit.h"
+#include "problems/fits/found_program.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 #include "problems/statement/standard_machine.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
@@ -91,10 +92,6 @@ CamFit fit_of(const SampleTable& table, const ProblemStatement& machine) {
   return fit_cam(measured_cam(table, machine), laws_to_try());
 }
 
-double constant(const ProblemStatement& machine, const char* name) {
-  return machine.constants[machine.mechanism->parameter(name)];
-}
-
 }  // namespace
 
 TEST_CASE("a table shows a profile by a radius or by two lengths x and y", "[measured-cam]") {
@@ -136,8 +133,8 @@ TEST_CASE("each follower's program comes back from its measured cam", "[measured
     const SampleTable table = c.is_polar ? polar_table_of(points) : table_of(points);
     const CamFit fit = fit_of(table, known);
     CHECK(fit.departures.empty());
-    REQUIRE(fit.fits.size() == 2);
-    for (const MotionFit& f : fit.fits) {
+    REQUIRE(fit.cycle.fits.size() == 2);
+    for (const MotionFit& f : fit.cycle.fits) {
       const LawFit& law = f.best();
       INFO(law.law.name());
       const bool rises = law.to > law.from;
@@ -145,20 +142,22 @@ TEST_CASE("each follower's program comes back from its measured cam", "[measured
       CHECK(law.law.name() == (rises ? "modified-sine" : "cycloidal"));
       CHECK(law.begin == Approx(rises ? 50 : 210).margin(0.1));
       CHECK(law.end == Approx(rises ? 150 : 320).margin(0.1));
-      CHECK(std::abs(law.to - law.from) == Approx(constant(machine, stroke)).epsilon(2e-4));
+      CHECK(std::abs(law.to - law.from) == Approx(constant_of(machine, stroke)).epsilon(2e-4));
     }
     // The program that is written is a problem file again, of the same machine.
     const FoundProgram program = found_program(fit, known);
     CHECK(program.laws.empty());
     const ProblemStatement again = read_problem(program.problem, "program.toml");
-    CHECK(constant(again, stroke) == Approx(constant(machine, stroke)).epsilon(2e-4));
-    CHECK(constant(again, "base_radius") == Approx(constant(machine, "base_radius")).margin(0.01));
+    CHECK(constant_of(again, stroke) == Approx(constant_of(machine, stroke)).epsilon(2e-4));
+    CHECK(constant_of(again, "base_radius") ==
+          Approx(constant_of(machine, "base_radius")).margin(0.01));
     const auto exact = curves_of(machine), found = curves_of(again);
     const auto s = curve_of(exact, "displacement").trace({});
     const auto t = curve_of(found, "displacement").trace({});
     for (double angle = 1; angle < 359; angle += 7.3) {
       const double at = angle + 50 < 360 ? angle + 50 : angle - 310;
-      CHECK(t->at({angle})[0] == Approx(s->at({at})[0]).margin(1e-3 * constant(machine, stroke)));
+      CHECK(t->at({angle})[0] ==
+            Approx(s->at({at})[0]).margin(1e-3 * constant_of(machine, stroke)));
     }
   }
 }
@@ -183,7 +182,7 @@ TEST_CASE("wrong points and worn stretches of a cam are named and left out",
   CHECK(fit.departures[0].to == Approx(266).margin(2.5));
   // Worn along the normal, read along the follower's way: not the same, but near.
   CHECK(fit.departures[0].most == Approx(-0.1).margin(0.03));
-  for (const MotionFit& f : fit.fits) {
+  for (const MotionFit& f : fit.cycle.fits) {
     CHECK(f.distrust == "");
     CHECK(f.best().law.name() == (f.best().to > f.best().from ? "modified-sine" : "cycloidal"));
   }

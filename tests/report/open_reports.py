@@ -189,6 +189,25 @@ def contact_faults(browser):
         return faults;""")
 
 
+def joint_faults(browser):
+    """Bodies that a joint ties together stay together."""
+    return browser.run(r"""
+        const faults = [], joints = [...document.querySelectorAll('.scene circle.joint')];
+        if (!joints.length) return faults;
+        for (const place of [0.1, 0.3, 0.55, 0.8]) {
+          report.goTo(report.cycle.lower + place * (report.cycle.upper - report.cycle.lower));
+          const [from, ...others] = joints.map((joint) => new DOMPoint(
+            Number(joint.getAttribute('cx')), Number(joint.getAttribute('cy')))
+            .matrixTransform(joint.getCTM()));
+          for (const to of others) {
+            const gap = Math.hypot(from.x - to.x, from.y - to.y);
+            if (!(gap < 0.5)) faults.push(`a joint is ${gap.toFixed(2)} px open at ${report.place}`);
+          }
+        }
+        report.goTo(report.cycle.lower);
+        return faults;""")
+
+
 def front_faults(browser):
     """A click on a point of the front chooses it, and its curves are drawn."""
     if not browser.run("return Boolean(report.data.front) && report.fronts.length > 0"):
@@ -253,7 +272,8 @@ def faults_of(browser, path, shots):
         here += browser.run(LOOK)
         if shots:
             browser.shot(pathlib.Path(shots) / f"{pathlib.Path(path).stem}-{width}.png")
-        here += moving_faults(browser) + contact_faults(browser) + front_faults(browser)
+        here += moving_faults(browser) + contact_faults(browser) + joint_faults(browser)
+        here += front_faults(browser)
         here += browser.run(LOOK)
         here += browser.run("return report.errors")
         here += [f"in the browser's log: {message}" for message in browser.log()]

@@ -15,29 +15,43 @@ report.isAlong = (panel) =>
   report.cycle !== null && panel.x.label === report.cycle.label &&
   panel.x.upper === report.cycle.upper;
 
-// How a body lies when the cam has turned to the place and the follower moved by `moved`.
-report.transformOf = (body, place, moved) => {
-  const factor = Number(body.dataset.factor);
-  const [x, y] = body.dataset.about.split(' ').map(Number);
-  switch (body.dataset.motion) {
-    case 'turn': return `rotate(${factor * place} ${x} ${y})`;
-    case 'swing': return `rotate(${factor * moved} ${x} ${y})`;
-    case 'slide': return `translate(${factor * moved * x} ${factor * moved * y})`;
-    case 'travel': return `translate(${factor * place} 0)`;
-    default: throw new Error('no motion ' + body.dataset.motion);
+// What a curve, or the cycle's angle, has at the place; NaN where it has no value.
+report.valueOf = (curve, design, place) => {
+  if (curve === 'cycle') return place;
+  const index = report.data.panels.findIndex((panel) => panel.id === curve);
+  const value = index < 0 ? null : report.valueAt(design, index, place);
+  return value === null ? NaN : value;
+};
+
+report.sine = (degrees) => Math.sin(degrees * Math.PI / 180);
+
+// One step of a body's motion: "KIND CURVE DRAWN FACTOR X Y PHASE", from the pose that is drawn at the
+// curve's value DRAWN.
+report.stepAt = (step, design, place) => {
+  const [kind, curve, ...numbers] = step.split(' ');
+  const [drawn, factor, x, y, phase] = numbers.map(Number);
+  const by = factor * (report.valueOf(curve, design, place) - drawn);
+  if (!Number.isFinite(by)) return null;
+  switch (kind) {
+    case 'turn': return `rotate(${by} ${x} ${y})`;
+    case 'slide': return `translate(${by * x} ${by * y})`;
+    case 'harmonic': {
+      const gained = report.sine(phase + by) - report.sine(phase);
+      return `translate(${gained * x} ${gained * y})`;
+    }
+    default: throw new Error('no motion ' + kind);
   }
 };
 
+// A body without a value at the place stays where it was.
 report.moveBodies = () => {
   const scene = document.querySelector('.scene');
   const design = report.shown[0];
   if (!scene || !design) return;
-  const index = report.data.panels.findIndex((panel) => panel.id === scene.dataset.curve);
-  if (index < 0) return;
-  const value = report.valueAt(design, index, report.place);
   for (const body of scene.querySelectorAll('[data-motion]')) {
-    const moved = value - Number(body.dataset.zero);
-    body.setAttribute('transform', report.transformOf(body, report.place, moved));
+    const steps = body.dataset.motion.split('; ')
+      .map((step) => report.stepAt(step, design, report.place));
+    if (!steps.includes(null)) body.setAttribute('transform', steps.join(' '));
   }
 };
 

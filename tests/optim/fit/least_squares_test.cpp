@@ -289,6 +289,38 @@ TEST_CASE("a start that bold steps leave for nowhere is tried again cautiously",
   CHECK(far.parameters[1].value < 1);
 }
 
+TEST_CASE("a rough fit and one from near it give what a full one gives", "[fit]") {
+  const auto decay = [](const auto& p, double x) { return p[0] * exp(-p[1] * x) + p[2]; };
+  const Values x = even(200, 0.05);
+  for (const Loss loss : {Loss::None, Loss::Huber, Loss::Cauchy}) {
+    CAPTURE(static_cast<int>(loss));
+    Normal normal(3);
+    Values y;
+    for (const double t : x) y.push_back(5 * std::exp(-0.8 * t) + 1 + 0.05 * normal());
+    const auto residuals = against(x, y, decay);
+    FitOptions options{.loss = loss};
+    const FitResult full = fit(named({"a", "b", "c"}, {1, 2, 0}), residuals, options);
+    options.reach = FitReach::Rough;
+    const FitResult rough = fit(named({"a", "b", "c"}, {1, 2, 0}), residuals, options);
+    CHECK(rough.rms < 1.001 * full.rms);
+    Values ends;
+    for (const FittedParameter& p : rough.parameters) ends.push_back(p.value);
+    options.reach = FitReach::Near;
+    const FitResult near = fit(named({"a", "b", "c"}, ends), residuals, options);
+    CHECK(near.converged);
+    CHECK(near.reason.empty());
+    CHECK(near.iterations == 0);
+    CHECK(near.evaluations < full.evaluations / 2);
+    // From farther than steps lead the search goes on.
+    const FitResult far = fit(named({"a", "b", "c"}, {1, 200, 0}), residuals, options);
+    for (const std::size_t j : {0, 1, 2}) {
+      const double deviation = full.parameters[j].standard_deviation;
+      CHECK(near.parameters[j].value == Approx(full.parameters[j].value).margin(1e-6 * deviation));
+      CHECK(far.parameters[j].value == Approx(full.parameters[j].value).margin(1e-6 * deviation));
+    }
+  }
+}
+
 TEST_CASE("parameters that coincide at the minimum cannot be told apart there", "[fit]") {
   // Jennrich and Sampson 1968: the best two exponentials are the same one.
   const AutomaticResiduals twins(10, [](const auto& p, const auto& r) {

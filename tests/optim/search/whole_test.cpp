@@ -276,6 +276,28 @@ TEST_CASE("choices and whole numbers multiply", "[optimise]") {
   CHECK(optimum.found.assessment.verdict == Verdict::Certified);
 }
 
+TEST_CASE("progress tells the share of starts and combinations that is through", "[optimise]") {
+  ProblemSpace space;
+  space.choices = {{"place", "", {"-3", "0", "3"}, {-3, 0, 3}}};
+  space.problem = [choices = space.choices](const std::vector<std::size_t>& options) {
+    const double place = choices[0].values[options[0]];
+    Problem problem;
+    problem.variables = {variable("x", -4, 4, 1)};
+    problem.objective = least(function<Interval>(
+        {0}, [place](const auto& u) { return square(square(u[0]) - 4.0) + square(u[0] - place); }));
+    return problem;
+  };
+  std::vector<double> shares;
+  OptimiseOptions options{.solver = "slsqp", .starts = 4};
+  options.progress = [&](const Progress& p) { shares.push_back(p.done); };
+  optimise(space, options);
+  std::erase(shares, 0);  // and what proves the best at the end tells none
+  REQUIRE(shares.size() > 4);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  CHECK(shares.front() == Approx(1.0 / 12));  // the second start of the first combination
+  CHECK(shares.back() == Approx(11.0 / 12));
+}
+
 TEST_CASE("where time runs out among combinations, the best so far is feasible", "[optimise]") {
   Problem problem;
   problem.variables = {whole("a", 0, 400), variable("x", -1, 1, 0.5)};

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+/// Angles that come round.
+namespace camlaw::problems {
+
+inline constexpr double kTurnDegrees = 360;
+inline constexpr double kTurn = 2 * std::numbers::pi;
+inline constexpr double kDegree = kTurn / kTurnDegrees;
+
+/// The place from `low` to low + period at which a cycle is the same.
+inline double in_period(double place, double low, double period) {
+  return low + std::fmod(std::fmod(place - low, period) + period, period);
+}
+
+/// An angle from 0 to a turn, rad.
+inline double in_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
+
+}  // namespace camlaw::problems
