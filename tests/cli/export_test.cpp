@@ -2,6 +2,7 @@
 // camlaw export, as a user runs it: what is written is read back by other programs than our own.
 #include <Eigen/Core>
 #include <array>
+#include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <cstdio>
 #include <map>

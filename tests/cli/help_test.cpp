@@ -69,7 +69,7 @@ TEST_CASE("what the README says to try has commands, options and files that exis
   }
 }
 
-TEST_CASE("--version names the program and the libraries behind it with their versions",
+TEST_CASE("the version names the program and the libraries behind it with their versions",
           "[program]") {
   const std::string text = done({"--version"});
   CHECK(text.starts_with("camlaw 0.1.0\n"));
@@ -110,7 +110,7 @@ TEST_CASE("scripts of all shells and the manual page have every command and opti
   CHECK_THAT(failed({"completion", "tcsh"}, 2), Contains("tcsh") && Contains("fish"));
 }
 
-TEST_CASE("--quiet leaves out what was not asked for, and keeps the answer", "[program]") {
+TEST_CASE("a quiet run leaves out what was not asked for, and keeps the answer", "[program]") {
   const Folder folder;
   const std::string csv = folder / "cubic.csv";
   const std::string said = done({"law", "cubic", "--csv", csv});

@@ -228,12 +228,6 @@ inline void check_integral(const Law<double>& law) {
   expect_within("s against the integral of v", worst, 1e-11);
 }
 
-/// Parameters whose derivatives were checked, as "family parameter".
-inline std::set<std::string>& differentiated() {
-  static std::set<std::string> names;
-  return names;
-}
-
 /// The law with one value moved; nothing where the family does not take it.
 inline std::optional<Law<double>> moved(const Family& family, Arguments<double> arguments,
                                         std::size_t parameter, std::size_t index, double step) {
@@ -246,8 +240,8 @@ inline std::optional<Law<double>> moved(const Family& family, Arguments<double> 
 }
 
 /// s, v, a by one parameter through Dual, against differences in the parameter: central ones, or
-/// one-sided where the value lies on the edge of what makes a law.
-inline void check_parameter(const Family& family, const Arguments<double>& arguments,
+/// one-sided where the value lies on the edge of what makes a law; false where it cannot move.
+inline bool check_parameter(const Family& family, const Arguments<double>& arguments,
                             std::size_t parameter, std::size_t index) {
   const Law<double> law = family.make(arguments);
   auto seeded = arguments.as<Dual>();
@@ -260,9 +254,8 @@ inline void check_parameter(const Family& family, const Arguments<double>& argum
   double h = std::min(1e-3 * std::max(1.0, std::abs(value)), 0.02 * narrowest);
   const bool above = moved(family, arguments, parameter, index, h).has_value();
   const bool below = moved(family, arguments, parameter, index, -h).has_value();
-  if (!above && !below) return;
+  if (!above && !below) return false;
   if (!above) h = -h;
-  differentiated().insert(family.name + " " + family.parameters[parameter].name);
   const bool central = above && below;
   const int levels = central ? 3 : 5;
   std::vector<Law<double>> up, down;
@@ -295,12 +288,16 @@ inline void check_parameter(const Family& family, const Arguments<double>& argum
   expect_within("values of the Dual law", values, 1e-13);
   // At 0.5 the crossover of an asymmetric law is left where it is; beside 0.5 it is moved.
   const bool jumps = family.parameters[parameter].name == "crossover" && value == 0.5;
-  if (jumps && !is_symmetric(law)) return;
+  if (jumps && !is_symmetric(law)) return true;
   // Rounding: 1e-16 / 5e-6, the shortest step, at worst.
   expect_within("derivatives by the parameter", slopes, central ? 1e-9 : 1e-8);
+  return true;
 }
 
-inline void check_parameters(const Family& family, const Arguments<double>& arguments) {
+/// Every parameter at these values; the names of those that could be moved.
+inline std::set<std::string> check_parameters(const Family& family,
+                                              const Arguments<double>& arguments) {
+  std::set<std::string> checked;
   for (std::size_t p = 0; p < family.parameters.size(); ++p) {
     if (family.parameters[p].structural) continue;
     const auto& list = arguments.list(p);
@@ -309,9 +306,10 @@ inline void check_parameters(const Family& family, const Arguments<double>& argu
       const bool repeated =
           (i > 0 && list[i - 1] == list[i]) || (i + 1 < list.size() && list[i + 1] == list[i]);
       if (family.parameters[p].name == "knots" && repeated) continue;
-      check_parameter(family, arguments, p, i);
+      if (check_parameter(family, arguments, p, i)) checked.insert(family.parameters[p].name);
     }
   }
+  return checked;
 }
 
 /// Sizes of s, v, a, j by their terms: what rounding is relative to where large terms cancel.

@@ -135,22 +135,24 @@ TEST_CASE("boundary polynomials keep the contract for all sixteen VDI pairs") {
   }
 }
 
-TEST_CASE("derivatives by every parameter have been compared with differences") {
+TEST_CASE("derivatives by every parameter are those of differences") {
   for (const Family& family : catalogue()) {
     auto arguments = family.standard();
     if (family.name == "s-curve") arguments = find_law("s-curve B=1.6 C=5.8 D=58.5").arguments;
+    // The standard one lies where no coefficient can move alone.
+    if (family.name == "triple-harmonic") {
+      arguments = find_law("triple-harmonic h1=5.1968 h2=1.769 h3=0.6057").arguments;
+    }
     if (family.name == "b-spline") {
       arguments = find_law("b-spline degree=2 knots=0.5 coefficients=0,0,1,1").arguments;
     }
     if (family.name == "table") {
       arguments = find_law("table x=0,0.5,1 s=0,0.5,1 v=0,2,0").arguments;
     }
-    testing::check_parameters(family, arguments);
+    const auto checked = testing::check_parameters(family, arguments);
     for (const Parameter& parameter : family.parameters) {
       INFO(family.name << " " << parameter.name);
-      if (!parameter.structural) {
-        CHECK(testing::differentiated().count(family.name + " " + parameter.name) == 1);
-      }
+      if (!parameter.structural) CHECK(checked.count(parameter.name) == 1);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "problems/statement/statement.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::problems {
 namespace {
@@ -17,27 +18,19 @@ using Catch::Contains;
 /// A folder of its own, that of one's own laws while it is there.
 class OwnFolder {
  public:
-  OwnFolder() {
-    std::string name = (fs::temp_directory_path() / "camlaw-laws-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-    setenv(kOwnLaws, path_.c_str(), 1);
-  }
+  OwnFolder() { setenv(kOwnLaws, folder().c_str(), 1); }
   OwnFolder(const OwnFolder&) = delete;
   OwnFolder& operator=(const OwnFolder&) = delete;
-  ~OwnFolder() {
-    unsetenv(kOwnLaws);
-    fs::remove_all(path_);
-  }
+  ~OwnFolder() { unsetenv(kOwnLaws); }
   std::string put(const std::string& name, const std::string& text) const {
-    const std::string path = (path_ / name).string();
+    std::string path = folder_ / name;
     std::ofstream(path) << text;
     return path;
   }
-  std::string folder() const { return path_.string(); }
+  std::string folder() const { return folder_.path(); }
 
  private:
-  fs::path path_;
+  camlaw::testing::Folder folder_;
 };
 
 std::string text_of(const Law<double>& law) { return law_file(law, "a title", Json{}).dump(2); }

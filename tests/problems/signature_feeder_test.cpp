@@ -99,7 +99,7 @@ TEST_CASE("the cylinder follows the pin's velocity along the rack", "[signature-
   }
 }
 
-TEST_CASE("the meshing rack does not slip on the pinion; the printed one does",
+TEST_CASE("the meshing rack does not slip on the pinion, and the printed one does",
           "[signature-feeder]") {
   // The rack's point over O2, on its pitch line, has the velocity of the pinion's rim.
   const auto slip = [](const SignatureFeeder<double>& m, double phi) {

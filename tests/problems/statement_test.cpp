@@ -11,6 +11,7 @@
 #include <string>
 
 #include "problems/statement/bind.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::problems {
 namespace {
@@ -89,20 +90,17 @@ std::string complaint(ProblemStatement problem, const std::string& assignment) {
   }
 }
 
-/// A file that goes when the test does.
+/// A problem file that goes when the test does.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() / "camlaw_statement_test.toml") {
+  explicit TemporaryFile(const std::string& text) : path_(folder_ / "statement.toml") {
     std::ofstream(path_, std::ios::binary) << text;
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
+  const std::string& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  camlaw::testing::Folder folder_;
+  std::string path_;
 };
 
 }  // namespace
