@@ -69,4 +69,29 @@ TEST_CASE("the fastest Geneva is that of its known peaks", "[geneva][problem-fil
   CHECK(optimum.found.assessment.objective.value == Approx(best).epsilon(1e-7));
 }
 
+TEST_CASE("the fastest spherical Geneva has the torque of its wheel's way",
+          "[geneva][problem-files]") {
+  const auto optimum = optim::optimise(testing::shipped("geneva/fastest_spherical.toml").space());
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(optimum.found.assessment.global);
+  // Power of friction and inertia over the speed, with differences of tan beta = tan(pi/n) sin
+  // alpha.
+  const double speed = optimum.found.assessment.objective.value * kPi / 30;
+  const auto torque = [&](double slots) {
+    const auto way = [&](double alpha) {
+      return std::atan(std::tan(kPi / slots) * std::sin(alpha));
+    };
+    double greatest = 0;
+    for (int i = 1; i < 20000; ++i) {
+      const double alpha = kPi * (i / 20000.0 - 0.5), h = 1e-4;
+      const double once = (way(alpha + h) - way(alpha - h)) / (2 * h);
+      const double twice = (way(alpha + h) - 2 * way(alpha) + way(alpha - h)) / (h * h);
+      greatest = std::max(greatest, std::abs((40 + 4 * speed * speed * twice) * once));
+    }
+    return greatest;
+  };
+  CHECK(torque(8) == Approx(150).epsilon(1e-6));
+  for (const double fewer : {4.0, 5.0, 6.0}) CHECK(torque(fewer) > 150);
+}
+
 }  // namespace camlaw::problems

@@ -45,6 +45,7 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "springs/follower_spring.toml",
                                            "balancing_cam/least_stress.toml",
                                            "geneva/fastest.toml",
+                                           "geneva/fastest_spherical.toml",
                                            "die_press/least_approach.toml",
                                            "sheet_delivery/greatest_least_efficiency.toml",
                                            "signature_feeder/least_acceleration.toml"};
