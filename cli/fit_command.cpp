@@ -100,13 +100,44 @@ std::filesystem::path in_out(const FitCommand& options, const char* file) {
   return std::filesystem::path(*options.out) / file;
 }
 
+/// The files that are read.
+std::vector<std::filesystem::path> inputs_of(const FitCommand& options) {
+  std::vector<std::filesystem::path> result{*options.data};
+  for (const auto& name : {options.mechanism, options.law}) {
+    if (name && std::filesystem::exists(*name)) result.emplace_back(*name);
+  }
+  return result;
+}
+
+bool is_input(const FitCommand& options, const std::filesystem::path& path) {
+  const auto inputs = inputs_of(options);
+  return std::any_of(inputs.begin(), inputs.end(), [&](const std::filesystem::path& input) {
+    std::error_code unknown;
+    return std::filesystem::equivalent(input, path, unknown);
+  });
+}
+
+/// Files in the folder that an earlier run left there: where one has been, which its fit.json
+/// tells, and not what this one reads.
+std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
+  if (!std::filesystem::exists(in_out(options, "fit.json"))) return {};
+  std::vector<std::filesystem::path> result{in_out(options, "law.json"),
+                                            in_out(options, "program.toml")};
+  std::erase_if(result, [&](const auto& path) { return is_input(options, path); });
+  return result;
+}
+
 /// Prints an answer; of a folder the files that an earlier run left and this one has not go.
 void give(const FitCommand& options, const std::string& text, const std::string& json,
           std::vector<OutputFile> files) {
+  if (options.out) {
+    files.push_back({in_out(options, "fit.json"), json});
+    for (const OutputFile& file : files) {
+      for (const auto& input : inputs_of(options)) check_not_input(input, file.path);
+    }
+  }
   fmt::print("{}", options.json ? json : text);
-  if (!options.out) return;
-  files.push_back({in_out(options, "fit.json"), json});
-  write_out({in_out(options, "law.json"), in_out(options, "program.toml")}, files, !options.json);
+  if (options.out) write_out(left_behind(options), files, !options.json);
 }
 
 void give_samples(const FitCommand& options, const SamplesAnswer& answer,
@@ -129,6 +160,9 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
 }
 
 void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
+  if (!options.shifts.empty()) {
+    throw std::invalid_argument("--shift: it goes with a recorded curve, not with a cam's profile");
+  }
   if (!options.mechanism) {
     throw std::invalid_argument(fmt::format(
         "it is a cam's profile; what runs on it is needed: --mechanism FILE, or one of {}",
@@ -163,6 +197,11 @@ bool shifts(const FitCommand& options, const char* what) {
 }
 
 void fit_recorded(const FitCommand& options, const problems::SampleTable& table) {
+  if (options.law) {
+    throw std::invalid_argument(
+        "--law: it goes with a motion or a cam's profile; of a recorded curve the law is the "
+        "machine's own");
+  }
   const problems::ProblemStatement machine = machine_of(options);
   problems::RecordedCurve record =
       problems::recorded_curve(table, *machine.mechanism, options.response);
@@ -175,7 +214,7 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
   std::vector<OutputFile> files;
   if (options.out) files.push_back({in_out(options, "fit.svg"), to_svg(record_figure(answer))});
   give(options, record_text(answer), record_json(answer).dump(2) + "\n", std::move(files));
-  if (!options.json) say_next(record_evaluation(answer));
+  if (!options.json) say_next(record_evaluation(answer, options.set));
 }
 
 /// What a table is of: a cam's profile, a curve of a machine, or else a motion.

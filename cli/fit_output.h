@@ -36,8 +36,9 @@ struct RecordAnswer {
 };
 
 std::string record_text(const RecordAnswer& answer);
-/// The command that shows the machine that was found: "evaluate FILE --set 'mass=1.2 kg'".
-std::string record_evaluation(const RecordAnswer& answer);
+/// The command that shows the machine that was found, with what else was set: "evaluate FILE --set
+/// 'mass=1.2 kg'".
+std::string record_evaluation(const RecordAnswer& answer, const std::vector<std::string>& settings);
 Json record_json(const RecordAnswer& answer);
 /// The record with what the machine computes, and what is left.
 Figure record_figure(const RecordAnswer& answer);

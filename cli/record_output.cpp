@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 
 #include "cli/fit_output.h"
@@ -35,8 +37,16 @@ std::string record_text(const RecordAnswer& answer) {
   return text;
 }
 
-std::string record_evaluation(const RecordAnswer& answer) {
+std::string record_evaluation(const RecordAnswer& answer,
+                              const std::vector<std::string>& settings) {
   std::string command = "evaluate " + shell_word(answer.machine_file);
+  const auto& variables = answer.fit.machine.variables;
+  for (const std::string& setting : settings) {
+    const std::string name = boost::algorithm::trim_copy(setting.substr(0, setting.find('=')));
+    const bool is_found = std::any_of(variables.begin(), variables.end(),
+                                      [&](const auto& v) { return v.name == name; });
+    if (!is_found) command += " --set " + shell_word(setting);
+  }
   for (const problems::VariableStatement& v : answer.fit.machine.variables) {
     command += fmt::format(" --set '{}={}'", v.name, with_unit(in_digits(v.start), v.unit));
   }

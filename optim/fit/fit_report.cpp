@@ -132,7 +132,7 @@ void fill_intervals(const std::vector<FitParameter>& given, const std::vector<bo
     p.high = std::isnan(half) ? kNan : std::min(bounds.upper, p.value + half);
     if (p.at_bound) {
       const bool low = p.value <= bounds.lower;
-      add(result.reason, fmt::format("'{}' stands at its {} bound {}", p.name,
+      add(result.reason, fmt::format("'{}' stands at its {} bound {:.6g}", p.name,
                                      low ? "lower" : "upper", low ? bounds.lower : bounds.upper));
     }
   }

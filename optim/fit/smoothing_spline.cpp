@@ -361,13 +361,16 @@ class SmoothingFit {
     const auto how = early ? Reweighting::Huber : options_.reweighting;
     double change = early && options_.reweighting == Reweighting::Bisquare ? 1 : 0;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const double t = spline_.samples_[samples_[i].index].studentised / spline_.sigma_;
+      const double t = spline_.samples_[samples_[i].index].studentised / judged();
       const double kept = t == 0 ? 1 : kept_weight(how, t);
       change = std::max(change, std::abs(kept - kept_[i]));
       kept_[i] = kept;
     }
     return change;
   }
+
+  /// What robust fits hold a sample's residual against.
+  double judged() const { return std::max(spline_.sigma_, options_.least_noise); }
 
   /// Studentises and flags.
   void flag() {
@@ -382,7 +385,7 @@ class SmoothingFit {
     for (auto& sample : spline_.samples_) {
       const double t = sample.studentised;
       const double squares = squares_ - t * t;  // without this sample
-      const double sigma = by_t ? std::sqrt(std::max(squares, 0.0) / rest) : spline_.sigma_;
+      const double sigma = by_t ? std::sqrt(std::max(squares, 0.0) / rest) : judged();
       sample.studentised = t == 0 ? 0 : t / sigma;
       sample.outlying = std::abs(sample.studentised) > spline_.outlier_bound_;
     }

@@ -40,6 +40,9 @@ struct SmoothingOptions {
   /// few samples in which it hardly smooths at all (Kim and Gu 2004).
   double caution = 1;
   Reweighting reweighting = Reweighting::None;
+  /// Deviation of a sample that reweighting takes them to have at least: of rounding, or what is
+  /// too little to matter.
+  double least_noise = 0;
   /// Chance that any sample at all is flagged where all are good.
   double outlier_chance = 0.05;
 };

@@ -22,8 +22,8 @@ struct Explanation {
 /// 2.5 deviations off.
 double cost_of(const Explanation& told, double noise) {
   constexpr double kOff = 2.5;
-  double cost = told.law.fit.sum_of_squares / (noise * noise) +
-                2 * static_cast<double>(told.law.fit.parameters.size());
+  double cost =
+      told.law.fit.sum_of_squares / (noise * noise) + 2 * static_cast<double>(told.law.numbers);
   for (const Departure& d : told.departures) {
     cost += 4 + kOff * kOff * static_cast<double>(d.count);
   }
@@ -66,13 +66,15 @@ std::vector<Departure> departures_of(const FoundMotion& motion, const std::vecto
 
 CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options) {
   FoundCycle cycle = find_motions(cam.samples);
+  const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() *
+                                                 (cam.samples.unit == "deg" ? 1 / kDegree : 1));
   std::vector<Departure> departed;
   constexpr double kFirst = 0.5;  // of the work
   const auto count = static_cast<double>(cycle.motions.size());
   double before = 0;
   for (const FoundMotion& motion : cycle.motions) {
     const auto part = part_of(options, kFirst * before / count, kFirst * (before + 1) / count);
-    const auto found = departures_of(motion, laws, part, cycle.noise);
+    const auto found = departures_of(motion, laws, part, noise);
     ++before;
     departed.insert(departed.end(), found.begin(), found.end());
   }

@@ -28,6 +28,24 @@ std::optional<double> factor_to(const std::string& unit, const SampleColumn& col
   }
 }
 
+/// Whether values that are multiples of a step tell that they were rounded to it: slow places then
+/// give one value more often than fast ones. Those of a straight line, up and down again, come
+/// equally often each. Values are sorted.
+bool are_rounded(const std::vector<double>& values, double step) {
+  std::size_t least = values.size(), most = 0;
+  std::size_t from = 0;
+  for (std::size_t i = 1; i <= values.size(); ++i) {
+    if (i < values.size() && values[i] - values[i - 1] < step / 2) continue;
+    const bool is_outer = from == 0 || i == values.size();  // where the motion rests
+    if (!is_outer) {
+      least = std::min(least, i - from);
+      most = std::max(most, i - from);
+    }
+    from = i;
+  }
+  return most >= least + 2;
+}
+
 /// The step that all values are multiples of, counted from the first: of an encoder that prints
 /// more digits than it has. 0 where there is none.
 double common_step(std::vector<double> values) {
@@ -45,7 +63,7 @@ double common_step(std::vector<double> values) {
     const double count = (value - values.front()) / step;
     if (std::abs(count - std::round(count)) > kNear) return 0;
   }
-  return step;
+  return are_rounded(values, step) ? step : 0;
 }
 
 }  // namespace
@@ -61,7 +79,7 @@ const SampleColumn* first_column(const SampleTable& table,
   const SampleColumn* first = nullptr;
   for (const SampleColumn& column : table.columns) {
     if (!is_wanted(column)) continue;
-    if (column.fault.empty()) return &column;
+    if (!column.is_text) return &column;
     if (first == nullptr) first = &column;
   }
   return first;

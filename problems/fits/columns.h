@@ -13,7 +13,7 @@ namespace camlaw::problems {
 
 /// Whether a column has one of the names, in any case.
 bool is_called(const SampleColumn& column, std::initializer_list<const char*> names);
-/// The first column that is wanted, of several one of numbers; null where there is none.
+/// The first column that is wanted, of several one that is no text; null where there is none.
 const SampleColumn* first_column(const SampleTable& table,
                                  const std::function<bool(const SampleColumn&)>& is_wanted);
 /// That which has one of the names.

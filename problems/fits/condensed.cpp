@@ -53,7 +53,7 @@ void add_mean(const Group& group, double far, Condensed& result) {
 }  // namespace
 
 Condensed means_of_neighbours(std::vector<double> place, std::vector<double> value,
-                              std::size_t each) {
+                              std::size_t each, double resolution) {
   constexpr double kFar = 6;
   if (each <= 1) return {std::move(place), std::move(value)};
   Condensed result;
@@ -64,16 +64,16 @@ Condensed means_of_neighbours(std::vector<double> place, std::vector<double> val
   result.deviation = optim::median(deviations);
   // A few values may lie close by chance, and more widely where the curve is steep.
   for (const Group& group : groups) {
-    add_mean(group, kFar * std::max(group.deviation, result.deviation), result);
+    add_mean(group, kFar * std::max({group.deviation, result.deviation, resolution}), result);
   }
   return result;
 }
 
-Condensed condensed(std::vector<double> place, std::vector<double> value) {
+Condensed condensed(std::vector<double> place, std::vector<double> value, double resolution) {
   constexpr std::size_t kEnough = 10000;
   const std::size_t n = place.size();
   const std::size_t each = n <= kMostSamples ? 1 : (n + kEnough - 1) / kEnough;
-  return means_of_neighbours(std::move(place), std::move(value), each);
+  return means_of_neighbours(std::move(place), std::move(value), each, resolution);
 }
 
 }  // namespace camlaw::problems

@@ -50,7 +50,7 @@ void join(std::vector<Phase>& phases) {
     const double next = after.begin + (last ? kTurnDegrees : 0);
     if (next - before.end >= kMeet) continue;
     const double middle = (before.end + next) / 2;
-    before.end = middle;
+    before.end = last ? next : middle;  // what comes first begins at 0
     if (!last) after.begin = middle;
   }
 }

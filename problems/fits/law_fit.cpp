@@ -111,7 +111,8 @@ MotionSamples few_of(const MotionSamples& samples, double low, double high, opti
   const std::size_t count = few.value.size();
   std::size_t each = count / kMeans;
   if (loss != optim::Loss::None && count >= kEnough) each = std::max(each, kLeast);
-  Condensed means = means_of_neighbours(std::move(few.place), std::move(few.value), each);
+  Condensed means =
+      means_of_neighbours(std::move(few.place), std::move(few.value), each, samples.resolution);
   few.place = std::move(means.place);
   few.value = std::move(means.value);
   few.each = means.each;
@@ -165,17 +166,31 @@ std::vector<std::vector<double>> starts(const LawResiduals& few,
   return result;
 }
 
-/// From the law as it is, at the guess.
-optim::FitResult fitted_near(const MotionSamples& samples, const Member& law,
+/// From the fit of other samples, within the bounds that it had.
+optim::FitResult fitted_near(const MotionSamples& samples, const LawFit& fit,
                              const MotionGuess& guess, const LawFitOptions& options) {
-  const auto parameters = parameters_of(samples, law, guess, {samples.order == 0});
-  const LawResiduals residuals(samples, law, parameters);
-  return residuals.told(residuals.fit(residuals.fitted(parameters), how(options, FitReach::Near)),
-                        parameters, options.confidence);
+  const auto parameters = parameters_of(samples, fit.law, guess, {samples.order == 0});
+  const LawResiduals residuals(samples, fit.law, parameters);
+  const std::size_t first = residuals.first();
+  const auto own = from(residuals.fitted(parameters), values_of(fit.fit), first);
+  return residuals.told(residuals.fit(own, how(options, FitReach::Near)), parameters,
+                        options.confidence);
 }
 
-optim::FitResult fitted(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
-                        const LawFitOptions& options) {
+/// How many of them are free.
+std::size_t count_of_free(const std::vector<optim::FitParameter>& parameters) {
+  return static_cast<std::size_t>(
+      std::count_if(parameters.begin(), parameters.end(),
+                    [](const optim::FitParameter& p) { return p.lower < p.upper; }));
+}
+
+struct FittedAll {
+  optim::FitResult fit;
+  std::size_t numbers;  ///< that were free
+};
+
+FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+                 const LawFitOptions& options) {
   const auto parameters = parameters_of(samples, law, guess, {samples.order == 0});
   const LawResiduals residuals(samples, law, parameters);
   const auto own = residuals.fitted(parameters);
@@ -191,11 +206,12 @@ optim::FitResult fitted(const MotionSamples& samples, const Member& law, const M
         residuals.fit(from(own, start, start.size()), how(options, FitReach::Near));
     if (!best || fit.merit < best->merit) best = std::move(fit);
   }
-  return residuals.told(std::move(*best), parameters, options.confidence);
+  return {residuals.told(std::move(*best), parameters, options.confidence), count_of_free(own)};
 }
 
-/// By AICc.
-double criterion_of(const MotionSamples& samples, const optim::FitResult& fit, optim::Loss loss) {
+/// By AICc (R8).
+double criterion_of(const MotionSamples& samples, const optim::FitResult& fit, std::size_t numbers,
+                    optim::Loss loss) {
   // Under a loss what it sums, so that a far point does not decide which law is best.
   double sum = 0;
   for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
@@ -211,7 +227,7 @@ double criterion_of(const MotionSamples& samples, const optim::FitResult& fit, o
   const std::size_t n = samples.value.size();
   const double floor = std::max(kRounding * size, rounding_deviation(samples));
   sum = std::max(sum, static_cast<double>(n) * floor * floor);
-  return optim::aicc(n, fit.parameters.size(), sum);
+  return optim::aicc(n, numbers, sum);
 }
 
 }  // namespace
@@ -252,12 +268,13 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
                const LawFitOptions& options) {
   check_motion(samples, guess);
   const MotionLayout layout{samples.order == 0};
-  LawFit result{law, fitted(samples, law, guess, options)};
+  FittedAll all = fitted(samples, law, guess, options);
+  LawFit result{law, std::move(all.fit), all.numbers};
   const std::vector<double> x = values_of(result.fit);
   for (const Coefficient& c : coefficients_of(law, layout.first())) {
     result.law.arguments.values()[c.at.parameter][c.at.element] = x[c.at.variable];
   }
-  result.criterion = criterion_of(samples, result.fit, options.loss);
+  result.criterion = criterion_of(samples, result.fit, result.numbers, options.loss);
   result.begin = x[MotionLayout::kBegin];
   result.end = x[MotionLayout::kEnd];
   result.from = layout.with_zero ? x[MotionLayout::kZero] : 0;
@@ -265,11 +282,10 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   return result;
 }
 
-double cross_validated(const MotionSamples& samples, const LawFit& fit,
+double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
                        const LawFitOptions& options) {
   constexpr std::size_t kFolds = 10;
   const std::size_t n = samples.place.size();
-  const MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
   const auto part = [&](const std::vector<std::size_t>& which) {
     MotionSamples result = samples.none();
     for (const std::size_t i : which) {
@@ -280,7 +296,7 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit,
   };
   return optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
-        const auto own = fitted_near(part(kept), fit.law, guess, options);
+        const auto own = fitted_near(part(kept), fit, guess, options);
         const MotionResiduals others(part(left_out), fit.law);
         std::vector<double> r(left_out.size());
         if (!others.evaluate(values_of(own), r, {})) return std::nan("");

@@ -26,9 +26,10 @@ LawFitOptions part_of(LawFitOptions options, double from, double to);
 /// y = from + (to - from) s((x - begin) / (end - begin)), before begin and after end at rest; the
 /// derivatives of that for samples of velocity and acceleration.
 struct LawFit {
-  Member law;            ///< with the fitted coefficients
-  optim::FitResult fit;  ///< begin, end, stroke, for displacements zero, then the coefficients
-  double criterion = 0;  ///< AICc
+  Member law;               ///< with the fitted coefficients
+  optim::FitResult fit;     ///< begin, end, stroke, for displacements zero, then the coefficients
+  std::size_t numbers = 0;  ///< of those the ones that were free
+  double criterion = 0;     ///< AICc
   double begin = 0, end = 1, from = 0, to = 1;
 
   double value(double place, int order) const;
@@ -43,8 +44,9 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
 /// Throws std::invalid_argument as fit_law does for samples and guess, whatever the law.
 void check_motion(const MotionSamples& samples, const MotionGuess& guess);
 
-/// Root mean square error of prediction, by cross-validation in ten parts.
-double cross_validated(const MotionSamples& samples, const LawFit& fit,
+/// Root mean square error of prediction, by cross-validation in ten parts; `guess` as it was for
+/// the fit.
+double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
                        const LawFitOptions& options = {});
 
 }  // namespace camlaw::problems

@@ -12,7 +12,7 @@ namespace {
 /// Losses of one scale for all laws: sums of different losses cannot be compared. By the noise that
 /// neighbours show; where there is none, or too few neighbours, each law by its own.
 LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options) {
-  if (options.loss == optim::Loss::None || options.loss_scale || samples.order != 0) return options;
+  if (options.loss == optim::Loss::None || options.loss_scale) return options;
   try {
     const double noise = lift_samples(samples.place, samples.value, {}, {}).sample_noise;
     const double floor = std::max(noise, rounding_deviation(samples));
@@ -29,9 +29,8 @@ void put_simplest_first(std::vector<LawFit>& ranking) {
     return fit.criterion > ranking.front().criterion + kAsWell;
   });
   const auto simplest =
-      std::min_element(ranking.begin(), as_well, [](const LawFit& a, const LawFit& b) {
-        return a.fit.parameters.size() < b.fit.parameters.size();
-      });
+      std::min_element(ranking.begin(), as_well,
+                       [](const LawFit& a, const LawFit& b) { return a.numbers < b.numbers; });
   if (simplest != as_well) std::rotate(ranking.begin(), simplest, simplest + 1);
 }
 

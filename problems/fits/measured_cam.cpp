@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "optim/fit/statistics.h"
 #include "problems/fits/columns.h"
 #include "problems/fits/condensed.h"
 #include "problems/fits/turn.h"
@@ -70,6 +71,7 @@ const SampleColumn* polar_angle_of(const SampleTable& table) {
 
 struct Polar {
   std::vector<double> theta, r;  ///< rad, mm
+  double resolution;             ///< what r is rounded to, mm
 };
 
 struct Coordinates {
@@ -99,11 +101,16 @@ Polar points_of(const SampleTable& own) {
   const SampleColumn &first = own.columns[0], &second = own.columns[1];
   Polar points;
   if (radius_of(own) != nullptr) {
-    points = {in_unit(own, first, {"deg"}).values, in_unit(own, second, {"mm"}).values};
+    UnitValues radius = in_unit(own, second, {"mm"});
+    points = {in_unit(own, first, {"deg"}).values, std::move(radius.values),
+              std::abs(radius.factor) * resolution_of(second)};
     for (double& theta : points.theta) theta *= kDegree;
     return points;
   }
-  points = {in_unit(own, first, {"mm"}).values, in_unit(own, second, {"mm"}).values};
+  UnitValues across = in_unit(own, first, {"mm"}), up = in_unit(own, second, {"mm"});
+  const double resolution = std::max(std::abs(across.factor) * resolution_of(first),
+                                     std::abs(up.factor) * resolution_of(second));
+  points = {std::move(across.values), std::move(up.values), resolution};
   for (std::size_t i = 0; i < points.r.size(); ++i) {
     const double x = points.theta[i], y = points.r[i];
     points.theta[i] = std::atan2(y, x);
@@ -112,32 +119,39 @@ Polar points_of(const SampleTable& own) {
   return points;
 }
 
-/// Rows of an angle and a radius may be in any order.
-void sort_by_angle(Polar& points) {
+/// Rows of an angle and a radius may be in any order. A point that is there twice counts once: it
+/// would seem to have been measured without noise.
+void put_in_order(Polar& points, bool is_polar) {
   std::vector<std::pair<double, double>> pairs;
   for (std::size_t i = 0; i < points.r.size(); ++i) {
-    pairs.emplace_back(in_turn(points.theta[i]), points.r[i]);
+    pairs.emplace_back(is_polar ? in_turn(points.theta[i]) : points.theta[i], points.r[i]);
   }
-  std::sort(pairs.begin(), pairs.end());
+  if (is_polar) std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  points.theta.resize(pairs.size());
+  points.r.resize(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     std::tie(points.theta[i], points.r[i]) = pairs[i];
   }
 }
 
 /// Many points as means of neighbours.
-Condensed in_order(const SampleTable& own) {
-  Polar points = points_of(own);
+Condensed in_order(Polar points, bool is_polar) {
   if (points.r.size() <= kMostSamples) {
-    if (radius_of(own) != nullptr) sort_by_angle(points);
+    put_in_order(points, is_polar);
     return {std::move(points.theta), std::move(points.r)};
   }
   for (double& theta : points.theta) theta = in_turn(theta);
-  return condensed(std::move(points.theta), std::move(points.r));
+  return condensed(std::move(points.theta), std::move(points.r), points.resolution);
 }
 
-MeasuredProfile profile_of(const Condensed& points) {
+/// Radii of points that were rounded to `resolution`. Where they have no noise, a spline misses
+/// them where the curvature jumps: that is no fault of theirs.
+MeasuredProfile profile_of(const Condensed& points, double resolution) {
+  const auto [low, high] = std::minmax_element(points.value.begin(), points.value.end());
   optim::SmoothingOptions smoothing;
   smoothing.reweighting = optim::Reweighting::Bisquare;
+  smoothing.least_noise = std::max(resolution / std::sqrt(12.0), kLeastDeparture * (*high - *low));
   return MeasuredProfile::polar(points.place, points.value, smoothing);
 }
 
@@ -145,15 +159,20 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) 
   const KnownFollower& known = follower_of(machine);
   const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
   const SampleTable own = profile_columns(table);
-  const Condensed points = in_order(own);
-  MeasuredCam cam{MeasuredLift(profile_of(points), known.make(sizes), known.rotation), {}, {}};
+  Polar read = points_of(own);
+  const double rounded = read.resolution;
+  const Condensed points = in_order(std::move(read), radius_of(own) != nullptr);
+  MeasuredCam cam{
+      MeasuredLift(profile_of(points, rounded), known.make(sizes), known.rotation), {}, {}};
   cam.each = points.each;
   cam.left_out = points.left_out;
   cam.lacking = own.left_out;
   const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
   cam.samples.place_unit = "deg";
   cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
+  std::vector<double> shares;
   for (const LiftSample& sample : cam.lift.samples()) {
+    shares.push_back(sample.share);
     if (sample.outlying) {
       cam.outlying.push_back({sample.phi / kDegree, sample.distance});
       continue;
@@ -161,6 +180,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) 
     cam.samples.place.push_back(sample.phi / kDegree);
     cam.samples.value.push_back(swings ? sample.s / kDegree : sample.s);
   }
+  cam.samples.resolution = rounded * optim::median(std::move(shares)) / (swings ? kDegree : 1);
   return cam;
 }
 

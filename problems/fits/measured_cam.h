@@ -19,6 +19,9 @@ struct OutlyingPoint {
   double distance;  ///< from the smooth profile, mm, outwards
 };
 
+/// Of the stroke: what less departs from a cam than this is of no account.
+inline constexpr double kLeastDeparture = 2e-5;
+
 struct MeasuredCam {
   MeasuredLift lift;      ///< in mm, or rad of an arm
   MotionSamples samples;  ///< lift by the cam's angle, mm or deg by deg, without the outlying

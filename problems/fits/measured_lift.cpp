@@ -298,9 +298,10 @@ std::vector<LiftSample> MeasuredLift::samples() const {
     const State here = state(thetas[k]);
     const ProfilePoint point = profile_.at(thetas[k]);
     const optim::SmoothedSample& sample = profile_.spline().samples()[k];
-    const double along_normal = sample.residual * std::abs(point.place) / point.speed;  // (I8)
+    const double cosine = std::abs(point.place) / point.speed;  // (I8)
+    const double along_normal = sample.residual * cosine;
     result.push_back({in_turn(here.phi), here.coordinate - zero_ + here.share * along_normal,
-                      along_normal, sample.outlying});
+                      along_normal, sample.outlying, here.share * cosine});
   }
   return result;
 }

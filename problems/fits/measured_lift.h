@@ -51,6 +51,7 @@ struct LiftSample {
   double s;         ///< the lift, with the point's own distance from the smooth profile
   double distance;  ///< of the point from the smooth profile, outwards
   bool outlying;    ///< beyond what chance explains (docs/theory.md, (O8))
+  double share;     ///< of an error of the point's radius that the lift has (I8)
 };
 
 /// What a follower does on a measured profile.

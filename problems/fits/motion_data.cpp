@@ -53,12 +53,13 @@ MotionSamples motion_samples(const SampleTable& table) {
   UnitValues values = in_unit(own, value, units);
   const auto which = std::find(units.begin(), units.end(), values.unit) - units.begin();
   samples.length_unit = lengths[static_cast<std::size_t>(which)];
-  Condensed means = condensed(std::move(places.values), std::move(values.values));
+  samples.resolution = std::abs(values.factor) * resolution_of(value);
+  Condensed means =
+      condensed(std::move(places.values), std::move(values.values), samples.resolution);
   samples.place = std::move(means.place);
   samples.value = std::move(means.value);
   samples.each = means.each;
   // Where noise is larger than the rounding, means are rounded so much less.
-  samples.resolution = std::abs(values.factor) * resolution_of(value);
   if (means.deviation > samples.resolution) {
     samples.resolution /= std::sqrt(static_cast<double>(means.each));
   }

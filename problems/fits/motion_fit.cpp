@@ -12,6 +12,7 @@
 #include "problems/fits/fitted_law.h"
 #include "problems/fits/law_ranking.h"
 #include "problems/fits/motion_residuals.h"
+#include "problems/fits/same_motion.h"
 
 namespace camlaw::problems {
 namespace {
@@ -63,7 +64,7 @@ std::string as_good(const MotionFit& fit) {
   std::vector<std::string> names;
   for (const LawFit& other : fit.ranking) {
     if (&other == &best || other.criterion > best.criterion + kAsWell) continue;
-    if (other.fit.parameters.size() > best.fit.parameters.size()) continue;
+    if (other.numbers > best.numbers || same_motion(other.law, best.law)) continue;
     names.push_back(other.law.label());
   }
   if (names.empty()) return "";
@@ -120,7 +121,7 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   if (result.ranking.empty()) {
     throw std::invalid_argument("none of the laws can be fitted to these samples");
   }
-  result.prediction_error = cross_validated(motion.samples, result.best(), options);
+  result.prediction_error = cross_validated(motion.samples, result.best(), motion.guess, options);
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
   result.far_off = far_off_of(result);

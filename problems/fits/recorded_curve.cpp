@@ -72,9 +72,10 @@ RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanis
   }
   const SampleTable own = numbers_of(table, {&place_column(table, &column), &column});
   record.lacking = own.left_out;
+  UnitValues values = in_unit(own, own.columns[1], {record.response.unit});
   Condensed means =
       condensed(in_unit(own, own.columns[0], {record.response.response->along}).values,
-                in_unit(own, own.columns[1], {record.response.unit}).values);
+                std::move(values.values), std::abs(values.factor) * resolution_of(own.columns[1]));
   record.place = std::move(means.place);
   record.value = std::move(means.value);
   record.each = means.each;

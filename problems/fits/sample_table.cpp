@@ -9,6 +9,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <istream>
 #include <limits>
@@ -30,10 +31,13 @@ std::string_view trimmed(std::string_view text) {
 
 /// Where a cell that begins at `from` ends: at the next `between` that stands in no quotes.
 std::size_t cell_end(std::string_view line, char between, std::size_t from) {
-  const std::size_t first = line.find_first_not_of(" \t", from);
-  if (first == std::string_view::npos || line[first] != '"') {
-    return std::min(line.find(between, from), line.size());
+  std::size_t first = from;
+  while (first < line.size() && line[first] != between &&
+         (line[first] == ' ' || line[first] == '\t')) {
+    ++first;
   }
+  if (first == line.size() || line[first] != '"')
+    return std::min(line.find(between, from), line.size());
   bool inside = false;
   for (std::size_t i = first; i < line.size(); ++i) {
     if (line[i] == '"') inside = !inside;  // two in a row are none
@@ -52,9 +56,10 @@ void for_cells(std::string_view line, char between, F take) {
   }
 }
 
+/// The first of semicolon and tab that stands outside of quotes, else the comma.
 char delimiter_of(std::string_view header) {
   for (const char c : {';', '\t'}) {
-    if (header.find(c) != std::string_view::npos) return c;
+    if (cell_end(header, c, 0) < header.size()) return c;
   }
   return ',';
 }
@@ -158,7 +163,11 @@ class Reader {
     if (table_.columns.empty()) refuse("it is empty; a header and rows of numbers are wanted");
     check_rows(table_);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
-      table_.columns[i].last_digit = decimals_[i].last_digit();
+      SampleColumn& column = table_.columns[i];
+      column.last_digit = decimals_[i].last_digit();
+      const auto numbers = std::count_if(column.values.begin(), column.values.end(),
+                                         [](double value) { return !std::isnan(value); });
+      column.is_text = texts_[i] > static_cast<std::size_t>(numbers);
     }
     return std::move(table_);
   }
@@ -191,6 +200,7 @@ class Reader {
 
   void read_row(std::string_view line) {
     decimals_.resize(table_.columns.size());
+    texts_.resize(table_.columns.size());
     std::size_t i = 0;
     for_cells(line, between_, [&](std::string_view cell) {
       if (i < table_.columns.size()) read_cell(cell, i);
@@ -209,6 +219,7 @@ class Reader {
       column.fault = fmt::format("{}:{}: '{}' is {}", table_.source, line_, cell.substr(0, 40),
                                  is_number ? "infinite" : "no number");
     }
+    if (!is_number) ++texts_[i];
     column.values.push_back(is_number ? value : kNaN);
     // Of a zero nothing tells how many digits were meant.
     if (is_number && std::isfinite(value) && value != 0) decimals_[i].take(decimals_of(cell));
@@ -218,26 +229,23 @@ class Reader {
   char between_ = ',';
   std::size_t line_ = 0;
   std::vector<Decimals> decimals_;
+  std::vector<std::size_t> texts_;  ///< cells that are neither empty nor numbers
 };
 
 SampleTable read_from(std::istream& in, const std::string& source) {
   Reader reader(source);
   std::string line;
-  while (std::getline(in, line)) reader.take(line);
+  bool is_first = true;
+  while (std::getline(in, line)) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    const bool is_marked = is_first && line.starts_with(kByteOrderMark);
+    reader.take(std::string_view(line).substr(is_marked ? kByteOrderMark.size() : 0));
+    is_first = false;
+  }
   return reader.ended();
 }
 
 }  // namespace
-
-const SampleColumn& SampleTable::column(const std::string& name) const {
-  std::vector<std::string> names;
-  for (const SampleColumn& c : columns) {
-    if (c.name == name) return c;
-    names.push_back(c.name);
-  }
-  throw std::invalid_argument(
-      fmt::format("{}: no column '{}'; there are {}", source, name, fmt::join(names, ", ")));
-}
 
 SampleTable numbers_of(const SampleTable& table,
                        std::initializer_list<const SampleColumn*> columns) {
@@ -265,6 +273,7 @@ SampleTable numbers_of(const SampleTable& table,
 }
 
 SampleTable read_samples(const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw std::invalid_argument(path + ": it is a folder");
   std::ifstream file(path);
   if (!file) throw std::invalid_argument(path + ": it cannot be read");
   return read_from(file, path);

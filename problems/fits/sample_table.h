@@ -17,6 +17,7 @@ struct SampleColumn {
   /// Where a cell is neither empty nor a finite number, "t.csv:3: 'four' is no number"; empty where
   /// none is.
   std::string fault = {};
+  bool is_text = false;  ///< more cells hold something else than a number
 };
 
 struct SampleTable {
@@ -25,8 +26,6 @@ struct SampleTable {
   std::size_t left_out = 0;  ///< rows that numbers_of() has left out
 
   std::size_t rows() const { return columns.front().values.size(); }
-  /// The column of that name; throws std::invalid_argument with the ones that there are.
-  const SampleColumn& column(const std::string& name) const;
 };
 
 /// Reads a table with a line of names, each with its unit in brackets or parentheses:
@@ -40,7 +39,7 @@ SampleTable parse_samples(const std::string& text, const std::string& source);
 
 /// These columns of a table, in this order; rows in which one of them lacks a number are left out
 /// and counted. Throws std::invalid_argument: a cell of theirs that is no number, fewer than two
-/// rows.
+/// rows, a column without a name or one of a name that is there twice.
 SampleTable numbers_of(const SampleTable& table,
                        std::initializer_list<const SampleColumn*> columns);
 

@@ -364,8 +364,7 @@ class Segmenter {
       const Chain& chain = chains[i];
       for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
         const Node &a = chain[k], &b = chain[k + 1];
-        const auto kind = b.level > a.level ? SegmentKind::Rise : SegmentKind::Return;
-        result.push_back({kind, a.place, b.place, a.level, b.level, a.error, b.error});
+        result.push_back({SegmentKind::Rise, a.place, b.place, a.level, b.level, a.error, b.error});
       }
       const bool last = i + 1 == chains.size();
       Node next = chains[last ? 0 : i + 1].front();
@@ -377,7 +376,7 @@ class Segmenter {
     return result;
   }
 
-  /// Neighbours of a dwell end where it lies: its samples' mean.
+  /// Neighbours of a dwell end where it lies: its samples' mean. What goes down is a return.
   void level_dwells(std::vector<FoundSegment>& segments) const {
     const std::size_t n = segments.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -391,6 +390,10 @@ class Segmenter {
       dwell.to = dwell.from;
       if (i > 0 || options_.period) segments[(i + n - 1) % n].to = dwell.from;
       if (i + 1 < n || options_.period) segments[(i + 1) % n].from = dwell.from;
+    }
+    for (FoundSegment& segment : segments) {
+      if (segment.kind == SegmentKind::Dwell) continue;
+      segment.kind = segment.to > segment.from ? SegmentKind::Rise : SegmentKind::Return;
     }
   }
 

@@ -13,10 +13,14 @@ inline constexpr double kDegree = kTurn / kTurnDegrees;
 
 /// The place from `low` to low + period at which a cycle is the same.
 inline double in_period(double place, double low, double period) {
-  return low + std::fmod(std::fmod(place - low, period) + period, period);
+  const double within = std::fmod(place - low, period);
+  return low + (within < 0 ? within + period : within);
 }
 
 /// An angle from 0 to a turn, rad.
-inline double in_turn(double angle) { return angle - kTurn * std::floor(angle / kTurn); }
+inline double in_turn(double angle) {
+  const double within = angle - kTurn * std::floor(angle / kTurn);
+  return within < kTurn ? within : 0;
+}
 
 }  // namespace camlaw::problems

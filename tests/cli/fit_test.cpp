@@ -194,11 +194,38 @@ TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
            {{"--mechanism", base + ".toml", "--response", "drive_power"}, "'drive_power'"},
            {{"--mechanism", base + ".toml", "--shift", "time"}, "place"},
            {{"--mechanism", "disc-cam-flat"}, "[variables]"},
+           {{"--mechanism", base + ".toml", "--law", "cycloidal"}, "--law"},
            {{"--shift", "place"}, "--mechanism"}}) {
     Words all{"fit", base + ".csv"};
     all.insert(all.end(), words.begin(), words.end());
     CHECK_THAT(failed(all, 2), Contains(says));
   }
+  CHECK_THAT(done({"fit", base + ".csv", "--mechanism", base + ".toml", "--set", "speed=500 rpm"}),
+             Contains(".toml --set 'speed=500 rpm' --set 'mass="));
+}
+
+TEST_CASE("fit neither removes nor writes over what it reads", "[program]") {
+  const Folder folder;
+  const std::string base = CAMLAW_SOURCE_DIR "/problems/cams/recorded_torque";
+  const std::string machine = written(folder, "program.toml", testing::read(base + ".toml")),
+                    mine = testing::read(machine);
+  for (int run = 0; run < 2; ++run) {  // the second finds a fit.json of an earlier one
+    done({"fit", base + ".csv", "--mechanism", machine, "--out", folder.path()});
+    CHECK(read(machine) == mine);
+  }
+  // What is no earlier run's stays.
+  const std::string other = folder / "other";
+  fs::create_directory(other);
+  written(folder, "other/law.json", "mine");
+  done({"fit", base + ".csv", "--mechanism", machine, "--out", other});
+  CHECK(read(other + "/law.json") == "mine");
+  const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const std::string roller = written(
+      folder, "program.toml", "mechanism = 'disc-cam-roller'\n[constants]\nroller_radius='8 mm'\n");
+  CHECK_THAT(
+      failed({"fit", cam, "--mechanism", roller, "--law", "cycloidal", "--out", folder.path()}, 2),
+      Contains("program.toml"));
+  CHECK(read(roller).starts_with("mechanism"));
 }
 
 TEST_CASE("fit takes repeated angles, in any order and from several sweeps", "[program]") {

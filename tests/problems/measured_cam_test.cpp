@@ -107,6 +107,36 @@ TEST_CASE("a table shows a profile by a radius or by two lengths x and y", "[mea
   CHECK_FALSE(shows("angle [deg], lift [mm]"));
 }
 
+TEST_CASE("rounded coordinates are no wear, and no points are wrong that are exact",
+          "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-knife");
+  for (const int decimals : {2, 4, 12}) {
+    INFO(decimals << " decimals");
+    std::string text = "angle [deg], radius [mm]\n";
+    for (const Point& p : measured(machine, 360, 0, 1)) {
+      const double angle = std::atan2(p.y, p.x) * 180 / kPi;
+      text += fmt::format("{}, {:.{}f}\n", angle, std::hypot(p.x, p.y), decimals);
+    }
+    const CamFit fit = fit_of(parse_samples(text, "cam.csv"), machine);
+    CHECK(fit.cam.outlying.empty());
+    CHECK(fit.departures.empty());
+    REQUIRE(fit.cycle.fits.size() == 2);
+    CHECK(fit.cycle.fits[0].best().law.name() == "modified-sine");
+    CHECK(fit.cycle.fits[1].best().law.name() == "cycloidal");
+  }
+}
+
+TEST_CASE("points that are there twice count once", "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-knife");
+  std::vector<Point> points = measured(machine, 360, 0.003, 5), twice;
+  for (const Point& p : points) twice.insert(twice.end(), {p, p});
+  const MeasuredCam once = measured_cam(polar_table_of(points), machine),
+                    again = measured_cam(polar_table_of(twice), machine);
+  CHECK(again.samples.value == once.samples.value);
+  CHECK(measured_cam(table_of(twice), machine).samples.value.size() ==
+        measured_cam(table_of(points), machine).samples.value.size());
+}
+
 TEST_CASE("each follower's program comes back from its measured cam", "[measured-cam][heavy]") {
   struct Case {
     std::string mechanism, sizes;
