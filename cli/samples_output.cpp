@@ -106,7 +106,11 @@ std::string motion_text(const MotionFit& fit) {
   const LawFit& best = fit.best();
   std::string text = fmt::format("{}\n", best.law.label());
   text += fitted_table(best.fit) + residuals_text(fit) + far_off_text(fit);
-  if (!fit.distrust.empty()) text += fmt::format("not to be trusted: {}\n", fit.distrust);
+  if (!fit.distrust.empty()) {
+    text += fmt::format("not to be trusted: {}\n", fit.distrust);
+  } else if (!fit.as_good.empty()) {
+    text += fmt::format("as good, with no more numbers: {}\n", fmt::join(fit.as_good, ", "));
+  }
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);
 }
@@ -170,6 +174,7 @@ Json motion_json(const MotionFit& fit) {
           {"prediction_error", to_json(fit.prediction_error)},
           {"trusted", fit.distrust.empty()},
           {"reason", fit.distrust},
+          {"as_good", fit.as_good},
           {"smoothed", fit.smooth.has_value()},
           {"identifiable", all_identifiable(best.fit)},
           {"ranking", std::move(ranking)}};

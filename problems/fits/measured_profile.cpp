@@ -34,7 +34,9 @@ void check_points(const Polar& points) {
       refuse(fmt::format("point {} is no number", k));
     }
     if (!(points.r[k] > 0)) {
-      refuse(fmt::format("point {} has the radius {:.6g}, not above 0", k, points.r[k]));
+      refuse(
+          fmt::format("the point at a polar angle of {:.6g} deg has the radius {:.6g}, not above 0",
+                      degrees(points.theta[k]), points.r[k]));
     }
   }
 }
@@ -54,7 +56,7 @@ void check_round(const std::vector<double>& steps) {
   for (const double step : steps) sum += step;
   if (std::abs(std::abs(sum) - kTurn) > 1) {
     refuse(fmt::format("it does not go round the centre once: its polar angle turns by {:.4g} deg",
-                       degrees(sum)));
+                       std::round(1e6 * degrees(sum)) / 1e6 + 0.0));
   }
   // Noise may turn the angle back by a little between points that are close.
   constexpr double kMostBack = kDegree;

@@ -57,8 +57,7 @@ bool is_rounding(const MotionFit& fit) {
   return fit.best().fit.rms < fit.motion.samples.resolution / 2;
 }
 
-/// Other laws that explain rounded values as well, with no more numbers.
-std::string as_good(const MotionFit& fit) {
+std::vector<std::string> as_good(const MotionFit& fit) {
   constexpr double kAsWell = 2;
   const LawFit& best = fit.best();
   std::vector<std::string> names;
@@ -67,10 +66,14 @@ std::string as_good(const MotionFit& fit) {
     if (other.numbers > best.numbers || same_motion(other.law, best.law)) continue;
     names.push_back(other.law.label());
   }
-  if (names.empty()) return "";
+  return names;
+}
+
+std::string not_told(const MotionFit& fit) {
+  if (fit.as_good.empty()) return "";
   return fmt::format("values rounded to {} do not tell {} from {}",
                      quantity(fit.motion.samples.resolution, fit.motion.samples.unit),
-                     best.law.label(), fmt::join(names, ", "));
+                     fit.best().law.label(), fmt::join(fit.as_good, ", "));
 }
 
 /// What of the residuals is a curve, in words; empty where they may be noise.
@@ -91,7 +94,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   }
   if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
   if (is_exact(best)) return "";
-  if (is_rounding(fit)) return as_good(fit);
+  if (is_rounding(fit)) return not_told(fit);
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
   const bool is_drawn = options.loss == optim::Loss::None && draws(fit.far_off, best.fit.residuals);
   return is_drawn ? drawn_by(fit) : "";
@@ -125,6 +128,7 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
   result.far_off = far_off_of(result);
+  result.as_good = as_good(result);
   result.distrust = distrust_of(result, options);
   const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&
                         result.distrust == curve_left(result);

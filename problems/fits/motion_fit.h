@@ -15,6 +15,8 @@ struct MotionFit {
   double prediction_error = 0;       ///< of the first, by cross-validation
   optim::ResidualPattern left = {};  ///< what its residuals look like, as the loss counts them
   FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
+  /// Other motions that follow the samples as well, AICc within two, with no more numbers.
+  std::vector<std::string> as_good = {};
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch

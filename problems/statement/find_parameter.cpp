@@ -113,7 +113,7 @@ std::string elsewhere(const ProblemStatement& problem, const Spelling& name) {
     owners.push_back(problem.mechanism->name);
     for (const auto& p : problem.mechanism->parameters) known.push_back(p.name);
   }
-  if (name.owner != Owner::Machine) {
+  if (name.owner != Owner::Machine && !problem.laws.empty()) {
     owners.push_back((problem.laws.size() == 1 ? "law " : "laws ") + law_names(problem));
     for (const Member& law : problem.laws) {
       for (const Parameter& p : law.family->parameters) {

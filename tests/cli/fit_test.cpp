@@ -200,6 +200,8 @@ TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
     all.insert(all.end(), words.begin(), words.end());
     CHECK_THAT(failed(all, 2), Contains(says));
   }
+  CHECK_THAT(failed({"fit", base + ".csv", "--mechanism", base + ".toml", "--set", "foo=3"}, 2),
+             !Contains("or laws"));
   CHECK_THAT(done({"fit", base + ".csv", "--mechanism", base + ".toml", "--set", "speed=500 rpm"}),
              Contains(".toml --set 'speed=500 rpm' --set 'mass="));
 }

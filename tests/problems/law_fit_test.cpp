@@ -362,6 +362,19 @@ TEST_CASE("what is held counts as no number of a law", "[law-fit]") {
   CHECK(three.criterion == Approx(two.criterion));
 }
 
+TEST_CASE("laws that noise does not tell apart are named", "[law-fit]") {
+  const std::vector<Member> laws{find_law("modified-sine"), find_law("cosine"),
+                                 find_law("harmonic"), find_law("cycloidal")};
+  const auto fit = [&](double noise) {
+    return fit_motion({rough(), sampled(find_law("modified-sine").law(), 75, noise, 2)}, laws);
+  };
+  const MotionFit clear = fit(0.02), unclear = fit(0.6);
+  CHECK(clear.best().law.name() == "modified-sine");
+  CHECK(clear.as_good.empty());
+  CHECK(unclear.distrust.empty());
+  CHECK(!unclear.as_good.empty());
+}
+
 TEST_CASE("laws of one motion need not be told apart", "[law-fit]") {
   MotionSamples samples = sampled(find_law("poly-3-4-5").law(), 100, 0, 1);
   samples.resolution = 1e-4;

@@ -380,7 +380,8 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
   bad[17] = {std::nan(""), 0};
   CHECK(said(bad) == "measured profile: point 17 is no number");
   bad[17] = 0;
-  CHECK(said(bad) == "measured profile: point 17 has the radius 0, not above 0");
+  CHECK(said(bad) ==
+        "measured profile: the point at a polar angle of 0 deg has the radius 0, not above 0");
   begins(said({points.begin(), points.begin() + 600}), "measured profile: it is not closed: ");
   bad = points;
   for (Point& p : bad) p += 0.1;
