@@ -42,6 +42,10 @@ std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
       after.begin_error = end.error;
     }
   }
+  // A motion may end where the samples do, or beyond.
+  std::erase_if(result, [](const FoundSegment& segment) {
+    return segment.kind == SegmentKind::Dwell && segment.end <= segment.begin;
+  });
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "problems/fits/condensed.h"
 #include "problems/fits/constants_fit.h"
+#include "problems/fits/fitted_cycle.h"
 #include "problems/fits/law_ranking.h"
 #include "problems/fits/motion_fit.h"
 #include "problems/fits/sample_table.h"
@@ -373,6 +374,20 @@ TEST_CASE("laws that noise does not tell apart are named", "[law-fit]") {
   CHECK(clear.as_good.empty());
   CHECK(unclear.distrust.empty());
   CHECK(!unclear.as_good.empty());
+}
+
+TEST_CASE("a motion that is longer than its segment takes the dwell beside it", "[law-fit]") {
+  const MotionSamples samples = sampled(find_law("cycloidal").law(), 200, 0.01, 6);  // 10 to 130
+  FoundCycle cycle;
+  cycle.segments = {{SegmentKind::Dwell, 0, 12, 3, 3, 0, 1},
+                    {SegmentKind::Rise, 12, 125, 3, 23, 1, 1},
+                    {SegmentKind::Dwell, 125, 128, 23, 23, 1, 0}};
+  cycle.motions = {{{12, 125, 3, 23}, samples}};
+  const FittedCycle fit = fit_cycle(cycle, {find_law("cycloidal")}, {});
+  REQUIRE(fit.fits.front().distrust.empty());
+  REQUIRE(fit.segments.size() == 2);
+  CHECK(fit.segments[0].end == Approx(10).margin(0.5));
+  CHECK(fit.segments[1].end == Approx(130).margin(0.5));
 }
 
 TEST_CASE("laws of one motion need not be told apart", "[law-fit]") {
