@@ -108,7 +108,12 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
   result.unexplained = found.unexplained;
   result.departures = departure_names(table, found.departures);
   for (const optim::Assignment& other : found.equals) {
-    result.equals.push_back(departure_names(table, other));
+    std::vector<std::string> names = departure_names(table, other);
+    const std::size_t misprints = found.departed + found.misprints - names.size();
+    if (misprints > 0) {
+      names.push_back(fmt::format("{} misprinted digit{}", misprints, misprints == 1 ? "" : "s"));
+    }
+    result.equals.push_back(std::move(names));
   }
   result.tried = found.tried;
   return result;

@@ -164,7 +164,11 @@ TEST_CASE("both printed efficiencies are found, the greatest with dissipation an
         std::vector<std::string>{
             "friction terms: each dissipates (stated signed as printed), one of 1 tried",
             "digits: cut off (stated rounded), one of 1 tried"});
-  CHECK(result.equals.size() == 2);  // either alone, and a misprinted last digit
+  REQUIRE(result.equals.size() == 2);  // either alone, and a misprinted last digit
+  for (const auto& other : result.equals) {
+    CHECK(other.size() == result.departures.size());
+    CHECK(other.back() == "1 misprinted digit");
+  }
 }
 
 TEST_CASE("the greatest least efficiency is that of a search by hand",
