@@ -128,7 +128,12 @@ report.plot = (figure) => {
       maintainAspectRatio: false,
       parsing: false,
       normalized: true,
-      elements: { point: { radius: 0, hitRadius: 0 } },
+      elements: {
+        point: { radius: 0, hitRadius: 0 },
+        // Chart.js draws a straight line through many points by the least and the greatest of each
+        // pixel, which makes steps of a slope; a curve it draws through every point.
+        line: { tension: 1e-9, capBezierPoints: false },
+      },
       interaction: { mode: 'nearest', axis: 'x', intersect: false },
       plugins: { legend: { display: false }, tooltip: report.tooltip(panel) },
       scales: {
