@@ -135,7 +135,10 @@ std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& 
   if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
-  return fmt::format("tool radius {:.6g} mm; start spindle and coolant before", radius);
+  const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
+                             : o.tool                                ? " beside the profile"
+                                                                     : "";
+  return fmt::format("tool radius {:.6g} mm{}; start spindle and coolant before", radius, beside);
 }
 
 std::string content(const ExportOptions& o, const FormatRow& format, Exported& e) {
@@ -170,10 +173,19 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
                            : "before the changes the design did not meet its limits"};
 }
 
+/// A study has many designs: says how one of them becomes a result.
+[[noreturn]] void refuse_study(const std::string& file) {
+  throw std::invalid_argument(fmt::format(
+      "{0}: a study has no one design to export; 'camlaw front {0} --knee --result FILE' writes "
+      "one of its designs as a result",
+      file));
+}
+
 void run_export(const ExportOptions& options) {
   const FormatRow& format = format_of(options);
   check_options(options, format);
   if (options.out) check_not_input(options.file, *options.out);
+  if (ending_of(options.file) == ".db") refuse_study(options.file);
   problems::ReadDesign design = problems::read_design_file(options.file);
   for (const std::string& setting : options.settings) {
     problems::set_value(design.statement, setting);

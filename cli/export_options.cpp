@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cli/files.h"
+#include "problems/exports/plane_curve.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/units.h"
 
@@ -27,6 +28,27 @@ const std::vector<FormatRow>& formats() {
       {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
       {ExportFormat::Table, "table", {}, {}, 6}};
   return rows;
+}
+
+const char* name_of(CurveForm form) {
+  return form == CurveForm::Lines ? "lines" : form == CurveForm::Arcs ? "arcs" : "spline";
+}
+
+/// "{csv,dxf}", what help and completion show of an option that takes one of some words.
+std::string one_of(const std::vector<const char*>& words) {
+  return fmt::format("{{{}}}", fmt::join(words, ","));
+}
+
+std::string format_words() {
+  std::vector<const char*> words;
+  for (const FormatRow& row : formats()) words.push_back(row.name);
+  return one_of(words);
+}
+
+std::string curve_words() {
+  std::vector<const char*> words{"all"};
+  for (const problems::CurveKind& kind : problems::curve_kinds()) words.push_back(kind.option);
+  return one_of(words);
 }
 
 /// A length or a feed in a range.
@@ -89,9 +111,7 @@ CurveForm form_of(const ExportOptions& options, const FormatRow& format) {
   if (!options.form) return format.forms.front();
   std::vector<const char*> names;
   for (const CurveForm form : format.forms) {
-    names.push_back(form == CurveForm::Lines  ? "lines"
-                    : form == CurveForm::Arcs ? "arcs"
-                                              : "spline");
+    names.push_back(name_of(form));
     if (*options.form == names.back()) return form;
   }
   throw std::invalid_argument(
@@ -139,22 +159,29 @@ void add_export_options(CLI::App& command, ExportOptions& o) {
       .add_option("FILE", o.file,
                   "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'")
       ->required();
-  command.add_option("--format", o.format,
-                     "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, "
-                     "motion and law), gcode (way of the tool), table (master and slave for a "
-                     "controller, PLC or servo drive); without it the ending of --out decides");
+  command
+      .add_option("--format", o.format,
+                  "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, "
+                  "motion and law), gcode (way of the tool), table (master and slave for a "
+                  "controller, PLC or servo drive); without it the ending of --out decides")
+      ->type_name(format_words());
   command.add_option("--out", o.out, "write to this file; else to standard output");
-  command.add_option("--curve", o.curve,
-                     "profile, second-profile (of conjugate cams), pitch, cutter (middle of the "
-                     "tool) or all; by default all, for gcode cutter");
+  command
+      .add_option("--curve", o.curve,
+                  "profile, second-profile (of conjugate cams), pitch, cutter (middle of the "
+                  "tool) or all; by default all, for gcode cutter")
+      ->type_name(curve_words());
   command.add_option("--tolerance", o.tolerance,
                      "how far the exact curve may be from what is written; by default 0.01 mm");
   command.add_option("--step", o.step,
                      "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a "
                      "table the master's step, by default a 360th of the cycle");
-  command.add_option("--as", o.form,
-                     "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by "
-                     "default spline for dxf, arcs for gcode, else lines");
+  command
+      .add_option("--as", o.form,
+                  "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by "
+                  "default spline for dxf, arcs for gcode, else lines")
+      ->type_name(one_of(
+          {name_of(CurveForm::Lines), name_of(CurveForm::Arcs), name_of(CurveForm::Spline)}));
   command.add_option("--decimals", o.decimals,
                      "of coordinates and table values, 1 to 9; by default 6, for gcode 4");
   command.add_option("--tool", o.tool,

@@ -190,7 +190,11 @@ std::vector<Answer::Value> Answer::values() const {
 std::optional<Member> Answer::law() const {
   if (bound.statement().mechanism->moved_by == problems::MovedBy::Nothing) return std::nullopt;
   if (optimum.found.x.size() != optimum.problem.variables.size()) return {};
-  return bound.at(optimum.options, optimum.found.x).laws.front().listed();
+  try {
+    return bound.at(optimum.options, optimum.found.x).laws.front().listed();
+  } catch (const std::invalid_argument&) {
+    return {};  // the design makes no law
+  }
 }
 
 std::vector<LimitReport> Answer::limits() const {

@@ -62,11 +62,21 @@ ReportPage page_of(const std::string& input) {
       "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
 }
 
+/// Refuses to write a page under a name that says it is something else.
+void check_ending(const std::filesystem::path& output) {
+  const std::string ending = ending_of(output.string());
+  if (ending == ".html" || ending == ".htm") return;
+  throw std::invalid_argument(fmt::format(
+      "--out: {}: a report is a page for the browser; .html and .htm are accepted endings",
+      output.string()));
+}
+
 void run_report(const ReportOptions& options) {
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
   check_not_input(options.input, output);
+  check_ending(output);
   check_writable({output});
   const std::vector<OutputFile> files{{output, page_html(page_of(options.input))}};
   write_files(files);

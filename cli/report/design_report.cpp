@@ -115,6 +115,13 @@ std::string verdict_badge(const std::optional<std::string>& said, const Review& 
   return badge("plain", agrees ? *said : "meets its limits");
 }
 
+/// The verdict of the search; of one that found no design with what cannot be met.
+std::string said_of(const problems::ReadDesign& read) {
+  return read.blamed.empty() || read.reason.empty()
+             ? *read.verdict
+             : fmt::format("{}: {}", *read.verdict, read.reason);
+}
+
 /// What stands under the title: the verdict, and of values that nobody searched for how to search.
 std::string lead(const ReportedDesign& reported, const Review& review) {
   const ProblemStatement& design = reported.read.statement;
@@ -123,9 +130,10 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
                      objective_text(design, review) + reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
-    return html + paragraph(fmt::format(
-                      "The search said: {}. For this report the design was judged again{}.",
-                      *verdict, chosen ? ", what was chosen among options held" : ""));
+    return html +
+           paragraph(fmt::format(
+               "The search said: {}. For this report the design was judged again{}.",
+               said_of(reported.read), chosen ? ", what was chosen among options held" : ""));
   }
   html += paragraph(fmt::format(
       "The design is the file's own, not searched for. {}",
@@ -147,8 +155,9 @@ ReportPage design_report(const ReportedDesign& reported) {
   const auto words = panel_words(figure, design, review.evaluated);
   const std::string title = design.title.empty() ? design.mechanism->title : design.title;
   ReportPage page{.title = title, .lead = lead(reported, review), .sections = {}, .data = {}};
-  page.sections = {problem_section(reported.read.problem), values_section(design),
-                   limits_section(design, review.limits, review.is_optimal())};
+  page.sections = {
+      problem_section(reported.read.problem), values_section(design),
+      limits_section(design, review.limits, review.is_optimal(), reported.read.blamed)};
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
     page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});

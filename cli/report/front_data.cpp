@@ -82,13 +82,6 @@ Json rows_json(const FrontAnswer& answer, const FrontPoint& point,
   return rows;
 }
 
-/// Samples of each curve that leave the file small.
-int samples_for(std::size_t designs, std::size_t panels) {
-  constexpr double kBytes = 1.4e6, kOfNumber = 8;
-  const double numbers = kBytes / kOfNumber / static_cast<double>(designs * std::max(panels, 1UL));
-  return std::clamp(static_cast<int>(numbers), kFewSamples, 240);
-}
-
 /// Whether a front is read with a curve: motions, and what is sought, limited, a load or followed
 /// by a body of the scene.
 bool is_essential(const std::string& name, const PanelWords& words, const FrontAnswer& answer,
@@ -175,7 +168,28 @@ Json design_json(const FrontAnswer& answer, std::size_t k, const Figure& first, 
   return json;
 }
 
+/// The most bytes that one of some designs, from the first to the last, takes in the page.
+double bytes_of_one(const FrontAnswer& answer, const std::vector<std::size_t>& shown,
+                    const Figure& first, int points, const std::vector<double>& margins) {
+  double most = 0;
+  for (const std::size_t k : {shown.front(), shown[shown.size() / 2], shown.back()}) {
+    const std::string text = design_json(answer, k, first, points, margins).dump();
+    // Each '<' of a picture is written as six characters.
+    most = std::max(most, static_cast<double>(text.size()) +
+                              5.0 * static_cast<double>(std::count(text.begin(), text.end(), '<')));
+  }
+  return most;
+}
+
 }  // namespace
+
+int samples_within(double bytes, std::size_t designs, double few_bytes, double many_bytes,
+                   const SampleRange& range) {
+  const double room = bytes / static_cast<double>(designs);
+  const double each = (many_bytes - few_bytes) / (range.many - range.few);
+  if (many_bytes <= room || !(each > 0)) return range.many;
+  return range.few + static_cast<int>(std::max(0.0, (room - few_bytes) / each));
+}
 
 std::vector<std::size_t> shown_points(const FrontAnswer& answer) {
   const std::size_t all = answer.front.points.size();
@@ -233,8 +247,14 @@ Json objectives_json(const FrontAnswer& answer, const std::vector<std::size_t>& 
 
 Json designs_json(const FrontAnswer& answer, const std::vector<std::size_t>& shown,
                   const Figure& first) {
-  const int points = samples_for(shown.size(), first.panels.size());
+  // Of the 3 MB the scripts and sections take 0.7 MB; the rest is left for designs that are
+  // larger than those measured.
+  constexpr double kBytes = 1.8e6;
+  constexpr SampleRange kRange;
   const std::vector<double> margins = margin_sizes(answer);
+  const int points =
+      samples_within(kBytes, shown.size(), bytes_of_one(answer, shown, first, kRange.few, margins),
+                     bytes_of_one(answer, shown, first, kRange.many, margins));
   Json designs = Json::array();
   for (const std::size_t k : shown) {
     designs.push_back(design_json(answer, k, first, points, margins));

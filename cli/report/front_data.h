@@ -32,6 +32,14 @@ FrontPanels front_panels(const FrontAnswer& answer, const std::vector<std::size_
 Json objectives_json(const FrontAnswer& answer, const std::vector<std::size_t>& shown,
                      const Figure& still);
 
+/// Samples of each curve and of each picture: as many as leave all designs within `bytes`, where
+/// one of them takes `few_bytes` with the fewest samples and `many_bytes` with the most.
+struct SampleRange {
+  int few = 12, many = 240;
+};
+int samples_within(double bytes, std::size_t designs, double few_bytes, double many_bytes,
+                   const SampleRange& range = {});
+
 /// Each shown design: its curves, what is said of it, its mechanism as SVG.
 Json designs_json(const FrontAnswer& answer, const std::vector<std::size_t>& shown,
                   const Figure& panels);

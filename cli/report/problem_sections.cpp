@@ -54,11 +54,13 @@ std::string with_sign(const std::string& bound) {
 }
 
 std::vector<std::string> limit_row(const optim::LimitReport& limit, const LimitText& text,
-                                   bool priced) {
+                                   bool priced, const std::vector<std::string>& blamed) {
+  const bool is_blamed = std::find(blamed.begin(), blamed.end(), limit.name) != blamed.end();
   const std::string price =
       priced && limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "";
   return {escaped(plain_name(limit.name)),
-          limit.met ? badge("good", "met") : badge("bad", "not met"),
+          (limit.met ? badge("good", "met") : badge("bad", "not met")) +
+              (is_blamed ? fmt::format(" {}", badge("bad", "blamed")) : ""),
           text.value,
           with_sign(text.bound),
           text.margin,
@@ -67,6 +69,19 @@ std::vector<std::string> limit_row(const optim::LimitReport& limit, const LimitT
           margin_bar(limit),
           limit.proved ? "yes" : "no",
           price};
+}
+
+/// How a design stands against the side of a limit from both sides that its report is not about.
+std::optional<optim::LimitReport> other_side(const ProblemStatement& design, std::size_t i,
+                                             const optim::LimitReport& nearer) {
+  ProblemStatement alone = design;
+  alone.constraints = {design.constraints[i]};
+  problems::ConstraintStatement& c = alone.constraints.front();
+  if (nearer.is_equation || !c.lower || !c.upper) return {};
+  (nearer.is_upper ? c.upper : c.lower).reset();
+  optim::LimitReport other = problems::standing(alone).front();
+  other.name = nearer.name;
+  return other;
 }
 
 /// Where a design stands among its bounds, "10 to 120".
@@ -138,16 +153,22 @@ ReportSection values_section(const ProblemStatement& design) {
 }
 
 ReportSection limits_section(const ProblemStatement& design,
-                             const std::vector<optim::LimitReport>& limits, bool priced) {
+                             const std::vector<optim::LimitReport>& limits, bool priced,
+                             const std::vector<std::string>& blamed) {
   if (limits.empty()) return {"limits", "Limits", paragraph("The problem states no limits.")};
   HtmlTable table = limit_table(priced);
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    table.add_html(limit_row(limits[i], limit_text(limits[i], design.constraints[i]), priced));
+    const problems::ConstraintStatement& stated = design.constraints[i];
+    table.add_html(limit_row(limits[i], limit_text(limits[i], stated), priced, blamed));
+    if (const auto other = other_side(design, i, limits[i])) {
+      table.add_html(limit_row(*other, limit_text(*other, stated), priced, {}));
+    }
   }
   std::string notes =
       "The bar is the margin as a share of the bound: to the right what is left, to the left what "
       "is "
       "passed. Proved: by intervals, over the whole cycle, rounding included.";
+  if (!blamed.empty()) notes += " Blamed: the search found that it cannot be met, or not together.";
   if (priced) notes += " Price: what the objective gains per unit by which the bound is eased.";
   return {"limits", "Limits", table.html() + paragraph(notes)};
 }

@@ -17,9 +17,11 @@ ReportSection problem_section(const problems::ProblemStatement& statement);
 ReportSection values_section(const problems::ProblemStatement& design);
 
 /// Each limit with value, bound, margin and the place where it is worst, and a bar of its margin.
-/// `priced` adds what easing each by one unit buys.
+/// A limit from both sides has a row for each, the nearer first. `priced` adds what easing each by
+/// one unit buys; `blamed` names those that a search found cannot be met.
 ReportSection limits_section(const problems::ProblemStatement& design,
-                             const std::vector<optim::LimitReport>& limits, bool priced);
+                             const std::vector<optim::LimitReport>& limits, bool priced,
+                             const std::vector<std::string>& blamed);
 
 /// What the mechanism's numbers and peaks are.
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated);

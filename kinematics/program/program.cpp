@@ -203,7 +203,8 @@ std::vector<ProgramSegment> listed_segments(std::vector<ProgramSegment> stated,
                                             const Arguments<double>& arguments) {
   const auto segments = segments_at(stated, layout, arguments);
   for (std::size_t i = 0; i < stated.size(); ++i) {
-    stated[i].angle = segments[i].share * kCycle;
+    const auto angle = layout.parts[i].angle;
+    stated[i].angle = angle ? arguments.scalar(*angle) : segments[i].share * kCycle;
     stated[i].to = segments[i].to;
     if (!stated[i].law) continue;
     const Family& family = *stated[i].law->family;
@@ -213,10 +214,9 @@ std::vector<ProgramSegment> listed_segments(std::vector<ProgramSegment> stated,
   return stated;
 }
 
-}  // namespace
-
-Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
-  check_segments(stated);
+/// The program of segments that need not be such as a person may state: a design may have a move
+/// that stays where it is.
+Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
   const Layout layout = lay_out(stated);
   Family family{.name = name_of(stated),
                 .aliases = {},
@@ -236,15 +236,19 @@ Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
                   check_joints(stated, plain, law.template as<double>(), matched);
                   return law;
                 }};
-  if (std::any_of(stated.begin(), stated.end(),
-                  [](const ProgramSegment& s) { return s.law && s.law->family->listed; })) {
-    family.listed = [stated, layout, matched](const Arguments<double>& arguments) {
-      return motion_program(listed_segments(stated, layout, arguments), matched);
-    };
-  }
+  family.listed = [stated, layout, matched](const Arguments<double>& arguments) {
+    return program_of(listed_segments(stated, layout, arguments), matched);
+  };
   family.continuity = continuity(family.make(family.standard()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->standard()};
+}
+
+}  // namespace
+
+Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
+  check_segments(stated);
+  return program_of(stated, matched);
 }
 
 }  // namespace camlaw

@@ -98,7 +98,8 @@ enum class Matched { Displacement = 0, Velocity = 1, Acceleration = 2 };
 /// The program as a member of a family of its own, "program", whose parameters are the angles of
 /// all segments but the last (NAME_angle, deg), the displacements at the ends of those that move
 /// but the last such (NAME_to) and every parameter of their laws (NAME_alpha). Displacement begins
-/// where the last segment leaves it.
+/// where the last segment leaves it. Its words, the family's formula, are those of the segments as
+/// stated; Member::listed() is the same program in the words of its arguments.
 ///
 /// Throws std::invalid_argument: names that are none or not different, angles that are not above 0
 /// or do not add up to 360, and where segments do not meet as `matched` asks: "motion program:

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "problems/exports/chords.h"
 
+#include <optional>
+#include <string>
+
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -37,6 +40,25 @@ void close(const PlaneCurve& curve, Chords& chords) {
   if (curve.is_closed()) chords.points.back().at = chords.points.front().at;
 }
 
+/// How far a cycle may be from a whole number of steps, as a part of that number.
+constexpr double kRounding = 1e-9;
+
+bool divides(double cycle, double step) {
+  const double count = cycle / step;
+  return std::abs(count - std::round(count)) <= kRounding * count;
+}
+
+/// The step nearest to a `count`-th of the cycle that divides it in the digits that are printed.
+std::optional<double> near_step(double cycle, double count) {
+  for (double away = 0; away < count; ++away) {
+    for (const double whole : {count + away, count - away}) {
+      const double step = std::stod(fmt::format("{:.6g}", cycle / whole));
+      if (divides(cycle, step)) return step;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 double rounded(double value, int decimals) {
@@ -49,7 +71,7 @@ Eigen::Vector2d rounded(const Eigen::Vector2d& point, int decimals) {
 }
 
 int count_steps(double cycle, double step, const std::string& unit) {
-  constexpr double kMostSteps = 1e6, kRounding = 1e-9;
+  constexpr double kMostSteps = 1e6;
   const double count = cycle / step;
   if (!(step > 0) || !(count >= 1 - kRounding) || count > kMostSteps) {
     throw std::invalid_argument(
@@ -57,10 +79,11 @@ int count_steps(double cycle, double step, const std::string& unit) {
                     with_unit(cycle / kMostSteps, unit), with_unit(cycle, unit)));
   }
   const double whole = std::round(count);
-  if (std::abs(count - whole) > kRounding * count) {
-    throw std::invalid_argument(fmt::format("a step of {} does not divide the cycle of {}; {} does",
-                                            with_unit(step, unit), with_unit(cycle, unit),
-                                            with_unit(cycle / whole, unit)));
+  if (!divides(cycle, step)) {
+    const auto near = near_step(cycle, whole);
+    throw std::invalid_argument(fmt::format(
+        "a step of {} does not divide the cycle of {}{}", with_unit(step, unit),
+        with_unit(cycle, unit), near ? fmt::format("; {} does", with_unit(*near, unit)) : ""));
   }
   return static_cast<int>(whole);
 }

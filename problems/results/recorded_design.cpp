@@ -105,6 +105,16 @@ Json result_of(std::string_view json) {
   return result;
 }
 
+/// Why the search's verdict is what it is, where the result says so.
+void read_reason(const Json& result, ReadDesign& design) {
+  const auto reason = result.find("reason"), blamed = result.find("blamed");
+  if (reason != result.end() && reason->is_string()) design.reason = reason->get<std::string>();
+  if (blamed == result.end() || !blamed->is_array()) return;
+  for (const Json& name : *blamed) {
+    if (name.is_string()) design.blamed.push_back(name.get<std::string>());
+  }
+}
+
 }  // namespace
 
 Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
@@ -134,6 +144,7 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     choose_law(record, design.statement);
     set_variables(record, design.statement);
     if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();
+    read_reason(result, design);
     return design;
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "problems/law_files/pieces_json.h"
 #include "problems/statement/bind.h"
@@ -23,6 +24,8 @@ struct ReadDesign {
   ProblemStatement problem;                 ///< as it was asked: its own starts, every law
   ProblemStatement statement = problem;     ///< at the design; its laws are the one chosen
   std::optional<std::string> verdict = {};  ///< of a result: "certified optimum"
+  std::string reason = {};                  ///< of the verdict: "follower_force cannot be met"
+  std::vector<std::string> blamed = {};     ///< limits that cannot be met, or not together
 };
 
 /// The design of a result, the text of a result.json or what --json prints; `source` names it in

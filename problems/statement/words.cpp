@@ -79,7 +79,7 @@ std::string law_text(const ProblemStatement& problem, const Member& law) {
     const std::string text = fixed_text(problem, parameter, values);
     if (!text.empty()) fixed.push_back(text);
   }
-  const std::string what = law.family->listed ? fmt::format(", {},", law.family->formula) : "";
+  const std::string what = law.family->listed ? fmt::format(", {}", law.family->formula) : "";
   return law.family->name + what + (fixed.empty() ? "" : fmt::format(" ({})", listed(fixed)));
 }
 

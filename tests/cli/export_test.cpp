@@ -247,6 +247,15 @@ TEST_CASE("the tool of a cam without a tool of its own goes beside the profile",
              Contains("--set 'cutter_radius=6 mm'"));
 }
 
+TEST_CASE("programs of the two cams of a pair say which of them they are for", "[export]") {
+  const auto program = [](const std::string& curve) {
+    return done({"export", problem("cams/conjugate_least_distance.toml"), "--format", "gcode",
+                 "--curve", curve, "--tool", "5 mm"});
+  };
+  CHECK_THAT(program("profile"), Contains("(tool radius 5 mm beside the profile;"));
+  CHECK_THAT(program("second-profile"), Contains("(tool radius 5 mm beside the second profile;"));
+}
+
 TEST_CASE("every format takes every cam", "[export][heavy]") {
   const Folder folder;
   auto files = files_of("cams");
@@ -367,7 +376,7 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
   CHECK_THAT(refused({"--format", "dxf", "--step", "1 deg", "--as", "spline"}),
              Contains("--as lines alone"));
   CHECK_THAT(refused({"--format", "csv", "--step", "7 deg"}),
-             Contains("a step of 7 deg does not divide the cycle of 360 deg"));
+             Contains("a step of 7 deg does not divide the cycle of 360 deg; 7.2 deg does"));
   CHECK_THAT(refused({"--format", "gcode", "--as", "spline"}),
              Contains("--as spline: gcode takes arcs, lines"));
   CHECK_THAT(refused({"--format", "gcode", "--curve", "all"}), Contains("follows one curve"));
@@ -388,6 +397,8 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
                     2),
              Contains("disc-cam-flat has no curve 'pitch' of its own; it has profile"));
   CHECK_THAT(failed({"export", folder / "none.json", "--format", "dxf"}, 2), Contains("none.json"));
+  CHECK_THAT(failed({"export", "study.db", "--format", "dxf"}, 2),
+             Contains("'camlaw front study.db --knee --result FILE'"));
   CHECK(folder.content().empty());
 }
 
@@ -396,10 +407,13 @@ TEST_CASE("the help of export explains every option", "[export]") {
   for (const char* option :
        {"--format", "--out", "--curve", "--tolerance", "--step", "--as", "--decimals", "--tool",
         "--feed", "--clearance", "--depth", "--slave", "--set"}) {
-    const std::size_t at = help.find(std::string("  ") + option + " TEXT");
+    const std::size_t at = help.find(std::string("  ") + option + " ");
     REQUIRE(at != std::string::npos);
-    CHECK(help.find('\n', at) > at + 50);
+    CHECK(help.find("\n  -", at) > at + 50);
   }
+  CHECK_THAT(help, Contains("--format {csv,dxf,svg,json,gcode,table}") &&
+                       Contains("--curve {all,profile,second-profile,pitch,cutter}") &&
+                       Contains("--as {lines,arcs,spline}"));
 }
 
 TEST_CASE("a cam that jumps is drawn with a note, and not cut", "[export]") {

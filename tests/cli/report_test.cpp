@@ -198,6 +198,33 @@ TEST_CASE("a page says the problem of a result as the problem was asked", "[cli]
   CHECK(section_of(page_of(folder / "out/result.json", folder), "problem") == asked);
 }
 
+TEST_CASE("the program of a result is that of its design", "[cli][report]") {
+  const Folder folder;
+  done({"optimize", shipped("cams/end_rise_share.toml"), "--out", folder / "out"});
+  const std::string page = page_of(folder / "out/result.json", folder);
+  CHECK_THAT(section_of(page, "problem"), Contains("rise 120 deg by"));  // as it was asked
+  CHECK_THAT(section_of(page, "values"),
+             Contains("rise 140 deg by") && !Contains("rise 120 deg by"));
+  // Rise and return are as steep: each side of the limit has a row of its own.
+  const std::string limits = section_of(page, "limits");
+  CHECK_THAT(limits, Contains("\u2264 30") && Contains("\u2265 -30"));
+  CHECK(count_of(limits, "<tr") == 3);
+}
+
+TEST_CASE("a report of an infeasible result says which limit cannot be met", "[cli][report]") {
+  const Folder folder;
+  std::string text = read(shipped("cams/end_rise_share.toml"));
+  text += "[[constraints]]\nresponse = \"radius\"\nupper = \"6 mm\"\n";
+  std::ofstream(folder / "tight.toml") << text;
+  CHECK(run({"optimize", folder / "tight.toml", "--out", folder / "out"}).status == 3);
+  const Json result = Json::parse(read(folder / "out/result.json"));
+  REQUIRE(result["verdict"] == "infeasible");
+  const std::string page = page_of(folder / "out/result.json", folder);
+  CHECK_THAT(page,
+             Contains("The search said: infeasible: " + result["reason"].get<std::string>() + "."));
+  CHECK(count_of(section_of(page, "limits"), ">blamed</span>") == result["blamed"].size());
+}
+
 TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][report]") {
   const Folder folder;
   done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
@@ -284,6 +311,8 @@ TEST_CASE("reports of what cannot be reported on are refused", "[cli][report]") 
   const Folder folder;
   CHECK_THAT(failed({"report", folder / "none.toml"}, 2), Contains("none.toml"));
   CHECK_THAT(failed({"report", folder / "law.csv"}, 2), Contains(".toml"));
+  CHECK_THAT(failed({"report", shipped("cams/roller_least_base.toml"), "-o", folder / "x.pdf"}, 2),
+             Contains(".html and .htm are accepted endings"));
   std::string text = read(shipped("cams/roller_least_base.toml"));
   text.replace(text.find("stroke = "), 0, "offset = \"100 mm\"\n");
   std::ofstream(folder / "odd.toml") << text;

@@ -112,6 +112,18 @@ TEST_CASE("a program's parameters are its angles, its levels and its laws'", "[p
   CHECK(program.law()(0.1).s == Approx(find_law("poly-3-4-5").law()(0.3).s).epsilon(1e-12));
 }
 
+TEST_CASE("a program is told in the words of its arguments", "[program]") {
+  Member program = motion_program(usual(), Matched::Acceleration);
+  const std::size_t rise = program.family->parameter("rise_angle");
+  program.arguments.values()[rise] = {127};
+  const Member told = program.listed();
+  CHECK(contains(program.family->formula, "rise 120 deg"));
+  CHECK(contains(told.family->formula, "rise 127 deg"));
+  CHECK(contains(told.family->formula, "low 83 deg"));
+  CHECK(told.name() == program.name());
+  CHECK(told.law()(0.3).s == Approx(program.law()(0.3).s).epsilon(1e-12));
+}
+
 TEST_CASE("derivatives by a program's parameters agree with differences", "[program]") {
   const Member program = motion_program(usual(), Matched::Acceleration);
   const auto& family = *program.family;

@@ -122,7 +122,10 @@ TEST_CASE("Even steps tell how far their chords are from the curve", "[exports]"
   CHECK(fine.points[90].at == rounded(profile.at({90}).at, 6));
   CHECK(coarse.worst / fine.worst == Approx(4).epsilon(0.1));  // as the square of the step
   CHECK_THROWS_WITH(chords_at_steps(profile, 7, 6),
-                    Contains("a step of 7 deg does not divide the cycle of 360 deg"));
+                    Contains("a step of 7 deg does not divide the cycle of 360 deg; 7.2 deg does"));
+  CHECK_THROWS_WITH(chords_at_steps(profile, 11.1, 6), Contains("; 11.25 deg does"));
+  CHECK(count_steps(360, 11.25, "deg") == 32);
+  CHECK_THROWS_WITH(count_steps(1, 0.3, "s"), Contains("; 0.25 s does"));
   CHECK_THROWS_WITH(chords_at_steps(profile, 0, 6), Contains("is not accepted"));
 }
 

@@ -428,6 +428,11 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
   CHECK_THAT(words, Contains("Solve with ipopt, from 10 starts, with seed 3, for at most 60 s.\n"));
 }
 
+TEST_CASE("a sentence about a free law ends with its words", "[statement]") {
+  const std::string path = CAMLAW_SOURCE_DIR "/problems/free_law/least_acceleration_at_jerk.toml";
+  CHECK_THAT(in_words(read_problem_file(path)), Contains("100 knots, C2.\n"));
+}
+
 TEST_CASE("the sentences tell laws apart and what of them stays", "[statement]") {
   const ProblemStatement p = read_problem(
       "mechanism = 'spine-cutter'\nlaw.name = ['cosine', 'legendre c=1,2']\n"
