@@ -34,6 +34,7 @@ void add_optimize_command(CLI::App& app, int& status);
 void add_pareto_command(CLI::App& app, int& status);
 void add_front_command(CLI::App& app, int& status);
 void add_synthesize_command(CLI::App& app, int& status);
+void add_verify_command(CLI::App& app, int& status);
 
 /// An option that is there or not, and takes no value: "--json=3" is an error.
 CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,

@@ -60,6 +60,17 @@ TextTable response_table(const std::vector<EvaluatedResponse>& responses) {
   return table;
 }
 
+/// Says which numbers are extremes of samples only; empty where intervals prove all of them.
+std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
+  std::vector<std::string> names;
+  for (const EvaluatedResponse& r : responses) {
+    const bool number = r.is_curve ? std::isfinite(r.highest - r.lowest) : std::isfinite(r.value);
+    if (!r.proved && number) names.push_back(r.name);
+  }
+  if (names.empty()) return {};
+  return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
+}
+
 void print_text(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
                 const std::vector<optim::LimitReport>& limits) {
   if (!statement.title.empty()) fmt::print("{}\n", statement.title);
@@ -68,6 +79,7 @@ void print_text(const ProblemStatement& statement, const std::vector<EvaluatedRe
   }
   fmt::print("\n");
   fmt::print("{}", response_table(responses).text());
+  fmt::print("{}", sampled_text(responses));
   if (!limits.empty()) fmt::print("\n");
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitText text = limit_text(limits[i], statement.constraints[i]);
@@ -88,9 +100,11 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
                         {"highest", cli::to_json(r.highest)},
                         {"highest_at", r.highest_at},
                         {"unit", r.unit},
-                        {"along", r.along}};
+                        {"along", r.along},
+                        {"proved", r.proved}};
     } else {
       values[r.name] = {{"value", cli::to_json(r.value)}, {"unit", r.unit}};
+      if (!r.proved) values[r.name]["proved"] = false;
     }
   }
   Json constants = Json::object();

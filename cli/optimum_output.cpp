@@ -62,7 +62,10 @@ std::string limit_table(const Answer& answer) {
     const LimitText text = limit_text(limit, answer.bound.statement().constraints[i]);
     const bool price = priced && limit.multiplier != 0;
     table.add({limit.name, text.value, text.bound, text.margin, limit.unit, text.place,
-               limit.proved ? "yes" : "no", price ? fmt::format("{:.4g}", limit.multiplier) : ""});
+               limit.proved ? "yes" : "no",
+               price                     ? fmt::format("{:.4g}", limit.multiplier)
+               : priced && limit.at_rest ? "at rest"
+                                         : ""});
   }
   return table.text();
 }
@@ -81,6 +84,11 @@ std::string prices(const Answer& answer) {
   for (const LimitReport& limit : a.limits) {
     if (limit.is_equation) continue;
     add(fmt::format("easing the limit on {}", limit.name), limit.unit, limit.multiplier);
+    if (!limit.at_rest) continue;
+    text += fmt::format(
+        "  the limit on {} holds the design where the motion rests, and easing it there gains more "
+        "than in proportion: it has no price\n",
+        limit.name);
   }
   for (const VariableReport& v : a.variables) {
     if (v.at_lower != v.at_upper) {
@@ -243,7 +251,8 @@ Json answer_json(const Answer& answer) {
          {"worst_angle_deg", limit.worst_angle ? to_json(*limit.worst_angle) : Json(nullptr)},
          {"met", limit.met},
          {"proved", limit.proved},
-         {"multiplier", to_json(limit.multiplier)}});
+         {"multiplier", to_json(limit.multiplier)},
+         {"at_rest", limit.at_rest}});
   }
   Json bounds = Json::array();
   for (const VariableReport& v : a.variables) {
@@ -260,6 +269,8 @@ Json answer_json(const Answer& answer) {
       {"objective", to_json(a.objective.value)},
       {"objective_name", objective_name(answer)},
       {"objective_unit", objective_unit(answer)},
+      {"objective_tolerance", to_json(a.objective.tolerance)},
+      {"best_possible", a.best_possible ? to_json(*a.best_possible) : Json(nullptr)},
       {"objective_proved", {to_json(a.objective.proved.lower), to_json(a.objective.proved.upper)}},
       {"variables", std::move(variables)},
       {"units", std::move(units)},

@@ -105,6 +105,7 @@ int run(int argc, const char* const* argv) {
   add_reproduce_command(app, status);
   add_check_command(app, status);
   add_evaluate_command(app);
+  add_verify_command(app, status);
   add_export_command(app);
   add_optimize_command(app, status);
   add_pareto_command(app, status);

@@ -16,6 +16,7 @@
 #include "cli/report/scene.h"
 #include "cli/report/sensitivity_section.h"
 #include "cli/text_table.h"
+#include "problems/results/judged_design.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
@@ -23,44 +24,17 @@ namespace {
 
 using problems::ProblemStatement;
 
-/// The design's problem with its choices held: one law, and only what varies evenly.
-struct HeldProblem {
-  optim::MultiProblem problem;
-  std::vector<double> x;
-  bool whole;  ///< nothing had to be held: it is the problem itself
-};
-
-/// None where nothing is sought or nothing varies.
-std::optional<HeldProblem> held_problem(const problems::ReadDesign& read) {
-  ProblemStatement held = read.statement;
-  held.laws.erase(held.laws.begin() + 1, held.laws.end());
-  std::erase_if(held.variables, [&](const problems::VariableStatement& v) {
-    const bool others = v.of_law && !problems::index_in(*held.laws.front().family, v.law_parameter);
-    return others || v.integer || !v.values.empty();
-  });
-  if (held.objectives.empty() || held.variables.empty()) return {};
-  const bool whole =
-      read.problem.laws.size() == 1 && held.variables.size() == read.statement.variables.size();
-  const problems::BoundProblem bound(std::move(held));
-  optim::MultiProblem problem = bound.problem({});
-  std::vector<double> x = problem.alone(0).start();
-  return HeldProblem{std::move(problem), std::move(x), whole};
-}
-
 /// All that is found out about a design before it is told.
 struct Review {
   std::vector<problems::EvaluatedResponse> evaluated;
-  std::optional<HeldProblem> held;
+  std::optional<problems::HeldProblem> held;
   std::optional<optim::Assessment> assessment;  ///< of a problem with one objective
   std::vector<optim::LimitReport> limits;
 
   explicit Review(const problems::ReadDesign& read)
-      : evaluated(problems::evaluate(read.statement)), held(held_problem(read)) {
+      : evaluated(problems::evaluate(read.statement)), held(problems::held_problem(read)) {
     const ProblemStatement& design = read.statement;
-    if (held && design.objectives.size() == 1) {
-      const optim::Problem problem = held->problem.alone(0);
-      assessment = optim::assess(problem, optim::sizes(problem, held->x), held->x, true);
-    }
+    if (held && design.objectives.size() == 1) assessment = problems::judged(*held);
     limits =
         assessment ? problems::as_stated(design, assessment->limits) : problems::standing(design);
   }

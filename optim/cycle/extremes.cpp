@@ -223,4 +223,35 @@ CycleProof prove_below(const Trace& trace, double sign, double limit, int most_b
   return proof;
 }
 
+ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
+  constexpr int kRounds = 200, kMostBoxes = 20000;
+  constexpr double kSlack = 1e-9;
+  ProvedExtreme result{highest(trace, sign)};
+  for (int round = 0; round < kRounds; ++round) {
+    const double value = result.peak.value;
+    if (std::isnan(value)) return result;
+    if (std::isinf(value)) {
+      result.proved = true;
+      return result;
+    }
+    result.slack = kSlack * std::max(std::abs(value), scale);
+    const CycleProof proof = prove_below(trace, sign, sign * value + result.slack, kMostBoxes);
+    result.proved = proof.proved;
+    if (!proof.broken) return result;
+    result.peak = proof.worst;
+  }
+  return result;
+}
+
+ProvedExtreme proved_extreme_of(const Trace& trace, Part part) {
+  if (part == Part::Lowest) return proved_highest(trace, -1);
+  const ProvedExtreme high = proved_highest(trace, 1);
+  if (part != Part::Magnitude || std::isnan(high.peak.value)) return high;
+  ProvedExtreme low = proved_highest(trace, -1, std::abs(high.peak.value));
+  const bool both = high.proved && low.proved;
+  ProvedExtreme result = -low.peak.value > high.peak.value ? low : high;
+  result.proved = both;
+  return result;
+}
+
 }  // namespace camlaw::optim

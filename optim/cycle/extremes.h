@@ -28,6 +28,21 @@ Extreme highest(const Trace& trace, double sign);
 /// larger |value| (Magnitude; the value keeps its sign).
 Extreme extreme_of(const Trace& trace, Part part);
 
+/// A peak and whether intervals prove it.
+struct ProvedExtreme {
+  Extreme peak;
+  double slack = 0;     ///< nothing is higher by more than this
+  bool proved = false;  ///< else the peak is the highest of what was looked at
+};
+
+/// The highest of sign * curve over the whole cycle: searched, then proved; a place that the proof
+/// finds above is climbed and takes the peak's place. An infinite peak needs no proof. `scale` is
+/// what rounding is a share of where the peak is near zero.
+ProvedExtreme proved_highest(const Trace& trace, double sign, double scale = 0);
+
+/// The same of a part of a curve, as extreme_of.
+ProvedExtreme proved_extreme_of(const Trace& trace, Part part);
+
 /// What can be said of sign * curve <= limit over the whole cycle.
 struct CycleProof {
   bool proved = false;

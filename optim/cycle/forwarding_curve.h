@@ -19,6 +19,7 @@ class ForwardingCurve : public Curve {
   }
   bool breaks_move() const override { return curve_->breaks_move(); }
   Place tied(Place place, Design x) const override { return curve_->tied(place, x); }
+  std::vector<Rest> rests(double bound, Design x) const override { return curve_->rests(bound, x); }
   Shape shape() const override { return curve_->shape(); }
 
  protected:

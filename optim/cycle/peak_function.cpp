@@ -13,9 +13,12 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+enum class Look { Sampled, Proved };
+
 class PeakKernel final : public Kernel {
  public:
-  PeakKernel(Response response, Part part) : response_(std::move(response)), part_(part) {}
+  PeakKernel(Response response, Part part, Look look)
+      : response_(std::move(response)), part_(part), look_(look) {}
 
   double value(std::span<const double> u) const override {
     const Extreme peak = find(u);
@@ -37,7 +40,7 @@ class PeakKernel final : public Kernel {
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
     const auto trace = response_.curve().trace(u);
-    const Extreme peak = extreme_of(*trace, part_);
+    const Extreme peak = find(*trace);
     const double sign = sign_of(peak), result = sign * peak.value;
     const Function f = response_.curve().at(response_.curve().tied(peak.place, u));
     const std::vector<std::size_t>& inputs = f.inputs();
@@ -63,25 +66,20 @@ class PeakKernel final : public Kernel {
   }
 
   bool is_searched() const override { return true; }
+  std::shared_ptr<const Kernel> proved() const override {
+    return std::make_shared<PeakKernel>(response_, part_, Look::Proved);
+  }
   /// Between the peak found and the least bound above it that intervals prove.
   Bounds enclose(std::span<const double> u) const override {
     const auto trace = response_.curve().trace(u);
-    const Extreme peak = extreme_of(*trace, part_);
-    const double slack = 1e-9 * std::abs(peak.value);
-    const auto proved = [&](double sign) {
-      return prove_below(*trace, sign, sign * peak.value + slack).proved;
-    };
-    const Bounds here = trace->enclose(peak.place.angle, peak.place.angle);
-    if (part_ == Part::Lowest) {
-      return proved(-1) ? Bounds{peak.value - slack, here.upper} : Bounds{-kInfinity, here.upper};
-    }
-    if (part_ == Part::Highest) {
-      return proved(1) ? Bounds{here.lower, peak.value + slack} : Bounds{here.lower, kInfinity};
-    }
-    const double most = std::abs(peak.value) + slack;
-    const bool both = prove_below(*trace, 1, most).proved && prove_below(*trace, -1, most).proved;
-    const double least = peak.value < 0 ? -here.upper : here.lower;
-    return {std::max(least, 0.0), both ? most : kInfinity};
+    const ProvedExtreme found = proved_extreme_of(*trace, part_);
+    const Place place = found.peak.place;
+    const Bounds here = trace->enclose(place.angle, place.angle);
+    const double value = found.peak.value, room = found.proved ? found.slack : kInfinity;
+    if (part_ == Part::Lowest) return {value - room, here.upper};
+    if (part_ == Part::Highest) return {here.lower, value + room};
+    const double least = value < 0 ? -here.upper : here.lower;
+    return {std::max(least, 0.0), std::abs(value) + room};
   }
 
  private:
@@ -94,12 +92,14 @@ class PeakKernel final : public Kernel {
     std::fill(g.begin(), g.end(), 0.0);
     for (std::size_t k = 0; k < slopes.size(); ++k) g[f.inputs()[k]] = sign * slopes[k];
   }
-  Extreme find(std::span<const double> u) const {
-    return extreme_of(*response_.curve().trace(u), part_);
+  Extreme find(const Trace& trace) const {
+    return look_ == Look::Proved ? proved_extreme_of(trace, part_).peak : extreme_of(trace, part_);
   }
+  Extreme find(std::span<const double> u) const { return find(*response_.curve().trace(u)); }
 
   Response response_;
   Part part_;
+  Look look_;
 };
 
 }  // namespace
@@ -107,7 +107,7 @@ class PeakKernel final : public Kernel {
 Function peak_function(const Response& response, Part part, std::size_t variables) {
   std::vector<std::size_t> all(variables);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return {std::move(all), std::make_shared<PeakKernel>(response, part)};
+  return {std::move(all), std::make_shared<PeakKernel>(response, part, Look::Sampled)};
 }
 
 SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -60,6 +61,12 @@ class RememberedCurve final : public ForwardingCurve {
     return functions_.emplace(key, curve().at(place)).first->second;
   }
 
+  std::vector<Rest> rests(double bound, Design x) const override {
+    const bool known = rests_ && rests_->bound == bound && std::ranges::equal(x, rests_->x);
+    if (!known) rests_ = Rests{bound, {x.begin(), x.end()}, curve().rests(bound, x)};
+    return rests_->found;
+  }
+
   std::unique_ptr<Trace> trace(Design x) const override {
     if (!latest_ || !std::equal(x.begin(), x.end(), latest_->x.begin(), latest_->x.end())) {
       auto fresh = std::make_shared<Memory>();
@@ -72,7 +79,14 @@ class RememberedCurve final : public ForwardingCurve {
   }
 
  private:
+  struct Rests {
+    double bound;
+    std::vector<double> x;
+    std::vector<Rest> found;
+  };
+
   mutable std::shared_ptr<Memory> latest_;
+  mutable std::optional<Rests> rests_;
   mutable std::map<std::tuple<double, bool, int>, Function> functions_;
 };
 

@@ -56,6 +56,10 @@ class ShiftedKernel final : public Kernel {
     return moved(f_.enclose(design(u)), slope_, u.back());
   }
   bool is_searched() const override { return f_.is_searched(); }
+  bool is_enclosed() const override { return f_.is_enclosed(); }
+  std::shared_ptr<const Kernel> proved() const override {
+    return f_.is_searched() ? std::make_shared<ShiftedKernel>(f_.proved(), slope_) : nullptr;
+  }
 
  private:
   /// A design with the arguments where f looks for them.
@@ -117,6 +121,7 @@ class ShiftedCurve final : public ForwardingCurve {
   Place tied(Place place, Design x) const override {
     return curve().tied(place, x.first(variable_));
   }
+  std::vector<Rest> rests(double, Design) const override { return {}; }  // t moves it everywhere
   std::unique_ptr<Trace> trace(Design x) const override {
     return std::make_unique<ShiftedTrace>(curve().trace(x.first(variable_)), slope_, x[variable_]);
   }

@@ -53,6 +53,18 @@ inline std::vector<std::array<double, 3>> Trace::even(double from, double to, in
   return result;
 }
 
+/// An end of a smooth stretch at which a curve stands at a bound whatever the design, as a velocity
+/// stands at zero where a motion begins. Inside the stretch, at a distance d from the end, the
+/// curve leaves the bound as leading * d^order does, to the sign and to a positive factor
+/// (docs/optimisation.md, "Limits that vanish").
+struct Rest {
+  double angle;      ///< of the end, at the design that was asked about
+  bool is_end;       ///< whether the stretch ends there; else it begins there
+  double length;     ///< of the stretch
+  int order;         ///< the least over the designs near the one that was asked about
+  Function leading;  ///< positive where the curve rises above the bound
+};
+
 /// A response over the cycle.
 class Curve {
  public:
@@ -68,6 +80,9 @@ class Curve {
   /// A place of trace(x), tied to the joint that it stands at; the place itself where there is
   /// none, or the curve cannot tell how it moves.
   virtual Place tied(Place place, Design) const { return place; }
+  /// Where the curve stands at a bound whatever the design. Ends of which nothing is known are left
+  /// out.
+  virtual std::vector<Rest> rests(double /*bound*/, Design) const { return {}; }
   /// The response of one design, over the angle.
   virtual std::unique_ptr<Trace> trace(Design x) const = 0;
   /// The shape of at(place), the same for every place.

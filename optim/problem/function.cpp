@@ -110,6 +110,11 @@ double Function::hessian(Design x, std::span<double> g, std::span<double> h) con
 
 Bounds Function::enclose(Design x) const { return kernel_->enclose(Gathered(x, inputs_).values()); }
 
+Function Function::proved() const {
+  auto kernel = kernel_->proved();
+  return kernel ? Function(inputs_, std::move(kernel), shape_) : *this;
+}
+
 std::string Function::why_undefined(Design x) const {
   return kernel_->why_undefined(Gathered(x, inputs_).values());
 }

@@ -54,6 +54,9 @@ class Kernel {
   /// Whether the value comes from a search that may miss something, such as a peak over the cycle:
   /// then it holds as far as the enclosure proves it.
   virtual bool is_searched() const { return false; }
+  /// Of a searched value the same number worked out from what a proof finds: it misses nothing, and
+  /// takes longer. None where the value is not searched, or cannot be proved.
+  virtual std::shared_ptr<const Kernel> proved() const { return nullptr; }
   /// Whether the formula comes with an enclosure: then a value counts as far as that proves it.
   virtual bool is_enclosed() const { return false; }
   /// Why the value at u is no number, in words, where more is known than that; else empty.
@@ -84,6 +87,8 @@ class Function {
   double hessian(Design x, std::span<double> g, std::span<double> h) const;
   Bounds enclose(Design x) const;
   bool is_searched() const { return kernel_->is_searched(); }
+  /// Kernel::proved of the kernel; this function where there is none.
+  Function proved() const;
   bool is_enclosed() const { return kernel_->is_enclosed(); }
   std::string why_undefined(Design x) const;
 

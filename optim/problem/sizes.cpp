@@ -12,28 +12,41 @@ namespace {
 
 double or_one(double size) { return size > 0 && std::isfinite(size) ? size : 1; }
 
-/// Typical changes of what varies; zero of what is fixed.
-std::vector<double> free_scales(const Problem& problem) {
-  std::vector<double> scales = variable_scales(problem);
+/// Scales of what varies; zero for what is fixed.
+std::vector<double> free_scales(const Problem& problem, std::vector<double> scales) {
   for (std::size_t i = 0; i < scales.size(); ++i) {
     if (problem.variables[i].lower == problem.variables[i].upper) scales[i] = 0;
   }
   return scales;
 }
 
-/// What typical changes make of responses at one design and over the box.
+/// The problem's variables in a neighbourhood of a design, one typical change to each side.
+Problem neighbourhood(const Problem& problem, Design about, const std::vector<double>& scales) {
+  Problem near;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    Variable v = problem.variables[i];
+    v.start = std::clamp(about[i], v.lower, v.upper);
+    v.lower = std::max(v.lower, v.start - scales[i]);
+    v.upper = std::min(v.upper, v.start + scales[i]);
+    near.variables.push_back(std::move(v));
+  }
+  return near;
+}
+
+/// What typical changes make of responses at one design and about it.
 class Changes {
  public:
   Changes(const Problem& problem, Design about)
-      : scales_(free_scales(problem)), about_(about.begin(), about.end()) {
+      : scales_(free_scales(problem, typical_scales(problem, about))),
+        about_(about.begin(), about.end()) {
     constexpr std::size_t kSampled = 300;
     constexpr int kDesigns = 8;
     if (scales_.size() > kSampled) return;
-    box_ = starts(problem, kDesigns + 1, 1);
+    box_ = starts(neighbourhood(problem, about, scales_), kDesigns + 1, 1);
     box_.erase(box_.begin());
   }
 
-  /// Over the box: the median of what is a number and not zero; zero where there is none.
+  /// About the design: the median of what is a number and not zero; zero where there is none.
   double typical(const Response& response) const {
     // What is linear, and changes nowhere else, changes alike at every design.
     if (box_.empty()) return 0;
@@ -68,11 +81,46 @@ class Changes {
   std::vector<std::vector<double>> box_;
 };
 
-ConstraintSize constraint_size(const Constraint& c, const Changes& changes) {
-  const double bound = std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
-  const double size =
-      c.scale ? *c.scale : or_one(std::max(changes.at_design(c.response), 1e-3 * bound));
-  return {size, c.tolerance.value_or(1e-6 * (bound > 0 ? bound : size))};
+double larger_bound(const Constraint& c) {
+  return std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
+}
+
+/// How large a response is at a design: of a curve its highest |value|, of a number what its
+/// variables contribute to it, to first order.
+double magnitude(const Response& response, Design x, const std::vector<double>& own) {
+  if (response.is_curve()) {
+    return std::abs(extreme_of(*response.curve().trace(x), Part::Magnitude).value);
+  }
+  const Function& f = response.function();
+  std::vector<double> g(f.inputs().size());
+  f.gradient(x, g);
+  double sum = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) sum += std::abs(g[k]) * own[f.inputs()[k]];
+  return sum;
+}
+
+void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own,
+                   ConstraintSize& size) {
+  constexpr double kShare = 1e-6;
+  constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
+  const double bound = larger_bound(c), whole = magnitude(c.response, x, own);
+  const double usual =
+      kShare *
+      (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0) : or_one(whole));
+  size.tolerance = c.tolerance.value_or(usual);
+  size.default_tolerance = std::min(usual, size.tolerance);
+}
+
+double size_of(const Constraint& c, const Changes& changes) {
+  if (c.scale) return *c.scale;
+  return or_one(std::max(changes.at_design(c.response), 1e-3 * larger_bound(c)));
+}
+
+double objective_tolerance(const Objective& objective, double typical, Design x) {
+  constexpr double kShare = 1e-7;
+  if (objective.tolerance) return *objective.tolerance;
+  const double value = std::abs(objective_value(objective, x));
+  return kShare * (std::isfinite(value) ? std::max(value, typical) : typical);
 }
 
 /// Highest value of sign * number or curve at a design.
@@ -125,19 +173,50 @@ double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {
   return worst;
 }
 
+std::vector<double> own_magnitudes(const Problem& problem, Design x) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    const double range = v.upper > v.lower ? v.upper - v.lower : kInfinity;
+    result.push_back(v.scale.value_or(std::max(std::abs(x[i]), std::min(1.0, range))));
+  }
+  return result;
+}
+
+std::vector<double> typical_scales(const Problem& problem, Design x) {
+  std::vector<double> result = own_magnitudes(problem, x);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    if (!v.scale && v.upper > v.lower) result[i] = std::min(result[i], v.upper - v.lower);
+  }
+  return result;
+}
+
 Sizes sizes(const Problem& problem, Design about) {
   const Changes changes(problem, about);
   const Response& objective = problem.objective.response;
   Sizes result;
-  result.variables = variable_scales(problem);
+  result.variables = typical_scales(problem, about);
+  result.own = own_magnitudes(problem, about);
   result.objective = or_one(changes.at_design(objective));
   const double typical = changes.typical(objective);
   result.objective_typical = typical > 0 ? typical : result.objective;
-  result.objective_tolerance = problem.objective.tolerance.value_or(1e-7 * result.objective);
+  result.objective_tolerance =
+      objective_tolerance(problem.objective, result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
-    result.constraints.push_back(constraint_size(c, changes));
+    result.constraints.push_back({size_of(c, changes), 0, 0});
+    set_tolerance(c, about, result.own, result.constraints.back());
   }
   return result;
+}
+
+Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
+  sizes.own = own_magnitudes(problem, x);
+  sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    set_tolerance(problem.constraints[i], x, sizes.own, sizes.constraints[i]);
+  }
+  return sizes;
 }
 
 }  // namespace camlaw::optim

@@ -10,17 +10,26 @@
 namespace camlaw::optim {
 
 struct ConstraintSize {
-  double size;       ///< change of the response by typical changes of the variables
-  double tolerance;  ///< a violation up to this counts as none
+  double size;               ///< change of the response by typical changes of the variables
+  double tolerance;          ///< a violation up to this counts as none
+  double default_tolerance;  ///< what that would be if nothing were stated, or less
 };
 
 struct Sizes {
-  std::vector<double> variables;  ///< typical changes (variable_scales)
+  std::vector<double> variables;  ///< typical changes (typical_scales)
+  std::vector<double> own;        ///< own magnitudes (own_magnitudes): no box makes them smaller
   double objective;               ///< the objective's size
   double objective_tolerance;
-  double objective_typical;  ///< change of the objective by typical changes, over the whole box
+  double objective_typical;  ///< change of the objective by typical changes about the design
   std::vector<ConstraintSize> constraints;
 };
+
+/// How large the variables of a design are: as stated by their scale, else |x|, but no less than
+/// one of the unit, or than the range where that is below one. A wider box does not change it.
+std::vector<double> own_magnitudes(const Problem& problem, Design x);
+
+/// A typical change of each variable at a design: its own magnitude, but no more than the range.
+std::vector<double> typical_scales(const Problem& problem, Design x);
 
 /// The objective: of a curve its peak, found by search.
 double objective_value(const Objective& objective, Design x);
@@ -28,12 +37,21 @@ double objective_value(const Objective& objective, Design x);
 /// The largest violation of a constraint at x, over its size; below 0 where all have room.
 double largest_violation(const Problem& problem, const Sizes& sizes, Design x);
 
-/// Sizes about a design. A response's size is the largest change that one variable's typical change
-/// makes, to first order, but no less than 1e-3 of the bound; the tolerance by default 1e-6 of the
-/// larger of bound (the size, where the bound is zero). A design may be unlike all others (a
-/// stationary point, a pole nearby): the change is kept within a hundredth and a hundred times the
-/// median of eight designs that fill the box.
+/// Sizes about a design, from the design's own magnitudes: a box that is written wider changes
+/// nothing. A response's size is the largest change that one variable's typical change makes, to
+/// first order, but no less than 1e-3 of the bound. A design may be unlike its neighbours (a
+/// stationary point, a pole): the change is kept within a hundredth and a hundred times the median
+/// of eight designs that fill the neighbourhood, one typical change wide to each side.
+///
+/// Tolerances: of a limit as stated, else 1e-6 of the larger bound (of a thousandth of the
+/// response's own magnitude, where that is more); where the bounds are zero, 1e-6 of the response's
+/// own magnitude at the design: of a curve its highest |value|, of a number the
+/// sum of |df/dx_i| times the variables' own magnitudes. Of the objective as stated, else 1e-7 of
+/// the larger of |value| and a typical change.
 Sizes sizes(const Problem& problem, Design about);
+
+/// The same sizes, with tolerances and own magnitudes as they are at another design.
+Sizes judged_at(const Problem& problem, Sizes sizes, Design x);
 
 /// Largest |df/dx_i| * scale_i, of a curve over some places of the cycle; zero where it is not a
 /// number.

@@ -8,6 +8,7 @@
 #include "optim/cycle/peak_function.h"
 #include "optim/search/polish.h"
 #include "optim/search/working_set.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
@@ -83,6 +84,8 @@ bool is_no_worse(const Problem& problem, const Sizes& sizes, Design polished, De
 void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
+  constexpr double kFinest = 1e-6;
+  double share = 0.1;  // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
@@ -97,7 +100,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const bool usable = went_well(attempt.status) || attempt.status == Status::Stalled ||
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
-    const bool settled = working.add_violated(attempt.x, auxiliary) == 0;
+    bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     if (settled || attempt.rounds > 1) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
@@ -107,7 +110,15 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
         return;
       }
     }
+    // Peaks that pass their limits by less than counts may keep the conditions of optimality from
+    // holding: then the exchange goes after them too.
+    while (settled && share > kFinest) {
+      share *= 0.1;
+      settled = working.add_violated(attempt.x, auxiliary, share) == 0;
+    }
     if (settled) return;
+    const bool refined = share < 0.1 && aim == Aim::Optimum;
+    if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds) {
       attempt.status = Status::IterationLimit;
       attempt.message = "limit of exchange rounds";

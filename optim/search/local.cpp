@@ -25,6 +25,32 @@ std::string words_of(const std::exception_ptr& error) {
   }
 }
 
+/// A response that is zero everywhere, whose optimum is any design.
+Objective nothing() { return {{"", "1", Function()}}; }
+
+/// The problem of finding any design that meets those limits, with some room, that are numbers at a
+/// design; none where there is no such limit.
+std::optional<Problem> with_numbers_only(const Problem& problem, Design x) {
+  constexpr double kRoom =
+      1e-3;  // of the bound: at the edge of its validity a model may be infinite
+  Problem result = problem;
+  result.objective = nothing();
+  result.constraints.clear();
+  for (Constraint c : problem.constraints) {
+    const double value = objective_value(
+        {c.response, Sense::Minimize, c.response.is_curve() ? Part::Magnitude : Part::Value}, x);
+    if (!std::isfinite(value)) continue;
+    const double room =
+        kRoom * std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
+    const bool has_room = !(c.lower && c.upper) || *c.upper - *c.lower > 2 * room;
+    if (has_room && c.upper) *c.upper -= room;
+    if (has_room && c.lower) *c.lower += room;
+    result.constraints.push_back(std::move(c));
+  }
+  if (result.constraints.empty()) return {};
+  return result;
+}
+
 class Search {
  public:
   Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
@@ -138,6 +164,7 @@ class Search {
   /// Takes the design where it is better than what was found before.
   void consider(const Attempt& tried, const Solver& solver) {
     latest_ = {};
+    unbounded_ = unbounded_ || tried.status == Status::Unbounded;
     if (tried.x.empty()) return;
     const Assessment assessment = assess(problem_, sizes_, tried.x, false);
     latest_ = assessment;
@@ -160,9 +187,11 @@ class Search {
     return better(problem_, fresh, old);
   }
 
-  /// One start, through the methods of the plan until the conditions of optimality hold.
+  /// One start, through the methods of the plan until the conditions of optimality hold. Scaled by
+  /// the start; a search that ends far from it is done again, scaled by its end.
   void search_from(Design start) {
     std::vector<double> x(start.begin(), start.end());
+    sizes_ = sizes(problem_, x);
     for (const Solver* solver : plan_.solvers) {
       const Attempt tried = attempt(x, *solver);
       consider(tried, *solver);
@@ -171,10 +200,41 @@ class Search {
         x = tried.x;  // polished by the next
         continue;
       }
-      if (is_settled(latest_)) return;
+      const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded;
+      if (!is_settled(latest_) && goes_on) search_rescaled(tried.x, *solver);
+      if (is_settled(latest_) || error_ || deadline_.passed()) return;
       look_for_emptiness();
       if (is_settled(latest_) || found_.assessment.verdict == Verdict::Infeasible) return;
     }
+  }
+
+  /// From where a search has ended, in the sizes of that place, where they are others.
+  void search_rescaled(std::vector<double> x, const Solver& solver) {
+    constexpr int kTimes = 3;
+    for (int i = 0; i < kTimes; ++i) {
+      Sizes there = sizes(problem_, x);
+      if (!differ(there, sizes_)) return;
+      sizes_ = std::move(there);
+      const Attempt tried = attempt(x, solver);
+      consider(tried, solver);
+      if (tried.error || tried.x.empty() || deadline_.passed() || is_settled(latest_)) return;
+      x = tried.x;
+    }
+  }
+
+  /// Whether some size or tolerance is another by more than its order.
+  static bool differ(const Sizes& a, const Sizes& b) {
+    constexpr double kFactor = 10;
+    const auto far = [](double p, double q) { return p > kFactor * q || q > kFactor * p; };
+    if (far(a.objective, b.objective)) return true;
+    for (std::size_t i = 0; i < a.variables.size(); ++i) {
+      if (far(a.variables[i], b.variables[i])) return true;
+    }
+    for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+      if (far(a.constraints[i].size, b.constraints[i].size)) return true;
+      if (far(a.constraints[i].tolerance, b.constraints[i].tolerance)) return true;
+    }
+    return false;
   }
 
   /// Where the set of designs is convex, the design of least violation tells at once whether there
@@ -204,14 +264,19 @@ class Search {
     }
   }
 
-  static bool is_proved(const Assessment& a) {
-    const bool peak =
-        !a.objective.angle || std::isfinite(a.objective.proved.upper - a.objective.proved.lower);
-    return is_feasible(a) && peak;
+  bool is_proved(const Assessment& a) const {
+    const Response& sought = problem_.objective.response;
+    const bool searched =
+        sought.is_curve() ? a.objective.angle.has_value() : sought.function().is_searched();
+    if (!searched) return is_feasible(a);
+    if (!std::isfinite(a.objective.proved.upper - a.objective.proved.lower)) return false;
+    return is_feasible(a) &&
+           (sought.is_curve() || a.objective.value == sought.function().value(found_.x));
   }
 
   /// Angles at which a proof found a limit passed, or the peak higher, that no search had seen:
-  /// from now on every search looks there. Whether there were any new ones.
+  /// from now on every search looks there. A number for which a proof found more than its own
+  /// search is worked out with proofs from now on. Whether there was anything new.
   bool watch_what_was_found() {
     bool any = false;
     const auto watch = [&](std::size_t index, double angle, const Response& original,
@@ -222,12 +287,21 @@ class Search {
       response = remembered(watched(original, angles));
       any = true;
     };
+    const auto prove_number = [&](Response& response) {
+      if (response.is_curve() || !response.function().is_searched()) return;
+      const Function proved = response.function().proved();
+      if (proved.value(found_.x) == response.function().value(found_.x)) return;
+      response.measure = proved;
+      any = true;
+    };
     const Assessment& a = found_.assessment;
     watched_.resize(1 + a.limits.size());
+    prove_number(problem_.objective.response);
     if (a.objective.angle && std::isinf(a.objective.proved.upper - a.objective.proved.lower)) {
       watch(0, *a.objective.angle, original_.objective.response, problem_.objective.response);
     }
     for (std::size_t i = 0; i < a.limits.size(); ++i) {
+      prove_number(problem_.constraints[i].response);
       if (a.limits[i].met || !a.limits[i].worst_angle) continue;
       watch(i + 1, *a.limits[i].worst_angle, original_.constraints[i].response,
             problem_.constraints[i].response);
@@ -248,11 +322,13 @@ class Search {
     found_.assessment = assess(problem_, sizes_, found_.x, false);
   }
 
-  /// Proves the best design; where the proof finds an angle that breaks a limit, searches again.
+  /// Proves the best design, in its own sizes; where the proof finds an angle that breaks a limit,
+  /// searches again.
   void prove_best() {
     constexpr int kRounds = 10;
     for (int round = 0; true; ++round) {
       if (found_.assessment.verdict == Verdict::Infeasible) return;
+      settle_in_own_sizes();
       if (!is_feasible(found_.assessment) && !deadline_.passed()) find_feasible();
       if (!is_feasible(found_.assessment) || !prove_) return;
       found_.assessment = assess(problem_, sizes_, found_.x, true);
@@ -262,18 +338,91 @@ class Search {
     }
   }
 
+  /// Conditions that held in the sizes of a search may not hold in those of the design it led to:
+  /// then the search goes on from there.
+  void settle_in_own_sizes() {
+    if (!is_feasible(found_.assessment)) return;
+    sizes_ = sizes(problem_, found_.x);
+    found_.assessment = assess(problem_, sizes_, found_.x, false);
+    const Solver& solver = *plan_.solvers.back();
+    if (is_settled(found_.assessment) || solver.is_global() || deadline_.passed()) return;
+    consider(attempt(found_.x, solver), solver);
+  }
+
+  /// Whether the answer is where the search began, or says itself that its conditions may hold by
+  /// chance, and no lower bound speaks for it.
+  bool is_doubtful() const {
+    const Assessment& a = found_.assessment;
+    if (!is_feasible(a) || a.global) return false;
+    if (!a.sign.empty()) return true;
+    const std::vector<double> start = problem_.start();
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const Variable& v = problem_.variables[i];
+      const bool inside = v.lower == v.upper || (start[i] > v.lower && start[i] < v.upper);
+      if (!inside || std::abs(found_.x[i] - start[i]) > 1e-9 * sizes_.variables[i]) return false;
+    }
+    return true;
+  }
+
+  /// A search that began once begins again elsewhere.
+  void search_elsewhere() {
+    constexpr int kStarts = 4;
+    if (found_.starts > 1 || deadline_.passed() || !is_doubtful()) return;
+    const auto more = starts(problem_, kStarts, options_.seed);
+    for (std::size_t i = 1; i < more.size() && !deadline_.passed(); ++i) {
+      from_start_ = {};
+      search_from(more[i]);
+    }
+    prove_best();
+  }
+
+  bool has_numbers() const {
+    return !found_.x.empty() && std::isfinite(found_.assessment.objective.value) &&
+           !std::isinf(worst_violation(found_.assessment.limits));
+  }
+
+  /// Where the model gives no number at any start: a design within the limits that are numbers
+  /// everywhere, such as those of validity, and a search from there. Where there is none, the
+  /// problem has no design either, for the same reason.
+  void seek_numbers() {
+    const std::vector<double> start = problem_.start();
+    const auto seeking = with_numbers_only(problem_, start);
+    if (!seeking || deadline_.passed()) return;
+    OptimiseOptions once = options_;
+    once.solver = "auto";
+    const Found valid = search_continuous(*seeking, once, deadline_, false);
+    if (valid.assessment.verdict == Verdict::Infeasible) {
+      found_.x = valid.x;
+      found_.assessment = valid.assessment;
+      const Sizes there = sizes(problem_, valid.x);
+      found_.assessment.objective = objective_report(problem_, there, valid.x, false);
+      found_.assessment.limits = limit_reports(problem_, there, valid.x, false);
+      found_.assessment.reason =
+          fmt::format("{}; {}", valid.assessment.reason,
+                      undefined_at(original_, valid.x, "the nearest design"));
+      return;
+    }
+    if (is_feasible(valid.assessment)) search_from(valid.x);
+  }
+
   void finish() {
+    if (!has_numbers()) seek_numbers();
     const Assessment& best = found_.assessment;
-    if (found_.x.empty() || !std::isfinite(best.objective.value) ||
-        std::isinf(worst_violation(best.limits))) {
+    if (best.verdict == Verdict::Infeasible) {
+      judge();
+      return;
+    }
+    if (!has_numbers()) {
       fail_in_place(undefined_at(original_, problem_.start(), "the start"));
       return;
     }
-    if (found_.status == Status::Unbounded && is_feasible(best) && !is_settled(best)) {
+    if (unbounded_ && is_feasible(best) && !is_settled(best)) {
+      found_.status = Status::Unbounded;
       fail_in_place("the objective improves without end: a limit is missing");
       return;
     }
     prove_best();
+    search_elsewhere();
     if (found_.assessment.verdict == Verdict::Infeasible) return;
     judge();
   }
@@ -337,8 +486,9 @@ class Search {
   Sizes sizes_{};
   Found found_;
   std::string message_;
-  Assessment from_start_;                     ///< the best since the last start
-  Assessment latest_;                         ///< of the last attempt
+  bool unbounded_ = false;  ///< some solve has found that the objective improves without end
+  Assessment from_start_;   ///< the best since the last start
+  Assessment latest_;       ///< of the last attempt
   std::vector<double> objectives_;            ///< where each start ended
   std::vector<std::vector<double>> watched_;  ///< angles of the objective and of each constraint
   std::exception_ptr error_;

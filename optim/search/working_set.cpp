@@ -10,8 +10,6 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr double kTenth = 0.1;  // of a tolerance: what the exchange still goes after
-
 /// Whether a place is in the set but for rounding: asking again would not move the solver.
 bool is_known(const CurveSide& side, Place place, const std::vector<double>& breaks) {
   const double near = 1e-10 * (breaks.back() - breaks.front());
@@ -95,7 +93,7 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
   if (aim == Aim::Optimum && objective.response.is_curve()) {
     const auto add = [&](double sign) {
       sides_.push_back(
-          {&objective.response, sign, 0, true, sizes.objective, sizes.objective_tolerance, {}});
+          {&objective.response, sign, 0, true, sizes.objective, sizes.objective_tolerance, {}, {}});
     };
     if (objective.part != Part::Lowest) add(1);
     if (objective.part != Part::Highest) add(-1);
@@ -104,31 +102,52 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) continue;
     const ConstraintSize& size = sizes.constraints[i];
-    if (c.upper) sides_.push_back({&c.response, 1, *c.upper, false, size.size, size.tolerance, {}});
+    if (c.upper)
+      sides_.push_back({&c.response, 1, *c.upper, false, size.size, size.tolerance, {}, {}});
     if (c.lower) {
-      sides_.push_back({&c.response, -1, *c.lower, false, size.size, size.tolerance, {}});
+      sides_.push_back({&c.response, -1, *c.lower, false, size.size, size.tolerance, {}, {}});
     }
   }
+}
+
+/// Only of limits, and only where they are not eased: then they do not vanish.
+RestWeights WorkingSet::weights_of(const CurveSide& side, Design x) const {
+  if (side.of_peak || aim_ == Aim::LeastViolation) return {};
+  return RestWeights(side.response->curve(), side.bound, x);
 }
 
 void WorkingSet::begin_at(Design x) {
+  for (CurveSide& side : sides_) begin_side(side, x);
+}
+
+void WorkingSet::begin_side(CurveSide& side, Design x) {
   // Few stretches get more places each: the first program should already be bounded.
   constexpr std::size_t kFewStretches = 16;
-  for (CurveSide& side : sides_) {
-    const Curve& curve = side.response->curve();
-    const auto breaks = curve.trace(x)->breaks();
-    const int steps = breaks.size() <= kFewStretches ? 8 : 2;
-    Repeats repeats(curve, x);
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      for (int i = 0; i <= steps; ++i) {
-        const Place place = curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x);
-        if (!repeats(place)) side.places.push_back(place);
-      }
+  const Curve& curve = side.response->curve();
+  const RestWeights weights = weights_of(side, x);
+  for (const Rest& rest : weights.rests()) {
+    const double size = typical_change(rest.leading, x, sizes_.variables);
+    if (size > 0 && std::isfinite(size)) rests_.push_back({rest.leading, side.sign, size});
+  }
+  const auto is_moved = [&](Place place) {
+    if (side.of_peak || aim_ == Aim::LeastViolation) return true;
+    const double slope = typical_change(curve.at(place), x, sizes_.variables);
+    return !vanishes(slope / (side.size * weights.at(place)));
+  };
+  const auto breaks = curve.trace(x)->breaks();
+  const int steps = breaks.size() <= kFewStretches ? 8 : 2;
+  Repeats repeats(curve, x);
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    for (int i = 0; i <= steps; ++i) {
+      const Place place = curve.tied(even_place(breaks[k], breaks[k + 1], steps, i), x);
+      if (weights.is_rest(place) || !is_moved(place) || repeats(place)) continue;
+      side.places.push_back(place);
+      side.weights.push_back(weights.at(place));
     }
   }
 }
 
-std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
+std::size_t WorkingSet::add_violated(Design x, double auxiliary, double share) {
   std::size_t added = 0;
   for (CurveSide& side : sides_) {
     const double slack = aim_ == Aim::LeastViolation ? side.size * auxiliary : 0;
@@ -139,12 +158,14 @@ std::size_t WorkingSet::add_violated(Design x, double auxiliary) {
         side.of_peak && problem_.objective.part == Part::Magnitude ? bound : side.sign * bound;
     const Curve& curve = side.response->curve();
     const auto trace = curve.trace(x);
+    const RestWeights weights = weights_of(side, x);
     for (const Extreme& peak : local_maxima(*trace, side.sign)) {
       const double above = side.sign * peak.value - limit - slack;
-      if (!(above > kTenth * side.tolerance)) continue;
+      if (!(above > share * side.tolerance)) continue;
       const Place place = curve.tied(peak.place, x);
-      if (is_known(side, place, trace->breaks())) continue;
+      if (weights.is_rest(place) || is_known(side, place, trace->breaks())) continue;
       side.places.push_back(place);
+      side.weights.push_back(weights.at(place));
       ++added;
     }
   }
@@ -175,9 +196,17 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
     if (c.lower)
       rows.push_back({row.function, row.lower, kInfinity, row.size, {{auxiliary, row.size}}});
   }
+  for (const RestRow& rest : rests_) {
+    rows.push_back({rest.leading,
+                    rest.sign > 0 ? -kInfinity : 0,
+                    rest.sign > 0 ? 0 : kInfinity,
+                    rest.size,
+                    {}});
+  }
   for (const CurveSide& side : sides_) {
-    for (const Place& place : side.places) {
-      Row row{side.response->curve().at(place), -kInfinity, kInfinity, side.size, {}};
+    for (std::size_t k = 0; k < side.places.size(); ++k) {
+      const double size = side.size * side.weights[k];
+      Row row{side.response->curve().at(side.places[k]), -kInfinity, kInfinity, size, {}};
       const bool magnitude = side.of_peak && problem_.objective.part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};
@@ -188,7 +217,7 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
 }
 
 std::vector<std::size_t> WorkingSet::row_groups() const {
-  std::size_t numbers = 0;
+  std::size_t numbers = rests_.size();
   for (const Constraint& c : problem_.constraints) {
     if (c.response.is_curve()) continue;
     const bool both = aim_ == Aim::LeastViolation && c.lower && c.upper;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/rest_weights.h"
 #include "optim/problem/sizes.h"
 #include "optim/solvers/program.h"
 
@@ -22,6 +23,14 @@ struct CurveSide {
   double size;  ///< of the response
   double tolerance;
   std::vector<Place> places;
+  std::vector<double> weights;  ///< of the places: what their rows' size is multiplied by
+};
+
+/// The leading coefficient of a limit that vanishes at a rest: sign * leading <= 0.
+struct RestRow {
+  Function leading;
+  double sign;
+  double size;
 };
 
 /// The program's rows and the places that they stand for.
@@ -29,20 +38,23 @@ class WorkingSet {
  public:
   WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim);
 
-  /// Even places in each smooth stretch of a design's curves.
+  /// Even places in each smooth stretch of a design's curves, and the leading coefficients of
+  /// limits at their rests. What no variable moves there is left out.
   void begin_at(Design x);
-  /// Adds every peak that passes its limit at the design by more than a tenth of its tolerance;
+  /// Adds every peak that passes its limit at the design by more than a share of its tolerance;
   /// `auxiliary` is the program's variable for the peak or the violation. The number added.
-  std::size_t add_violated(Design x, double auxiliary);
+  std::size_t add_violated(Design x, double auxiliary, double share);
 
-  /// The program's rows by groups that new places are added at the end of: those of numbers, then
-  /// those of each side of a curve.
+  /// The program's rows by groups that new places are added at the end of: those of numbers and
+  /// rests, then those of each side of a curve.
   std::vector<std::size_t> row_groups() const;
 
   /// The program, to be searched from a design on.
   Program program(Design start) const;
 
  private:
+  void begin_side(CurveSide& side, Design x);
+  RestWeights weights_of(const CurveSide& side, Design x) const;
   double auxiliary_start(Design x) const;
   void add_rows(std::vector<Row>& rows) const;
   Row number_row(const Constraint& constraint, const ConstraintSize& size) const;
@@ -52,6 +64,7 @@ class WorkingSet {
   Aim aim_;
   bool auxiliary_;
   std::vector<CurveSide> sides_;
+  std::vector<RestRow> rests_;
 };
 
 }  // namespace camlaw::optim

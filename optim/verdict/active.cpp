@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/rest_weights.h"
 
 namespace camlaw::optim {
 namespace {
@@ -41,7 +42,7 @@ class Collector {
     for (const Extreme& e : down) peak = std::max(peak, -e.value);
     const auto add = [&](double sign, const std::vector<Extreme>& peaks) {
       const Level level{sign, sign * peak, sizes_.objective, reach};
-      add_places({objective.response, *trace, trace->breaks(), level, {}}, peaks);
+      add_places({objective.response, *trace, trace->breaks(), level, {}, {}}, peaks);
     };
     if (objective.part != Part::Lowest) add(1, up);
     if (objective.part != Part::Highest) add(-1, down);
@@ -56,7 +57,7 @@ class Collector {
     const auto add = [&](double sign, double bound) {
       const Level level{sign, bound + sign * eased, size.size, reach};
       if (c.response.is_curve()) {
-        add_curve(c.response, level, i);
+        add_curve(c.response, level, bound, i);
       } else {
         add_number(c.response.function(), level, i, equation);
       }
@@ -72,14 +73,42 @@ class Collector {
     limit.constraint = constraint;
     limit.is_equation = free;
     if (optimality_ == Optimality::LeastViolation) limit.auxiliary = -1;
-    limits_.push_back(std::move(limit));
+    if (is_moved(limit)) limits_.push_back(std::move(limit));
   }
 
-  void add_curve(const Response& response, const Level& level,
-                 std::optional<std::size_t> constraint) {
+  /// The bound is the limit's own, without what it is eased by.
+  void add_curve(const Response& response, const Level& level, double bound,
+                 std::size_t constraint) {
     const auto trace = response.curve().trace(x_);
-    add_places({response, *trace, trace->breaks(), level, constraint},
+    RestWeights weights;
+    if (optimality_ == Optimality::Objective) {
+      weights = RestWeights(response.curve(), bound, x_);
+      add_rests(weights.rests(), level, constraint);
+    }
+    add_places({response, *trace, trace->breaks(), level, constraint, std::move(weights)},
                local_maxima(*trace, level.sign));
+  }
+
+  /// The leading coefficients that stand near zero, or on the wrong side of it.
+  void add_rests(const std::vector<Rest>& rests, const Level& level, std::size_t constraint) {
+    for (const Rest& rest : rests) {
+      const double size = typical_change(rest.leading, x_, sizes_.variables);
+      if (!(size > 0) || !std::isfinite(size)) continue;
+      const double reach = std::max(net_.width, 2 * kRestTolerance) * size;
+      const Level own{level.sign, 0, size, reach};
+      ActiveLimit limit = gradient_of(rest.leading, own);
+      if (limit.margin * size > reach) continue;
+      limit.constraint = constraint;
+      limit.at_rest = true;
+      limits_.push_back(std::move(limit));
+    }
+  }
+
+  /// Whether some variable moves a limit, more than rounding does.
+  static bool is_moved(const ActiveLimit& limit) {
+    double largest = std::abs(limit.auxiliary);
+    for (const auto& entry : limit.gradient) largest = std::max(largest, std::abs(entry.second));
+    return !vanishes(largest);
   }
 
   /// One side of a curve at this design.
@@ -89,6 +118,7 @@ class Collector {
     std::vector<double> breaks;
     Level level;
     std::optional<std::size_t> constraint;
+    RestWeights weights;
   };
 
   /// Local maxima that stand at the level, and other places that do: where a curve runs along its
@@ -111,7 +141,11 @@ class Collector {
   }
 
   void add_place(const CurveLevel& side, const Extreme& at, bool is_peak) {
-    const Level& level = side.level;
+    if (side.weights.is_rest(at.place)) return;
+    Level level = side.level;
+    const double weight = side.weights.at(at.place);
+    level.size *= weight;
+    level.reach *= weight;
     if (level.sign * (level.bound - at.value) > level.reach) return;
     const Curve& curve = side.response.curve();
     const Place place = curve.tied(at.place, x_);
@@ -125,7 +159,7 @@ class Collector {
     } else if (curve.breaks_move() && place.joint < 0) {
       limit.at_moving_break = slopes_at_break(side, at.place);
     }
-    if (!is_twin(limit)) limits_.push_back(std::move(limit));
+    if (is_moved(limit) && !is_twin(limit)) limits_.push_back(std::move(limit));
   }
 
   /// Whether a place is no break, or one at which nothing breaks (see watched()).
@@ -199,6 +233,9 @@ class Collector {
     add(1, v.upper);
     add(-1, v.lower);
   }
+
+  /// What a leading coefficient may lie beyond zero, over its size.
+  static constexpr double kRestTolerance = 1e-6;
 
   const Problem& problem_;
   const Sizes& sizes_;

@@ -27,6 +27,9 @@ struct ActiveLimit {
   /// A peak at a break that moves with the design, and the curve slopes there: the gradient along
   /// with the break is not known.
   bool at_moving_break = false;
+  /// The leading coefficient of a limit that vanishes at a rest (Rest::leading): its size is not
+  /// one of the response.
+  bool at_rest = false;
 };
 
 /// How wide the net is cast for limits that hold a design.
@@ -36,7 +39,9 @@ struct Net {
 };
 
 /// The limits whose margin is at most the net's width or twice their tolerance: numbers, variables'
-/// bounds, and of curves the local maxima and the ends of smooth stretches.
+/// bounds, and of curves the local maxima and the ends of smooth stretches. Near a rest a limit is
+/// judged divided by the power with which it vanishes there, at the rest by its leading coefficient
+/// (docs/optimisation.md, "Limits that vanish"). What no variable moves is no limit.
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
                                        Optimality optimality, Net net);
 

@@ -39,29 +39,29 @@ Eigen::SparseMatrix<double> limit_gradients(const std::vector<ActiveLimit>& limi
   return A;
 }
 
-/// What residuals are measured by: the objective, over its size; or the largest violation.
-double measure(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality) {
-  if (optimality == Optimality::LeastViolation) return largest_violation(problem, sizes, x);
-  constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
-  const double value = objective_value(problem.objective, x);
-  return std::max(std::abs(value), kShare * sizes.objective_typical) / sizes.objective;
-}
-
-/// How far a variable may be expected to move, in typical changes: without a bound, as far as it
-/// has come.
-std::vector<double> reaches(const Problem& problem, const Sizes& sizes, Design x,
-                            const Layout& layout) {
+/// How far a variable may be expected to move, in typical changes: by its own magnitude, in however
+/// narrow a box; of a least violation through the whole box.
+std::vector<double> reaches(const Problem& problem, const Sizes& sizes, const Layout& layout,
+                            Optimality optimality) {
   std::vector<double> result(static_cast<std::size_t>(layout.rows), 1.0);
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     const Variable& v = problem.variables[i];
-    if (layout.row[i] < 0 || (std::isfinite(v.lower) && std::isfinite(v.upper))) continue;
+    if (layout.row[i] < 0) continue;
+    const double range = v.upper - v.lower;
+    const bool through_box = optimality == Optimality::LeastViolation && std::isfinite(range);
     result[static_cast<std::size_t>(layout.row[i])] =
-        std::max(1.0, std::abs(x[i]) / sizes.variables[i]);
+        (through_box ? range : sizes.own[i]) / sizes.variables[i];
   }
   return result;
 }
 
 }  // namespace
+
+double objective_measure(const Problem& problem, const Sizes& sizes, Design x) {
+  constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
+  const double value = objective_value(problem.objective, x);
+  return std::max(std::abs(value), kShare * sizes.objective_typical) / sizes.objective;
+}
 
 Layout lay_out(const Problem& problem, Optimality optimality) {
   Layout layout;
@@ -115,7 +115,7 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     result.multipliers[j] /= lengths[j];
     open += std::abs(result.multipliers[j] * result.limits[j].margin);
   }
-  const auto reach = reaches(problem, sizes, x, layout);
+  const auto reach = reaches(problem, sizes, layout, optimality);
   double largest = 0, sum = 0;
   for (std::size_t i = 0; i < reach.size(); ++i) {
     const double left = std::abs(solved.left[static_cast<Eigen::Index>(i)]) * reach[i];
@@ -124,8 +124,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
   }
   // By the sum a least violation is bounded from below (docs/optimisation.md, (N3)).
   const bool least = optimality == Optimality::LeastViolation;
-  result.residual =
-      (least ? sum + open : std::max(largest, open)) / measure(problem, sizes, x, optimality);
+  result.residual = least ? (sum + open) / largest_violation(problem, sizes, x)
+                          : std::max(largest, open) / objective_measure(problem, sizes, x);
   if (!(result.residual >= 0)) result.residual = kInfinity;
   return result;
 }

@@ -22,6 +22,10 @@ Layout lay_out(const Problem& problem, Optimality optimality);
 Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, Design x,
                                    const Layout& layout);
 
+/// What changes of the objective are measured by, over its size: its value, or a tenth of a typical
+/// change where that is larger.
+double objective_measure(const Problem& problem, const Sizes& sizes, Design x);
+
 /// Limits near a design and the multipliers with which the conditions hold best.
 struct Weighed {
   std::vector<ActiveLimit> limits;

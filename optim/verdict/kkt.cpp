@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "optim/verdict/conditions.h"
+#include "optim/verdict/dual_bound.h"
 #include "optim/verdict/flat_directions.h"
 #include "optim/verdict/second_order.h"
 
@@ -20,6 +21,7 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   result.condition = weighed.condition;
   const std::size_t constraints = problem.constraints.size(), variables = problem.variables.size();
   result.constraints.assign(constraints, 0);
+  result.at_rest.assign(constraints, false);
   result.active_constraints.assign(constraints, false);
   result.lower.assign(variables, 0);
   result.upper.assign(variables, 0);
@@ -30,7 +32,12 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
     const ActiveLimit& limit = weighed.limits[j];
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
     if (limit.at_moving_break && weighed.multipliers[j] > kPushes) result.at_moving_break = true;
-    if (limit.constraint) {
+    if (limit.constraint && limit.at_rest) {
+      // No price: what an easing gains there grows faster than the easing.
+      if (weighed.multipliers[j] <= kPushes) continue;
+      result.at_rest[*limit.constraint] = true;
+      result.active_constraints[*limit.constraint] = true;
+    } else if (limit.constraint) {
       const double gain = limit.is_equation ? -sense * multiplier : multiplier;
       result.constraints[*limit.constraint] += gain;
       result.active_constraints[*limit.constraint] = true;
@@ -40,6 +47,19 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
     }
   }
   return result;
+}
+
+/// What the limits' tolerances are worth together, over the objective's size. Near a rest limit and
+/// tolerance are divided alike.
+double worth_of_tolerances(const Sizes& sizes, const Weighed& weighed) {
+  double worth = 0;
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+    const ActiveLimit& limit = weighed.limits[j];
+    if (!limit.constraint) continue;
+    const ConstraintSize& own = sizes.constraints[*limit.constraint];
+    worth += std::abs(weighed.multipliers[j]) * own.default_tolerance / own.size;
+  }
+  return worth;
 }
 
 /// The objective's slope, of a peak the weighed sum of its places' slopes: the longest entry.
@@ -106,6 +126,11 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
     return result;
   }
   result.objective_slope = objective_slope(problem, sizes, x, layout, best);
+  result.gain_of_tolerances =
+      worth_of_tolerances(sizes, best) / objective_measure(problem, sizes, x);
+  if (const auto gain = largest_gain(problem, sizes, x, layout, best)) {
+    result.largest_gain = *gain * sizes.objective;
+  }
   result.second_order = is_global_valley(problem, result.objective_slope);
   if (!result.second_order) {
     const SecondOrderPoint point{problem, sizes, x, layout};

@@ -16,9 +16,9 @@ namespace camlaw::optim {
 enum class Optimality { Objective, LeastViolation };
 
 struct Kkt {
-  /// Largest entry of the Lagrangian's gradient, by typical changes of the variables, and what
-  /// multipliers times margins leave open; over the objective's measure: the largest of its size
-  /// here, its change since the start and its typical change (of LeastViolation: over one).
+  /// Largest entry of the Lagrangian's gradient, by the variables' own magnitudes, and what
+  /// multipliers times margins leave open; over the objective's measure: the larger of its value
+  /// and a tenth of its typical change (of LeastViolation: over the violation).
   double residual = kInfinity;
   /// Objective units gained per unit of the bound, not negative; of an equation signed: by how much
   /// the objective rises as the bound does. Of LeastViolation: shares that add up to one, by size.
@@ -31,6 +31,12 @@ struct Kkt {
   /// A peak that pushes stands at a break that moves with the design: its gradient is not known.
   bool at_moving_break = false;
   bool second_order = false;  ///< no direction along the active limits improves, to second order
+  /// By how much any design within the limits may be better at most; none where it is not known.
+  std::optional<double> largest_gain = {};
+  /// Limits that push at a rest, where they vanish: they have no price.
+  std::vector<bool> at_rest;
+  /// What easing every limit that pushes by its own tolerance gains, over the objective's measure.
+  double gain_of_tolerances = 0;
 };
 
 /// Whether the shapes make a design where the conditions hold the best there is. A quasiconvex

@@ -30,7 +30,12 @@ Standing standing(const Response& response, const Trace* trace, Design x, double
 bool prove_side(const Response& response, const Trace* trace, Design x, double sign, double bound,
                 double tolerance, Standing& side) {
   if (trace == nullptr) {
-    const Bounds exact = response.function().enclose(x);
+    const Function& f = response.function();
+    if (f.is_searched()) {
+      const double value = f.proved().value(x);
+      if (sign * (bound - value) < side.margin) side = {value, sign * (bound - value), {}};
+    }
+    const Bounds exact = f.enclose(x);
     return sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
   }
   const CycleProof proof = prove_below(*trace, sign, sign * bound + tolerance);
@@ -104,9 +109,10 @@ std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& size
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
   const Objective& objective = problem.objective;
   ObjectiveReport result;
+  result.tolerance = sizes.objective_tolerance;
   if (!objective.response.is_curve()) {
     const Function& f = objective.response.function();
-    result.value = f.value(x);
+    result.value = prove ? f.proved().value(x) : f.value(x);
     if (prove) result.proved = f.enclose(x);
     return result;
   }
@@ -120,7 +126,7 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
   result.sign = lowest || (magnitude && peak.value < 0) ? -1 : 1;
   if (prove) {
     const double found = result.value;
-    const double least = 1e-2 * sizes.objective_tolerance;
+    const double least = 1e-1 * sizes.objective_tolerance;
     const double one = prove_peak(*trace, result.sign, result, found, least);
     const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);

@@ -27,6 +27,9 @@ struct LimitReport {
   bool met = false;       ///< margin >= -tolerance
   bool proved = false;    ///< by intervals: over the whole cycle, rounding included
   double multiplier = 0;  ///< objective gained per unit by which the bound is relaxed
+  /// It pushes at a rest, where it vanishes whatever the design: what easing it gains there has no
+  /// price, and is not counted in the multiplier.
+  bool at_rest = false;
 };
 
 /// Every constraint at x; where a proof finds a limit passed, at that angle. `prove` asks for the
@@ -39,8 +42,9 @@ struct ObjectiveReport {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::optional<double> angle;
   bool from_left = false;
-  double sign = 1;  ///< -1 where the peak is one of the negative curve
-  Bounds proved;    ///< the exact value lies between; infinite where there is no enclosure
+  double sign = 1;       ///< -1 where the peak is one of the negative curve
+  Bounds proved;         ///< the exact value lies between; infinite where there is no enclosure
+  double tolerance = 0;  ///< a difference up to this counts as none
 };
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove);
 

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/verdict/conditions.h"
+#include "optim/verdict/dual_bound.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -49,6 +52,7 @@ void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& cond
   result.is_global = is_global_valley(problem, conditions.objective_slope);
   for (std::size_t i = 0; i < result.limits.size(); ++i) {
     result.limits[i].multiplier = conditions.constraints[i];
+    result.limits[i].at_rest = conditions.at_rest[i];
   }
   for (std::size_t i = 0; i < result.variables.size(); ++i) {
     VariableReport& v = result.variables[i];
@@ -57,6 +61,23 @@ void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& cond
     v.multiplier = std::max(conditions.lower[i], conditions.upper[i]);
   }
   result.active = active_names(problem, sizes, conditions, 0);
+}
+
+/// The lower bound, and whether the conditions of optimality look doubtful.
+void take_bound(const Problem& problem, const Sizes& sizes, const Kkt& conditions, Design x,
+                Assessment& result) {
+  constexpr double kMuch = 1e-3;  // of the objective, for the limits' own tolerances
+  result.objective_measure = sizes.objective * objective_measure(problem, sizes, x);
+  if (conditions.largest_gain) {
+    const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+    result.best_possible = result.objective.value - sense * *conditions.largest_gain;
+  }
+  if (conditions.gain_of_tolerances > kMuch) {
+    result.sign = fmt::format(
+        "easing the limits by no more than their tolerances would change {} by {:.2g} of itself, "
+        "so the conditions of optimality say nothing here",
+        problem.objective.response.name, conditions.gain_of_tolerances);
+  }
 }
 
 bool inside_bounds(const std::vector<VariableReport>& variables) {
@@ -70,6 +91,12 @@ bool is_wide(const Response& response, const ObjectiveReport& objective, double 
   if (response.is_curve() || !response.function().is_enclosed()) return false;
   return !(objective.value - objective.proved.lower <= tolerance &&
            objective.proved.upper - objective.value <= tolerance);
+}
+
+/// Whether a lower bound leaves no better design, to the tolerance of the conditions of optimality.
+bool is_bounded(const Assessment& a) {
+  if (!a.best_possible) return false;
+  return std::abs(a.objective.value - *a.best_possible) <= kBoundTolerance * a.objective_measure;
 }
 
 /// What keeps a design that meets every limit from being certified; empty where nothing does.
@@ -101,6 +128,7 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
     return fmt::format("{} is proved to lie between {:.9g} and {:.9g} only",
                        problem.objective.response.name, peak.lower, peak.upper);
   }
+  if (is_bounded(a)) return {};
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
   }
@@ -109,7 +137,30 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
            "known";
   }
   if (!a.second_order) return "a direction along the active limits may improve to second order";
-  return {};
+  return a.sign;
+}
+
+/// A number rounded outwards for print: below where `sign` is above 0.
+std::string outwards(double value, double sign) {
+  const double step =
+      std::abs(value) > 0 ? std::pow(10, std::floor(std::log10(std::abs(value))) - 7) : 1e-12;
+  const double rounded =
+      sign > 0 ? std::floor(value / step) * step : std::ceil(value / step) * step;
+  return fmt::format("{:.8g}", rounded);
+}
+
+/// Why no better design exists anywhere, with the bound that shows it.
+std::string global_words(const Problem& problem, const Assessment& a) {
+  const Response& response = problem.objective.response;
+  const bool least = problem.objective.sense == Sense::Minimize;
+  const bool boxed = std::all_of(
+      problem.variables.begin(), problem.variables.end(),
+      [](const Variable& v) { return std::isfinite(v.lower) && std::isfinite(v.upper); });
+  return fmt::format(
+      "no design {} {}{}{}: {}", least ? "below" : "above",
+      outwards(*a.best_possible, least ? 1 : -1), response.unit == "1" ? "" : " " + response.unit,
+      boxed ? "" : fmt::format(", as far as {:g} times the variables' own magnitudes", kFar),
+      *why_convex(problem));
 }
 
 std::string violated_names(const Assessment& a) {
@@ -140,7 +191,8 @@ std::string_view to_string(Verdict verdict) {
   return "?";
 }
 
-Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
+Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove) {
+  const Sizes sizes = judged_at(problem, about, x);
   Assessment result;
   result.variables = variable_reports(problem, x);
   result.objective = objective_report(problem, sizes, x, prove);
@@ -153,12 +205,16 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
     result.reason = fmt::format("the design does not meet {}", violated_names(result));
     return result;
   }
-  take_conditions(problem, sizes, kkt(problem, sizes, x), result);
+  const Kkt conditions = kkt(problem, sizes, x);
+  take_conditions(problem, sizes, conditions, result);
+  take_bound(problem, sizes, conditions, x, result);
   result.reason = prove ? doubt(problem, sizes, result) : "not proved yet";
   result.verdict = result.reason.empty() ? Verdict::Certified : Verdict::Feasible;
   if (result.verdict == Verdict::Certified) {
-    result.reason = "every limit is met and the conditions of optimality hold";
-    if (result.is_global) result.global = why_convex(problem);
+    result.reason = result.kkt_residual <= kKktTolerance
+                        ? "every limit is met and the conditions of optimality hold"
+                        : "every limit is met and a lower bound leaves nothing better";
+    if (is_bounded(result)) result.global = global_words(problem, result);
   }
   return result;
 }

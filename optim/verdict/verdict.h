@@ -42,13 +42,23 @@ struct Assessment {
   std::vector<std::string> active;  ///< limits and bounds that the design stands at, by name
   std::vector<std::string> blamed;  ///< where infeasible: the limits that contradict one another
   std::optional<std::string> global;  ///< why no better design exists anywhere; empty: not shown
+  /// What no design that meets every limit is better than, from a lower bound that does not rest on
+  /// the conditions of optimality; empty where none is known.
+  std::optional<double> best_possible;
+  /// What makes the conditions of optimality doubtful though they hold, in words: a limit whose own
+  /// tolerance would change the objective.
+  std::string sign;
+  double objective_measure = 1;  ///< what changes of the objective are a share of, in its unit
 };
 
 /// Whether the conditions of optimality hold: what the residual may be.
 inline constexpr double kKktTolerance = 1e-6;
+/// A design is called the global optimum where a lower bound is as near as this.
+inline constexpr double kBoundTolerance = 1e-6;
 
-/// Judges a design as an answer to the problem. `prove` asks for interval proofs over the cycle,
-/// for an answer; without, a design that passes is Feasible at best. A design that passes a limit
+/// Judges a design as an answer to the problem, with tolerances as they are at the design
+/// (judged_at). `prove` asks for interval proofs over the cycle, for an answer; without, a design
+/// that passes is Feasible at best. A design that passes a limit
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
 Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove);
 

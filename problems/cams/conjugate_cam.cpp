@@ -113,6 +113,9 @@ std::vector<MechanismResponse> conjugate_responses() {
                          "the main one"}));
   all.push_back(bearing(Bearing::Stress, {"contact_stress", "MPa", "Pa",
                                           "greatest Hertz pressure on the cam that bears"}));
+  for (const char* undercut : {"undercut", "second_undercut"}) {
+    set_defined_while(all, {"contact_stress"}, {.response = undercut, .upper = 1});
+  }
   append(all, drawn_responses<ConjugateCam>(false));
   all.push_back(second_profile(DrawnCurve::SecondX, "second_profile_x"));
   all.push_back(second_profile(DrawnCurve::SecondY, "second_profile_y"));

@@ -31,11 +31,14 @@ MechanismResponse profile_radius_response(std::vector<ShapeStatement> shapes) {
 
 template <template <class> class M>
 std::vector<MechanismResponse> face_contact_responses() {
-  return {
+  std::vector<MechanismResponse> all{
       face_response<M>(FaceCurve::ContactStress, {"contact_stress", "MPa", "Pa",
                                                   "greatest Hertz pressure between face and cam"}),
       face_response<M>(FaceCurve::ContactHalfWidth,
                        {"contact_half_width", "mm", "m", "half the width of the contact"})};
+  set_defined_while(all, {"contact_stress", "contact_half_width"},
+                    {.response = "profile_radius", .lower = 0});
+  return all;
 }
 
 }  // namespace camlaw::problems

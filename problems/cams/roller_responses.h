@@ -83,6 +83,11 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
        "that flank is undercut"});
   add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
                         "greatest Hertz pressure in a groove, on the flank that bears the force"});
+  set_defined_while(all, {"contact_stress", "contact_half_width", "groove_stress"},
+                    {.response = "undercut", .upper = 1});
+  set_defined_while(all, {"contact_stress", "contact_half_width"},
+                    {.response = "contact_force", .lower = 0});
+  set_defined_while(all, {"groove_stress"}, {.response = "outer_undercut", .upper = 1});
   return all;
 }
 

@@ -44,6 +44,10 @@ class Rearranged final : public optim::Kernel {
   }
   bool is_searched() const override { return kernel_->is_searched(); }
   bool is_enclosed() const override { return kernel_->is_enclosed(); }
+  std::shared_ptr<const optim::Kernel> proved() const override {
+    auto kernel = kernel_->proved();
+    return kernel ? std::make_shared<Rearranged>(std::move(kernel), place_) : nullptr;
+  }
   std::string why_undefined(std::span<const double> u) const override {
     return kernel_->why_undefined(arguments(u));
   }

@@ -87,79 +87,107 @@ MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) con
   return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
 }
 
+MotionDerivatives PlaceMotion::place_at(std::span<const double> values, int order) const {
+  if (joint_) return law_->end_place({*joint_, true}, values, order);
+  MotionDerivatives fixed;
+  fixed.value = {place_.x};
+  fixed.gradient.assign(values.size(), {});
+  return fixed;
+}
+
 CurveRow::CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
                    PlaceMotion motion, bool uses_place)
     : point_(std::move(point)),
       machine_(machine_arguments),
       motion_(std::move(motion)),
-      inner_(machine_ + (uses_place ? 5 : 4)),
+      numbers_(uses_place ? 5 : 4),
+      inner_(machine_ + numbers_),
       uses_place_(uses_place) {}
 
-std::vector<double> CurveRow::point_at(std::span<const double> u,
-                                       const MotionDerivatives& motion) const {
+CurveRow::Point CurveRow::point(std::span<const double> values, int order) const {
+  const MotionDerivatives motion = motion_.at(values, order);
+  const auto with = [](const Four& four, double x) {
+    return Numbers{four[0], four[1], four[2], four[3], x};
+  };
+  MotionDerivatives place;
+  if (uses_place_) place = motion_.place_at(values, order);
+  const auto x_of = [](const std::vector<Four>& all, std::size_t i) {
+    return all.empty() ? 0 : all[i][0];
+  };
+  Point result{with(motion.value, uses_place_ ? place.value[0] : 0), {}, {}};
+  result.gradient.reserve(motion.gradient.size());
+  for (std::size_t i = 0; i < motion.gradient.size(); ++i) {
+    result.gradient.push_back(with(motion.gradient[i], x_of(place.gradient, i)));
+  }
+  result.hessian.reserve(motion.hessian.size());
+  for (std::size_t i = 0; i < motion.hessian.size(); ++i) {
+    result.hessian.push_back(with(motion.hessian[i], x_of(place.hessian, i)));
+  }
+  return result;
+}
+
+std::vector<double> CurveRow::point_at(std::span<const double> u, const Point& point) const {
   std::vector<double> result(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(machine_));
-  result.insert(result.end(), motion.value.begin(), motion.value.end());
-  if (uses_place_) result.push_back(motion_.x());
+  result.insert(result.end(), point.value.begin(),
+                point.value.begin() + static_cast<std::ptrdiff_t>(numbers_));
   return result;
 }
 
 double CurveRow::value(std::span<const double> u) const {
-  return point_->value(point_at(u, motion_.at(u.subspan(machine_), 0)));
+  return point_->value(point_at(u, point(u.subspan(machine_), 0)));
 }
 
 double CurveRow::gradient(std::span<const double> u, std::span<double> g) const {
-  const MotionDerivatives motion = motion_.at(u.subspan(machine_), 1);
+  const Point here = point(u.subspan(machine_), 1);
   std::vector<double> inner(inner_);
-  const double result = point_->gradient(point_at(u, motion), inner);
-  chain_gradient(inner, motion, g);
+  const double result = point_->gradient(point_at(u, here), inner);
+  chain_gradient(inner, here, g);
   return result;
 }
 
 double CurveRow::hessian(std::span<const double> u, std::span<double> g,
                          std::span<double> h) const {
-  const MotionDerivatives motion = motion_.at(u.subspan(machine_), 2);
+  const Point here = point(u.subspan(machine_), 2);
   std::vector<double> inner(inner_), inner_second(packed_size(inner_));
-  const double result = point_->hessian(point_at(u, motion), inner, inner_second);
-  chain_gradient(inner, motion, g);
-  chain_hessian(inner, inner_second, motion, h);
+  const double result = point_->hessian(point_at(u, here), inner, inner_second);
+  chain_gradient(inner, here, g);
+  chain_hessian(inner, inner_second, here, h);
   return result;
 }
 
-void CurveRow::chain_gradient(std::span<const double> inner, const MotionDerivatives& motion,
+void CurveRow::chain_gradient(std::span<const double> inner, const Point& point,
                               std::span<double> g) const {
   std::copy_n(inner.begin(), machine_, g.begin());
-  for (std::size_t i = 0; i < motion.gradient.size(); ++i) {
+  for (std::size_t i = 0; i < point.gradient.size(); ++i) {
     g[machine_ + i] = 0;
-    for (std::size_t m = 0; m < 4; ++m) {
-      g[machine_ + i] += inner[machine_ + m] * motion.gradient[i][m];
+    for (std::size_t m = 0; m < numbers_; ++m) {
+      g[machine_ + i] += inner[machine_ + m] * point.gradient[i][m];
     }
   }
 }
 
 void CurveRow::chain_hessian(std::span<const double> inner, std::span<const double> inner_second,
-                             const MotionDerivatives& motion, std::span<double> h) const {
+                             const Point& point, std::span<double> h) const {
   std::copy_n(inner_second.begin(), packed_size(machine_), h.begin());
-  const auto& slopes = motion.gradient;
+  const auto& slopes = point.gradient;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    Four bent;  // its slopes times the second derivatives by the motion
-    for (std::size_t m = 0; m < 4; ++m) {
-      bent[m] = 0;
-      for (std::size_t n = 0; n < 4; ++n) {
+    Numbers bent{};  // its slopes times the second derivatives by the motion
+    for (std::size_t m = 0; m < numbers_; ++m) {
+      for (std::size_t n = 0; n < numbers_; ++n) {
         bent[m] += slopes[i][n] *
                    inner_second[packed(machine_ + std::max(m, n), machine_ + std::min(m, n))];
       }
     }
     for (std::size_t k = 0; k < machine_; ++k) {
       double& mixed = h[packed(machine_ + i, k)] = 0;
-      for (std::size_t m = 0; m < 4; ++m)
+      for (std::size_t m = 0; m < numbers_; ++m)
         mixed += slopes[i][m] * inner_second[packed(machine_ + m, k)];
     }
     for (std::size_t k = 0; k <= i; ++k) {
       double& second = h[packed(machine_ + i, machine_ + k)] = 0;
-      for (std::size_t m = 0; m < 4; ++m) {
+      for (std::size_t m = 0; m < numbers_; ++m) {
         second += bent[m] * slopes[k][m];
-        if (!motion.hessian.empty())
-          second += inner[machine_ + m] * motion.hessian[packed(i, k)][m];
+        if (!point.hessian.empty()) second += inner[machine_ + m] * point.hessian[packed(i, k)][m];
       }
     }
   }

@@ -29,9 +29,10 @@ class PlaceMotion {
   /// The law's variables that the motion here depends on: of a linear law only those whose
   /// derivatives are not all zero, such as the few coefficients of a spline.
   const std::vector<std::size_t>& variables() const { return variables_; }
-  double x() const { return place_.x; }
   /// At values of these variables.
   MotionDerivatives at(std::span<const double> values, int order) const;
+  /// The place's own x, in [0] of value, gradient and hessian: it moves where the place is a joint.
+  MotionDerivatives place_at(std::span<const double> values, int order) const;
 
  private:
   MotionDerivatives linear_at(std::span<const double> values) const;
@@ -60,16 +61,25 @@ class CurveRow final : public optim::Kernel {
                  std::span<double> h) const override;
 
  private:
-  std::vector<double> point_at(std::span<const double> u, const MotionDerivatives& motion) const;
-  void chain_gradient(std::span<const double> inner, const MotionDerivatives& motion,
-                      std::span<double> g) const;
+  /// s, v, a, j, and x where it counts, with their derivatives by the law's variables: a row for
+  /// each of them.
+  using Numbers = std::array<double, 5>;
+  struct Point {
+    Numbers value;
+    std::vector<Numbers> gradient;  ///< by each variable of the law
+    std::vector<Numbers> hessian;   ///< packed; empty where the law is linear
+  };
+  Point point(std::span<const double> values, int order) const;
+  std::vector<double> point_at(std::span<const double> u, const Point& point) const;
+  void chain_gradient(std::span<const double> inner, const Point& point, std::span<double> g) const;
   void chain_hessian(std::span<const double> inner, std::span<const double> inner_second,
-                     const MotionDerivatives& motion, std::span<double> h) const;
+                     const Point& point, std::span<double> h) const;
 
   std::shared_ptr<const optim::Kernel> point_;
   std::size_t machine_;
   PlaceMotion motion_;
-  std::size_t inner_;  ///< arguments of the point
+  std::size_t numbers_;  ///< of a point: 4, or 5 with x
+  std::size_t inner_;    ///< arguments of the point
   bool uses_place_;
 };
 

@@ -71,6 +71,54 @@ struct AtJoint {
   }
 };
 
+/// A derivative of s at an end of a piece, alone.
+struct AtEnd {
+  PieceEnd end;
+  std::size_t order;
+
+  template <class S>
+  std::array<S, 4> operator()(const Piece<S>& piece) const {
+    const auto d = derivatives<LawBinding::kEndOrders>(piece, end.is_end ? piece.end : piece.begin);
+    const S zero = number<S>(0);
+    return {d[order], zero, zero, zero};
+  }
+  template <class S>
+  std::array<S, 4> operator()(const Law<S>& law) const {
+    const auto& pieces = law.pieces();
+    if (end.piece < pieces.size()) return (*this)(pieces[end.piece]);
+    std::array<S, 4> none;  // this design's law has no such piece
+    none.fill(number<S>(kNaN));
+    return none;
+  }
+};
+
+/// The x of an end of a piece, alone.
+struct AtEndPlace {
+  PieceEnd end;
+
+  template <class S>
+  std::array<S, 4> operator()(const Law<S>& law) const {
+    std::array<S, 4> result;
+    result.fill(number<S>(kNaN));
+    if (end.piece >= law.pieces().size()) return result;
+    const Piece<S>& piece = law.pieces()[end.piece];
+    result[0] = end.is_end ? piece.end : piece.begin;
+    return result;
+  }
+};
+
+/// Four derivatives of s at a place of one piece, from the first on.
+struct AtPiecePlace {
+  double x;
+  std::size_t first;
+
+  template <class S>
+  std::array<S, 4> operator()(const Piece<S>& piece) const {
+    const auto d = derivatives<5>(piece, x);
+    return {d[first], d[first + 1], d[first + 2], d[first + 3]};
+  }
+};
+
 void check_variable(const Member& member, const LawVariable& variable) {
   const Family& family = *member.family;
   if (variable.parameter >= family.parameters.size()) {
@@ -251,25 +299,22 @@ void LawBinding::fill_hessian(const Look& look, std::span<const double> values,
   }
 }
 
-/// From the derivatives at the member's own values: they are the same everywhere.
-MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const double> values,
-                                            std::size_t first) const {
-  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(first_laws(values_)); });
+/// From the derivatives at the member's own values: they are the same everywhere. The laws have
+/// been made.
+template <class Look>
+MotionDerivatives LawBinding::linear_look(const Look& look, std::size_t piece,
+                                          std::span<const double> values) const {
   const LinearLaw& linear = *laws_->linear;
   MotionDerivatives d;
   d.value.fill(kNaN);
-  d.gradient.assign(values.size(), d.value);
-  if (linear.laws.empty() || !(x >= 0 && x <= 1)) return d;
-  const double at = at_break(linear.laws.front(), x);
-  const std::size_t piece = linear.laws.front().piece_at(at, side);
   d.gradient.assign(values.size(), {});
   std::array<double, 4> change{};  // from the member's own values
   for (const std::size_t block : linear.blocks[piece]) {
-    const auto motion = derivatives<5>(linear.laws[block].pieces()[piece], at);
+    const auto motion = look(linear.laws[block].pieces()[piece]);
     for (std::size_t m = 0; m < 4; ++m) {
-      d.value[m] = motion[first + m].a;
+      d.value[m] = motion[m].a;
       for (const std::size_t i : block_of(block, values.size())) {
-        const double slope = motion[first + m].v[static_cast<int>(i % kWidth)];
+        const double slope = motion[m].v[static_cast<int>(i % kWidth)];
         d.gradient[i][m] = slope;
         change[m] += (values[i] - values_[i]) * slope;
       }
@@ -277,6 +322,20 @@ MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const
   }
   for (std::size_t m = 0; m < 4; ++m) d.value[m] += change[m];
   return d;
+}
+
+MotionDerivatives LawBinding::linear_motion(double x, Side side, std::span<const double> values,
+                                            std::size_t first) const {
+  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(first_laws(values_)); });
+  const LinearLaw& linear = *laws_->linear;
+  if (linear.laws.empty() || !(x >= 0 && x <= 1)) {
+    MotionDerivatives none;
+    none.value.fill(kNaN);
+    none.gradient.assign(values.size(), none.value);
+    return none;
+  }
+  const double at = at_break(linear.laws.front(), x);
+  return linear_look(AtPiecePlace{at, first}, linear.laws.front().piece_at(at, side), values);
 }
 
 template <class Look>
@@ -296,6 +355,21 @@ MotionDerivatives LawBinding::filled(const Look& look, std::span<const double> v
 MotionDerivatives LawBinding::joint_motion(std::size_t piece, Side side,
                                            std::span<const double> values, int order) const {
   return filled(AtJoint{piece, side}, values, order);
+}
+
+MotionDerivatives LawBinding::end_derivative(PieceEnd end, std::size_t order,
+                                             std::span<const double> values,
+                                             int derivatives) const {
+  const AtEnd look{end, order};
+  if (!linear_ || values.empty()) return filled(look, values, derivatives);
+  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(first_laws(values_)); });
+  const bool known = end.piece < laws_->linear->blocks.size();
+  return known ? linear_look(look, end.piece, values) : filled(look, values, derivatives);
+}
+
+MotionDerivatives LawBinding::end_place(PieceEnd end, std::span<const double> values,
+                                        int derivatives) const {
+  return filled(AtEndPlace{end}, values, derivatives);
 }
 
 MotionDerivatives LawBinding::motion_rate(double x, Side side,

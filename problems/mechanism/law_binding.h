@@ -26,6 +26,12 @@ struct MotionDerivatives {
   std::vector<std::array<double, 4>> hessian;   ///< packed; empty where the law is linear
 };
 
+/// An end of a piece of a law.
+struct PieceEnd {
+  std::size_t piece;
+  bool is_end;  ///< whether the piece ends there; else it begins there
+};
+
 /// A law whose parameters are design variables. Where the law is linear in all that vary, its
 /// derivatives are worked out once; else by dual numbers at each design, the laws of the last few
 /// designs kept. Safe from any thread.
@@ -68,6 +74,13 @@ class LawBinding {
   /// derivatives by what moves this joint. order 0, 1 or 2.
   MotionDerivatives joint_motion(std::size_t piece, Side side, std::span<const double> values,
                                  int order) const;
+  /// The derivative of s of an order below kEndOrders at an end of a piece, in [0] of value,
+  /// gradient and hessian; `derivatives` is 0, 1 or 2.
+  MotionDerivatives end_derivative(PieceEnd end, std::size_t order, std::span<const double> values,
+                                   int derivatives) const;
+  static constexpr std::size_t kEndOrders = 8;
+  /// The x of an end of a piece, wherever that moves, in [0] of value, gradient and hessian.
+  MotionDerivatives end_place(PieceEnd end, std::span<const double> values, int derivatives) const;
   /// v, a, j and the derivative of j: the motion's own derivatives by x, with theirs by the varying
   /// parameters, first order.
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
@@ -90,6 +103,9 @@ class LawBinding {
   MotionDerivatives filled(const Look& look, std::span<const double> values, int order) const;
   MotionDerivatives linear_motion(double x, Side side, std::span<const double> values,
                                   std::size_t first) const;
+  template <class Look>
+  MotionDerivatives linear_look(const Look& look, std::size_t piece,
+                                std::span<const double> values) const;
 
   Member member_;
   std::vector<LawVariable> variables_;

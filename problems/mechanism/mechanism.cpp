@@ -103,6 +103,14 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
 
 }  // namespace
 
+void set_defined_while(std::vector<MechanismResponse>& responses,
+                       const std::vector<std::string>& names, const ValidityLimit& limit) {
+  for (MechanismResponse& response : responses) {
+    const bool named = std::find(names.begin(), names.end(), response.name) != names.end();
+    if (named) response.defined_while.push_back(limit);
+  }
+}
+
 std::size_t Mechanism::parameter(std::string_view parameter_name) const {
   if (const auto* found = find_parameter(*this, parameter_name)) {
     return static_cast<std::size_t>(found - parameters.data());

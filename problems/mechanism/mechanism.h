@@ -41,6 +41,15 @@ struct Binding {
   std::shared_ptr<const LawBinding> law;
 };
 
+/// A response that must not pass a bound: beyond it formulas do not hold, of the whole mechanism or
+/// of another response. A problem that they matter to has it among its limits, unless it states a
+/// tighter one.
+struct ValidityLimit {
+  std::string response;
+  double upper = optim::kInfinity;  ///< in the listed unit
+  double lower = -optim::kInfinity;
+};
+
 struct MechanismResponse {
   std::string name;
   std::string unit;  ///< listed
@@ -49,6 +58,7 @@ struct MechanismResponse {
   std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
   std::string along = {};              ///< of a curve: the unit of its places, "deg" of cam angle
   bool sees_law = false;               ///< whether the law, or the program, matters to it
+  std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
   /// One of the two makes the response for a binding, in which only what it uses varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};
   std::function<std::shared_ptr<const optim::Curve>(const Binding&, optim::Shape)> curve = {};
@@ -61,19 +71,16 @@ struct NamedPeak {
   std::string meaning;
 };
 
-/// A number that must not pass a bound: beyond it the mechanism's formulas do not hold. Every
-/// problem has it among its limits, unless it states a tighter one.
-struct ValidityLimit {
-  std::string response;
-  double upper;  ///< in the listed unit
-};
-
 /// What a mechanism's follower takes its motion from.
 enum class MovedBy {
   Law,      ///< a law, run once in each stretch of the mechanism's own cycle
   Program,  ///< a motion program over the whole cycle
   Nothing,  ///< it moves as its geometry makes it; x is the driving side's uniform progress
 };
+
+/// Says of the responses of these names where they are numbers.
+void set_defined_while(std::vector<MechanismResponse>& responses,
+                       const std::vector<std::string>& names, const ValidityLimit& limit);
 
 struct Mechanism {
   std::string name, title, source;

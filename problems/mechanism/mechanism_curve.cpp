@@ -8,6 +8,7 @@
 #include "problems/mechanism/arguments.h"
 #include "problems/mechanism/curve_row.h"
 #include "problems/mechanism/mechanism_trace.h"
+#include "problems/mechanism/rests.h"
 
 namespace camlaw::problems {
 namespace {
@@ -29,10 +30,9 @@ MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::
     : parts_(std::move(parts)), variables_(binding.variables), law_(binding.law), shape_(shape) {}
 
 /// Joints are those inside the stretches, each of which runs the whole law: that of piece i in
-/// stretch k is k times the most pieces, and i. Where the place itself counts its motion would
-/// too.
+/// stretch k is k times the most pieces, and i.
 optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
-  if (law_->is_linear() || parts_.uses_place) return place;
+  if (law_->is_linear()) return place;
   const auto law = law_of<double>(law_->member_at(x));
   if (!law) return place;
   const Stretch& stretch = parts_.cycle.stretch_at(place);
@@ -44,6 +44,10 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
     place.joint = static_cast<int>(index * kMostPieces + i);
   }
   return place;
+}
+
+std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {
+  return rests_of(parts_, variables_, law_, bound, x);
 }
 
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {

@@ -8,11 +8,12 @@
 
 #include "optim/problem/curve.h"
 #include "problems/mechanism/curve_formula.h"
-#include "problems/mechanism/curve_row.h"
 #include "problems/mechanism/cycle.h"
 #include "problems/mechanism/mechanism.h"
 
 namespace camlaw::problems {
+
+class PlaceMotion;
 
 /// What a curve of a mechanism is made of.
 struct CurveParts {
@@ -34,6 +35,7 @@ class MechanismCurve final : public optim::Curve {
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override { return !law_->is_linear(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
   optim::Shape shape() const override { return shape_; }
 

@@ -45,6 +45,8 @@ class PeakNumberKernel : public optim::Kernel {
     return result;
   }
   const optim::Function& peak() const { return peak_; }
+  const std::shared_ptr<const optim::Kernel>& outer() const { return outer_; }
+  const std::vector<std::size_t>& variables() const { return variables_; }
 
  private:
   std::shared_ptr<const optim::Kernel> outer_;
@@ -61,6 +63,9 @@ class EnclosedPeakNumber final : public PeakNumberKernel {
       : PeakNumberKernel(std::move(outer), std::move(variables), std::move(peak)),
         enclosing_(std::move(enclosing)) {}
 
+  std::shared_ptr<const optim::Kernel> proved() const override {
+    return std::make_shared<EnclosedPeakNumber>(outer(), variables(), peak().proved(), enclosing_);
+  }
   optim::Bounds enclose(std::span<const double> u) const override {
     const optim::Bounds bounds = peak().enclose(u);
     const std::vector<double> plain = arguments(u, 0);

@@ -145,6 +145,9 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     set_variables(record, design.statement);
     if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();
     read_reason(result, design);
+    const auto value = result.find("objective"), global = result.find("global");
+    if (value != result.end() && value->is_number()) design.objective = value->get<double>();
+    design.global = global != result.end() && global->is_string();
     return design;
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));

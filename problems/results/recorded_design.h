@@ -26,6 +26,8 @@ struct ReadDesign {
   std::optional<std::string> verdict = {};  ///< of a result: "certified optimum"
   std::string reason = {};                  ///< of the verdict: "follower_force cannot be met"
   std::vector<std::string> blamed = {};     ///< limits that cannot be met, or not together
+  std::optional<double> objective = {};     ///< of a result: its value, in the listed unit
+  bool global = false;                      ///< of a result: no better design exists, it says
 };
 
 /// The design of a result, the text of a result.json or what --json prints; `source` names it in

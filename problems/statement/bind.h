@@ -52,6 +52,8 @@ struct EvaluatedResponse {
   double value = 0;                                               ///< of a number
   double highest = 0, lowest = 0, highest_at = 0, lowest_at = 0;  ///< of a curve
   std::string along;                                              ///< unit of the places
+  /// Whether intervals prove highest and lowest; else they are the extremes of samples.
+  bool proved = true;
 };
 
 /// Every response of the mechanism, named peaks last, at the statement's starts.

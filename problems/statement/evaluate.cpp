@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "optim/cycle/extremes.h"
 #include "problems/statement/bind.h"
@@ -26,15 +27,22 @@ EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismRe
   result.along = declared.along;
   result.is_curve = response.is_curve();
   if (!result.is_curve) {
-    result.value = response.function().value({});
+    result.value = response.function().proved().value({});
+    if (response.function().is_searched()) {
+      const optim::Bounds proved = response.function().enclose({});
+      result.proved = std::isfinite(proved.upper - proved.lower) || !std::isfinite(result.value);
+    }
     return result;
   }
   const auto trace = response.curve().trace({});
-  const auto up = optim::highest(*trace, 1), down = optim::highest(*trace, -1);
-  result.highest = up.value;
-  result.highest_at = up.place.angle;
-  result.lowest = down.value;
-  result.lowest_at = down.place.angle;
+  const double size = std::abs(optim::extreme_of(*trace, optim::Part::Magnitude).value);
+  const auto up = optim::proved_highest(*trace, 1, size);
+  const auto down = optim::proved_highest(*trace, -1, size);
+  result.highest = up.peak.value;
+  result.highest_at = up.peak.place.angle;
+  result.lowest = down.peak.value;
+  result.lowest_at = down.peak.place.angle;
+  result.proved = up.proved && down.proved;
   return result;
 }
 
@@ -54,6 +62,7 @@ std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {
     named.name = peak.name;
     named.unit = curve->unit;
     named.meaning = peak.meaning;
+    named.proved = curve->proved;
     named.value = peak.part == optim::Part::Lowest    ? curve->lowest
                   : peak.part == optim::Part::Highest ? curve->highest
                                                       : std::max(curve->highest, -curve->lowest);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
@@ -155,15 +156,26 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   return constraint;
 }
 
-/// Adds a limit of the mechanism's validity, where the file has none as tight.
+/// Adds a limit of validity, where the file has none as tight.
 void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
   for (const ConstraintStatement& c : problem.constraints) {
-    if (c.response.name == limit.response && c.upper && *c.upper <= limit.upper) return;
+    if (c.response.name != limit.response) continue;
+    const bool above = std::isinf(limit.lower) || (c.lower && *c.lower >= limit.lower);
+    const bool below = std::isinf(limit.upper) || (c.upper && *c.upper <= limit.upper);
+    if (above && below) return;
   }
   ConstraintStatement constraint;
   constraint.response = find_response(*problem.mechanism, limit.response);
-  constraint.upper = limit.upper;
+  if (std::isfinite(limit.lower)) constraint.lower = limit.lower;
+  if (std::isfinite(limit.upper)) constraint.upper = limit.upper;
   problem.constraints.push_back(std::move(constraint));
+}
+
+/// Those of the responses that are sought or limited.
+void add_validity_of(const ResponseName& name, ProblemStatement& problem) {
+  if (name.response == nullptr) return;
+  const auto limits = name.response->defined_while;
+  for (const ValidityLimit& limit : limits) add_validity(limit, problem);
 }
 
 }  // namespace
@@ -245,6 +257,14 @@ void read_constraints(const Entry& file, ProblemStatement& problem) {
     }
   }
   for (const ValidityLimit& limit : problem.mechanism->validity) add_validity(limit, problem);
+  for (const ObjectiveStatement& objective : problem.objectives) {
+    add_validity_of(objective.response, problem);
+  }
+  const std::size_t stated = problem.constraints.size();
+  for (std::size_t i = 0; i < stated; ++i) {
+    const ResponseName name = problem.constraints[i].response;
+    add_validity_of(name, problem);
+  }
 }
 
 }  // namespace camlaw::problems

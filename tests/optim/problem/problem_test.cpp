@@ -294,20 +294,39 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
       {.response = {"told", "N", linear(1, 1)}, .upper = 3, .tolerance = 0.5, .scale = 11},
       {.response = {"dead", "N", Function()}, .upper = 0}};
   const Sizes s = sizes(problem, problem.start());
-  CHECK(s.variables == Point{2, 1});
-  CHECK(s.objective == 6);  // of 3 * 2 and 4 * 1 the larger
-  CHECK(s.objective_tolerance == Approx(6e-7));
-  CHECK(s.objective_typical == 6);
+  CHECK(s.variables == Point{1, 1});             // their own magnitudes, whatever the box
+  CHECK(s.objective == 4);                       // of 3 * 1 and 4 * 1 the larger
+  CHECK(s.objective_tolerance == Approx(7e-7));  // of the value
+  CHECK(s.objective_typical == 4);
   REQUIRE(s.constraints.size() == 5);
   CHECK(s.constraints[0].size == 30);
   CHECK(s.constraints[0].tolerance == Approx(5e-6));
   CHECK(s.constraints[1].size == Approx(0.05));  // no less than 1e-3 of the larger bound
   CHECK(s.constraints[1].tolerance == Approx(5e-5));
   CHECK(s.constraints[2].size == 7);
-  CHECK(s.constraints[2].tolerance == Approx(7e-6));
+  CHECK(s.constraints[2].tolerance == Approx(8e-6));  // of what the variables contribute
   CHECK(s.constraints[3].size == 11);
   CHECK(s.constraints[3].tolerance == 0.5);
   CHECK(s.constraints[4].size == 1);
+}
+
+TEST_CASE("a wider box changes neither sizes nor tolerances", "[optimise]") {
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = 5, .upper = 40, .start = 20},
+                       {.name = "near zero", .lower = -2, .upper = 2, .start = 1e-9}};
+  const auto f = [](const auto& u) { return u[0] * u[0] - 400.0 + u[1]; };
+  problem.objective.response = {"cost", "N", function({0, 1}, f)};
+  problem.constraints = {{.response = {"zero", "N", function({0, 1}, f)}, .upper = 0}};
+  const Point x{20, 1e-9};
+  const Sizes narrow = sizes(problem, x);
+  CHECK(narrow.own == Point{20, 1});
+  CHECK(narrow.constraints[0].tolerance == Approx(1e-6 * (40 * 20 + 1)));
+  for (Variable& v : problem.variables) v.lower -= 1e6, v.upper += 1e6;
+  const Sizes wide = sizes(problem, x);
+  CHECK(wide.own == narrow.own);
+  CHECK(wide.variables == narrow.variables);
+  CHECK(wide.constraints[0].tolerance == narrow.constraints[0].tolerance);
+  CHECK(wide.objective_tolerance == Approx(narrow.objective_tolerance).epsilon(0.1));
 }
 
 TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise]") {
@@ -327,7 +346,7 @@ TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise
   problem.variables.push_back({.name = "load", .lower = 5, .upper = 5, .start = 5});
   problem.objective.response.measure = function(
       {0, 1}, [](const auto& u) { return 3.0 * u[0] + 1e9 * u[1]; }, Shape::Linear);
-  CHECK(sizes(problem, problem.start()).objective == 12);
+  CHECK(sizes(problem, problem.start()).objective == 3);
 }
 
 TEST_CASE("sizes are finite where derivatives are not", "[optimise]") {

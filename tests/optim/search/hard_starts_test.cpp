@@ -173,6 +173,7 @@ TEST_CASE("an error that can be brought to zero is proved to be", "[optimise]") 
                        Part::Magnitude,
                        {}};
   const Found found = optimise(problem).found;
+  INFO(found.assessment.reason);
   CHECK(found.assessment.verdict == Verdict::Certified);
   CHECK(found.x.at(0) == Approx(std::cos(0.3)).epsilon(1e-8));
   CHECK(found.x.at(1) == Approx(std::sin(0.3)).epsilon(1e-8));

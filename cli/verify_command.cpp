@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/help.h"
+#include "cli/law_json.h"
+#include "cli/limit_text.h"
+#include "cli/terminal.h"
+#include "cli/text_table.h"
+#include "problems/results/judged_design.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ReadDesign, problems::VerifiedDesign;
+
+struct VerifyOptions {
+  std::string file;
+  bool json = false;
+};
+
+std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified) {
+  const optim::Assessment& found = verified.found;
+  const auto& objective = read.statement.objectives.front().response;
+  std::string text = read.statement.title.empty() ? "" : read.statement.title + "\n";
+  text += fmt::format("claimed: {}{}\n", *read.verdict, read.global ? ", global" : "");
+  text += fmt::format("found:   {}: {}\n", to_string(found.verdict), found.reason);
+  if (found.global) text += fmt::format("global:  {}\n", *found.global);
+  if (!verified.whole) {
+    text += "judged with the choices and whole variables held at what the search chose\n";
+  }
+  text += fmt::format("\n{} = {}\n", objective.name,
+                      with_unit(fmt::format("{:.10g}", found.objective.value), objective.unit));
+  for (std::size_t i = 0; i < verified.limits.size(); ++i) {
+    const optim::LimitReport& limit = verified.limits[i];
+    const LimitText words = limit_text(limit, read.statement.constraints[i]);
+    text += fmt::format("{} {} = {} {}{}\n",
+                        limit.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
+                        limit.name, words.value, with_unit(words.bound, limit.unit),
+                        limit.proved ? "" : "  (not proved)");
+  }
+  text += "\n";
+  if (verified.disagreements.empty()) return text + "the claim holds\n";
+  text += "the claim does not hold\n";
+  for (const std::string& what : verified.disagreements) text += fmt::format("  {}\n", what);
+  return text;
+}
+
+Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
+  const optim::Assessment& found = verified.found;
+  return {{"title", read.statement.title},
+          {"claimed", *read.verdict},
+          {"claimed_global", read.global},
+          {"claimed_objective", read.objective ? to_json(*read.objective) : Json(nullptr)},
+          {"verdict", to_string(found.verdict)},
+          {"reason", found.reason},
+          {"global", found.global ? Json(*found.global) : Json(nullptr)},
+          {"best_possible", found.best_possible ? to_json(*found.best_possible) : Json(nullptr)},
+          {"objective", to_json(found.objective.value)},
+          {"kkt_residual", to_json(found.kkt_residual)},
+          {"choices_held", !verified.whole},
+          {"disagreements", verified.disagreements},
+          {"holds", verified.disagreements.empty()}};
+}
+
+void run_verify(const VerifyOptions& options, int& status) {
+  const ReadDesign read = problems::read_design_file(options.file);
+  const VerifiedDesign verified = [&] {
+    try {
+      return problems::verified(read);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("{}: {}", options.file, error.what()));
+    }
+  }();
+  if (options.json) {
+    fmt::print("{}\n", verdict_json(read, verified).dump(2));
+  } else {
+    fmt::print("{}", verdict_text(read, verified));
+  }
+  status = verified.disagreements.empty() ? kDone : kNotSolved;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("verify", "Judge the design of a result and its claim again");
+  const auto options = std::make_shared<VerifyOptions>();
+  command->add_option("FILE", options->file, "the result.json of a search, or what --json prints")
+      ->required()
+      ->type_name(takes::kFile);
+  add_switch(*command, "--json", options->json, "print JSON");
+  add_examples(*command,
+               {{"camlaw optimize problems/cams/roller_least_base.toml --out results/disc_cam; "
+                 "camlaw verify results/disc_cam/result.json",
+                 "the verdict once more, from the design alone: no search, nothing believed"}});
+  command->callback([options, &status] { run_verify(*options, status); });
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "optim/cycle/rest_weights.h"
+
+#include <cmath>
+
+namespace camlaw::optim {
+namespace {
+
+/// The distance of a place from a rest into its stretch; below 0 on the other side.
+double distance(const Rest& rest, Place place) {
+  if (place.angle == rest.angle) return place.from_left == rest.is_end ? 0 : -1;
+  return rest.is_end ? rest.angle - place.angle : place.angle - rest.angle;
+}
+
+}  // namespace
+
+double RestWeights::at(Place place) const {
+  double weight = 1;
+  for (const Rest& rest : rests_) {
+    const double d = distance(rest, place);
+    if (d >= 0 && d < rest.length) weight *= std::pow(d / rest.length, rest.order);
+  }
+  return weight;
+}
+
+bool vanishes(double largest_slope) {
+  constexpr double kRounding = 1e-11;
+  return !(largest_slope > kRounding);
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "optim/verdict/verdict.h"
+#include "problems/results/recorded_design.h"
+
+/// A stored design, judged again: nothing that was recorded of it is believed.
+namespace camlaw::problems {
+
+/// The problem of a design with its choices and whole variables held at what was found: what its
+/// verdict can be judged by without a search.
+struct HeldProblem {
+  optim::MultiProblem problem;
+  std::vector<double> x;
+  bool whole;  ///< nothing had to be held: it is the problem itself
+};
+
+/// None where nothing is sought or nothing varies.
+std::optional<HeldProblem> held_problem(const ReadDesign& read);
+
+/// The verdict of a design by its own problem: tolerances, margins, proofs, conditions of
+/// optimality and lower bound, all worked out again; of one that meets not every limit also whether
+/// none does.
+optim::Assessment judged(const HeldProblem& held);
+
+/// What a result claims of its design against what is found of it.
+struct VerifiedDesign {
+  optim::Assessment found;
+  std::vector<optim::LimitReport> limits;  ///< turned as they were stated
+  bool whole = true;                       ///< the problem itself was judged: no choice was held
+  std::vector<std::string> disagreements;  ///< in words; none: the claim holds
+};
+
+/// Throws std::invalid_argument where there is nothing to judge: no objective, several of them,
+/// nothing that varies, or a design without a claim.
+VerifiedDesign verified(const ReadDesign& read);
+
+}  // namespace camlaw::problems
