@@ -8,11 +8,12 @@
 
 #include "cli/limit_text.h"
 #include "cli/text_table.h"
+#include "optim/cycle/extremes.h"
 
 namespace camlaw::cli {
 namespace {
 
-Line curve_line(const optim::Trace& trace, int points) {
+Line even_line(const optim::Trace& trace, int points) {
   Line line;
   const auto breaks = trace.breaks();
   const double cycle = breaks.back() - breaks.front();
@@ -24,6 +25,41 @@ Line curve_line(const optim::Trace& trace, int points) {
       const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], steps, i);
       line.x.push_back(place.angle);
       line.y.push_back(trace.at(place)[0]);
+    }
+  }
+  return line;
+}
+
+/// Puts a peak and places about it, closer and closer, among the points of a line.
+void add_peak(const optim::Trace& trace, double peak, Line& line) {
+  constexpr int kHalvings = 12;
+  const auto after = std::upper_bound(line.x.begin(), line.x.end(), peak);
+  if (after == line.x.begin() || after == line.x.end()) return;
+  const double before = *(after - 1), behind = *after;
+  std::vector<double> places;
+  for (int k = 1; k <= kHalvings; ++k) places.push_back(std::lerp(peak, before, std::exp2(-k)));
+  places.push_back(peak);
+  for (int k = kHalvings; k >= 1; --k) places.push_back(std::lerp(peak, behind, std::exp2(-k)));
+  std::vector<double> values;
+  for (const double place : places) values.push_back(trace.at({place})[0]);
+  const auto at = after - line.x.begin();
+  line.x.insert(line.x.begin() + at, places.begin(), places.end());
+  line.y.insert(line.y.begin() + at, values.begin(), values.end());
+}
+
+/// Even points, and more about a highest or lowest value that these would not show.
+Line curve_line(const optim::Trace& trace, int points) {
+  constexpr double kSeen = 1e-3;  // of the range
+  Line line = even_line(trace, points);
+  const auto [low, high] = std::minmax_element(line.y.begin(), line.y.end());
+  const double lowest = *low, highest = *high, range = highest - lowest;
+  if (!std::isfinite(range)) return line;
+  const double size = std::max(std::abs(lowest), std::abs(highest));
+  for (const double sign : {1.0, -1.0}) {
+    const optim::Extreme peak = optim::proved_highest(trace, sign, size).peak;
+    const double seen = sign > 0 ? highest : -lowest;
+    if (std::isfinite(peak.value) && sign * peak.value > seen + kSeen * range) {
+      add_peak(trace, peak.place.angle, line);
     }
   }
   return line;

@@ -63,6 +63,7 @@ std::string law_meaning(const std::string& label) {
 /// A curve that has no values in places has no extremes over its cycle: those of its samples.
 EvaluatedResponse with_extremes(EvaluatedResponse r, const Line& samples) {
   if (std::isfinite(r.lowest) && std::isfinite(r.highest)) return r;
+  r.proved = false;
   r.lowest = std::numeric_limits<double>::infinity(), r.highest = -r.lowest;
   for (std::size_t i = 0; i < samples.x.size(); ++i) {
     const double value = samples.y[i];
@@ -80,7 +81,8 @@ std::string extremes_text(const EvaluatedResponse& r) {
                        with_unit(fmt::format("{:.4g}", at + 0.0), r.along));
   };
   if (!(r.lowest < r.highest)) return with_unit(significant(r.highest, size, 4), r.unit);
-  return fmt::format("from {} to {}", text(r.lowest, r.lowest_at), text(r.highest, r.highest_at));
+  return fmt::format("from {} to {}{}", text(r.lowest, r.lowest_at), text(r.highest, r.highest_at),
+                     r.proved ? "" : " (sampled)");
 }
 
 std::vector<std::string> limits_on(const std::string& curve, const ProblemStatement& design) {

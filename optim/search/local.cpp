@@ -191,7 +191,7 @@ class Search {
   /// the start; a search that ends far from it is done again, scaled by its end.
   void search_from(Design start) {
     std::vector<double> x(start.begin(), start.end());
-    sizes_ = sizes(problem_, x);
+    if (found_.solves > 0) sizes_ = sizes(problem_, x);  // of the first they are known
     for (const Solver* solver : plan_.solvers) {
       const Attempt tried = attempt(x, *solver);
       consider(tried, *solver);
@@ -342,7 +342,10 @@ class Search {
   /// then the search goes on from there.
   void settle_in_own_sizes() {
     if (!is_feasible(found_.assessment)) return;
-    sizes_ = sizes(problem_, found_.x);
+    Sizes own = sizes(problem_, found_.x);
+    const bool known = is_settled(found_.assessment) && !differ(own, sizes_);
+    sizes_ = std::move(own);
+    if (known) return;
     found_.assessment = assess(problem_, sizes_, found_.x, false);
     const Solver& solver = *plan_.solvers.back();
     if (is_settled(found_.assessment) || solver.is_global() || deadline_.passed()) return;

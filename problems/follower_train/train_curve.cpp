@@ -2,6 +2,7 @@
 #include "problems/follower_train/train_curve.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
@@ -22,6 +23,33 @@ T scale_of(TrainQuantity which, const ElasticFollower<T>& machine, const Law<T>&
 template <class T>
 std::array<T, 4> motion_at(const Law<T>& law, optim::Place place) {
   return law.template derivatives<4>(place.angle, place.from_left ? Side::Left : Side::Right);
+}
+
+/// The same where a piece meets the next one, wherever that is; no numbers where this law has no
+/// such joint.
+template <class T>
+std::array<T, 4> joint_motion(const Law<T>& law, std::size_t joint, bool from_left) {
+  const auto& pieces = law.pieces();
+  if (joint + 1 < pieces.size()) {
+    return derivatives<4>(pieces[from_left ? joint : joint + 1], pieces[joint].end);
+  }
+  std::array<T, 4> none;
+  none.fill(number<T>(detail::kNaN));
+  return none;
+}
+
+/// Motion and state of the train at a place, with the derivatives by what moves it where it is tied
+/// to a joint: the state at the end of a piece is that of the end itself (FollowerTrain::at).
+template <class T>
+std::array<T, 3> quantity_at(TrainQuantity which, const FollowerTrain<T>& train, const Law<T>& law,
+                             optim::Place place) {
+  if (place.joint < 0) {
+    return train_quantity(which, train, motion_at(law, place), train.at(law, place.angle));
+  }
+  const auto joint = static_cast<std::size_t>(place.joint);
+  const auto motion = joint_motion(law, joint, place.from_left);
+  const double x = joint < law.pieces().size() ? value_of(law.pieces()[joint].end) : 1;
+  return train_quantity(which, train, motion, train.at(law, x));
 }
 
 /// The train for one design.
@@ -119,6 +147,19 @@ TrainCurve::TrainCurve(TrainQuantity which, const UnitFactor& factor, const Bind
                        optim::Shape shape)
     : which_(which), factor_(factor), binding_(binding), shape_(shape) {}
 
+optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
+  constexpr double kBeside = 1e-14;
+  if (binding_.law->is_linear()) return place;
+  try {
+    const auto pieces = binding_.law->member_at(x).law<double>().pieces();
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+      if (std::abs(place.angle - pieces[i].end) <= kBeside) place.joint = static_cast<int>(i);
+    }
+  } catch (const std::invalid_argument&) {  // these values make no law
+  }
+  return place;
+}
+
 std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design x) const {
   const optim::Function slope = derivative_at(place, 1);
   std::vector<double> g(slope.inputs().size()), result(x.size(), 0.0);
@@ -129,10 +170,7 @@ std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design
 
 optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order) const {
   const auto formula = [which = which_, place, order](const auto& machine, const auto& law) {
-    const auto train = machine.train();
-    const auto state = train.at(law, place.angle);
-    return scale_of(which, machine, law) *
-           train_quantity(which, train, motion_at(law, place), state)[order];
+    return scale_of(which, machine, law) * quantity_at(which, machine.train(), law, place)[order];
   };
   std::vector<std::size_t> variables = binding_.variables;
   for (const LawVariable& v : binding_.law->variables()) variables.push_back(v.variable);

@@ -69,6 +69,31 @@ TEST_CASE("places at a law's joints move with the law", "[joints]") {
   CHECK(curve.tied({1.234}, design.x).joint < 0);
 }
 
+TEST_CASE("places of a cam's coordinates move with the law's joints, and their own angle with them",
+          "[joints]") {
+  const Mechanism& cam = find_mechanism("disc-cam-roller");
+  const TestDesign design = design_of(cam, "scca", {"a", "b"}, {"base_radius"});
+  for (const char* name : {"pitch_x", "profile_y"}) {
+    INFO(name);
+    const auto response = response_of(cam, name, design.binding);
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+      check_joint(response.curve(), k, design.x);
+    }
+  }
+}
+
+TEST_CASE("places of an elastic train's curves move with the law's joints", "[joints]") {
+  const Mechanism& train = find_mechanism("follower-train");
+  const TestDesign design = design_of(train, "scca", {"a", "b"}, {"stroke", "stiffness"});
+  for (const char* name : {"deviation", "mass_acceleration"}) {
+    INFO(name);
+    const auto response = response_of(train, name, design.binding);
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+      check_joint(response.curve(), k, design.x);
+    }
+  }
+}
+
 TEST_CASE("places at a mechanism's breaks move with it", "[joints]") {
   const Mechanism& balancing = find_mechanism("balancing-cam");
   TestDesign design = design_of(balancing, "constant-velocity", {}, {"lift_off", "inertia"});
