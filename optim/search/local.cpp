@@ -11,6 +11,8 @@
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
 #include "optim/search/plan.h"
+#include "optim/search/rescaling.h"
+#include "optim/search/with_numbers.h"
 
 namespace camlaw::optim {
 namespace {
@@ -23,32 +25,6 @@ std::string words_of(const std::exception_ptr& error) {
   } catch (...) {
     return "something that is no std::exception";
   }
-}
-
-/// A response that is zero everywhere, whose optimum is any design.
-Objective nothing() { return {{"", "1", Function()}}; }
-
-/// The problem of finding any design that meets those limits, with some room, that are numbers at a
-/// design; none where there is no such limit.
-std::optional<Problem> with_numbers_only(const Problem& problem, Design x) {
-  constexpr double kRoom =
-      1e-3;  // of the bound: at the edge of its validity a model may be infinite
-  Problem result = problem;
-  result.objective = nothing();
-  result.constraints.clear();
-  for (Constraint c : problem.constraints) {
-    const double value = objective_value(
-        {c.response, Sense::Minimize, c.response.is_curve() ? Part::Magnitude : Part::Value}, x);
-    if (!std::isfinite(value)) continue;
-    const double room =
-        kRoom * std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
-    const bool has_room = !(c.lower && c.upper) || *c.upper - *c.lower > 2 * room;
-    if (has_room && c.upper) *c.upper -= room;
-    if (has_room && c.lower) *c.lower += room;
-    result.constraints.push_back(std::move(c));
-  }
-  if (result.constraints.empty()) return {};
-  return result;
 }
 
 class Search {
@@ -222,21 +198,6 @@ class Search {
     }
   }
 
-  /// Whether some size or tolerance is another by more than its order.
-  static bool differ(const Sizes& a, const Sizes& b) {
-    constexpr double kFactor = 10;
-    const auto far = [](double p, double q) { return p > kFactor * q || q > kFactor * p; };
-    if (far(a.objective, b.objective)) return true;
-    for (std::size_t i = 0; i < a.variables.size(); ++i) {
-      if (far(a.variables[i], b.variables[i])) return true;
-    }
-    for (std::size_t i = 0; i < a.constraints.size(); ++i) {
-      if (far(a.constraints[i].size, b.constraints[i].size)) return true;
-      if (far(a.constraints[i].tolerance, b.constraints[i].tolerance)) return true;
-    }
-    return false;
-  }
-
   /// Where the set of designs is convex, the design of least violation tells at once whether there
   /// are any: then no other method, and no other start, needs to try.
   void look_for_emptiness() {
@@ -388,24 +349,25 @@ class Search {
   /// everywhere, such as those of validity, and a search from there. Where there is none, the
   /// problem has no design either, for the same reason.
   void seek_numbers() {
+    constexpr double kRoom = 1e-3;
+    OptimiseOptions own = options_;
+    own.solver = "auto";
     const std::vector<double> start = problem_.start();
-    const auto seeking = with_numbers_only(problem_, start);
-    if (!seeking || deadline_.passed()) return;
-    OptimiseOptions once = options_;
-    once.solver = "auto";
-    const Found valid = search_continuous(*seeking, once, deadline_, false);
-    if (valid.assessment.verdict == Verdict::Infeasible) {
-      found_.x = valid.x;
-      found_.assessment = valid.assessment;
-      const Sizes there = sizes(problem_, valid.x);
-      found_.assessment.objective = objective_report(problem_, there, valid.x, false);
-      found_.assessment.limits = limit_reports(problem_, there, valid.x, false);
-      found_.assessment.reason =
-          fmt::format("{}; {}", valid.assessment.reason,
-                      undefined_at(original_, valid.x, "the nearest design"));
-      return;
+    Found valid;
+    for (const double share : {kRoom, 0.0}) {  // only without room an empty set says something
+      const auto seeking = with_numbers_only(problem_, start, share);
+      if (!seeking || deadline_.passed()) return;
+      valid = search_continuous(*seeking, own, deadline_, false);
+      if (is_feasible(valid.assessment)) return search_from(valid.x);
     }
-    if (is_feasible(valid.assessment)) search_from(valid.x);
+    if (valid.assessment.verdict != Verdict::Infeasible) return;
+    const Sizes there = sizes(problem_, valid.x);
+    found_.x = valid.x;
+    found_.assessment = valid.assessment;
+    found_.assessment.objective = objective_report(problem_, there, valid.x, false);
+    found_.assessment.limits = limit_reports(problem_, there, valid.x, false);
+    found_.assessment.reason = fmt::format("{}; {}", valid.assessment.reason,
+                                           undefined_at(original_, valid.x, "the nearest design"));
   }
 
   void finish() {

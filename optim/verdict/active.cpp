@@ -104,11 +104,13 @@ class Collector {
     }
   }
 
-  /// Whether some variable moves a limit, more than rounding does.
+  /// Whether some variable moves a limit, more than rounding does. What is not a number stays: it
+  /// must show in the conditions.
   static bool is_moved(const ActiveLimit& limit) {
-    double largest = std::abs(limit.auxiliary);
-    for (const auto& entry : limit.gradient) largest = std::max(largest, std::abs(entry.second));
-    return !vanishes(largest);
+    const auto moves = [](double slope) { return std::isnan(slope) || !vanishes(std::abs(slope)); };
+    return moves(limit.auxiliary) ||
+           std::any_of(limit.gradient.begin(), limit.gradient.end(),
+                       [&](const auto& entry) { return moves(entry.second); });
   }
 
   /// One side of a curve at this design.

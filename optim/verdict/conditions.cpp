@@ -126,6 +126,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
   const bool least = optimality == Optimality::LeastViolation;
   result.residual = least ? (sum + open) / largest_violation(problem, sizes, x)
                           : std::max(largest, open) / objective_measure(problem, sizes, x);
+  // A slope that is not a number shows nothing; std::max passes over it, the sums do not.
+  if (!std::isfinite(sum + open)) result.residual = kInfinity;
   if (!(result.residual >= 0)) result.residual = kInfinity;
   return result;
 }

@@ -116,6 +116,8 @@ class Duality {
   static void accumulate(const Inequality& row, double constant, const std::vector<double>& slopes,
                          Sum& sum) {
     sum.constant += row.weight * constant;
+    // least() takes maxima, which pass over what is not a number.
+    for (const double slope : slopes) sum.constant += 0 * slope;
     for (std::size_t k = 0; k < slopes.size(); ++k) {
       const double term = row.weight * slopes[k];
       sum.slopes[row.function.inputs()[k]] += term;

@@ -217,6 +217,8 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   constexpr int kDense = 300;
   if (point.layout.rows == 0) return {true, {}};
   const auto H = lagrangian_hessian(point, limits, multipliers);
+  const Eigen::Map<const Eigen::VectorXd> entries(H.valuePtr(), H.nonZeros());
+  if (H.nonZeros() > 0 && !entries.allFinite()) return {false, {}};
   const auto [P, W] = held(point, limits, multipliers);
   if (point.layout.rows > kDense) return {sparse_test(H, P), {}};
   const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;

@@ -129,6 +129,10 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
                        problem.objective.response.name, peak.lower, peak.upper);
   }
   if (is_bounded(a)) return {};
+  if (std::isinf(a.kkt_residual)) {
+    return "the model has no derivatives at the answer, which may stand at the edge of where it is "
+           "possible";
+  }
   if (!(a.kkt_residual <= kKktTolerance)) {
     return fmt::format("the conditions of optimality hold only to {:.1e}", a.kkt_residual);
   }
@@ -219,7 +223,8 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
   return result;
 }
 
-Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x) {
+Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x) {
+  const Sizes sizes = judged_at(problem, about, x);
   Assessment result;
   result.variables = variable_reports(problem, x);
   result.objective = objective_report(problem, sizes, x, false);

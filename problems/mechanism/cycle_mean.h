@@ -16,8 +16,17 @@ namespace detail {
 inline constexpr double kMeanSteps = 16, kMeanBoxes = 256;
 inline constexpr int kLeastSteps = 2;
 
-inline int steps_over(double length, double whole) {
-  return std::max(kLeastSteps, static_cast<int>(std::ceil(whole * length)));
+/// As many steps as a piece needs: `whole` over the whole law, and no harmonic turns by more than
+/// two rad within a step, so that its square, of twice the frequency, is integrated as well.
+template <class T>
+int steps_over(const Piece<T>& piece, double whole) {
+  constexpr double kTurn = 2;
+  double rate = whole;
+  for (const auto& h : piece.harmonics) {
+    rate = std::max(rate, std::abs(value_of(h.frequency)) / kTurn);
+  }
+  const double length = value_of(piece.end) - value_of(piece.begin);
+  return std::max(kLeastSteps, static_cast<int>(std::ceil(rate * length)));
 }
 
 /// Gauss-Legendre of 10 points on even steps.
@@ -25,7 +34,7 @@ template <class T, class F>
 T piece_integral(const Piece<T>& piece, const F& f) {
   using Gauss = boost::math::quadrature::gauss<double, 10>;
   const T length = piece.end - piece.begin;
-  const int steps = steps_over(value_of(length), kMeanSteps);
+  const int steps = steps_over(piece, kMeanSteps);
   const T half = length / number<T>(2.0 * steps);
   T sum = number<T>(0);
   for (int i = 0; i < steps; ++i) {
@@ -47,7 +56,7 @@ template <class F>
 Interval piece_integral(const Piece<Interval>& piece, const F& f) {
   const PieceExpander expander(piece);
   const Interval length = piece.end - piece.begin, one(1.0);
-  const int steps = steps_over(value_of(length), kMeanBoxes);
+  const int steps = steps_over(piece, kMeanBoxes);
   const auto edge = [&](int i) {
     return piece.begin + length * Interval(double(i)) / Interval(double(steps));
   };

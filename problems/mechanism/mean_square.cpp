@@ -59,7 +59,7 @@ Quadratic assembled(const LawBinding& law, int order) {
   const Law<double> own = law.member().law();
   for (const auto& piece : own.pieces()) {
     const double length = piece.end - piece.begin;
-    const int steps = detail::steps_over(length, detail::kMeanSteps);
+    const int steps = detail::steps_over(piece, detail::kMeanSteps);
     const double half = length / (2 * steps);
     for (int i = 0; i < steps; ++i) {
       const double middle = piece.begin + (2 * i + 1) * half;

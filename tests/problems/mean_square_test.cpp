@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "kinematics/laws/spline.h"
 #include "tests/problems/mechanism_fixture.h"
@@ -87,6 +88,21 @@ TEST_CASE("mean squares of any degree are exact", "[mean-square]") {
       CHECK(proved.upper() >= exact);
       if (degree <= 12) CHECK(proved.upper() - proved.lower() < 1e-9 * exact);
     }
+  }
+}
+
+TEST_CASE("mean squares of fast harmonics are those of Parseval", "[mean-square]") {
+  // v = 1 - (cos 2 pi x + cos 2 pi n x) / 2: the mean of v^2 is 5/4, of s''^2 pi^2 (1 + n^2) / 2.
+  for (const int n : {3, 30, 200, 1000}) {
+    INFO("n " << n);
+    Member law = find_law("fourier");
+    std::vector<double> a(static_cast<std::size_t>(n) - 1, 0.0);  // from the second on
+    a.back() = 0.5;
+    law.arguments.values()[law.family->parameter("a")] = a;
+    CHECK(mean_square(law.law(), 1) == Approx(1.25).epsilon(1e-11));
+    const double turns = 1 + static_cast<double>(n) * n;
+    CHECK(mean_square(law.law(), 2) ==
+          Approx(std::numbers::pi * std::numbers::pi * turns / 2).epsilon(1e-11));
   }
 }
 

@@ -494,4 +494,39 @@ TEST_CASE("verdicts have words", "[verdict]") {
   CHECK(to_string(Verdict::Failed) == "failed");
 }
 
+TEST_CASE("slopes that are not numbers certify nothing", "[verdict]") {
+  // A model with a value and no derivatives, as at the edge of where it is possible.
+  class Edge final : public Kernel {
+   public:
+    explicit Edge(double slope) : slope_(slope) {}
+    double value(std::span<const double> u) const override { return u[0]; }
+    double gradient(std::span<const double> u, std::span<double> g) const override {
+      g[0] = slope_;
+      return u[0];
+    }
+    double hessian(std::span<const double> u, std::span<double> g,
+                   std::span<double> h) const override {
+      h[0] = kNan;
+      return gradient(u, g);
+    }
+
+   private:
+    double slope_;
+  };
+  Problem problem;
+  problem.variables = {{.name = "x", .lower = -1, .upper = 1, .start = 0}};
+  for (const double slope : {kNan, 0.0}) {  // without a slope, and without a second derivative
+    INFO("slope " << slope);
+    problem.objective = least(Function({0}, std::make_shared<Edge>(slope)));
+    const Assessment a = judge(problem, {0.5});
+    CHECK(a.verdict == Verdict::Feasible);
+    CHECK_FALSE(a.best_possible);
+  }
+  problem.objective = least(function<Interval>(
+      {0}, [](const auto& u) { return square(u[0]); }, Shape::Convex));
+  problem.constraints = {
+      {.response = {"edge", "mm", Function({0}, std::make_shared<Edge>(kNan))}, .lower = 0.5}};
+  CHECK(judge(problem, {0.5}).verdict == Verdict::Feasible);
+}
+
 }  // namespace camlaw::optim

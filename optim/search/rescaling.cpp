@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/rescaling.h"
+
+namespace camlaw::optim {
+
+bool differ(const Sizes& a, const Sizes& b) {
+  constexpr double kFactor = 10;
+  const auto far = [](double p, double q) { return p > kFactor * q || q > kFactor * p; };
+  if (far(a.objective, b.objective)) return true;
+  for (std::size_t i = 0; i < a.variables.size(); ++i) {
+    if (far(a.variables[i], b.variables[i])) return true;
+  }
+  for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+    if (far(a.constraints[i].size, b.constraints[i].size)) return true;
+    if (far(a.constraints[i].tolerance, b.constraints[i].tolerance)) return true;
+  }
+  return false;
+}
+
+}  // namespace camlaw::optim
