@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -62,9 +61,13 @@ class RememberedCurve final : public ForwardingCurve {
   }
 
   std::vector<Rest> rests(double bound, Design x) const override {
-    const bool known = rests_ && rests_->bound == bound && std::ranges::equal(x, rests_->x);
-    if (!known) rests_ = Rests{bound, {x.begin(), x.end()}, curve().rests(bound, x)};
-    return rests_->found;
+    if (!std::ranges::equal(x, rested_)) {
+      rested_.assign(x.begin(), x.end());
+      rests_.clear();
+    }
+    const auto known = rests_.find(bound);
+    if (known != rests_.end()) return known->second;
+    return rests_.emplace(bound, curve().rests(bound, x)).first->second;
   }
 
   std::unique_ptr<Trace> trace(Design x) const override {
@@ -79,14 +82,9 @@ class RememberedCurve final : public ForwardingCurve {
   }
 
  private:
-  struct Rests {
-    double bound;
-    std::vector<double> x;
-    std::vector<Rest> found;
-  };
-
   mutable std::shared_ptr<Memory> latest_;
-  mutable std::optional<Rests> rests_;
+  mutable std::vector<double> rested_;                 ///< the design that the rests are of
+  mutable std::map<double, std::vector<Rest>> rests_;  ///< by bound
   mutable std::map<std::tuple<double, bool, int>, Function> functions_;
 };
 

@@ -61,7 +61,7 @@ class Duality {
     if (!(square > 0)) return false;
     const double start = value(row, x_);
     // Uphill to the level where x lies below it; downhill, not quite as far, where it lies above.
-    constexpr double kTries = 40;
+    constexpr int kTries = 40;
     double step = (start < 0 ? 1.0 + 1e-9 : 1.0 - 1e-3) * -start / square;
     for (int i = 0; i < kTries; ++i) {
       const std::vector<double> y = moved(row, here, step);

@@ -7,6 +7,7 @@
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "problems/follower_train/machine.h"
+#include "problems/mechanism/law_of.h"
 
 namespace camlaw::problems {
 namespace {
@@ -150,12 +151,10 @@ TrainCurve::TrainCurve(TrainQuantity which, const UnitFactor& factor, const Bind
 optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
   constexpr double kBeside = 1e-14;
   if (binding_.law->is_linear()) return place;
-  try {
-    const auto pieces = binding_.law->member_at(x).law<double>().pieces();
-    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-      if (std::abs(place.angle - pieces[i].end) <= kBeside) place.joint = static_cast<int>(i);
-    }
-  } catch (const std::invalid_argument&) {  // these values make no law
+  const auto law = law_of<double>(binding_.law->member_at(x));
+  if (!law) return place;
+  for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
+    if (std::abs(place.angle - law->pieces()[i].end) <= kBeside) place.joint = static_cast<int>(i);
   }
   return place;
 }

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "problems/mechanism/arguments.h"
 #include "problems/mechanism/curve_row.h"
+#include "problems/mechanism/law_of.h"
 #include "problems/mechanism/mechanism_trace.h"
 #include "problems/mechanism/rests.h"
 
@@ -14,15 +14,6 @@ namespace camlaw::problems {
 namespace {
 
 constexpr std::size_t kMostPieces = 1U << 16U;  // of a law
-
-template <class S>
-std::optional<Law<S>> law_of(const Member& member) {
-  try {
-    return member.law<S>();
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
 
 }  // namespace
 

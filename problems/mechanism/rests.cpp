@@ -7,20 +7,13 @@
 
 #include "kinematics/breaks.h"
 #include "problems/mechanism/arguments.h"
+#include "problems/mechanism/law_of.h"
 
 namespace camlaw::problems {
 namespace {
 
 constexpr double kRounding = 1e-10;  // shares of a response below this are rounding
 constexpr std::size_t kOrders = LawBinding::kEndOrders;
-
-std::optional<Law<double>> law_of(const Member& member) {
-  try {
-    return member.law();
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
 
 /// A share in [-1, 1] that follows from an index alone.
 double some_share(std::size_t index) {
@@ -30,12 +23,11 @@ double some_share(std::size_t index) {
 
 /// The law of a design, then some of its neighbours in the family, whose derivatives do not vanish
 /// by chance.
-std::vector<Law<double>> laws_about(const LawBinding& binding, optim::Design x) {
+std::vector<Law<double>> laws_about(const Law<double>& own, const LawBinding& binding,
+                                    optim::Design x) {
   constexpr std::size_t kLaws = 4, kTries = 12;
-  std::vector<Law<double>> laws;
+  std::vector<Law<double>> laws{own};
   Member member = binding.member_at(x);
-  if (auto own = law_of(member)) laws.push_back(std::move(*own));
-  if (laws.empty()) return laws;
   const std::vector<double> values = binding.values_at(x);
   for (std::size_t n = 0; n < kTries && laws.size() < kLaws && !values.empty(); ++n) {
     const double step = n < kTries / 2 ? 1e-2 : 1e-4;
@@ -46,7 +38,7 @@ std::vector<Law<double>> laws_about(const LawBinding& binding, optim::Design x) 
       member.arguments.values()[v.parameter][v.element] =
           std::clamp(values[i] + share * (1 + std::abs(values[i])), parameter.low, parameter.high);
     }
-    auto near = law_of(member);
+    auto near = law_of<double>(member);
     if (near && near->pieces().size() == laws.front().pieces().size()) {
       laws.push_back(std::move(*near));
     }
@@ -120,13 +112,19 @@ struct CurveAt {
     double value;
     std::vector<double> slopes;
   };
+  double value(const Motion<double>& motion) const { return parts.point->value(arguments(motion)); }
   Point at(const Motion<double>& motion) const {
-    std::vector<double> u;
-    for (const std::size_t variable : variables) u.push_back(x[variable]);
-    u.insert(u.end(), {motion.s, motion.v, motion.a, motion.j});
+    const std::vector<double> u = arguments(motion);
     Point point{0, std::vector<double>(u.size())};
     point.value = parts.point->gradient(u, point.slopes);
     return point;
+  }
+
+  std::vector<double> arguments(const Motion<double>& motion) const {
+    std::vector<double> u;
+    for (const std::size_t variable : variables) u.push_back(x[variable]);
+    u.insert(u.end(), {motion.s, motion.v, motion.a, motion.j});
+    return u;
   }
 };
 
@@ -147,7 +145,7 @@ PieceSize size_of(const CurveAt& curve, const Stretch& stretch, const Piece<doub
   for (int i = 0; i < kPlaces; ++i) {
     const double at = std::lerp(piece.begin, piece.end, (i + 0.5) / kPlaces);
     const Motion<double> m = motion_at(stretch, piece, at);
-    const double value = std::abs(curve.at(m).value);
+    const double value = std::abs(curve.value(m));
     if (std::isfinite(value)) size.curve = std::max(size.curve, value);
     const std::array<double, 4> all{m.s, m.v, m.a, m.j};
     for (std::size_t k = 0; k < 4; ++k) size.motion[k] = std::max(size.motion[k], std::abs(all[k]));
@@ -188,13 +186,14 @@ std::vector<optim::Rest> rests_of(const CurveParts& parts,
                                   optim::Design x) {
   std::vector<optim::Rest> found;
   if (parts.uses_place) return found;  // what the place alone does is not known
-  const std::vector<Law<double>> laws = laws_about(*law, x);
-  if (laws.empty()) return found;
+  const std::optional<Law<double>> own = law_of<double>(law->member_at(x));
+  if (!own) return found;
+  std::vector<Law<double>> laws;  // made where an end stands at the bound: few limits have one
   const CurveAt curve{parts, variables, x, bound};
   std::vector<std::size_t> behind;
   for (const LawVariable& v : law->variables()) behind.push_back(v.variable);
   const optim::Shape shape = law->is_linear() ? optim::Shape::Linear : optim::Shape::General;
-  const auto& pieces = laws.front().pieces();
+  const auto& pieces = own->pieces();
   for (const Stretch& stretch : parts.cycle.stretches) {
     const auto angle = [&](double at) {
       return at >= 1 ? stretch.end : stretch.begin + stretch.length() * at;
@@ -207,6 +206,7 @@ std::vector<optim::Rest> rests_of(const CurveParts& parts,
         const auto point = curve.at(motion_at(stretch, pieces[i], at));
         if (!(std::abs(point.value - bound) <= kRounding * whole)) continue;
         if (!holds_for_every_machine(curve, point, whole)) continue;
+        if (laws.empty()) laws = laws_about(*own, *law, x);
         const CommonEnd common = common_end(laws, {i, is_end});
         const auto n = common.order > 0 ? leading_motion(curve, point, size, common) : std::nullopt;
         if (!n) continue;

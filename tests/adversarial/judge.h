@@ -36,7 +36,7 @@ struct Extreme {
 Extreme extreme_of(const Model& model, const Look& look, const std::vector<Spot>& grid,
                    int response, double sign, bool refined);
 
-/// The objective; no number where there is none.
+/// The objective; not a number where there is none.
 double objective_of(const PlainProblem& problem, const Look& look, const std::vector<Spot>& grid,
                     bool refined);
 
