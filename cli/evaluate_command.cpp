@@ -155,7 +155,7 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
 
 void run_evaluate(const EvaluateOptions& options) {
   ProblemStatement statement = problems::read_problem_file(options.file);
-  for (const std::string& setting : options.settings) problems::set_value(statement, setting);
+  problems::set_values(statement, options.settings);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);

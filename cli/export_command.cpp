@@ -187,9 +187,7 @@ void run_export(const ExportOptions& options) {
   if (options.out) check_not_input(options.file, *options.out);
   if (ending_of(options.file) == ".db") refuse_study(options.file);
   problems::ReadDesign design = problems::read_design_file(options.file);
-  for (const std::string& setting : options.settings) {
-    problems::set_value(design.statement, setting);
-  }
+  problems::set_values(design.statement, options.settings);
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,

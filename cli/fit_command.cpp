@@ -62,7 +62,7 @@ problems::ProblemStatement machine_of(const FitCommand& options) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("--mechanism: {}", error.what()));
   }
-  for (const std::string& assignment : options.set) problems::set_value(machine, assignment);
+  problems::set_values(machine, options.set);
   return machine;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "kinematics/scalar.h"
+#include "kinematics/series.h"
 
 /// Roots of formulas that depend on a machine: found in plain numbers, then carried into the scalar
 /// of the machine (docs/theory.md, "Roots").
@@ -41,7 +41,8 @@ double root_between(const F& f, double low, double high) {
 
 /// A root of f near x0, which is one in plain numbers, in the scalar of f: with the derivatives by
 /// whatever f depends on (two Newton steps carry the first two orders), or, for intervals, a range
-/// that holds it, by the interval Newton step; NaN where none is found. f(X) -> X and its slope.
+/// that holds it, by the interval Newton step; NaN where none is found, and for series of intervals.
+/// f(X) -> X and its slope.
 template <class T, class F, class Slope>
 T root_near(double x0, const F& f, const Slope& slope) {
   if constexpr (std::is_same_v<T, double>) {
@@ -56,6 +57,8 @@ T root_near(double x0, const F& f, const Slope& slope) {
       if (newton.lower() >= range.lower() && newton.upper() <= range.upper()) return newton;
     }
     return number<Interval>(std::numeric_limits<double>::quiet_NaN());
+  } else if constexpr (is_interval_series<T>) {
+    return number<T>(std::numeric_limits<double>::quiet_NaN());
   } else {
     T x = number<T>(x0);
     for (int step = 0; step < 2; ++step) x = x - f(x) / slope(x);

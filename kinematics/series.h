@@ -29,6 +29,11 @@ struct Series {
   }
 };
 
+template <class T>
+inline constexpr bool is_interval_series = false;
+template <std::size_t N>
+inline constexpr bool is_interval_series<Series<Interval, N>> = true;
+
 /// A series as a scalar of formulas: a constant has no other terms.
 template <class T, std::size_t N>
 struct ScalarTraits<Series<T, N>> {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics/absolute.h"
+#include "kinematics/by_side.h"
 #include "kinematics/scalar.h"
 
 namespace camlaw {
@@ -92,8 +92,8 @@ struct HelicalSpring {
   T buckling_deflection(const T& free_length, const T& seating) const {
     using std::sqrt;
     const T left = number<T>(1) - critical(free_length, seating);
-    if (value_of(left) < 0) return number<T>(std::numeric_limits<double>::infinity());
-    return free_length * reach() * (number<T>(1) - sqrt(left));
+    return by_side(left, T(free_length * reach() * (number<T>(1) - sqrt(left))),
+                   number<T>(std::numeric_limits<double>::infinity()));
   }
   /// (W23) (1 - max(0, 1 - s / (a L_0))^2) / q: 1 at s_K, below 1 where the spring does not buckle,
   /// and defined where no deflection buckles it.

@@ -4,6 +4,7 @@
 #include <ceres/jet.h>
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "optim/problem/function.h"
@@ -68,9 +69,19 @@ double automatic_hessian(const F& f, std::span<const double> u, std::span<double
   return value;
 }
 
+/// Bounds that are numbers, or infinite ones.
+template <class Enclosing>
+Bounds bounds_of(const Enclosing& range) {
+  if (!(range.lower() <= range.upper())) return {};
+  return {range.lower(), range.upper()};
+}
+
 /// A kernel from a generic callable: template <class T> T f(std::span<const T> u). With an interval
-/// type (anything with lower() and upper() that a double converts to) it encloses too.
-template <class F, class Enclosing = void>
+/// type (anything with lower() and upper() that a double converts to) it encloses too. With a
+/// series of intervals as well (c[0] the value, c[1] the slope; Directed::variable makes one) it
+/// knows ranges over boxes: there f must decide nothing by the middle of an interval, but for where
+/// it has no value.
+template <class F, class Enclosing = void, class Directed = void>
 class AutomaticKernel final : public Kernel {
  public:
   explicit AutomaticKernel(F f) : f_(std::move(f)) {}
@@ -92,6 +103,29 @@ class AutomaticKernel final : public Kernel {
       return {result.lower(), result.upper()};
     }
   }
+  BoxRange range(std::span<const Bounds> box) const override {
+    if constexpr (std::is_void_v<Directed>) {
+      return Kernel::range(box);
+    } else {
+      BoxRange result = Kernel::range(box);
+      const auto along = [&](std::size_t direction) {
+        std::vector<Directed> points;
+        for (std::size_t i = 0; i < box.size(); ++i) {
+          points.push_back(Directed::variable(Enclosing(box[i].lower, box[i].upper),
+                                              Enclosing(i == direction ? 1.0 : 0.0)));
+        }
+        return f_(std::span<const Directed>(points));
+      };
+      result.value = bounds_of(along(0).c[0]);
+      // Where the value is not known, as where the middle of the box has none, the slope of that
+      // constant says nothing.
+      const bool known = std::isfinite(result.value.lower) || std::isfinite(result.value.upper);
+      for (std::size_t i = 0; known && i < box.size(); ++i) {
+        result.slopes[i] = bounds_of(along(i).c[1]);
+      }
+      return result;
+    }
+  }
   bool is_enclosed() const override { return !std::is_void_v<Enclosing>; }
 
  private:
@@ -100,11 +134,12 @@ class AutomaticKernel final : public Kernel {
 
 /// A function of some variables from a formula written with auto:
 ///   function({0, 2}, [](const auto& u) { return u[0] * sin(u[1]); }, Shape::General)
-/// u[k] is the variable inputs[k]. `function<Interval>(...)` also encloses.
-template <class Enclosing = void, class F>
+/// u[k] is the variable inputs[k]. `function<Interval>(...)` also encloses, and
+/// `function<Interval, Series<Interval, 2>>(...)` knows ranges over boxes.
+template <class Enclosing = void, class Directed = void, class F>
 Function function(std::vector<std::size_t> inputs, F f, Shape shape = Shape::General) {
-  return Function(std::move(inputs), std::make_shared<AutomaticKernel<F, Enclosing>>(std::move(f)),
-                  shape);
+  return Function(std::move(inputs),
+                  std::make_shared<AutomaticKernel<F, Enclosing, Directed>>(std::move(f)), shape);
 }
 
 }  // namespace camlaw::optim

@@ -42,6 +42,7 @@ class Identity final : public Kernel {
     return u[0];
   }
   Bounds enclose(std::span<const double> u) const override { return {u[0], u[0]}; }
+  BoxRange range(std::span<const Bounds> box) const override { return {box[0], {{1, 1}}}; }
   bool is_enclosed() const override { return true; }
 };
 
@@ -53,6 +54,7 @@ class Zero final : public Kernel {
     return 0;
   }
   Bounds enclose(std::span<const double>) const override { return {0, 0}; }
+  BoxRange range(std::span<const Bounds>) const override { return {{0, 0}, {}}; }
   bool is_enclosed() const override { return true; }
 };
 
@@ -87,6 +89,10 @@ Shape negated(Shape shape) {
 
 Bounds Kernel::enclose(std::span<const double>) const { return {}; }
 
+BoxRange Kernel::range(std::span<const Bounds> box) const {
+  return {{}, std::vector<Bounds>(box.size())};
+}
+
 Function::Function() : kernel_(std::make_shared<Zero>()), shape_(Shape::Linear) {}
 
 Function::Function(std::vector<std::size_t> inputs, std::shared_ptr<const Kernel> kernel,
@@ -109,6 +115,12 @@ double Function::hessian(Design x, std::span<double> g, std::span<double> h) con
 }
 
 Bounds Function::enclose(Design x) const { return kernel_->enclose(Gathered(x, inputs_).values()); }
+
+BoxRange Function::range(std::span<const Bounds> box) const {
+  std::vector<Bounds> own;
+  for (const std::size_t input : inputs_) own.push_back(box[input]);
+  return kernel_->range(own);
+}
 
 Function Function::proved() const {
   auto kernel = kernel_->proved();

@@ -37,6 +37,13 @@ struct Bounds {
   double upper = kInfinity;
 };
 
+/// What is proved of a function over a box of its inputs: numbers between which its values lie,
+/// wherever it has one, and its slopes by each input likewise (of a kink the difference quotients).
+struct BoxRange {
+  Bounds value;
+  std::vector<Bounds> slopes;
+};
+
 /// A formula in a few inputs u with its exact derivatives. Pure: equal u, equal bits, from any
 /// thread. Undefined inputs give NaN.
 class Kernel {
@@ -51,6 +58,9 @@ class Kernel {
   /// Numbers that the exact value at u is proved to lie between, rounding included. Infinite bounds
   /// where a formula comes without an enclosure.
   virtual Bounds enclose(std::span<const double> u) const;
+  /// The same over a box of finite bounds, and of the slopes. Bounds close on the value as the box
+  /// shrinks; infinite where nothing is known.
+  virtual BoxRange range(std::span<const Bounds> box) const;
   /// Whether the value comes from a search that may miss something, such as a peak over the cycle:
   /// then it holds as far as the enclosure proves it.
   virtual bool is_searched() const { return false; }
@@ -59,7 +69,7 @@ class Kernel {
   virtual std::shared_ptr<const Kernel> proved() const { return nullptr; }
   /// Whether the formula comes with an enclosure: then a value counts as far as that proves it.
   virtual bool is_enclosed() const { return false; }
-  /// Why the value at u is no number, in words, where more is known than that; else empty.
+  /// Why the value at u is not a number, in words, where more is known than that; else empty.
   virtual std::string why_undefined(std::span<const double>) const { return {}; }
 };
 
@@ -86,6 +96,8 @@ class Function {
   /// The same, and second derivatives by the inputs, packed.
   double hessian(Design x, std::span<double> g, std::span<double> h) const;
   Bounds enclose(Design x) const;
+  /// Kernel::range over a box of the design; slopes by inputs().
+  BoxRange range(std::span<const Bounds> box) const;
   bool is_searched() const { return kernel_->is_searched(); }
   /// Kernel::proved of the kernel; this function where there is none.
   Function proved() const;

@@ -38,9 +38,43 @@ struct Tally {
   std::string stopped = {};  ///< why the search ended early, where it did
 };
 
+/// A search, and where no lower bound speaks for its answer one by dividing the box. Where that
+/// comes upon a better design, another search from there.
+Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
+                        const Deadline& deadline) {
+  constexpr int kTimes = 4;
+  Found found = search_continuous(problem, how, deadline, true);
+  for (int i = 0; i < kTimes && !deadline.passed(); ++i) {
+    if (!is_feasible(found.assessment) || found.assessment.global) break;
+    const Sizes there = sizes(problem, found.x);
+    const auto division = subdivided(problem, there, found.x, [&] { return deadline.passed(); });
+    if (!division) break;
+    if (!division->better) {
+      take_subdivision(problem, there, *division, found.assessment);
+      break;
+    }
+    Problem again = problem;
+    for (std::size_t k = 0; k < again.variables.size(); ++k) {
+      again.variables[k].start = (*division->better)[k];
+    }
+    OptimiseOptions once = how;
+    once.starts = 1;
+    Found other = search_continuous(again, once, deadline, true);
+    if (!better(problem, other.assessment, found.assessment)) break;
+    other.iterations += found.iterations;
+    other.evaluations += found.evaluations;
+    other.solves += found.solves;
+    other.starts += found.starts;
+    other.planned_starts += found.planned_starts;
+    found = std::move(other);
+  }
+  return found;
+}
+
 /// What a search over combinations adds to the verdict of the best one.
 void judge_combinations(const Tally& tally, Assessment& a) {
   if (tally.combinations == 1) return;
+  a.best_possible.reset();  // what bounds one combination says nothing of the others
   const std::string how =
       tally.enumerated ? fmt::format("all {} combinations were solved", tally.combinations)
                        : fmt::format("{} combinations by branch and bound ({} problems solved)",
@@ -120,7 +154,7 @@ class Optimiser {
     if (alone) {
       tally_.combinations = tally_.solved = 1;
       best_.problem = std::move(problem);
-      best_.found = search_continuous(best_.problem, how, deadline_, true);
+      best_.found = search_everywhere(best_.problem, how, deadline_);
       return;
     }
     WholeSearch search = search_whole(problem, how, deadline_);

@@ -22,6 +22,8 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   const std::size_t constraints = problem.constraints.size(), variables = problem.variables.size();
   result.constraints.assign(constraints, 0);
   result.at_rest.assign(constraints, false);
+  result.pushing_sides.assign(constraints, 0);
+  std::vector<double> most(constraints, 0);  // of the sides' multipliers so far
   result.active_constraints.assign(constraints, false);
   result.lower.assign(variables, 0);
   result.upper.assign(variables, 0);
@@ -31,6 +33,10 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
+    if (limit.constraint && weighed.multipliers[j] > most[*limit.constraint]) {
+      most[*limit.constraint] = weighed.multipliers[j];
+      result.pushing_sides[*limit.constraint] = limit.sign > 0 ? 1 : -1;
+    }
     if (limit.at_moving_break && weighed.multipliers[j] > kPushes) result.at_moving_break = true;
     if (limit.constraint && limit.at_rest) {
       // No price: what an easing gains there grows faster than the easing.

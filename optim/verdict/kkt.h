@@ -23,6 +23,8 @@ struct Kkt {
   /// Objective units gained per unit of the bound, not negative; of an equation signed: by how much
   /// the objective rises as the bound does. Of LeastViolation: shares that add up to one, by size.
   std::vector<double> constraints;
+  /// Of a limit with two bounds the side that pushes: 1 the upper one, -1 the lower one, 0 neither.
+  std::vector<int> pushing_sides;
   std::vector<double> lower, upper;  ///< of the variables' bounds
   std::vector<bool> active_constraints, active_lower, active_upper;
   double condition = 1;  ///< of the active limits' gradients; infinite: not unique multipliers

@@ -45,6 +45,16 @@ bool prove_side(const Response& response, const Trace* trace, Design x, double s
   return proof.proved;
 }
 
+void show(const Standing& side, double sign, double bound, LimitReport& report) {
+  report.value = side.value;
+  report.bound = bound;
+  report.is_upper = sign > 0;
+  report.margin = side.margin;
+  if (!side.place) return;
+  report.worst_angle = side.place->angle;
+  report.from_left = side.place->from_left;
+}
+
 LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bool prove) {
   LimitReport result;
   result.name = c.response.name;
@@ -60,15 +70,9 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bo
       result.proved = prove_side(c.response, trace.get(), x, sign, bound, size.tolerance, side) &&
                       result.proved;
     }
-    // What is no number is worst of all, and stays.
+    // What is not a number is worst of all, and stays.
     if (side.margin >= result.margin || std::isnan(result.margin)) return;
-    result.value = side.value;
-    result.bound = bound;
-    result.is_upper = sign > 0;
-    result.margin = side.margin;
-    if (!side.place) return;
-    result.worst_angle = side.place->angle;
-    result.from_left = side.place->from_left;
+    show(side, sign, bound, result);
   };
   if (c.upper) look(1, *c.upper);
   if (c.lower) look(-1, *c.lower);
@@ -104,6 +108,12 @@ std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& size
     result.push_back(report(problem.constraints[i], sizes.constraints[i], x, prove));
   }
   return result;
+}
+
+void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
+  const auto trace = c.response.is_curve() ? c.response.curve().trace(x) : nullptr;
+  const double sign = upper ? 1 : -1, bound = upper ? *c.upper : *c.lower;
+  show(standing(c.response, trace.get(), x, sign, bound), sign, bound, report);
 }
 
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {

@@ -37,6 +37,9 @@ struct LimitReport {
 std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& sizes, Design x,
                                        bool prove);
 
+/// Turns the report of a limit with two bounds, at x, to one of them: value, bound, margin, place.
+void show_side(const Constraint& constraint, Design x, bool upper, LimitReport& report);
+
 /// The objective at x and, of a curve, where its peak is.
 struct ObjectiveReport {
   double value = std::numeric_limits<double>::quiet_NaN();

@@ -43,6 +43,17 @@ std::vector<std::string> active_names(const Problem& problem, const Sizes& sizes
   return names;
 }
 
+/// A row shows the side that pushes, which its price belongs to; where none does, the nearer one.
+void show_pushing_sides(const Problem& problem, const Kkt& conditions, Design x,
+                        Assessment& result) {
+  for (std::size_t i = 0; i < result.limits.size(); ++i) {
+    const Constraint& c = problem.constraints[i];
+    const int side = conditions.pushing_sides[i];
+    if (!c.lower || !c.upper || result.limits[i].is_equation || side == 0) continue;
+    if (result.limits[i].is_upper != (side > 0)) show_side(c, x, side > 0, result.limits[i]);
+  }
+}
+
 void take_conditions(const Problem& problem, const Sizes& sizes, const Kkt& conditions,
                      Assessment& result) {
   result.kkt_residual = conditions.residual;
@@ -153,8 +164,9 @@ std::string outwards(double value, double sign) {
   return fmt::format("{:.8g}", rounded);
 }
 
-/// Why no better design exists anywhere, with the bound that shows it.
-std::string global_words(const Problem& problem, const Assessment& a) {
+/// Why no better design exists anywhere, with the bound that shows it; `why` as a lower bound of
+/// its own says, empty: as the shapes do.
+std::string global_words(const Problem& problem, const Assessment& a, const std::string& why) {
   const Response& response = problem.objective.response;
   const bool least = problem.objective.sense == Sense::Minimize;
   const bool boxed = std::all_of(
@@ -163,8 +175,21 @@ std::string global_words(const Problem& problem, const Assessment& a) {
   return fmt::format(
       "no design {} {}{}{}: {}", least ? "below" : "above",
       outwards(*a.best_possible, least ? 1 : -1), response.unit == "1" ? "" : " " + response.unit,
-      boxed ? "" : fmt::format(", as far as {:g} times the variables' own magnitudes", kFar),
-      *why_convex(problem));
+      boxed || !why.empty()
+          ? ""
+          : fmt::format(", as far as {:g} times the variables' own magnitudes", kFar),
+      why.empty() ? *why_convex(problem) : why);
+}
+
+/// The verdict of a design that meets every limit, with proofs; `why`: as of global_words.
+void conclude(const Problem& problem, const Sizes& sizes, const std::string& why, Assessment& a) {
+  a.reason = doubt(problem, sizes, a);
+  a.verdict = a.reason.empty() ? Verdict::Certified : Verdict::Feasible;
+  if (a.verdict != Verdict::Certified) return;
+  a.reason = a.kkt_residual <= kKktTolerance
+                 ? "every limit is met and the conditions of optimality hold"
+                 : "every limit is met and a lower bound leaves nothing better";
+  if (is_bounded(a)) a.global = global_words(problem, a, why);
 }
 
 std::string violated_names(const Assessment& a) {
@@ -211,16 +236,32 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
   }
   const Kkt conditions = kkt(problem, sizes, x);
   take_conditions(problem, sizes, conditions, result);
+  show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
-  result.reason = prove ? doubt(problem, sizes, result) : "not proved yet";
-  result.verdict = result.reason.empty() ? Verdict::Certified : Verdict::Feasible;
-  if (result.verdict == Verdict::Certified) {
-    result.reason = result.kkt_residual <= kKktTolerance
-                        ? "every limit is met and the conditions of optimality hold"
-                        : "every limit is met and a lower bound leaves nothing better";
-    if (is_bounded(result)) result.global = global_words(problem, result);
+  if (prove) {
+    conclude(problem, sizes, "", result);
+  } else {
+    result.verdict = Verdict::Feasible;
+    result.reason = "not proved yet";
   }
   return result;
+}
+
+void take_subdivision(const Problem& problem, const Sizes& about, const Subdivision& division,
+                      Assessment& a) {
+  const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  if (a.best_possible && sense * *a.best_possible >= sense * division.best_possible) return;
+  a.best_possible = division.best_possible;
+  std::vector<double> x;
+  for (const VariableReport& v : a.variables) x.push_back(v.value);
+  const Sizes sizes = judged_at(problem, about, x);
+  conclude(
+      problem, sizes,
+      division.boxes == 1
+          ? "the ranges of objective and limits over the whole box leave none"
+          : fmt::format("none of {} boxes that the variables' ranges were divided into holds one",
+                        division.boxes),
+      a);
 }
 
 Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x) {

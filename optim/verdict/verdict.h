@@ -8,6 +8,7 @@
 
 #include "optim/verdict/kkt.h"
 #include "optim/verdict/limits.h"
+#include "optim/verdict/subdivision.h"
 
 /// What a design is worth, whatever a solver says of it.
 namespace camlaw::optim {
@@ -53,14 +54,17 @@ struct Assessment {
 
 /// Whether the conditions of optimality hold: what the residual may be.
 inline constexpr double kKktTolerance = 1e-6;
-/// A design is called the global optimum where a lower bound is as near as this.
-inline constexpr double kBoundTolerance = 1e-6;
 
 /// Judges a design as an answer to the problem, with tolerances as they are at the design
 /// (judged_at). `prove` asks for interval proofs over the cycle, for an answer; without, a design
 /// that passes is Feasible at best. A design that passes a limit
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
 Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove);
+
+/// What a lower bound from dividing the box adds to the assessment of a design within the limits,
+/// which was asked for with proofs. The bound that is tighter counts.
+void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivision& division,
+                      Assessment& assessment);
 
 /// Judges a design as the one whose largest violation is least: Infeasible, with the limits to
 /// blame, where the conditions for that hold.
@@ -73,7 +77,7 @@ bool is_feasible(const Assessment& assessment);
 bool is_settled(const Assessment& assessment);
 
 /// Strict weak order: a feasible design before others, among those the better objective; of others
-/// the smaller violation (what is no number counts as infinite).
+/// the smaller violation (what is not a number counts as infinite).
 bool better(const Problem& problem, const Assessment& a, const Assessment& b);
 
 }  // namespace camlaw::optim

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <vector>
 
-#include "optim/problem/function.h"
+#include "kinematics/interval.h"
+#include "optim/problem/automatic.h"
 
 namespace camlaw::problems {
 
@@ -37,6 +39,22 @@ class AffineKernel final : public optim::Kernel {
     return gradient(u, g);
   }
   optim::Bounds enclose(std::span<const double> u) const override { return exact_->enclose(u); }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    constexpr double kRounding = 1e-13;  // of the terms of the sum
+    optim::BoxRange result{{}, {}};
+    const double centre = value(origin_);
+    Interval sum(centre);
+    double terms = std::abs(centre);
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      sum += slopes_[i] * (Interval(box[i].lower, box[i].upper) - origin_[i]);
+      terms += std::abs(slopes_[i]) *
+               (std::max(std::abs(box[i].lower), std::abs(box[i].upper)) + std::abs(origin_[i]));
+      result.slopes.push_back({slopes_[i], slopes_[i]});
+    }
+    sum += kRounding * terms * Interval(-1, 1);
+    result.value = optim::bounds_of(sum);
+    return result;
+  }
   bool is_enclosed() const override { return exact_->is_enclosed(); }
 
  private:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "kinematics/interval.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -41,6 +43,19 @@ class Rearranged final : public optim::Kernel {
 
   optim::Bounds enclose(std::span<const double> u) const override {
     return kernel_->enclose(arguments(u));
+  }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    std::vector<optim::Bounds> own_box;
+    for (const std::size_t place : place_) own_box.push_back(box[place]);
+    const optim::BoxRange own = kernel_->range(own_box);
+    optim::BoxRange result{own.value, std::vector<optim::Bounds>(box.size(), {0, 0})};
+    for (std::size_t k = 0; k < place_.size(); ++k) {
+      optim::Bounds& sum = result.slopes[place_[k]];
+      const Interval wider = Interval(sum.lower, sum.upper) +
+                             Interval(own.slopes[k].lower, own.slopes[k].upper);
+      sum = {wider.lower(), wider.upper()};
+    }
+    return result;
   }
   bool is_searched() const override { return kernel_->is_searched(); }
   bool is_enclosed() const override { return kernel_->is_enclosed(); }

@@ -2,6 +2,7 @@
 #include "problems/mechanism/curve_row.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace camlaw::problems {
 namespace {
@@ -87,6 +88,23 @@ MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) con
   return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
 }
 
+std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Bounds> box) const {
+  constexpr double kRounding = 1e-13;  // of the terms that a law's motion is summed from
+  if (joint_ || !law_->is_linear()) return {};
+  Range result{{}, expansion_.gradient, place_.x};
+  for (std::size_t m = 0; m < 4; ++m) {
+    Interval sum(expansion_.value[m]);
+    double terms = std::abs(expansion_.value[m]);
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const Interval step = Interval(box[i].lower, box[i].upper) - origin_[i];
+      sum += expansion_.gradient[i][m] * step;
+      terms += std::abs(expansion_.gradient[i][m]) * (magnitude(step) + std::abs(origin_[i]));
+    }
+    result.motion[m] = sum + kRounding * terms * Interval(-1, 1);
+  }
+  return result;
+}
+
 MotionDerivatives PlaceMotion::place_at(std::span<const double> values, int order) const {
   if (joint_) return law_->end_place({*joint_, true}, values, order);
   MotionDerivatives fixed;
@@ -152,6 +170,27 @@ double CurveRow::hessian(std::span<const double> u, std::span<double> g,
   const double result = point_->hessian(point_at(u, here), inner, inner_second);
   chain_gradient(inner, here, g);
   chain_hessian(inner, inner_second, here, h);
+  return result;
+}
+
+optim::BoxRange CurveRow::range(std::span<const optim::Bounds> box) const {
+  const auto motion = motion_.range(box.subspan(machine_));
+  if (!motion) return Kernel::range(box);
+  std::vector<optim::Bounds> arguments(box.begin(),
+                                       box.begin() + static_cast<std::ptrdiff_t>(machine_));
+  for (const Interval& range : motion->motion) arguments.push_back({range.lower(), range.upper()});
+  if (uses_place_) arguments.push_back({motion->x, motion->x});
+  const optim::BoxRange inner = point_->range(arguments);
+  optim::BoxRange result{inner.value, {}};
+  for (std::size_t i = 0; i < machine_; ++i) result.slopes.push_back(inner.slopes[i]);
+  for (const Four& slopes : motion->slopes) {
+    Interval sum(0.0);
+    for (std::size_t m = 0; m < 4; ++m) {
+      const optim::Bounds& by_motion = inner.slopes[machine_ + m];
+      if (slopes[m] != 0) sum += slopes[m] * Interval(by_motion.lower, by_motion.upper);
+    }
+    result.slopes.push_back({sum.lower(), sum.upper()});
+  }
   return result;
 }
 

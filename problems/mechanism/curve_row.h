@@ -34,6 +34,16 @@ class PlaceMotion {
   /// The place's own x, in [0] of value, gradient and hessian: it moves where the place is a joint.
   MotionDerivatives place_at(std::span<const double> values, int order) const;
 
+  /// What the motion is over a box of these variables: numbers that s, v, a, j lie between, and
+  /// their slopes, which a linear law has only.
+  struct Range {
+    std::array<Interval, 4> motion;
+    std::vector<std::array<double, 4>> slopes;
+    double x;
+  };
+  /// None where the law is not linear in them, or its joint moves.
+  std::optional<Range> range(std::span<const optim::Bounds> box) const;
+
  private:
   MotionDerivatives linear_at(std::span<const double> values) const;
 
@@ -59,6 +69,7 @@ class CurveRow final : public optim::Kernel {
   double gradient(std::span<const double> u, std::span<double> g) const override;
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override;
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override;
 
  private:
   /// s, v, a, j, and x where it counts, with their derivatives by the law's variables: a row for

@@ -149,6 +149,12 @@ std::shared_ptr<const optim::Kernel> kernel_of(F f) {
   return std::make_shared<optim::AutomaticKernel<F, Interval>>(std::move(f));
 }
 
+/// Of a formula in which no law is made: it has ranges over boxes.
+template <class F>
+std::shared_ptr<const optim::Kernel> machine_kernel_of(F f) {
+  return std::make_shared<optim::AutomaticKernel<F, Interval, Series<Interval, 2>>>(std::move(f));
+}
+
 inline MechanismResponse described(ResponseAbout about) {
   return {.name = std::move(about.name),
           .unit = std::move(about.unit),
@@ -165,7 +171,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
   response.uses = detail::used_parameters<M>(formula);
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
-    auto kernel = detail::kernel_of([=]<class T>(std::span<const T> u) -> T {
+    auto kernel = detail::machine_kernel_of([=]<class T>(std::span<const T> u) -> T {
       const M<T> here = machine.template at<T>(u);
       return is_possible(here) ? factor.as<T>() * formula(here) : number<T>(detail::kNaN);
     });
@@ -191,7 +197,8 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
                                                               optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
-    auto point = detail::kernel_of(detail::point_formula<M>(machine, arguments, factor, formula));
+    auto point =
+        detail::machine_kernel_of(detail::point_formula<M>(machine, arguments, factor, formula));
     const auto make_formula = [=](std::span<const double> u) {
       return detail::curve_formula<M>(machine, u, factor, formula);
     };

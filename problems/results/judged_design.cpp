@@ -2,6 +2,7 @@
 #include "problems/results/judged_design.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,19 +19,43 @@ std::optional<HeldProblem> held_problem(const ReadDesign& read) {
     const bool others = v.of_law && !index_in(*held.laws.front().family, v.law_parameter);
     return others || v.integer || !v.values.empty();
   });
-  if (held.objectives.empty() || held.variables.empty()) return {};
+  if (held.objectives.empty() || read.statement.variables.empty()) return {};
   const bool whole =
       read.problem.laws.size() == 1 && held.variables.size() == read.statement.variables.size();
-  const BoundProblem bound(std::move(held));
+  const BoundProblem bound(std::move(held), true);
   optim::MultiProblem problem = bound.problem({});
   std::vector<double> x = problem.alone(0).start();
   return HeldProblem{std::move(problem), std::move(x), whole};
 }
 
+namespace {
+
+/// "base_radius = 52.6 mm, offset = 3 mm".
+std::string words_of(const optim::Problem& problem, const std::vector<double>& x) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const optim::Variable& v = problem.variables[i];
+    words.push_back(fmt::format("{} = {:.6g}{}", v.name, x[i], v.unit == "1" ? "" : " " + v.unit));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
 optim::Assessment judged(const HeldProblem& held) {
   const optim::Problem problem = held.problem.alone(0);
   const optim::Sizes sizes = optim::sizes(problem, held.x);
   optim::Assessment found = optim::assess(problem, sizes, held.x, true);
+  if (optim::is_feasible(found) && !found.global) {
+    const auto division = optim::subdivided(problem, sizes, held.x);
+    if (division && !division->better) {
+      optim::take_subdivision(problem, sizes, *division, found);
+    } else if (division) {
+      found.verdict = optim::Verdict::Feasible;
+      found.reason =
+          fmt::format("a better design was found: {}", words_of(problem, *division->better));
+    }
+  }
   if (found.verdict != optim::Verdict::Failed) return found;
   optim::Assessment least = optim::assess_least_violation(problem, sizes, held.x);
   return least.verdict == optim::Verdict::Infeasible ? least : found;

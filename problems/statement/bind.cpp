@@ -82,8 +82,9 @@ struct BoundProblem::Slot {
   std::optional<std::size_t> parameter;  ///< of the chosen law's family
 };
 
-BoundProblem::BoundProblem(ProblemStatement statement) : statement_(std::move(statement)) {
-  if (statement_.variables.empty() && statement_.laws.size() < 2) {
+BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
+    : statement_(std::move(statement)) {
+  if (!may_be_constant && statement_.variables.empty() && statement_.laws.size() < 2) {
     refuse(statement_, "the problem has no variables: nothing can be optimised");
   }
   if (statement_.laws.size() > 1) {

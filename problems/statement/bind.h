@@ -12,9 +12,9 @@ namespace camlaw::problems {
 /// variables with listed values, and whole variables with few enough values to try each.
 class BoundProblem {
  public:
-  /// Throws std::invalid_argument where nothing varies, or there are more than
-  /// optim::kMostCombinations of choices.
-  explicit BoundProblem(ProblemStatement statement);
+  /// Throws std::invalid_argument where nothing varies, unless that is allowed, and where there are
+  /// more than optim::kMostCombinations of choices.
+  explicit BoundProblem(ProblemStatement statement, bool may_be_constant = false);
 
   const ProblemStatement& statement() const { return statement_; }
   const std::vector<optim::Choice>& choices() const { return choices_; }

@@ -69,25 +69,34 @@ void set_list(ProblemStatement& problem, const NamedParameter& parameter, std::s
   for (std::size_t i = 0; i < parts.size(); ++i) set_number(problem, parameter, i, parts[i]);
 }
 
-}  // namespace
-
-void set_value(ProblemStatement& problem, std::string_view assignment) {
+/// "blades=21", without a look at whether the laws are possible.
+void assign(ProblemStatement& problem, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string_view name = trimmed(assignment.substr(0, equals));
   if (equals == std::string_view::npos || name.empty()) {
     throw std::invalid_argument(
         fmt::format("'{}' sets nothing; write name=value, such as stroke=30 mm", assignment));
   }
-  ProblemStatement changed = problem;  // which stays as it is where the value is refused
-  const NamedParameter parameter = find_parameter(changed, name);
+  const NamedParameter parameter = find_parameter(problem, name);
   const std::string_view text = trimmed(assignment.substr(equals + 1));
   if (parameter.list && !parameter.element) {
-    set_list(changed, parameter, text);
+    set_list(problem, parameter, text);
   } else {
-    set_number(changed, parameter, parameter.element.value_or(0), text);
+    set_number(problem, parameter, parameter.element.value_or(0), text);
   }
-  check_laws(changed);
+}
+
+}  // namespace
+
+void set_values(ProblemStatement& problem, std::span<const std::string> assignments) {
+  ProblemStatement changed = problem;  // which stays as it is where a value is refused
+  for (const std::string& assignment : assignments) assign(changed, assignment);
+  check_laws(changed);  // values that are possible together only come together
   problem = std::move(changed);
+}
+
+void set_value(ProblemStatement& problem, const std::string& assignment) {
+  set_values(problem, {&assignment, 1});
 }
 
 }  // namespace camlaw::problems

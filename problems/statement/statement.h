@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -85,7 +86,9 @@ std::string problem_text(const std::string& path);
 /// "alpha=-3", "c=-1.8,0.2", "c[2]=0.2". For the values at which a design is looked at. Throws
 /// std::invalid_argument, and leaves the problem as it is, for unknown names and for values outside
 /// the variable's bounds or the parameter's range.
-void set_value(ProblemStatement& problem, std::string_view assignment);
+void set_value(ProblemStatement& problem, const std::string& assignment);
+/// Several at once: a law must be possible with all of them, not after each.
+void set_values(ProblemStatement& problem, std::span<const std::string> assignments);
 
 /// The problem in sentences.
 std::string in_words(const ProblemStatement& problem);

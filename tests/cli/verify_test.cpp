@@ -48,6 +48,27 @@ TEST_CASE("a claim that was edited does not hold", "[program]") {
   }
 }
 
+TEST_CASE("a claim about whole and listed variables alone is judged with them held", "[program]") {
+  const Folder folder;
+  const std::string file = folder / "whole.toml";
+  std::ofstream(file) << R"(mechanism = "spine-cutter"
+[law]
+name = "cosine"
+[variables.blades]
+type = "integer"
+lower = 10
+upper = 24
+start = 17
+[objective]
+minimize = "peak_inertia_force"
+)";
+  const Json result = json_of({"optimize", file, "--json"});
+  REQUIRE(result["verdict"] == "certified optimum");
+  const Json again = json_of({"verify", stored(folder, result), "--json"});
+  CHECK(again["holds"] == true);
+  CHECK(again["choices_held"] == true);
+}
+
 TEST_CASE("a problem file claims nothing that could be verified", "[program]") {
   const Outcome outcome = run({"verify", kCam});
   CHECK(outcome.status == 2);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/statement.h"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -407,6 +409,24 @@ TEST_CASE("a refused value leaves the problem as it was", "[statement]") {
   ProblemStatement p = read("", "legendre c=1,2");
   CHECK_THROWS(set_value(p, "c=3,4,5000"));
   CHECK(argument(p.laws[0], "c") == std::vector{1.0, 2.0});
+}
+
+TEST_CASE("values that are possible together only are set together", "[statement]") {
+  // h1 / (2 pi) + h2 / (4 pi) + h3 / (6 pi) must be 1.
+  ProblemStatement p = read_problem(R"(
+mechanism = "law"
+law.name = "triple-harmonic"
+)",
+                                    "three.toml");
+  const double pi = std::numbers::pi;
+  const std::vector<std::string> together{fmt::format("h1={:.17g}", pi),
+                                          fmt::format("h2={:.17g}", 1.0),
+                                          fmt::format("h3={:.17g}", 6 * pi * (0.5 - 0.25 / pi))};
+  for (const std::string& one : together) CHECK_THROWS_AS(set_value(p, one), std::invalid_argument);
+  set_values(p, together);
+  CHECK(p.laws.front().arguments.list(0).front() == Approx(pi));
+  CHECK_THROWS_AS(set_values(p, std::vector<std::string>{"h1=2", "h4=1"}), std::invalid_argument);
+  CHECK(p.laws.front().arguments.list(0).front() == Approx(pi));
 }
 
 TEST_CASE("a problem reads back in sentences", "[statement]") {

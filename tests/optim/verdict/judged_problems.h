@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -44,7 +45,10 @@ inline Problem projection() {
 
 /// Most x + 3 y in [-5, 5]^2 where "wave", x sin(a) + y over a whole turn, keeps its bounds.
 inline Problem over_cycle(std::optional<double> lower, std::optional<double> upper, bool enclosed) {
-  const auto f = [](const auto& u, const auto& angle) { return u[0] * sin(angle) + u[1]; };
+  const auto f = [](const auto& u, const auto& angle) {
+    using std::sin;
+    return u[0] * sin(angle) + u[1];
+  };
   Problem problem;
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
                        {.name = "y", .lower = -5, .upper = 5, .start = 0}};

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/subdivision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "optim/cycle/extremes.h"
+#include "optim/verdict/conditions.h"
+#include "optim/verdict/limits.h"
+
+namespace camlaw::optim {
+namespace {
+
+constexpr int kMostBoxes = 30000;
+constexpr int kMostLooks = 200;      // at designs, over the whole cycle
+constexpr double kRounding = 1e-13;  // of the terms of a sum
+
+using Box = std::vector<Bounds>;
+
+/// sign * function <= level for every design within the limits; of the objective's rows
+/// sign * function <= objective.
+struct Row {
+  Function function;
+  double sign;
+  double level;
+  bool of_objective;
+  double weight;  ///< its multiplier, in the objective's unit: part of the Lagrangian
+};
+
+/// A weighted sum of rows: its value at the middle of a box, and its slopes over the box.
+struct Sum {
+  double centre = 0;
+  std::vector<Bounds> slopes;
+  double terms = 0;  ///< how large what it is summed from is, which rounding goes by
+};
+
+double width(const Bounds& range) { return range.upper - range.lower; }
+double middle(const Bounds& range) { return range.lower + 0.5 * width(range); }
+
+/// The least of slope * step for |step| <= radius.
+double least_change(const Bounds& slope, double radius) {
+  return radius == 0 ? 0 : -radius * std::max(-slope.lower, slope.upper);
+}
+
+class Division {
+ public:
+  Division(const Problem& problem, const Sizes& sizes, Design x)
+      : problem_(problem),
+        sizes_(sizes),
+        x_(x.begin(), x.end()),
+        sense_(problem.objective.sense == Sense::Minimize ? 1 : -1),
+        best_(sense_ * objective_value(problem.objective, x)),
+        tolerance_(kBoundTolerance * sizes.objective * objective_measure(problem, sizes, x)) {
+    take_rows();
+  }
+
+  std::optional<Subdivision> run(const std::function<bool()>& stop) {
+    if (!is_known()) return {};
+    Box whole;
+    for (const Variable& v : problem_.variables) whole.push_back({v.lower, v.upper});
+    add(whole, -kInfinity);
+    while (!waiting_.empty() && !result_.better && result_.boxes < kMostBoxes && !stop()) {
+      const Box box = waiting_.top().box;
+      const double lower = waiting_.top().lower;
+      waiting_.pop();
+      divide(box, lower);
+    }
+    if (result_.better) return result_;
+    // What is left undivided may hold what its own range allows; what is gone holds nothing better.
+    const double least = std::min(left_, waiting_.empty() ? kInfinity : waiting_.top().lower);
+    const double bound = std::min(best_ - 0.5 * tolerance_, least);
+    if (!std::isfinite(bound)) return {};
+    result_.best_possible = sense_ * bound;
+    return result_;
+  }
+
+ private:
+  /// Whether the objective has ranges, which close on its value at the design.
+  bool is_known() const {
+    Box point;
+    for (const double value : x_) point.push_back({value, value});
+    return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+      return row.of_objective && std::isfinite(width(row.function.range(point).value));
+    });
+  }
+
+  struct Waiting {
+    double lower;  ///< no design of the box within the limits is better
+    int order;
+    Box box;
+    friend bool operator<(const Waiting& a, const Waiting& b) {
+      return a.lower != b.lower ? a.lower > b.lower : a.order > b.order;
+    }
+  };
+
+  /// The objective, every limit that is a number, and what holds the design, with its multipliers.
+  void take_rows() {
+    const Objective& objective = problem_.objective;
+    const Layout layout = lay_out(problem_, Optimality::Objective);
+    const Weighed weighed = layout.rows > 0
+                                ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, {1e-4})
+                                : Weighed{};
+    if (objective.part == Part::Value) {
+      rows_.push_back({objective.response.function(), sense_, 0, true, 1});
+    }
+    for (const Constraint& c : problem_.constraints) {
+      if (c.response.is_curve()) continue;
+      if (c.upper) rows_.push_back({c.response.function(), 1, *c.upper, false, 0});
+      if (c.lower) rows_.push_back({c.response.function(), -1, -*c.lower, false, 0});
+    }
+    double peaks = 0;
+    for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
+      const ActiveLimit& limit = weighed.limits[j];
+      if (!limit.function || limit.at_rest) continue;
+      double weight = weighed.multipliers[j] * sizes_.objective / limit.size;
+      const double sign = weight < 0 ? -limit.sign : limit.sign;
+      if (!limit.constraint) {
+        rows_.push_back({*limit.function, sign, 0, true, weighed.multipliers[j]});
+        peaks += weighed.multipliers[j];
+        continue;
+      }
+      const Constraint& c = problem_.constraints[*limit.constraint];
+      const double level = sign > 0 ? *c.upper : -*c.lower;
+      rows_.push_back({*limit.function, sign, level, false, std::abs(weight)});
+    }
+    // The shares of the objective's peaks add up to one.
+    for (Row& row : rows_) {
+      if (row.of_objective && objective.part != Part::Value) row.weight /= peaks > 0 ? peaks : 1;
+    }
+  }
+
+  /// A row over a box: numbers that sign * function is not below there, and at the middle.
+  struct OverBox {
+    double least, at_middle;
+    std::vector<Bounds> slopes;  ///< of sign * function, by the function's inputs
+    double terms;                ///< how large what `least` is summed from is
+  };
+
+  OverBox over(const Row& row, const Box& box, const Box& centre) const {
+    const BoxRange range = row.function.range(box);
+    const Bounds value = turned(range.value, row.sign);
+    OverBox result{value.lower, turned(row.function.range(centre).value, row.sign).lower, {}, 0};
+    double mean = result.at_middle;
+    result.terms = std::abs(mean);
+    for (std::size_t k = 0; k < range.slopes.size(); ++k) {
+      result.slopes.push_back(turned(range.slopes[k], row.sign));
+      const double change = least_change(result.slopes[k], radius(box[row.function.inputs()[k]]));
+      mean += change;
+      result.terms += std::abs(change);
+    }
+    mean -= kRounding * result.terms;
+    if (mean > result.least) result.least = mean;
+    return result;
+  }
+
+  static void add_to(Sum& sum, const Row& row, const OverBox& part) {
+    if (row.weight == 0) return;
+    const double level = row.of_objective ? 0 : row.level;
+    sum.centre += row.weight * (part.at_middle - level);
+    sum.terms += row.weight * (part.terms + std::abs(level));
+    for (std::size_t k = 0; k < part.slopes.size(); ++k) {
+      Bounds& slope = sum.slopes[row.function.inputs()[k]];
+      slope.lower += row.weight * part.slopes[k].lower;
+      slope.upper += row.weight * part.slopes[k].upper;
+    }
+  }
+
+  /// Puts a box aside to be divided, unless it holds nothing better. No design of it within the
+  /// limits is better than `parent`.
+  void add(const Box& box, double parent) {
+    ++result_.boxes;
+    Box centre;
+    for (const Bounds& side : box) centre.push_back({middle(side), middle(side)});
+    double lower = parent;
+    Sum lagrangian{0, Box(box.size(), Bounds{0, 0})};
+    bool promising = true;
+    for (const Row& row : rows_) {
+      const OverBox part = over(row, box, centre);
+      const double level = row.of_objective ? goal() : row.level;
+      if (part.least > level) return;  // no design here meets the limit, or none is better
+      if (row.of_objective) lower = std::max(lower, part.least);
+      promising = promising && !(part.at_middle > level);
+      add_to(lagrangian, row, part);
+    }
+    double least = lagrangian.centre - kRounding * lagrangian.terms;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      least += least_change(lagrangian.slopes[i], radius(box[i]));
+    }
+    if (least > lower) lower = least;
+    if (lower > goal()) return;
+    if (promising) look(box);
+    if (!result_.better) waiting_.push({lower, result_.boxes, box});
+  }
+
+  /// What a design must be below to be better.
+  double goal() const { return best_ - 0.5 * tolerance_; }
+
+  static double radius(const Bounds& side) { return 0.5 * width(side) * (1 + 1e-15); }
+  static Bounds turned(const Bounds& range, double sign) {
+    return sign > 0 ? range : Bounds{-range.upper, -range.lower};
+  }
+
+  void divide(const Box& box, double lower) {
+    const std::size_t side = longest(box);
+    const double cut = middle(box[side]);
+    if (!(cut > box[side].lower && cut < box[side].upper) || is_small(box)) {
+      left_ = std::min(left_, lower);
+      return;
+    }
+    Box part = box;
+    part[side].upper = cut;
+    add(part, lower);
+    part = box;
+    part[side].lower = cut;
+    if (!result_.better) add(part, lower);
+  }
+
+  bool is_small(const Box& box) const {
+    constexpr double kSmall = 1e-12;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      if (width(box[i]) > kSmall * sizes_.variables[i]) return false;
+    }
+    return true;
+  }
+
+  /// The side along which what is not decided yet changes most, over the limits' sizes.
+  std::size_t longest(const Box& box) const {
+    std::vector<double> changes(box.size(), 0.0);
+    for (const Row& row : rows_) {
+      const BoxRange range = row.function.range(box);
+      const double greatest = row.sign > 0 ? range.value.upper : -range.value.lower;
+      if (!row.of_objective && greatest <= row.level) continue;
+      const double size = std::isfinite(width(range.value)) ? width(range.value) : 0;
+      if (!(size > 0)) continue;
+      for (std::size_t k = 0; k < row.function.inputs().size(); ++k) {
+        const std::size_t i = row.function.inputs()[k];
+        const double change = -least_change(range.slopes[k], width(box[i])) / size;
+        if (std::isfinite(change)) changes[i] = std::max(changes[i], change);
+      }
+    }
+    std::size_t result = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      // No side may stay much longer than the others, whatever the slopes say.
+      const double whole = problem_.variables[i].upper - problem_.variables[i].lower;
+      if (whole == 0) continue;
+      const double length = changes[i] + width(box[i]) / whole;
+      if (length > most) most = length, result = i;
+    }
+    return result;
+  }
+
+  /// Looks at the design in the middle over the whole cycle: it may be a better one, or show a
+  /// place at which the limits have not been looked at.
+  void look(const Box& box) {
+    if (looks_ == kMostLooks) return;
+    ++looks_;
+    std::vector<double> y;
+    for (const Bounds& side : box) y.push_back(middle(side));
+    bool news = false;
+    const Objective& objective = problem_.objective;
+    const double value = sense_ * objective_value(objective, y);
+    if (!(value < best_ - 10 * tolerance_)) {
+      if (objective.part != Part::Value && std::isfinite(value)) {
+        const Extreme peak = extreme_of(*objective.response.curve().trace(y), objective.part);
+        const double sign = objective.part == Part::Lowest || peak.value < 0 ? -1 : 1;
+        const bool turns = objective.part == Part::Magnitude || sign == sense_;
+        add_place(objective.response.curve(), peak.place, turns ? sign : sense_, 0, true);
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      const Constraint& c = problem_.constraints[i];
+      if (!c.response.is_curve()) continue;
+      const auto trace = c.response.curve().trace(y);
+      for (const double sign : {1.0, -1.0}) {
+        const auto& bound = sign > 0 ? c.upper : c.lower;
+        if (!bound) continue;
+        const Extreme worst = highest(*trace, sign);
+        if (!std::isfinite(worst.value) || !(sign * (worst.value - *bound) > 0)) continue;
+        add_place(c.response.curve(), worst.place, sign, sign * *bound, false);
+        news = true;
+      }
+    }
+    if (news) return;
+    const Sizes there = judged_at(problem_, sizes_, y);
+    if (worst_violation(limit_reports(problem_, there, y, false)) <= 1) result_.better = y;
+  }
+
+  void add_place(const Curve& curve, Place place, double sign, double level, bool of_objective) {
+    if (rows_.size() < kMostRows) rows_.push_back({curve.at(place), sign, level, of_objective, 0});
+  }
+
+  static constexpr std::size_t kMostRows = 60;
+
+  const Problem& problem_;
+  const Sizes& sizes_;
+  std::vector<double> x_;
+  double sense_;
+  double best_;  ///< the objective of x, less being better
+  double tolerance_;
+  std::vector<Row> rows_;
+  std::priority_queue<Waiting> waiting_;
+  double left_ = kInfinity;  ///< the least bound of what is too small to be divided
+  int looks_ = 0;
+  Subdivision result_{};
+};
+
+}  // namespace
+
+std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes, Design x,
+                                      const std::function<bool()>& stop) {
+  std::size_t free = 0;
+  for (const Variable& v : problem.variables) {
+    if (!std::isfinite(v.upper - v.lower)) return {};
+    free += v.lower < v.upper;
+  }
+  if (free == 0 || free > kMostDivided) return {};
+  return Division(problem, sizes, x).run(stop);
+}
+
+}  // namespace camlaw::optim
