@@ -41,8 +41,8 @@ double root_between(const F& f, double low, double high) {
 
 /// A root of f near x0, which is one in plain numbers, in the scalar of f: with the derivatives by
 /// whatever f depends on (two Newton steps carry the first two orders), or, for intervals, a range
-/// that holds it, by the interval Newton step; NaN where none is found, and for series of intervals.
-/// f(X) -> X and its slope.
+/// that holds it, by the interval Newton step; NaN where none is found, and for series of
+/// intervals. f(X) -> X and its slope.
 template <class T, class F, class Slope>
 T root_near(double x0, const F& f, const Slope& slope) {
   if constexpr (std::is_same_v<T, double>) {
