@@ -11,6 +11,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "problems/unit_spelling.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -23,8 +25,10 @@ ut_system* unit_system() {
     ut_set_error_message_handler(ut_ignore);
     ut_system* loaded = ut_read_xml(nullptr);
     if (loaded == nullptr) throw std::runtime_error("units: the udunits database cannot be read");
-    for (const auto& [name, meaning] :
-         {std::pair{"deg", "arc_degree"}, {"rpm", "revolution/minute"}, {"rev", "revolution"}}) {
+    for (const auto& [name, meaning] : {std::pair{"deg", "arc_degree"},
+                                        {"rpm", "revolution/minute"},
+                                        {"rev", "revolution"},
+                                        {"gon", "0.9 arc_degree"}}) {
       ut_unit* unit = ut_parse(loaded, meaning, UT_UTF8);
       ut_map_name_to_unit(name, UT_UTF8, unit);  // keeps what the database has of that name
       ut_free(unit);
@@ -95,6 +99,30 @@ bool is_unit_text(std::string_view text) {
   }
 }
 
+/// Whether a name is one of an angle, but not one that people use: udunits reads "mdeg" and "Grad".
+bool is_odd_angle(std::string_view name) {
+  if (is_angle_name(name)) return false;
+  const Unit unit = find_unit(std::string(name));
+  return unit && same_kind(unit, find_unit("rad"));
+}
+
+/// A unit as people write it; none where it is not one.
+Unit read_unit(std::string_view written) {
+  const std::string spelled = spelled_out(written);
+  bool odd = false;
+  for_each_name(spelled, [&](std::string_view name) { odd = odd || is_odd_angle(name); });
+  if (odd || !is_unit_text(spelled)) return {nullptr, &ut_free};
+  return find_unit(spelled);
+}
+
+/// The same where a quantity in `target` is wanted: of a speed 1/min counts revolutions.
+Unit read_unit(std::string_view written, const Unit& target) {
+  Unit unit = read_unit(written);
+  if (!unit || same_kind(unit, target) || !counts_turns(spelled_out(written))) return unit;
+  Unit turns(ut_multiply(unit.get(), find_unit("rev").get()), &ut_free);
+  return turns && same_kind(turns, target) ? std::move(turns) : std::move(unit);
+}
+
 /// ", such as 1 mm"; of a plain number nothing.
 std::string example(const std::string& listed) {
   return listed == "1" ? "" : fmt::format(", such as 1 {}", listed);
@@ -132,6 +160,17 @@ double convert_unit(double value, const std::string& from, const std::string& to
   return cv_convert_double(converter.get(), value);
 }
 
+double unit_as_written(std::string_view written, const std::string& unit) {
+  if (const auto why = ambiguous(written)) throw std::invalid_argument(*why);
+  const Unit target = find_unit(unit), source = read_unit(written, target);
+  if (!source || !same_kind(source, target)) {
+    throw std::invalid_argument(
+        fmt::format("units: '{}' cannot be converted to '{}'", written, unit));
+  }
+  const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
+  return cv_convert_double(converter.get(), 1);
+}
+
 double parse_quantity(std::string_view text, const std::string& unit, const std::string& listed,
                       const std::string& what) {
   text = trimmed(text);
@@ -147,8 +186,10 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
     throw std::invalid_argument(
         fmt::format("{}: '{}' has a comma; use a point for the decimals", what, text));
   }
-  const Unit target = find_unit(unit);
-  const Unit source = is_unit_text(given) ? find_unit(given) : Unit(nullptr, &ut_free);
+  if (const auto why = ambiguous(given)) {
+    throw std::invalid_argument(fmt::format("{}: {}", what, *why));
+  }
+  const Unit target = find_unit(unit), source = read_unit(given, target);
   if (!source) {
     throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted{}", what, given,
                                             kind_of(target), example(listed)));

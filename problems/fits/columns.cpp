@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "problems/unit_spelling.h"
 #include "problems/units.h"
 
 namespace camlaw::problems {
@@ -22,7 +23,7 @@ std::optional<double> factor_to(const std::string& unit, const SampleColumn& col
   if (is_plain(column.unit) != (unit == "1")) return {};
   if (unit == "1") return 1;
   try {
-    return convert_unit(1, column.unit, unit);
+    return unit_as_written(column.unit, unit);
   } catch (const std::invalid_argument&) {
     return {};
   }
@@ -112,6 +113,9 @@ UnitValues in_unit(const SampleTable& table, const SampleColumn& column,
     UnitValues result{column.values, unit, *factor};
     for (double& v : result.values) v *= *factor;
     return result;
+  }
+  if (const auto why = ambiguous(column.unit)) {
+    throw std::invalid_argument(fmt::format("column {}: {}", column.name, *why));
   }
   throw std::invalid_argument(fmt::format(
       "{}: column '{}' is in '{}'; {} or a unit of the same kind is wanted", table.source,

@@ -59,6 +59,49 @@ TEST_CASE("a number without a unit is taken in the unit it is listed in", "[unit
   CHECK(parse_quantity("40 mm", "m", "m", "stroke") == near(0.040));
 }
 
+TEST_CASE("units are read as engineers write them", "[units]") {
+  const auto read = [](const std::string& text, const std::string& unit) {
+    return parse_quantity(text, unit, unit, "it");
+  };
+  for (const char* text : {"30 Grad", "30°", "30 °", "30 deg", "30 degrees"}) {
+    INFO(text);
+    CHECK(angle(text) == near(kPi / 6));
+  }
+  CHECK(angle("100 gon") == near(kPi / 2));
+  CHECK(angle("500 mrad") == near(0.5));
+  CHECK(angle("500 µrad") == near(0.0005));
+  for (const char* text : {"300 1/min", "300 min-1", "300 min^-1", "300 min⁻¹", "300 U/min",
+                           "300 Umdr/min", "300 RPM", "5 Hz"}) {
+    INFO(text);
+    CHECK(parse_quantity(text, "rad/s", "rpm", "speed") == near(10 * kPi));
+  }
+  CHECK(read("5 Hz", "Hz") == 5);  // where a frequency is wanted it stays one
+  CHECK(read("2 Nm", "N m") == 2);
+  CHECK(read("2500 Nmm", "N m") == near(2.5));
+  CHECK(read("2 kNm", "N m") == near(2000));
+  CHECK(read("3 Nm/rad", "N m/rad") == 3);
+  CHECK(read("3 kgm2", "kg m2") == 3);
+  CHECK(read("3 kg·m²", "kg m2") == 3);
+  CHECK(read("3 kgm²", "kg m2") == 3);
+  CHECK(read("20 kgcm2", "kg m2") == near(0.002));
+  CHECK(length("1 in") == near(0.0254));
+  CHECK(length("1\"") == near(0.0254));
+  CHECK(length("2 inches") == near(0.0508));
+  CHECK(read("800 mPa", "MPa") == near(8e-7));  // what it says; `check` names such a bound
+  CHECK(unit_as_written("Grad", "deg") == near(1));
+  CHECK(unit_as_written("U/min", "rpm") == near(1));
+}
+
+TEST_CASE("prefixes of angles that nobody means are refused, and small grad named", "[units]") {
+  for (const char* text : {"30 mdeg", "30 krad", "30 Mrad", "30 Grade", "3 kdeg", "3 mgon"}) {
+    CHECK_THAT(complaint(angle, text), Contains("tilt") && Contains("is not a unit"));
+  }
+  CHECK_THAT(complaint(angle, "30 grad"), Contains("tilt") && Contains("deg") && Contains("gon"));
+  CHECK_THROWS_AS(unit_as_written("grad", "deg"), std::invalid_argument);
+  // Per second may be radians or turns.
+  CHECK_THROWS_AS(parse_quantity("5 1/s", "rad/s", "rpm", "speed"), std::invalid_argument);
+}
+
 TEST_CASE("spaces around number and unit do not matter", "[units]") {
   for (const char* text : {"0.4mm", "0.4 mm", "  0.4 mm", "0.4   mm", "0.4mm  ", " 0.4 ", "4e-1 mm",
                            "400e-3mm", ".4 mm", "0.00004e4"}) {
