@@ -40,6 +40,9 @@ void add_verify_command(CLI::App& app, int& status);
 CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
                         const std::string& help);
 
+/// --set NAME=VALUE, as often as wanted: what problems::set_values takes.
+void add_set_option(CLI::App& command, std::vector<std::string>& settings);
+
 /// Runs the program; an ExitStatus.
 int run(int argc, const char* const* argv);
 

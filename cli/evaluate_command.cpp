@@ -19,6 +19,7 @@
 #include "cli/profile_figure.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
@@ -154,7 +155,9 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
 }
 
 void run_evaluate(const EvaluateOptions& options) {
-  ProblemStatement statement = problems::read_problem_file(options.file);
+  keep_standard_output({options.curves, options.svg, options.profile}, options.json);
+  const problems::ReadDesign read = problems::read_design_file(options.file);
+  ProblemStatement statement = read.statement;
   problems::set_values(statement, options.settings);
   const auto responses = problems::evaluate(statement);
   check_possible(options.file, statement, responses);
@@ -169,7 +172,7 @@ void run_evaluate(const EvaluateOptions& options) {
   if (options.json) return;
   say_written(files);
   const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
-  if (!met) say_next(search_command(statement, options.file));
+  if (!met && !read.verdict) say_next(search_command(statement, options.file));
 }
 
 }  // namespace
@@ -178,14 +181,10 @@ void add_evaluate_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Compute every response of a problem file's design");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")
+  command->add_option("FILE", options->file, "a problem file, or a result of optimize")
       ->required()
       ->type_name(takes::kFile);
-  command
-      ->add_option("--set", options->settings,
-                   "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
+  add_set_option(*command, options->settings);
   command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV")
       ->type_name(takes::kFile);
   command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG")

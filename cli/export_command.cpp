@@ -182,6 +182,7 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 }
 
 void run_export(const ExportOptions& options) {
+  keep_standard_output({options.out});
   const FormatRow& format = format_of(options);
   check_options(options, format);
   if (options.out) check_not_input(options.file, *options.out);
@@ -201,7 +202,7 @@ void run_export(const ExportOptions& options) {
   write_out({}, {{*options.out, text}}, false);
   if (is_quiet()) return;
   for (const std::string& line : curve_lines(e)) fmt::print("{}\n", line);
-  fmt::print("wrote {}\n", *options.out);
+  say_written({{*options.out, ""}});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/commands.h"
 #include "cli/files.h"
 #include "problems/exports/plane_curve.h"
 #include "problems/statement/solver_settings.h"
@@ -192,10 +193,7 @@ void add_export_options(CLI::App& command, ExportOptions& o) {
   command.add_option("--slave", o.slave,
                      "table: the curve that the slave follows; by default displacement, else the "
                      "law");
-  command
-      .add_option("--set", o.settings,
-                  "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
-      ->allow_extra_args(false);
+  add_set_option(command, o.settings);
 }
 
 }  // namespace camlaw::cli

@@ -9,9 +9,11 @@
 #include <cctype>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "cli/terminal.h"
 
@@ -76,7 +78,22 @@ void make_folder(const fs::path& folder, const fs::path& wanted_for, Cleaner& cl
   if (error) fail(wanted_for, error.message());
 }
 
+/// Standard output as the program was given it.
+int standard_output = STDOUT_FILENO;
+
+void write_to_standard_output(const OutputFile& file) {
+  std::fflush(stdout);
+  std::string_view rest = file.content;
+  while (!rest.empty()) {
+    const ssize_t count = write(standard_output, rest.data(), rest.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(file.path, std::strerror(errno));
+    rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
 void write_stream(const fs::path& path, const OutputFile& file) {
+  if (path == kStandardStream) return write_to_standard_output(file);
   errno = 0;
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.content;
@@ -96,6 +113,7 @@ bool is_written_in_place(const fs::path& path) {
 Pending locate(const OutputFile& file, std::size_t number) {
   if (file.path.empty()) throw std::invalid_argument("an output file has an empty name");
   if (fs::is_directory(file.path)) fail(file.path, "it is a folder");
+  if (file.path == kStandardStream) return {&file, file.path, {}};
   if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), {}};
   std::error_code error;
   const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
@@ -130,6 +148,22 @@ void write_temporary(const Pending& p, Cleaner& cleaner) {
 
 }  // namespace
 
+void keep_standard_output(const std::vector<std::optional<std::string>>& outputs,
+                          bool prints_json) {
+  const auto count =
+      std::count(outputs.begin(), outputs.end(), std::optional<std::string>(kStandardStream));
+  if (count == 0) return;
+  if (count > 1) throw std::invalid_argument("two outputs go to standard output ('-')");
+  if (prints_json) {
+    throw std::invalid_argument("standard output takes one thing: --json, or an output named '-'");
+  }
+  if (standard_output != STDOUT_FILENO) return;
+  std::fflush(stdout);
+  const int kept = dup(STDOUT_FILENO);
+  if (kept < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail("-", std::strerror(errno));
+  standard_output = kept;
+}
+
 void write_files(const std::vector<OutputFile>& files) {
   const std::vector<Pending> pending = locate_all(files);
   Cleaner cleaner;
@@ -160,7 +194,8 @@ void check_writable(const std::vector<fs::path>& paths) {
   for (const Pending& p : locate_all(files)) {
     if (!p.temporary.empty()) {
       write_temporary(p, cleaner);
-    } else if (!fs::exists(p.target) && !fs::is_directory(p.target.parent_path())) {
+    } else if (p.target != kStandardStream && !fs::exists(p.target) &&
+               !fs::is_directory(p.target.parent_path())) {
       fail(p.file->path, std::strerror(ENOTDIR));
     }
   }
@@ -172,6 +207,16 @@ std::string ending_of(const fs::path& path) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
+}
+
+void check_folder(const std::optional<std::string>& folder) {
+  if (folder && folder->empty()) {
+    throw std::invalid_argument("--out: a folder's name is wanted");
+  }
+  if (folder && *folder == kStandardStream) {
+    throw std::invalid_argument(
+        "--out: a folder's name is wanted; '-' is standard output, which takes one file");
+  }
 }
 
 void check_not_input(const fs::path& input, const fs::path& output) {
@@ -197,7 +242,9 @@ std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
 
 void say_written(const std::vector<OutputFile>& files) {
   if (is_quiet()) return;
-  for (const OutputFile& file : files) fmt::print("wrote {}\n", file.path.string());
+  for (const OutputFile& file : files) {
+    if (file.path != kStandardStream) fmt::print("wrote {}\n", file.path.string());
+  }
 }
 
 void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {

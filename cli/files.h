@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,18 @@ struct OutputFile {
   std::string content;
 };
 
+/// The name under which files are read from standard input and written to standard output.
+inline constexpr const char* kStandardStream = "-";
+
+/// Where one of the outputs is "-", standard output is for that alone: what is printed from now on
+/// goes to standard error. Throws std::invalid_argument where two of them are, or one and JSON.
+void keep_standard_output(const std::vector<std::optional<std::string>>& outputs,
+                          bool prints_json = false);
+
 /// Writes files whole or not at all: each goes to a temporary file beside its place, and only when
 /// all are on the disk are they renamed into place. Missing folders are made, links followed,
-/// permissions kept; what is no regular file, and all below /dev and /proc, is written to as it is.
+/// permissions kept; what is not a regular file, and all below /dev and /proc, is written to as it
+/// is, and "-" is standard output.
 /// Throws std::invalid_argument where two outputs are one file or a name is empty,
 /// std::runtime_error naming the file and the reason where one cannot be written; no temporary file
 /// and no new folder is left behind then, nor when the program is interrupted.
@@ -24,6 +34,9 @@ void write_files(const std::vector<OutputFile>& files);
 /// That write_files can begin to write these files, before long work is done for them: throws as it
 /// does, and leaves nothing behind.
 void check_writable(const std::vector<std::filesystem::path>& paths);
+
+/// Throws std::invalid_argument where the folder of --out has no name, or one of a stream.
+void check_folder(const std::optional<std::string>& folder);
 
 /// Throws std::invalid_argument where an output is the very file that is read, links followed.
 void check_not_input(const std::filesystem::path& input, const std::filesystem::path& output);

@@ -83,6 +83,7 @@ Spread spread_of(const FrontAnswer& answer, const optim::FrontPoint& point,
 }
 
 void run_front(const FrontCommand& options, int& status) {
+  keep_standard_output({options.csv, options.svg, options.result}, options.json);
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   optim::RecordedExecutor recorded(study.space(), record, nullptr);

@@ -101,6 +101,7 @@ void print_json(const Member& member, const LawOptions& options) {
 }
 
 void show_law(const LawOptions& options) {
+  keep_standard_output({options.csv, options.svg}, options.json);
   Member member = problems::find_any_law(options.name, "", read_quantity);
   for (const std::string& assignment : options.parameters) {
     set_argument(member, assignment, read_quantity);

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 struct ParetoCommand {
   std::string file;
   std::optional<std::string> method, points, workers, db, out;
+  std::vector<std::string> settings;
   bool resume = false, json = false;
 };
 
@@ -43,6 +44,7 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
   if (options.resume && study && fs::exists(*study)) {
     settings = problems::FrontStudy::settings_of(optim::StudyRecord::read(*study));
   }
+  if (!options.settings.empty()) settings.set = options.settings;
   if (options.method) {
     try {
       settings.method = problems::parse_method(*options.method);
@@ -118,9 +120,7 @@ optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>
 }
 
 void run_pareto(const ParetoCommand& options, int& status) {
-  if (options.out && options.out->empty()) {
-    throw std::invalid_argument("--out: a folder's name is wanted");
-  }
+  check_folder(options.out);
   workers_of(options);  // refused before anything is written
   const auto path = study_file(options);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
@@ -150,6 +150,7 @@ void add_pareto_command(CLI::App& app, int& status) {
   command->add_option("FILE", options->file, "the problem file (TOML)")
       ->required()
       ->type_name(takes::kFile);
+  add_set_option(*command, options->settings);
   command->add_option("--points", options->points, "how many designs, 50 unless stated")
       ->type_name("N");
   command

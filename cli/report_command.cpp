@@ -19,6 +19,7 @@ namespace {
 struct ReportOptions {
   std::string input;
   std::optional<std::string> output;
+  std::vector<std::string> settings;
 };
 
 /// What a result says of the search that found it.
@@ -36,8 +37,18 @@ Facts facts_of(const std::string& result) {
   return facts;
 }
 
-ReportPage design_page(const std::string& input) {
+/// A design with values of its own: what a result says of its search holds no longer.
+problems::ReadDesign with_settings(const problems::ReadDesign& read,
+                                   const std::vector<std::string>& settings) {
+  problems::ReadDesign changed{read.problem};
+  changed.statement = read.statement;
+  problems::set_values(changed.statement, settings);
+  return changed;
+}
+
+ReportPage design_page(const std::string& input, const std::vector<std::string>& settings) {
   problems::ReadDesign read = problems::read_design_file(input);
+  if (!settings.empty()) read = with_settings(read, settings);
   Facts facts = read.verdict ? facts_of(input) : Facts{};
   return design_report({.read = std::move(read), .file = input, .facts = std::move(facts)});
 }
@@ -54,10 +65,16 @@ ReportPage study_page(const std::string& file) {
   return front_report(FrontAnswer{study, front}, file);
 }
 
-ReportPage page_of(const std::string& input) {
+ReportPage page_of(const std::string& input, const std::vector<std::string>& settings) {
   const std::string extension = ending_of(input);
+  if (extension == ".db" && !settings.empty()) {
+    throw std::invalid_argument(
+        "--set: a study's designs are what they are; pareto takes --set, and report with a problem "
+        "file or a result");
+  }
   if (extension == ".db") return study_page(input);
-  if (extension == ".toml" || extension == ".json") return design_page(input);
+  if (extension == ".toml" || extension == ".json" || input == kStandardStream)
+    return design_page(input, settings);
   throw std::invalid_argument(fmt::format(
       "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
 }
@@ -65,20 +82,25 @@ ReportPage page_of(const std::string& input) {
 /// Refuses to write a page under a name that says it is something else.
 void check_ending(const std::filesystem::path& output) {
   const std::string ending = ending_of(output.string());
-  if (ending == ".html" || ending == ".htm") return;
+  if (ending == ".html" || ending == ".htm" || output == kStandardStream) return;
   throw std::invalid_argument(fmt::format(
       "--out: {}: a report is a page for the browser; .html and .htm are accepted endings",
       output.string()));
 }
 
 void run_report(const ReportOptions& options) {
+  keep_standard_output({options.output});
+  if (options.input == kStandardStream && !options.output) {
+    throw std::invalid_argument("a report of standard input needs the page's name, --out FILE");
+  }
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
   check_not_input(options.input, output);
   check_ending(output);
   check_writable({output});
-  const std::vector<OutputFile> files{{output, page_html(page_of(options.input))}};
+  const std::vector<OutputFile> files{
+      {output, page_html(page_of(options.input, options.settings))}};
   write_files(files);
   say_written(files);
 }
@@ -96,6 +118,7 @@ void add_report_command(CLI::App& app) {
           "study of 'camlaw pareto' (.db)")
       ->required()
       ->type_name(takes::kFile);
+  add_set_option(*command, options->settings);
   command
       ->add_option("-o,--out", options->output,
                    "the HTML file; else beside the input, under its name")

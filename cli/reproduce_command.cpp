@@ -177,6 +177,7 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
   if (options.n) return run_size(options);
   std::vector<std::string> names = options.names;
   const bool json = options.json;
+  keep_standard_output({options.report}, json);
   if (options.report) check_writable({*options.report});
   if (names.empty()) {
     for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
@@ -206,7 +207,7 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
   }
   if (options.report) {
     write_files({{*options.report, page_html(reproduction_report(results))}});
-    if (!json && !is_quiet()) fmt::print("wrote {}\n", *options.report);
+    if (!json) say_written({{*options.report, ""}});
   }
   print_worsened(results, status);
 }

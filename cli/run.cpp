@@ -91,6 +91,14 @@ CLI::Option* add_switch(CLI::App& command, const std::string& name, bool& on,
   return command.add_flag(name, on, help)->disable_flag_override();
 }
 
+void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
+  command
+      .add_option("--set", settings,
+                  "set a variable or constant: name=value, such as --set 'stroke=30 mm'")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+}
+
 int run(int argc, const char* const* argv) {
   reserve_standard_streams();
   CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");

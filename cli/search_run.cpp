@@ -116,11 +116,10 @@ std::string show(const SearchCommand& command, const Answer& answer,
 }  // namespace
 
 int run_search(const SearchOptions& options, const SearchCommand& command) {
-  if (options.out && options.out->empty()) {
-    throw std::invalid_argument("--out: a folder's name is wanted");
-  }
+  check_folder(options.out);
   const problems::SolverStatement stated = stated_options(options);
   problems::ProblemStatement statement = problems::read_problem_file(options.file);
+  problems::set_values(statement, options.settings);
   command.check(statement);
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
@@ -153,6 +152,7 @@ void add_search_options(CLI::App& command, SearchOptions& options, const std::st
   command.add_option("FILE", options.file, "the problem file (TOML)")
       ->required()
       ->type_name(takes::kFile);
+  add_set_option(command, options.settings);
   command
       .add_option("--solver", options.solver,
                   fmt::format("auto, {}", fmt::join(optim::solver_names(), ", ")))

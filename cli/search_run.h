@@ -17,6 +17,7 @@ namespace camlaw::cli {
 struct SearchOptions {
   std::string file;
   std::optional<std::string> solver, out, starts, seed, time_limit;
+  std::vector<std::string> settings;
   bool json = false;
 };
 

@@ -68,9 +68,7 @@ StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::p
 }
 
 void run_study(const StudyOptions& options) {
-  if (options.out && options.out->empty()) {
-    throw std::invalid_argument("--out: a folder's name is wanted");
-  }
+  check_folder(options.out);
   const std::filesystem::path out = options.out.value_or("");
   if (options.out) check_writable({out / "study.json"});
   StudyOutput study;

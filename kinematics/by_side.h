@@ -13,6 +13,7 @@ X by_side(const X& force, const X& pushing, const X& pulling) {
 }
 
 inline Interval by_side(const Interval& force, const Interval& pushing, const Interval& pulling) {
+  if (boost::numeric::empty(force)) return Interval::whole();
   if (force.lower() >= 0) return pushing;
   if (force.upper() < 0) return pulling;
   return boost::numeric::hull(pushing, pulling);
@@ -37,6 +38,7 @@ X along(const X& direction, const X& x) {
 }
 
 inline Interval along(const Interval& direction, const Interval& x) {
+  if (boost::numeric::empty(direction)) return Interval::whole();
   const Interval size = absolute(x);
   if (direction.lower() > 0) return size;
   if (direction.upper() < 0) return -size;

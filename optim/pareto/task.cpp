@@ -110,6 +110,7 @@ bool is_certified(const Found& found) { return found.assessment.verdict == Verdi
 /// From each start until one leads to an optimum that is the global one.
 Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& task,
                      OptimiseOptions options, long& evaluations) {
+  options.divides = false;  // a front has many points, and is not called global
   const auto search = [&] {
     Found found = optimise(problem, options).found;
     evaluations += found.evaluations;

@@ -20,6 +20,7 @@ struct OptimiseOptions {
   std::optional<double> time_limit = {};  ///< seconds, for everything
   int max_iterations = 1000;              ///< of each local solve
   long max_evaluations = 20000;           ///< of each solve by a global or derivative-free method
+  bool divides = true;  ///< whether a lower bound is sought by dividing the box (subdivided)
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const Progress&)> progress = {};
 };

@@ -38,28 +38,51 @@ struct Tally {
   std::string stopped = {};  ///< why the search ended early, where it did
 };
 
+/// The lower bound of an answer by dividing the box; none where the model throws on the way.
+std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
+                                       const Found& found, const Deadline& deadline) {
+  try {
+    return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
+  } catch (...) {
+    return {};
+  }
+}
+
+/// A search from one design, which is kept where the search comes to nothing better.
+Found search_from(const Problem& problem, const std::vector<double>& x, const OptimiseOptions& how,
+                  const Deadline& deadline) {
+  Problem again = problem;
+  for (std::size_t k = 0; k < x.size(); ++k) again.variables[k].start = x[k];
+  OptimiseOptions once = how;
+  once.starts = 1;
+  Found found = search_continuous(again, once, deadline, true);
+  const Assessment own = assess(problem, sizes(problem, x), x, true);
+  if (better(problem, own, found.assessment)) {
+    found.x = x;
+    found.assessment = own;
+  }
+  return found;
+}
+
 /// A search, and where no lower bound speaks for its answer one by dividing the box. Where that
 /// comes upon a better design, another search from there.
 Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
                         const Deadline& deadline) {
   constexpr int kTimes = 4;
   Found found = search_continuous(problem, how, deadline, true);
-  for (int i = 0; i < kTimes && !deadline.passed(); ++i) {
-    if (!is_feasible(found.assessment) || found.assessment.global) break;
+  for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
+    const Assessment& a = found.assessment;
+    const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
+    if (!stands || a.global) break;
     const Sizes there = sizes(problem, found.x);
-    const auto division = subdivided(problem, there, found.x, [&] { return deadline.passed(); });
+    const auto division = division_of(problem, there, found, deadline);
     if (!division) break;
     if (!division->better) {
       take_subdivision(problem, there, *division, found.assessment);
       break;
     }
-    Problem again = problem;
-    for (std::size_t k = 0; k < again.variables.size(); ++k) {
-      again.variables[k].start = (*division->better)[k];
-    }
-    OptimiseOptions once = how;
-    once.starts = 1;
-    Found other = search_continuous(again, once, deadline, true);
+    if (i == kTimes) break;
+    Found other = search_from(problem, *division->better, how, deadline);
     if (!better(problem, other.assessment, found.assessment)) break;
     other.iterations += found.iterations;
     other.evaluations += found.evaluations;

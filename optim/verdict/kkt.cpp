@@ -33,7 +33,7 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
-    if (limit.constraint && weighed.multipliers[j] > most[*limit.constraint]) {
+    if (limit.constraint && weighed.multipliers[j] > std::max(kPushes, most[*limit.constraint])) {
       most[*limit.constraint] = weighed.multipliers[j];
       result.pushing_sides[*limit.constraint] = limit.sign > 0 ? 1 : -1;
     }

@@ -18,14 +18,16 @@ constexpr double kRounding = 1e-13;  // of the terms of a sum
 
 using Box = std::vector<Bounds>;
 
-/// sign * function <= level for every design within the limits; of the objective's rows
-/// sign * function <= objective.
+/// sign * function <= level for every design within the limits, or a little beyond; of the
+/// objective's rows sign * function <= objective.
 struct Row {
   Function function;
   double sign;
   double level;
   bool of_objective;
   double weight;  ///< its multiplier, in the objective's unit: part of the Lagrangian
+  const Curve* curve = nullptr;  ///< where it is one place of a curve that was added later
+  Place place = {};
 };
 
 /// A weighted sum of rows: its value at the middle of a box, and its slopes over the box.
@@ -104,10 +106,11 @@ class Division {
     if (objective.part == Part::Value) {
       rows_.push_back({objective.response.function(), sense_, 0, true, 1});
     }
-    for (const Constraint& c : problem_.constraints) {
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      const Constraint& c = problem_.constraints[i];
       if (c.response.is_curve()) continue;
-      if (c.upper) rows_.push_back({c.response.function(), 1, *c.upper, false, 0});
-      if (c.lower) rows_.push_back({c.response.function(), -1, -*c.lower, false, 0});
+      if (c.upper) rows_.push_back({c.response.function(), 1, level(i, 1), false, 0});
+      if (c.lower) rows_.push_back({c.response.function(), -1, level(i, -1), false, 0});
     }
     double peaks = 0;
     for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
@@ -120,14 +123,25 @@ class Division {
         peaks += weighed.multipliers[j];
         continue;
       }
-      const Constraint& c = problem_.constraints[*limit.constraint];
-      const double level = sign > 0 ? *c.upper : -*c.lower;
-      rows_.push_back({*limit.function, sign, level, false, std::abs(weight)});
+      rows_.push_back(
+          {*limit.function, sign, level(*limit.constraint, sign), false, std::abs(weight)});
     }
-    // The shares of the objective's peaks add up to one.
+    // The shares of the objective's peaks add up to one; else there is no Lagrangian.
+    const bool weighs = objective.part == Part::Value || peaks > 0;
     for (Row& row : rows_) {
-      if (row.of_objective && objective.part != Part::Value) row.weight /= peaks > 0 ? peaks : 1;
+      if (!weighs) row.weight = 0;
+      if (row.of_objective && objective.part != Part::Value && weighs) row.weight /= peaks;
     }
+    has_lagrangian_ = weighs;
+  }
+
+  /// sign * bound, eased by more than rounding leaves of a value, and by so little of the tolerance
+  /// that the objective does not show it.
+  double level(std::size_t constraint, double sign) const {
+    const Constraint& c = problem_.constraints[constraint];
+    const ConstraintSize& size = sizes_.constraints[constraint];
+    return sign * (sign > 0 ? *c.upper : *c.lower) +
+           std::max(1e-3 * size.tolerance, 1e-12 * size.size);
   }
 
   /// A row over a box: numbers that sign * function is not below there, and at the middle.
@@ -187,7 +201,7 @@ class Division {
     for (std::size_t i = 0; i < box.size(); ++i) {
       least += least_change(lagrangian.slopes[i], radius(box[i]));
     }
-    if (least > lower) lower = least;
+    if (has_lagrangian_ && least > lower) lower = least;
     if (lower > goal()) return;
     if (promising) look(box);
     if (!result_.better) waiting_.push({lower, result_.boxes, box});
@@ -278,9 +292,9 @@ class Division {
         const auto& bound = sign > 0 ? c.upper : c.lower;
         if (!bound) continue;
         const Extreme worst = highest(*trace, sign);
-        if (!std::isfinite(worst.value) || !(sign * (worst.value - *bound) > 0)) continue;
-        add_place(c.response.curve(), worst.place, sign, sign * *bound, false);
-        news = true;
+        const double eased = level(i, sign);
+        if (!std::isfinite(worst.value) || !(sign * worst.value > eased)) continue;
+        news = add_place(c.response.curve(), worst.place, sign, eased, false) || news;
       }
     }
     if (news) return;
@@ -288,8 +302,14 @@ class Division {
     if (worst_violation(limit_reports(problem_, there, y, false)) <= 1) result_.better = y;
   }
 
-  void add_place(const Curve& curve, Place place, double sign, double level, bool of_objective) {
-    if (rows_.size() < kMostRows) rows_.push_back({curve.at(place), sign, level, of_objective, 0});
+  /// Whether the place was not among the rows.
+  bool add_place(const Curve& curve, Place place, double sign, double level, bool of_objective) {
+    const bool known = std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) {
+      return row.curve == &curve && row.place == place && row.sign == sign;
+    });
+    if (known || rows_.size() >= kMostRows) return false;
+    rows_.push_back({curve.at(place), sign, level, of_objective, 0, &curve, place});
+    return true;
   }
 
   static constexpr std::size_t kMostRows = 60;
@@ -302,6 +322,7 @@ class Division {
   double tolerance_;
   std::vector<Row> rows_;
   std::priority_queue<Waiting> waiting_;
+  bool has_lagrangian_ = false;
   double left_ = kInfinity;  ///< the least bound of what is too small to be divided
   int looks_ = 0;
   Subdivision result_{};

@@ -27,11 +27,11 @@ inline constexpr double kBoundTolerance = 1e-6;
 inline constexpr std::size_t kMostDivided = 3;
 
 /// A lower bound over the whole box, whatever the shapes: the box is divided until no part can hold
-/// a better design than x, by ranges of the functions over boxes (Function::range;
-/// docs/optimisation.md, "Lower bounds"). Of curves some places are enough, since a limit that is
-/// passed at one is passed. Ends at the first better design, after kMostBoxes, and where `stop`
-/// says so. Empty where more than kMostDivided variables are free, one of them has no bounds, or
-/// nothing is known of the objective's range.
+/// a design that meets every limit (to a thousandth of its tolerance) and is better than x, by
+/// ranges of the functions over boxes (Function::range; docs/optimisation.md, "Lower bounds"). Of
+/// curves some places are enough, since a limit that is passed at one is passed. Ends at the first
+/// better design, after kMostBoxes, and where `stop` says so. Empty where more than kMostDivided
+/// variables are free, one of them has no bounds, or nothing is known of the objective's range.
 std::optional<Subdivision> subdivided(
     const Problem& problem, const Sizes& sizes, Design x,
     const std::function<bool()>& stop = [] { return false; });

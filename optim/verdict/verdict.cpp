@@ -252,16 +252,18 @@ void take_subdivision(const Problem& problem, const Sizes& about, const Subdivis
   const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
   if (a.best_possible && sense * *a.best_possible >= sense * division.best_possible) return;
   a.best_possible = division.best_possible;
+  if (!is_bounded(a)) return;
   std::vector<double> x;
   for (const VariableReport& v : a.variables) x.push_back(v.value);
-  const Sizes sizes = judged_at(problem, about, x);
-  conclude(
-      problem, sizes,
-      division.boxes == 1
-          ? "the ranges of objective and limits over the whole box leave none"
-          : fmt::format("none of {} boxes that the variables' ranges were divided into holds one",
-                        division.boxes),
-      a);
+  Assessment bounded = a;
+  conclude(problem, judged_at(problem, about, x),
+           division.boxes == 1
+               ? "the ranges of objective and limits over the whole box leave no better design"
+               : fmt::format("the variables' box was divided, {} parts were looked at, and none "
+                             "holds a better design",
+                             division.boxes),
+           bounded);
+  if (bounded.verdict == Verdict::Certified) a = std::move(bounded);
 }
 
 Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x) {

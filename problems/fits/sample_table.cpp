@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <istream>
 #include <limits>
 #include <sstream>
@@ -273,6 +274,7 @@ SampleTable numbers_of(const SampleTable& table,
 }
 
 SampleTable read_samples(const std::string& path) {
+  if (path == "-") return read_from(std::cin, "standard input");
   if (std::filesystem::is_directory(path)) throw std::invalid_argument(path + ": it is a folder");
   std::ifstream file(path);
   if (!file) throw std::invalid_argument(path + ": it cannot be read");

@@ -60,6 +60,25 @@ void check_laws(const std::string& its, const std::string& now) {
   throw std::invalid_argument("the laws are not those that the study was made with");
 }
 
+ProblemStatement read_and_set(const std::string& text, const std::string& source,
+                              const std::vector<std::string>& set) {
+  ProblemStatement statement = read_problem(text, source);
+  set_values(statement, set);
+  return statement;
+}
+
+/// What was set beside the file; studies of earlier programs have none.
+std::vector<std::string> set_of(const optim::StudySettings& settings) {
+  const auto at = settings.find("set");
+  if (at == settings.end()) return {};
+  const Json set = Json::parse(at->second, nullptr, false);
+  const bool texts = set.is_array() && std::all_of(set.begin(), set.end(), [](const Json& text) {
+                       return text.is_string();
+                     });
+  if (!texts) throw std::invalid_argument("the study's setting 'set' is not a list of texts");
+  return set.get<std::vector<std::string>>();
+}
+
 std::size_t points_of(const std::string& text) {
   std::size_t points = 0;
   const char* end = text.data() + text.size();
@@ -89,7 +108,7 @@ std::string_view to_string(optim::ParetoMethod method) {
 FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontSettings& settings)
     : text_(std::move(text)),
       source_(source),
-      bound_(read_problem(text_, source)),
+      bound_(read_and_set(text_, source, settings.set)),
       space_(bound_.front_space()) {
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
@@ -110,12 +129,14 @@ FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
 
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
   const optim::StudySettings settings = record.settings();
-  return {points_of(find(settings, "points")), parse_method(find(settings, "method"))};
+  return {points_of(find(settings, "points")), parse_method(find(settings, "method")),
+          set_of(settings)};
 }
 
 optim::StudySettings FrontStudy::settings() const {
   return {{"problem", text_},
           {"source", std::filesystem::absolute(source_).lexically_normal().string()},
+          {"set", Json(bound_.statement().settings).dump()},
           {"laws", laws_of_files(bound_.statement())},
           {"points", fmt::format("{}", options_.points)},
           {"method", std::string(to_string(options_.method))},
@@ -131,6 +152,14 @@ void FrontStudy::check_same(const optim::StudyRecord& record) const {
   };
   if (find(its, "problem") != text_) {
     refuse("the problem file is not the one that it was made with");
+  }
+  if (set_of(its) != bound_.statement().settings) {
+    const auto words = [](const std::vector<std::string>& set) {
+      return set.empty() ? std::string("nothing set")
+                         : fmt::format("--set '{}'", fmt::join(set, "' --set '"));
+    };
+    refuse(fmt::format("it was made with {}, now it is {}", words(set_of(its)),
+                       words(bound_.statement().settings)));
   }
   check_laws(find(its, "laws"), mine.at("laws"));
   for (const char* name : {"versions", "seed", "solver"}) {

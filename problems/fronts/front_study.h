@@ -12,6 +12,7 @@ namespace camlaw::problems {
 struct FrontSettings {
   std::size_t points = 50;
   optim::ParetoMethod method = optim::ParetoMethod::Automatic;
+  std::vector<std::string> set = {};  ///< beside the file, as set_values takes it
 };
 
 inline constexpr std::size_t kMostPoints = 100'000;

@@ -89,7 +89,10 @@ MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) con
 }
 
 std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Bounds> box) const {
-  constexpr double kRounding = 1e-13;  // of the terms that a law's motion is summed from
+  // Of the terms that a law's motion is summed from, those inside the law among them: s is of order
+  // 1, and each derivative a few times the one before.
+  constexpr double kRounding = 1e-13;
+  double inside = 1;
   if (joint_ || !law_->is_linear()) return {};
   Range result{{}, expansion_.gradient, place_.x};
   for (std::size_t m = 0; m < 4; ++m) {
@@ -100,7 +103,8 @@ std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Boun
       sum += expansion_.gradient[i][m] * step;
       terms += std::abs(expansion_.gradient[i][m]) * (magnitude(step) + std::abs(origin_[i]));
     }
-    result.motion[m] = sum + kRounding * terms * Interval(-1, 1);
+    result.motion[m] = sum + kRounding * (terms + inside) * Interval(-1, 1);
+    inside *= 10;
   }
   return result;
 }

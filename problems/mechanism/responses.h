@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -43,13 +45,14 @@ namespace detail {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether f, a function of one number, depends on it: what is no number comes through, or f has a
-/// derivative at x.
+/// Whether f, a function of one number, depends on it where it has a value: what is not a number
+/// comes through, or f has a derivative at x.
 template <class F>
 bool depends(const F& f, double x) {
   Dual moving(x);
   moving.v[0] = 1;
-  return std::isnan(f(Dual(kNaN)).a) || f(moving).v[0] != 0;
+  const Dual here = f(moving);
+  return std::isfinite(here.a) && (std::isnan(f(Dual(kNaN)).a) || here.v[0] != 0);
 }
 
 /// Parameters that f(machine) -> Dual depends on.
@@ -67,10 +70,23 @@ std::vector<std::size_t> used_parameters(const F& f) {
   return result;
 }
 
-/// A motion like no other, so that no term vanishes by chance.
+/// Motions like no others, so that no term vanishes by chance: rising and falling, gently and so
+/// hard that inertia outweighs all other forces, either way. A formula that tells sides apart, as
+/// that of which cam bears, then shows each of them.
+inline constexpr std::array<std::array<double, 4>, 8> kSomeMotions{{{0.37, 1.23, 2.9, -17},
+                                                                    {0.63, 1.23, -2.9, 17},
+                                                                    {0.37, 1.23, 31, -17},
+                                                                    {0.63, 1.23, -31, 17},
+                                                                    {0.37, 1.23, 2.3e5, -17},
+                                                                    {0.63, 1.23, -2.3e5, 17},
+                                                                    {0.37, -1.23, 2.9, -17},
+                                                                    {0.63, -1.23, -2.3e5, 17}}};
+
+/// One of these motions at a place of the law.
 template <class T>
-std::array<T, 4> some_motion() {
-  return {number<T>(0.37), number<T>(1.23), number<T>(2.9), number<T>(-17)};
+PlaceOf<T> some_place(const std::array<double, 4>& motion, double x) {
+  return {{number<T>(motion[0]), number<T>(motion[1]), number<T>(motion[2]), number<T>(motion[3])},
+          number<T>(x)};
 }
 
 inline constexpr double kSomePlace = 0.43;
@@ -85,28 +101,48 @@ PlaceOf<T> as_place(std::span<const T> u) {
 template <template <class> class M, class F>
 bool uses_place(const F& formula) {
   const auto at = formula(typical_machine<M>().template at<Dual>({}));
-  const auto m = some_motion<Dual>();
-  return depends(
-      [&](const Dual& x) {
-        return applied(at, PlaceOf<Dual>{{m[0], m[1], m[2], m[3]}, x});
-      },
-      kSomePlace);
+  return std::any_of(kSomeMotions.begin(), kSomeMotions.end(), [&](const auto& motion) {
+    const auto of_place = [&](const Dual& x) {
+      PlaceOf<Dual> place = some_place<Dual>(motion, kSomePlace);
+      place.x = x;
+      return applied(at, place);
+    };
+    return depends(of_place, kSomePlace);
+  });
 }
 
 /// Which of s, v, a, j the curve depends on.
 template <template <class> class M, class F>
 std::array<bool, 4> used_motion(const F& formula) {
   const auto of_motion = formula(typical_machine<M>().template at<Dual>({}));
-  std::array<bool, 4> uses;
-  for (std::size_t m = 0; m < 4; ++m) {
-    const auto of_one = [&](const Dual& x) {
-      auto motion = some_motion<Dual>();
-      motion[m] = x;
-      return applied(of_motion,
-                     PlaceOf<Dual>{{motion[0], motion[1], motion[2], motion[3]}, Dual(kSomePlace)});
-    };
-    uses[m] = depends(of_one, some_motion<double>()[m]);
+  std::array<bool, 4> uses{};
+  for (const std::array<double, 4>& motion : kSomeMotions) {
+    for (std::size_t m = 0; m < 4; ++m) {
+      const auto of_one = [&](const Dual& x) {
+        std::array<Dual, 4> moved{Dual(motion[0]), Dual(motion[1]), Dual(motion[2]),
+                                  Dual(motion[3])};
+        moved[m] = x;
+        return applied(of_motion,
+                       PlaceOf<Dual>{{moved[0], moved[1], moved[2], moved[3]}, Dual(kSomePlace)});
+      };
+      uses[m] = uses[m] || depends(of_one, motion[m]);
+    }
   }
+  return uses;
+}
+
+/// The machine's parameters that a curve depends on, in one motion or another.
+template <template <class> class M, class F>
+std::vector<std::size_t> used_by_curve(const F& formula) {
+  std::vector<std::size_t> uses;
+  for (const std::array<double, 4>& motion : kSomeMotions) {
+    const auto own = used_parameters<M>([&](const M<Dual>& machine) {
+      return applied(formula(machine), some_place<Dual>(motion, kSomePlace));
+    });
+    uses.insert(uses.end(), own.begin(), own.end());
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
   return uses;
 }
 
@@ -186,11 +222,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   MechanismResponse response = detail::described(std::move(about));
   response.along = cycle.unit;
   response.sees_law = true;
-  response.uses = detail::used_parameters<M>([&](const M<Dual>& machine) {
-    const auto m = detail::some_motion<Dual>();
-    return applied(formula(machine),
-                   PlaceOf<Dual>{{m[0], m[1], m[2], m[3]}, Dual(detail::kSomePlace)});
-  });
+  response.uses = detail::used_by_curve<M>(formula);
   const auto uses = detail::used_motion<M>(formula);
   const bool uses_place = detail::uses_place<M>(formula);
   response.curve = [formula, factor, cycle, uses, uses_place](const Binding& binding,

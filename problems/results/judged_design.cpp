@@ -51,9 +51,8 @@ optim::Assessment judged(const HeldProblem& held) {
     if (division && !division->better) {
       optim::take_subdivision(problem, sizes, *division, found);
     } else if (division) {
-      found.verdict = optim::Verdict::Feasible;
-      found.reason =
-          fmt::format("a better design was found: {}", words_of(problem, *division->better));
+      found.reason +=
+          fmt::format("; a better design is known: {}", words_of(problem, *division->better));
     }
   }
   if (found.verdict != optim::Verdict::Failed) return found;

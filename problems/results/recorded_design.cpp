@@ -48,6 +48,17 @@ LawFiles laws_of(const Json& record) {
   return files;
 }
 
+/// What was set beside the file; results of earlier programs have none.
+std::vector<std::string> settings_of(const Json& record) {
+  std::vector<std::string> settings;
+  if (!record.contains("set")) return settings;
+  for (const Json& setting : key(record, "set", &Json::is_array, "list")) {
+    if (!setting.is_string()) refuse("set of its design is not a list of texts");
+    settings.push_back(setting.get<std::string>());
+  }
+  return settings;
+}
+
 /// Leaves the law that was chosen.
 void choose_law(const Json& record, ProblemStatement& statement) {
   if (statement.laws.size() < 2) return;
@@ -130,6 +141,7 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
   return {
       {"source", std::filesystem::path(problem.source).filename().string()},
       {"problem", problem.text},
+      {"set", problem.settings},
       {"law_files", laws_to_json(problem.law_files)},
       {"law", problem.laws.size() > 1 ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
       {"variables", std::move(variables)}};
@@ -139,8 +151,10 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
   try {
     const Json result = result_of(json);
     const Json& record = result["design"];
-    ReadDesign design{
-        read_problem(text_of(record, "problem"), text_of(record, "source"), laws_of(record))};
+    ProblemStatement problem =
+        read_problem(text_of(record, "problem"), text_of(record, "source"), laws_of(record));
+    set_values(problem, settings_of(record));
+    ReadDesign design{std::move(problem)};
     choose_law(record, design.statement);
     set_variables(record, design.statement);
     if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();

@@ -92,6 +92,7 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
   for (const std::string& assignment : assignments) assign(changed, assignment);
   check_laws(changed);  // values that are possible together only come together
+  changed.settings.insert(changed.settings.end(), assignments.begin(), assignments.end());
   problem = std::move(changed);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // verify: a stored design and its claim, judged again.
+#include <filesystem>
+
 #include "tests/cli/program_runner.h"
 
 namespace camlaw::cli {
@@ -67,6 +69,75 @@ minimize = "peak_inertia_force"
   const Json again = json_of({"verify", stored(folder, result), "--json"});
   CHECK(again["holds"] == true);
   CHECK(again["choices_held"] == true);
+}
+
+TEST_CASE("a force of nothing but rounding at a rest bounds nothing", "[program]") {
+  // Without preload the force is zero in the dwell: a law that ends a rounding below zero must not
+  // exclude every design. 65 mm is better than 100.
+  const Folder folder;
+  const std::string file = folder / "rest.toml";
+  std::ofstream(file) << R"(mechanism = "disc-cam-roller"
+constants = { stroke = 30, roller_radius = 8, speed = 20, mass = 0.1, spring_preload = 0 }
+program.segments = [
+  { name = "rise", angle = "80 deg", law = "poly-3-4-5" },
+  { name = "high", angle = "60 deg" },
+  { name = "return", angle = "100 deg", law = "poly-3-4-5" },
+  { name = "low" },
+]
+variables.base_radius = { lower = 10, upper = 120, start = 60 }
+objective.minimize = "base_radius"
+constraints = [
+  { response = "pressure_angle", lower = "-40 deg", upper = "30 deg" },
+  { response = "follower_force", lower = "0 N" },
+]
+)";
+  Json result = json_of({"optimize", file, "--json"});
+  CHECK(result["objective"].get<double>() < 65);
+  CHECK(result["global"].is_string());
+  result["design"]["variables"]["base_radius"] = 100;
+  result["objective"] = 100;
+  const Outcome outcome = run({"verify", stored(folder, result)});
+  INFO(outcome.out);
+  CHECK(outcome.status == 4);
+  CHECK(outcome.out.find("a better design is known") != std::string::npos);
+}
+
+TEST_CASE("values that are set beside the file stay with the result", "[program]") {
+  const Folder folder;
+  const Json result = json_of({"optimize", kCam, "--set", "stroke=20 mm", "--json"});
+  const std::string path = stored(folder, result);
+  const Json design = json_of({"evaluate", path, "--json"});
+  CHECK(design["constants"]["stroke"]["value"] == 20);
+  CHECK(json_of({"verify", path, "--json"})["holds"] == true);
+  CHECK(result["objective"].get<double>() <
+        json_of({"optimize", kCam, "--json"})["objective"].get<double>() - 10);
+  // The study of a front keeps them too, and does not go on with others.
+  const std::string front = std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml";
+  const std::string study = folder / "study.db";
+  const auto pareto = [&](std::vector<std::string> more) {
+    std::vector<std::string> line{"pareto", front, "--points", "4", "--db", study};
+    line.insert(line.end(), more.begin(), more.end());
+    return run(line);
+  };
+  CHECK(pareto({"--set", "stroke=30 mm"}).status == 0);
+  CHECK(pareto({"--resume"}).status == 0);
+  const Outcome other = pareto({"--resume", "--set", "stroke=31 mm"});
+  CHECK(other.status == 2);
+  CHECK(other.err.find("--set 'stroke=30 mm'") != std::string::npos);
+}
+
+TEST_CASE("'-' is standard input and standard output", "[program]") {
+  const Outcome table = run({"evaluate", kCam, "--curves", "-"});
+  CHECK(table.status == 0);
+  CHECK(table.out.find("base_radius =") == std::string::npos);
+  CHECK(table.out.find(',') < table.out.find('\n'));  // a header of columns comes first
+  CHECK_FALSE(std::filesystem::exists("-"));
+  CHECK(run({"evaluate", kCam, "--curves", "-", "--json"}).status == 2);
+  CHECK(run({"evaluate", kCam, "--curves", "-", "--svg", "-"}).status == 2);
+  CHECK(run({"optimize", kCam, "--out", "-"}).status == 2);
+  const Outcome law = run({"law", "cycloidal", "--csv", "-"});
+  CHECK(law.status == 0);
+  CHECK(law.err.find("peaks") != std::string::npos);
 }
 
 TEST_CASE("a problem file claims nothing that could be verified", "[program]") {

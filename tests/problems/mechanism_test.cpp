@@ -167,13 +167,15 @@ TEST_CASE("a response depends on the parameters that it says it uses, and on no 
   std::uniform_real_distribution<double> uniform(0.95, 1.05);  // what is possible stays so
   for (const Mechanism& mechanism : mechanisms()) {
     for (const auto& response : mechanism.responses) {
-      // A peak may hang on one parameter in one design and on another in the next: two are tried.
-      std::vector<std::vector<double>> designs(2);
+      // A peak may hang on one parameter in one design and on another in the next, and of two cams
+      // the one that bears changes where inertia is large: three are tried.
+      std::vector<std::vector<double>> designs(3);
       for (const auto& p : mechanism.parameters) {
         const double factor = uniform(random);
         const double large = p.standard == 0 ? std::min(18.0, 0.3 * p.high) : p.standard;
         designs[0].push_back(large * factor);
         designs[1].push_back(p.standard == 0 ? 0.05 * large * factor : large * factor);
+        designs[2].push_back(p.unit == "rpm" ? 30 * large * factor : large * factor);
       }
       for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
         INFO(response.name << " and " << mechanism.parameters[i].name);
@@ -186,9 +188,13 @@ TEST_CASE("a response depends on the parameters that it says it uses, and on no 
           // The value at one place, and where a curve breaks if that moves.
           const auto looked_at = [&](double parameter) {
             const std::vector<double> x{parameter};
-            std::vector<double> result{
-                function_at(made, response.along == "1" ? 0.3 : 70).value(x)};
-            REQUIRE(std::isfinite(result[0]));
+            std::vector<double> result;
+            for (const double share : {0.07, 0.19, 0.3, 0.42, 0.6, 0.8}) {
+              const double place = response.along == "1" ? share : 360 * share;
+              result.push_back(function_at(made, place).value(x));
+              if (!std::isfinite(result.back())) result.back() = 0;
+            }
+            REQUIRE(result != std::vector<double>(result.size(), 0.0));
             if (!made.is_curve() || !made.curve().breaks_move()) return result;
             const auto breaks = made.curve().trace(x)->breaks();
             result.insert(result.end(), breaks.begin(), breaks.end());
