@@ -55,8 +55,14 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   for (std::size_t k = 0; k < x.size(); ++k) again.variables[k].start = x[k];
   OptimiseOptions once = how;
   once.starts = 1;
-  Found found = search_continuous(again, once, deadline, true);
   const Assessment own = assess(problem, sizes(problem, x), x, true);
+  // A long first step may lead into the valley that was found before: then another method tries.
+  Found found = search_continuous(again, once, deadline, true);
+  if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
+    once.solver = "ipopt";
+    Found other = search_continuous(again, once, deadline, true);
+    if (better(problem, other.assessment, found.assessment)) found = std::move(other);
+  }
   if (better(problem, own, found.assessment)) {
     found.x = x;
     found.assessment = own;
@@ -68,7 +74,7 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
 /// comes upon a better design, another search from there.
 Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
                         const Deadline& deadline) {
-  constexpr int kTimes = 4;
+  constexpr int kTimes = 8;
   Found found = search_continuous(problem, how, deadline, true);
   for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
     const Assessment& a = found.assessment;

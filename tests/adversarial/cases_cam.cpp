@@ -247,8 +247,11 @@ Case spike_file_case(Random& random) {
     const double u = place + 0.05 * i * width;
     places.push_back({0, u, 1 - u});
   }
-  for (int i = 1; i < count; ++i) {
-    const double u = (i + 0.5) / count;
+  // The waves end at a height that still shows: they leave a ripple over the whole rise, of as many
+  // periods as there are waves, on whose crests the highest place may stand.
+  constexpr int kOfPeriod = 8;
+  for (int i = 1; i < kOfPeriod * count; ++i) {
+    const double u = (i + 0.5) / (kOfPeriod * count);
     places.push_back({0, u, 1 - u});
   }
   problem.special(places);
