@@ -116,12 +116,14 @@ class AutomaticKernel final : public Kernel {
         }
         return f_(std::span<const Directed>(points));
       };
-      result.value = bounds_of(along(0).c[0]);
+      Directed over = along(0);
+      result.value = bounds_of(over.c[0]);
       // Where the value is not known, as where the middle of the box has none, the slope of that
       // constant says nothing.
       const bool known = std::isfinite(result.value.lower) || std::isfinite(result.value.upper);
       for (std::size_t i = 0; known && i < box.size(); ++i) {
-        result.slopes[i] = bounds_of(along(i).c[1]);
+        if (i > 0) over = along(i);
+        result.slopes[i] = bounds_of(over.c[1]);
       }
       return result;
     }

@@ -338,7 +338,11 @@ std::optional<Subdivision> subdivided(const Problem& problem, const Sizes& sizes
     free += v.lower < v.upper;
   }
   if (free == 0 || free > kMostDivided) return {};
-  return Division(problem, sizes, x).run(stop);
+  try {
+    return Division(problem, sizes, x).run(stop);
+  } catch (...) {
+    return {};
+  }
 }
 
 }  // namespace camlaw::optim

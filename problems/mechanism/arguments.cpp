@@ -51,8 +51,8 @@ class Rearranged final : public optim::Kernel {
     optim::BoxRange result{own.value, std::vector<optim::Bounds>(box.size(), {0, 0})};
     for (std::size_t k = 0; k < place_.size(); ++k) {
       optim::Bounds& sum = result.slopes[place_[k]];
-      const Interval wider = Interval(sum.lower, sum.upper) +
-                             Interval(own.slopes[k].lower, own.slopes[k].upper);
+      const Interval wider =
+          Interval(sum.lower, sum.upper) + Interval(own.slopes[k].lower, own.slopes[k].upper);
       sum = {wider.lower(), wider.upper()};
     }
     return result;

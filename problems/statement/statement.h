@@ -69,7 +69,7 @@ struct ProblemStatement {
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
   std::string text = {};    ///< as it was read
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words
-  LawFiles law_files = {};  ///< those that were read with it
+  LawFiles law_files = {};                 ///< those that were read with it
 };
 
 /// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.
