@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 constexpr int kApplication = 0x63616d6c;
 constexpr int kVersion = 2;
 
+constexpr int kPatience = 2000;  // ms, for another who reads or writes
+
 constexpr const char* kTables = R"(
 CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE task (
@@ -81,7 +83,8 @@ std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
   throw std::invalid_argument(fmt::format("{}: {}", path, why));
 }
 
-constexpr int kError = 1, kCorrupt = 11, kNoBase = 26;  // SQLITE_ERROR, _CORRUPT, _NOTADB
+// SQLITE_ERROR, _READONLY, _CORRUPT, _NOTADB
+constexpr int kError = 1, kReadOnly = 8, kCorrupt = 11, kNoBase = 26;
 
 /// What an error in reading means.
 std::string why(const SQLite::Exception& error) {
@@ -126,6 +129,30 @@ void move_to(const std::string& from, const std::string& to) {
   fs::rename(from, to);  // a file system that cannot tell
 }
 
+/// Whether a writer that was killed has left a journal beside the file that must be rolled back
+/// before anything can be read, which a connection that only reads may not do.
+bool needs_recovery(SQLite::Database& base) {
+  try {
+    base.execAndGet("PRAGMA user_version");
+  } catch (const SQLite::Exception& error) {
+    return (error.getErrorCode() & 0xff) == kReadOnly;
+  }
+  return false;
+}
+
+/// Rolls back what a writer that was killed had not finished.
+void recover(const std::string& path) {
+  try {
+    SQLite::Database base(fs::absolute(path).string(), SQLite::OPEN_READWRITE);
+    base.setBusyTimeout(kPatience);
+    base.execAndGet("PRAGMA user_version");
+  } catch (const SQLite::Exception& error) {
+    refuse(path, fmt::format("a program that wrote it was interrupted, and what it left must be "
+                             "tidied up first; make the file and its folder writable ({})",
+                             error.what()));
+  }
+}
+
 /// Refuses what is no study, is damaged, or was made by another version.
 void check(SQLite::Database& base, const std::string& path) {
   try {
@@ -152,7 +179,6 @@ class StudyRecord::File {
       : path_(path),
         base_(fs::absolute(path).string(), flags),  // some names mean no file to SQLite
         writes_((flags & SQLite::OPEN_READWRITE) != 0) {
-    constexpr int kPatience = 2000;  // ms, for another reader
     base_.setBusyTimeout(kPatience);
   }
   File(const File&) = delete;
@@ -387,6 +413,11 @@ StudyRecord StudyRecord::read(const std::string& path) {
   if (!begins_as_study(path)) refuse(path, kForeign);
   try {
     auto file = std::make_unique<File>(path, SQLite::OPEN_READONLY);
+    if (needs_recovery(file->base())) {
+      file.reset();
+      recover(path);
+      file = std::make_unique<File>(path, SQLite::OPEN_READONLY);
+    }
     check(file->base(), path);
     return StudyRecord(std::move(file));
   } catch (const SQLite::Exception& error) {

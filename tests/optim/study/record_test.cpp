@@ -423,4 +423,80 @@ TEST_CASE("what was written whole outlives a writer that is killed", "[study]") 
     CHECK(bits(*record.find(numbered(i), five_variables())) == bits(odd_outcome()));
 }
 
+namespace {
+
+/// Begins to write over a study and is killed in the midst of it, when pages are on the disk
+/// already: what they held is in a journal beside the file.
+void leave_hot_journal(const std::string& path) {
+  const pid_t child = fork();
+  if (child == 0) {
+    SQLite::Database base(path, SQLite::OPEN_READWRITE);
+    base.exec("PRAGMA journal_mode = DELETE; PRAGMA cache_size = 1; BEGIN; DELETE FROM setting");
+    for (int i = 0; i < 200; ++i) {
+      base.exec("INSERT INTO setting VALUES ('" + std::to_string(i) + "', '" +
+                std::string(1000, 'x') + "')");
+    }
+    _exit(0);  // without an end of the transaction
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(status == 0);
+  REQUIRE(fs::file_size(path + "-journal") > 512);
+}
+
+}  // namespace
+
+TEST_CASE("a study whose writer was killed in the midst of its journal is read as it was",
+          "[study]") {
+  const Folder folder;
+  const std::string path = folder / "s.db";
+  {
+    StudyRecord record = StudyRecord::create(path, kSettings);
+    for (int i = 0; i < 5; ++i) record.add(numbered(i), odd_outcome(), five_variables());
+  }
+  const std::string before = read(path);
+  for (const bool reads : {true, false}) {
+    leave_hot_journal(path);
+    REQUIRE(read(path) != before);
+    const StudyRecord record = reads ? StudyRecord::read(path) : StudyRecord::open(path);
+    CHECK(record.settings() == kSettings);
+    CHECK(record.size() == 5);
+    for (int i = 0; i < 5; ++i)
+      CHECK(bits(*record.find(numbered(i), five_variables())) == bits(odd_outcome()));
+    CHECK(!fs::exists(path + "-journal"));
+  }
+  CHECK(folder.content() == std::set<std::string>{"s.db"});
+}
+
+TEST_CASE("a journal that cannot be rolled back is said to be the reason", "[study]") {
+  const Folder folder;
+  const std::string path = folder / "s.db";
+  StudyRecord::create(path, kSettings);
+  leave_hot_journal(path);
+  const fs::path place = fs::path(path).parent_path();
+  using fs::perms;
+  const perms may_read = perms::owner_read | perms::group_read | perms::others_read;
+  const perms may_enter = perms::owner_exec | perms::group_exec | perms::others_exec;
+  fs::permissions(path, may_read);
+  fs::permissions(path + "-journal", may_read);
+  fs::permissions(place, may_read | may_enter);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && setuid(65534) != 0) _exit(2);  // root may write anywhere
+    std::string said;
+    try {
+      StudyRecord::read(path);
+    } catch (const std::invalid_argument& error) {
+      said = error.what();
+    }
+    const bool names_cause = said.find("was interrupted") != std::string::npos &&
+                             said.find("writable") != std::string::npos;
+    _exit(names_cause ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  fs::permissions(place, perms::owner_all);
+  CHECK(status == 0);
+}
+
 }  // namespace camlaw::optim
