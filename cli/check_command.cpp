@@ -8,8 +8,9 @@
 #include "cli/help.h"
 #include "cli/next_step.h"
 #include "cli/optimum_output.h"
+#include "cli/warnings.h"
 #include "optim/problem/check_derivatives.h"
-#include "problems/statement/bind.h"
+#include "problems/statement/doubtful_limits.h"
 
 namespace camlaw::cli {
 namespace {
@@ -78,6 +79,8 @@ void run_check(const CheckOptions& options, int& status) {
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
   fmt::print("{}", problems::in_words(statement));
+  fmt::print("{}",
+             warnings_text(problems::doubtful_limits(problems::BoundProblem(statement, true))));
   if (options.scaling) fmt::print("\n{}", scaling_text(variants->problem(0)));
   if (!options.derivatives) return say_next(search_command(statement, options.file));
   fmt::print("\n");

@@ -19,6 +19,7 @@
 #include "cli/profile_figure.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -73,7 +74,7 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
 }
 
 void print_text(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
-                const std::vector<optim::LimitReport>& limits) {
+                const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
   if (!statement.title.empty()) fmt::print("{}\n", statement.title);
   if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
     fmt::print("law {}\n", statement.laws.front().label());
@@ -89,10 +90,11 @@ void print_text(const ProblemStatement& statement, const std::vector<EvaluatedRe
                limits[i].name, text.value, with_unit(text.bound, limits[i].unit),
                text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
   }
+  fmt::print("{}", warnings_text(warnings));
 }
 
 Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
-             const std::vector<optim::LimitReport>& limits) {
+             const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -133,7 +135,8 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
                       : Json(statement.laws.front().name())},
           {"constants", std::move(constants)},
           {"responses", std::move(values)},
-          {"constraints", std::move(constraints)}};
+          {"constraints", std::move(constraints)},
+          {"warnings", warnings}};
 }
 
 /// Tables and pictures of the curves that were asked for.
@@ -163,10 +166,11 @@ void run_evaluate(const EvaluateOptions& options) {
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);
   const auto limits = problems::standing(statement);
+  const Warnings warnings = warnings_of(statement);
   if (options.json) {
-    fmt::print("{}\n", to_json(statement, responses, limits).dump(2));
+    fmt::print("{}\n", to_json(statement, responses, limits, warnings).dump(2));
   } else {
-    print_text(statement, responses, limits);
+    print_text(statement, responses, limits, warnings);
   }
   write_files(files);
   if (options.json) return;

@@ -6,13 +6,17 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/warnings.h"
 
 namespace camlaw::cli {
 
 using optim::FrontPoint;
 
 FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const optim::Front& found)
-    : study(of), front(found), ruler(problems::front_ruler(of.bound().statement())) {}
+    : study(of),
+      front(found),
+      ruler(problems::front_ruler(of.bound().statement())),
+      warnings(warnings_of(*this)) {}
 
 double FrontAnswer::value(std::size_t i, double cost) const {
   return front.objectives[i].sense == optim::Sense::Minimize ? cost : -cost;

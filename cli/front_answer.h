@@ -11,6 +11,7 @@ struct FrontAnswer {
   const problems::FrontStudy& study;
   const optim::Front& front;
   std::optional<problems::FrontRuler> ruler;
+  std::vector<std::string> warnings;  ///< what stands beside the verdicts, warnings_of(*this)
 
   FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "cli/front_output.h"
+#include "cli/warnings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -111,6 +112,7 @@ Json front_json(const FrontAnswer& answer) {
                                     : Json(nullptr)},
           {"knee", std::move(knee_object)},
           {"complete", front.complete},
+          {"warnings", answer.warnings},
           {"searches", front.tasks},
           {"evaluations", front.evaluations},
           {"combinations", front.parts},
@@ -124,6 +126,7 @@ Json point_json(const FrontAnswer& answer, std::size_t k) {
   Json object = point_object(answer, k);
   object["point"] = k;
   object["next"] = next_json(answer, k);
+  object["warnings"] = warnings_of(answer.study.design(answer.front.points[k]));
   return object;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/front_output.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -169,6 +170,7 @@ std::string work_text(const FrontAnswer& answer) {
   for (const optim::FailedTask& failed : front.failures) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
   }
+  text += warnings_text(answer.warnings);
   if (!front.complete) text += "the study is not finished; --resume goes on with it\n";
   return text;
 }
@@ -192,6 +194,7 @@ std::string point_text(const FrontAnswer& answer, std::size_t k) {
   const FrontPoint& point = answer.front.points[k];
   std::string text = fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
                                  verdict_text(point), point.reason);
+  text += warnings_text(warnings_of(answer.study.design(point)));
   if (const std::string law = answer.law(point); !law.empty()) text += "  law " + law + "\n";
   const auto values = answer.values(point);
   if (values.size() <= 4 * kListed) {

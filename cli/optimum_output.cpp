@@ -10,6 +10,7 @@
 #include "cli/limit_text.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 #include "problems/results/recorded_design.h"
 
 namespace camlaw::cli {
@@ -215,6 +216,7 @@ std::string answer_text(const Answer& answer) {
   std::string text = title.empty() ? "" : title + "\n";
   text += fmt::format("{}: {}\n", shaded_verdict(a.verdict), a.reason);
   if (a.global) text += fmt::format("global: {}\n", *a.global);
+  text += warnings_text(answer.warnings);
   text += fmt::format("\n{}", design_text(answer));
   if (!a.limits.empty()) text += fmt::format("\n{}", limit_table(answer));
   if (!a.active.empty()) text += fmt::format("\nactive: {}\n", fmt::join(a.active, ", "));
@@ -266,6 +268,7 @@ Json answer_json(const Answer& answer) {
       {"status", optim::to_string(found.status)},
       {"verdict", optim::to_string(a.verdict)},
       {"reason", a.reason},
+      {"warnings", answer.warnings},
       {"objective", to_json(a.objective.value)},
       {"objective_name", objective_name(answer)},
       {"objective_unit", objective_unit(answer)},

@@ -20,6 +20,7 @@ struct Answer {
   const optim::Optimum& optimum;
   std::string asked;  ///< the solver asked for, or "auto"
   std::uint64_t seed;
+  std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
 
   /// Option or variable by name, with units: the design.
   struct Value {

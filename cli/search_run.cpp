@@ -12,6 +12,7 @@
 #include "cli/law_figure.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
+#include "cli/warnings.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -136,7 +137,8 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     optimum = optim::optimise(space, search);
   }
   search.progress = {};
-  const Answer answer{bound, space, optimum, search.solver, search.seed};
+  Answer answer{bound, space, optimum, search.solver, search.seed};
+  answer.warnings = warnings_of(answer);
   // Printed first: the search is not lost where a file cannot be written after all.
   const std::string json = show(command, answer, rest_of(search, optimum), options.json);
   if (options.out) {

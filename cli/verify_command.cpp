@@ -9,6 +9,7 @@
 #include "cli/limit_text.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 #include "problems/results/judged_design.h"
 
 namespace camlaw::cli {
@@ -41,7 +42,7 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
                         limit.name, words.value, with_unit(words.bound, limit.unit),
                         limit.proved ? "" : "  (not proved)");
   }
-  text += "\n";
+  text += warnings_text(warnings_of(read.statement)) + "\n";
   if (verified.disagreements.empty()) return text + "the claim holds\n";
   text += "the claim does not hold\n";
   for (const std::string& what : verified.disagreements) text += fmt::format("  {}\n", what);
@@ -56,6 +57,7 @@ Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
           {"claimed_objective", read.objective ? to_json(*read.objective) : Json(nullptr)},
           {"verdict", to_string(found.verdict)},
           {"reason", found.reason},
+          {"warnings", warnings_of(read.statement)},
           {"global", found.global ? Json(*found.global) : Json(nullptr)},
           {"best_possible", found.best_possible ? to_json(*found.best_possible) : Json(nullptr)},
           {"objective", to_json(found.objective.value)},

@@ -16,6 +16,7 @@
 #include "cli/report/scene.h"
 #include "cli/report/sensitivity_section.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/parameters.h"
 
@@ -101,7 +102,8 @@ std::string lead(const ReportedDesign& reported, const Review& review) {
   const ProblemStatement& design = reported.read.statement;
   const auto& verdict = reported.read.verdict;
   std::string html = "<p>" + verdict_badge(verdict, review) + "</p>\n" +
-                     objective_text(design, review) + reasons(review);
+                     warnings_html(warnings_of(design)) + objective_text(design, review) +
+                     reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
     return html +

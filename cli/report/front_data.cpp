@@ -210,7 +210,7 @@ std::string verdict_words(const FrontPoint& point) {
 }
 
 problems::ProblemStatement design_of(const FrontAnswer& answer, const FrontPoint& point) {
-  return answer.study.bound().at(answer.study.space().options(point.part), point.x);
+  return answer.study.design(point);
 }
 
 std::string named_with_unit(const std::string& name, const std::string& unit) {

@@ -14,6 +14,7 @@
 #include "cli/report/report.h"
 #include "cli/report/sensitivity_section.h"
 #include "cli/text_table.h"
+#include "cli/warnings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -85,7 +86,7 @@ std::string lead(const FrontAnswer& answer) {
       fmt::format("{} of {} points certified", front.certified(), front.points.size());
   std::string badges = badge(all ? "good" : "plain", certified);
   if (!front.complete) badges += badge("bad", "not finished");
-  return fmt::format("<p>{}</p>\n", badges) +
+  return fmt::format("<p>{}</p>\n", badges) + warnings_html(answer.warnings) +
          paragraph(fmt::format("{}.", fmt::join(ranges, "; ")));
 }
 

@@ -21,7 +21,7 @@ std::string list_of_lines(std::string_view text);
 std::string preformatted(std::string_view text);
 /// Closed until it is opened; printed open.
 std::string details(std::string_view summary, std::string_view html);
-/// A word that is coloured by `kind`: "good", "bad" or "plain".
+/// A word that is coloured by `kind`: "good", "bad", "unsure" or "plain".
 std::string badge(std::string_view kind, std::string_view text);
 /// Things side by side: a term and what it is.
 std::string definitions(const std::vector<std::pair<std::string, std::string>>& pairs);

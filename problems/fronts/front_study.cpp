@@ -173,9 +173,13 @@ optim::Front FrontStudy::run(optim::Executor& executor) const {
   return optim::pareto(space_, options_, executor);
 }
 
+ProblemStatement FrontStudy::design(const optim::FrontPoint& point) const {
+  return bound_.at(space_.options(point.part), point.x);
+}
+
 std::optional<Member> FrontStudy::law(const optim::FrontPoint& point) const {
   if (bound_.statement().mechanism->moved_by == MovedBy::Nothing) return {};
-  return bound_.at(space_.options(point.part), point.x).laws.front().listed();
+  return design(point).laws.front().listed();
 }
 
 }  // namespace camlaw::problems

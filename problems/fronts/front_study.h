@@ -45,6 +45,8 @@ class FrontStudy {
 
   optim::Front run(optim::Executor& executor) const;
 
+  /// A point of the front as a person states it, for evaluation.
+  ProblemStatement design(const optim::FrontPoint& point) const;
   /// The law of a design of the front; none where the mechanism has none.
   std::optional<Member> law(const optim::FrontPoint& point) const;
 

@@ -56,6 +56,9 @@ struct EvaluatedResponse {
   bool proved = true;
 };
 
+/// A response of the statement's mechanism, at its starts.
+EvaluatedResponse evaluate_response(const ProblemStatement& statement,
+                                    const MechanismResponse& declared);
 /// Every response of the mechanism, named peaks last, at the statement's starts.
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement);
 

@@ -48,6 +48,11 @@ EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismRe
 
 }  // namespace
 
+EvaluatedResponse evaluate_response(const ProblemStatement& statement,
+                                    const MechanismResponse& declared) {
+  return evaluated(statement, declared, fixed(statement));
+}
+
 std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {
   const Binding binding = fixed(statement);
   std::vector<EvaluatedResponse> result;

@@ -28,7 +28,8 @@ void tell_apart(std::vector<Member>& laws);
 
 /// The programs of a file's table [program], one for each combination of its segments' laws. A free
 /// law is what the file's table [free] says.
-std::vector<Member> read_program(const Entry& file, const Entry& program, LawFiles& files);
+std::vector<Member> read_program(const Entry& file, const Entry& program,
+                                 const std::optional<ProgramTiming>& timing, LawFiles& files);
 /// What the i-th segment, counted from 0, is called.
 std::string segment_name(const Entry& segment, std::size_t i);
 

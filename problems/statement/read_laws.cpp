@@ -118,7 +118,10 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
     if (program == nullptr) {
       refuse(file, "program is missing; write [program] and [[program.segments]]");
     }
-    problem.laws = read_program(file, *program, problem.law_files);
+    expect(*program, Kind::Table, "a table, [program] with [[program.segments]]");
+    check_keys(*program, {"matched", "cycle_time", "times_at", "segments"});
+    problem.timing = read_timing(file, *program, problem);
+    problem.laws = read_program(file, *program, problem.timing, problem.law_files);
     return;
   }
   const Entry& law = law_entry(file);

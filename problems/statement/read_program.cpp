@@ -36,7 +36,7 @@ Matched read_matched(const Entry& program) {
 }
 
 /// Degrees of the cycle, stated as an angle or as a time; none: what is left.
-std::optional<double> read_angle(const Entry& segment, std::optional<double> cycle_time) {
+std::optional<double> read_angle(const Entry& segment, const std::optional<ProgramTiming>& timing) {
   const Entry* angle = find(segment, "angle");
   const Entry* time = find(segment, "time");
   if (angle != nullptr && time != nullptr) {
@@ -44,10 +44,7 @@ std::optional<double> read_angle(const Entry& segment, std::optional<double> cyc
   }
   if (angle != nullptr) return positive_of(*angle, "deg");
   if (time == nullptr) return {};
-  if (!cycle_time) {
-    refuse(*time, "times need the cycle's own; write cycle_time = \"0.2 s\" in [program]");
-  }
-  return positive_of(*time, "s") / *cycle_time * kCycle;
+  return timing.value().angle_of(positive_of(*time, "s"));
 }
 
 Member read_segment_law(const Entry& file, const Entry& name, LawFiles& files) {
@@ -69,13 +66,13 @@ std::vector<Member> read_segment_laws(const Entry& file, const Entry& law, LawFi
 }
 
 StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t index, double level,
-                           std::optional<double> cycle_time, LawFiles& files) {
+                           const std::optional<ProgramTiming>& timing, LawFiles& files) {
   expect(entry, Kind::Table, "a table with name, angle and, where it moves, law and to");
   check_keys(entry, {"name", "angle", "time", "law", "to"});
   StatedSegment result{&entry, {}, {}};
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
-  segment.angle = read_angle(entry, cycle_time).value_or(0);
+  segment.angle = read_angle(entry, timing).value_or(0);
   const Entry* law = find(entry, "law");
   segment.rests = law == nullptr;
   const Entry* to = find(entry, "to");
@@ -139,18 +136,16 @@ std::string segment_name(const Entry& segment, std::size_t i) {
   return name != nullptr ? text_of(*name) : fmt::format("segment{}", i + 1);
 }
 
-std::vector<Member> read_program(const Entry& file, const Entry& program, LawFiles& files) {
-  expect(program, Kind::Table, "a table, [program] with [[program.segments]]");
-  check_keys(program, {"matched", "cycle_time", "segments"});
+std::vector<Member> read_program(const Entry& file, const Entry& program,
+                                 const std::optional<ProgramTiming>& timing, LawFiles& files) {
   const Matched matched = read_matched(program);
-  const auto cycle_time = find_positive(program, "cycle_time", "s");
   const Entry* list = find(program, "segments");
   if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
   expect(*list, Kind::List, "a list of tables, [[program.segments]]");
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : list->items) {
-    stated.push_back(read_segment(file, entry, stated.size(), level, cycle_time, files));
+    stated.push_back(read_segment(file, entry, stated.size(), level, timing, files));
     level = stated.back().segment.to;
   }
   if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");

@@ -43,6 +43,9 @@ std::string curve_of(const ResponseName& name) {
   return name.response != nullptr && name.response->curve ? name.response->name : "";
 }
 
+/// Whether a response is the largest size of a curve.
+bool is_size(const ResponseName& name) { return name.part == Part::Magnitude; }
+
 bool is_peak(const ResponseName& name) {
   return name.part == Part::Highest || name.part == Part::Magnitude;
 }
@@ -111,7 +114,7 @@ void check_limits(const Limits& limits, const ResponseName& name) {
 
 /// Refuses an upper bound that the largest size of a curve passes whatever the design.
 void check_size_limit(const Limits& limits, const ConstraintStatement& constraint) {
-  if (constraint.response.part != Part::Magnitude || *constraint.upper > 0) return;
+  if (!is_size(constraint.response) || *constraint.upper > 0) return;
   refuse(*limits.upper,
          fmt::format("{} is the largest size of the curve {}, which is not below zero; give an "
                      "upper bound above zero instead of {}, or limit the curve itself",
@@ -121,6 +124,18 @@ void check_size_limit(const Limits& limits, const ConstraintStatement& constrain
 
 std::optional<double> read_limit(const Entry* entry, const std::string& unit) {
   return entry == nullptr ? std::nullopt : std::optional(quantity_of(*entry, unit));
+}
+
+/// Refuses a bound on a pressure angle that no cam has: it was meant for something else.
+void check_possible(const Entry* entry, const std::optional<double>& bound,
+                    const ResponseName& name) {
+  constexpr double most = 90;
+  const bool is_pressure_angle =
+      name.response != nullptr && name.response->name.find("pressure_angle") != std::string::npos;
+  if (entry == nullptr || !is_pressure_angle || std::abs(*bound) <= most) return;
+  const double least = is_size(name) ? 0 : -most;
+  refuse(*entry, fmt::format("{} is never outside {}; the bound is {}", name.name,
+                             range_text(least, most, name.unit), with_unit(*bound, name.unit)));
 }
 
 /// Refuses bounds that cross, and for a curve bounds that leave one value.
@@ -152,6 +167,9 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   constraint.upper = read_limit(limits.equals != nullptr ? limits.equals : limits.upper, unit);
   check_order(table, limits, constraint);
   check_size_limit(limits, constraint);
+  const Entry* const above = limits.equals != nullptr ? limits.equals : limits.upper;
+  check_possible(limits.lower, constraint.lower, constraint.response);
+  check_possible(above, constraint.upper, constraint.response);
   constraint.tolerance = find_positive(table, "tolerance", unit);
   return constraint;
 }

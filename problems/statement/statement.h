@@ -11,6 +11,7 @@
 
 #include "kinematics/catalogue.h"
 #include "problems/mechanism/mechanism.h"
+#include "problems/statement/program_timing.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,
 /// what is wanted and what must hold. Reading it checks every name, unit and range; after that no
@@ -61,6 +62,7 @@ struct ProblemStatement {
   std::vector<double> constants;  ///< of every mechanism parameter, in its listed unit
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
+  std::optional<ProgramTiming> timing;  ///< where a program speaks of time
   std::vector<VariableStatement> variables;
   /// One, or for a front two or more; `evaluate` does without.
   std::vector<ObjectiveStatement> objectives;

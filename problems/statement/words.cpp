@@ -98,6 +98,18 @@ std::string laws_sentence(const ProblemStatement& problem) {
   return fmt::format("Choose the motion law among {}.\n", listed(laws));
 }
 
+std::string timing_sentence(const ProblemStatement& problem) {
+  if (!problem.timing) return "";
+  const ProgramTiming& timing = *problem.timing;
+  std::vector<std::string> times;
+  for (const ProgramTiming::Segment& s : timing.segments) {
+    times.push_back(
+        fmt::format("{} takes {:.6g} s ({:.6g} deg)", s.name, s.time, timing.angle_of(s.time)));
+  }
+  return fmt::format("At {:.6g} rpm a turn takes {:.6g} s{}{}.\n", timing.speed, timing.turn(),
+                     times.empty() ? "" : ": ", listed(times));
+}
+
 /// " (of polynomial-5)", where not every law has what varies.
 std::string owner_note(const ProblemStatement& problem, const VariableStatement& v) {
   std::vector<std::string> owners;
@@ -194,7 +206,7 @@ std::string in_words(const ProblemStatement& problem) {
   std::string words = problem.title.empty() ? "" : problem.title + "\n\n";
   words +=
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
-  words += constants_sentence(problem) + laws_sentence(problem);
+  words += constants_sentence(problem) + laws_sentence(problem) + timing_sentence(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {
     const std::size_t next = end_of_list(problem.variables, i);
     words += next - i > kListedOneByOne ? list_sentence(problem, i, next)
