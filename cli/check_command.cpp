@@ -10,7 +10,7 @@
 #include "cli/optimum_output.h"
 #include "cli/warnings.h"
 #include "optim/problem/check_derivatives.h"
-#include "problems/statement/doubtful_limits.h"
+#include "problems/statement/bind.h"
 
 namespace camlaw::cli {
 namespace {
@@ -79,8 +79,7 @@ void run_check(const CheckOptions& options, int& status) {
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
   fmt::print("{}", problems::in_words(statement));
-  fmt::print("{}",
-             warnings_text(problems::doubtful_limits(problems::BoundProblem(statement, true))));
+  fmt::print("{}", warnings_text(doubts_of(statement)));
   if (options.scaling) fmt::print("\n{}", scaling_text(variants->problem(0)));
   if (!options.derivatives) return say_next(search_command(statement, options.file));
   fmt::print("\n");

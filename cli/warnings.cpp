@@ -36,14 +36,19 @@ std::string points_text(const std::vector<std::size_t>& points) {
 
 }  // namespace
 
+Warnings doubts_of(const problems::ProblemStatement& problem) {
+  try {
+    return problems::doubtful_limits(problems::BoundProblem(problem, true));
+  } catch (const std::invalid_argument&) {
+    return {};  // more combinations than can be searched: that is said where one searches
+  }
+}
+
 Warnings warnings_of(const problems::ProblemStatement& design) {
   Warnings warnings;
   add_cautions(design, warnings);
-  try {
-    const Warnings doubts = problems::doubtful_limits(problems::BoundProblem(design, true));
-    warnings.insert(warnings.end(), doubts.begin(), doubts.end());
-  } catch (const std::invalid_argument&) {  // too many combinations to search; a design has one
-  }
+  const Warnings doubts = doubts_of(design);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   return warnings;
 }
 

@@ -15,6 +15,8 @@ namespace camlaw::cli {
 
 using Warnings = std::vector<std::string>;
 
+/// Of a problem's limits alone.
+Warnings doubts_of(const problems::ProblemStatement& problem);
 /// Of a design that nobody searched for.
 Warnings warnings_of(const problems::ProblemStatement& design);
 /// Of an answer; of one without a design, what concerns its limits.

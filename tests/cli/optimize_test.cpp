@@ -205,6 +205,47 @@ TEST_CASE("evaluate tells limits from the side that was written", "[program]") {
   CHECK(all["constraints"][0]["side"] == "upper");
 }
 
+TEST_CASE("what a cam does not bear stands beside every verdict", "[program]") {
+  const Folder folder;
+  const std::string cam =
+      "mechanism = 'disc-cam-roller'\n[constants]\nroller_radius = '40 mm'\n"
+      "[program]\nsegments = [{name = 'rise', angle = 60, law = 'modified-sine'},"
+      "{name = 'back', law = 'cycloidal'}]\n"
+      "[variables.base_radius]\nlower = '20 mm'\nupper = '60 mm'\nstart = '20 mm'\n";
+  const auto undercut = Contains("caution: the profile is undercut: undercut reaches 1.131 at");
+  const std::string path = written(folder, cam + "[objective]\nminimize = 'base_radius'\n");
+  CHECK_THAT(done({"evaluate", path}), undercut);
+  CHECK_THAT(done({"optimize", path, "--out", folder / "out"}), undercut);
+  const std::string result = folder / "out" + "/result.json";
+  CHECK(Json::parse(read(result))["warnings"].size() > 0);
+  CHECK_THAT(done({"verify", result}), undercut);
+  done({"report", result, "-o", folder / "page.html"});
+  CHECK_THAT(read(folder / "page.html"), Contains("badge unsure") && Contains("is undercut"));
+  const std::string several =
+      written(folder, cam +
+                          "[[objectives]]\nminimize = 'base_radius'\n"
+                          "[[objectives]]\nminimize = 'peak_pressure_angle'\n");
+  CHECK_THAT(done({"pareto", several, "--points", "5"}),
+             Contains("caution: at point") && Contains("the profile is undercut: "));
+}
+
+TEST_CASE("a limit with a wrong unit is named by check and beside the verdict", "[program]") {
+  const Folder folder;
+  const std::string path =
+      written(folder,
+              "mechanism = 'disc-cam-roller'\n"
+              "[program]\nsegments = [{name = 'rise', angle = 90, law = 'modified-sine'},"
+              "{name = 'back', law = 'cycloidal'}]\n"
+              "[variables.base_radius]\nlower = '50 mm'\nupper = '90 mm'\n"
+              "[objective]\nminimize = 'base_radius'\n"
+              "[[constraints]]\nresponse = 'pressure_angle'\nupper = '30 urad'\n"
+              "[[constraints]]\nresponse = 'drive_torque'\nupper = '1 PN m'\n");
+  const auto named = Contains("caution: the limit drive_torque <= 1e+15 N m is never active");
+  CHECK_THAT(done({"check", path}), named);
+  CHECK_THAT(run({"optimize", path}).out, named);
+  CHECK_THAT(done({"evaluate", path}), named);
+}
+
 TEST_CASE("a machine that is not possible is bad input", "[program]") {
   const Words words{"evaluate", shipped("least_radius.toml"), "--set", "depth=60 mm"};
   CHECK_THAT(failed(words, 2), Contains("spine-cutter is not possible with these values") &&

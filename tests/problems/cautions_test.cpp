@@ -58,6 +58,8 @@ TEST_CASE("what a cam does not bear is said, whatever its limits", "[cautions]")
       {"disc-cam-roller", "speed = '3000 rpm'\n", "the follower leaves the cam: contact is lost"},
       {"disc-cam-roller", "base_radius = '10 mm'\nbore_radius = '10 mm'\n",
        "the bore takes the whole base circle: base_radius is 10 mm and bore_radius 10 mm"},
+      {"disc-cam-conjugate", "base_radius = '25 mm'\nroller_radius = '45 mm'\n",
+       "the profile is undercut: second_undercut"},
       {"disc-cam-roller", "cutter_radius = '500 mm'\n", "the tool does not fit a hollow"},
   };
   for (const Case& c : cases) {
