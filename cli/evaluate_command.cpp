@@ -12,6 +12,7 @@
 #include "cli/cycle_figure.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
 #include "cli/next_step.h"
@@ -159,7 +160,9 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
 
 void run_evaluate(const EvaluateOptions& options) {
   keep_standard_output({options.curves, options.svg, options.profile}, options.json);
+  keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
+  keep_inputs(read);
   ProblemStatement statement = read.statement;
   problems::set_values(statement, options.settings);
   const auto responses = problems::evaluate(statement);

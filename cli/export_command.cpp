@@ -12,6 +12,7 @@
 #include "cli/export_output.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/terminal.h"
 #include "optim/verdict/verdict.h"
 #include "problems/exports/curve_svg.h"
@@ -185,9 +186,10 @@ void run_export(const ExportOptions& options) {
   keep_standard_output({options.out});
   const FormatRow& format = format_of(options);
   check_options(options, format);
-  if (options.out) check_not_input(options.file, *options.out);
   if (ending_of(options.file) == ".db") refuse_study(options.file);
+  keep_input(options.file);
   problems::ReadDesign design = problems::read_design_file(options.file);
+  keep_inputs(design);
   problems::set_values(design.statement, options.settings);
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "cli/inputs.h"
 #include "cli/terminal.h"
 
 namespace camlaw::cli {
@@ -114,6 +115,10 @@ Pending locate(const OutputFile& file, std::size_t number) {
   if (file.path.empty()) throw std::invalid_argument("an output file has an empty name");
   if (fs::is_directory(file.path)) fail(file.path, "it is a folder");
   if (file.path == kStandardStream) return {&file, file.path, {}};
+  if (is_input(file.path)) {
+    throw std::invalid_argument(fmt::format(
+        "'{}' is an input of this run; the output needs another name", file.path.string()));
+  }
   if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), {}};
   std::error_code error;
   const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
@@ -230,7 +235,7 @@ std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
   std::vector<fs::path> removed;
   for (const fs::path& path : paths) {
     std::error_code error;
-    if (!fs::is_regular_file(fs::symlink_status(path, error))) continue;
+    if (!fs::is_regular_file(fs::symlink_status(path, error)) || is_input(path)) continue;
     if (!fs::remove(path, error)) {
       throw std::runtime_error(
           fmt::format("cannot remove '{}': {}", path.string(), error.message()));
@@ -249,6 +254,7 @@ void say_written(const std::vector<OutputFile>& files) {
 
 void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
   std::fflush(stdout);
+  if (possible.empty() || !fs::exists(possible.front())) possible.clear();
   write_files(files);
   for (const OutputFile& file : files) std::erase(possible, file.path);
   const auto removed = remove_files(possible);

@@ -26,9 +26,10 @@ void keep_standard_output(const std::vector<std::optional<std::string>>& outputs
 /// all are on the disk are they renamed into place. Missing folders are made, links followed,
 /// permissions kept; what is not a regular file, and all below /dev and /proc, is written to as it
 /// is, and "-" is standard output.
-/// Throws std::invalid_argument where two outputs are one file or a name is empty,
-/// std::runtime_error naming the file and the reason where one cannot be written; no temporary file
-/// and no new folder is left behind then, nor when the program is interrupted.
+/// Throws std::invalid_argument where two outputs are one file, an output is an input
+/// (cli/inputs.h) or a name is empty, std::runtime_error naming the file and the reason where one
+/// cannot be written; no temporary file and no new folder is left behind then, nor when the program
+/// is interrupted.
 void write_files(const std::vector<OutputFile>& files);
 
 /// That write_files can begin to write these files, before long work is done for them: throws as it
@@ -52,7 +53,9 @@ std::vector<std::filesystem::path> remove_files(const std::vector<std::filesyste
 void say_written(const std::vector<OutputFile>& files);
 
 /// Writes the files of a folder of results. Of `possible` those of an earlier run that this one
-/// does not write are removed: they must not stay beside its own. Says so unless told not to.
+/// does not write are removed: they must not stay beside its own. That there was an earlier run the
+/// first of them tells, which every run writes; without it nothing is removed. Says what it does
+/// unless told not to.
 void write_out(std::vector<std::filesystem::path> possible, const std::vector<OutputFile>& files,
                bool says);
 

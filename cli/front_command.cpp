@@ -9,6 +9,7 @@
 #include "cli/files.h"
 #include "cli/front_output.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_output.h"
@@ -84,8 +85,10 @@ Spread spread_of(const FrontAnswer& answer, const optim::FrontPoint& point,
 
 void run_front(const FrontCommand& options, int& status) {
   keep_standard_output({options.csv, options.svg, options.result}, options.json);
+  keep_input(options.file);
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
+  keep_inputs(study.bound().statement());
   optim::RecordedExecutor recorded(study.space(), record, nullptr);
   const optim::Front front = study.run(recorded);
   const FrontAnswer answer{study, front};

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/law_figure.h"
 #include "cli/law_json.h"
 #include "cli/text_table.h"
@@ -102,6 +103,7 @@ void print_json(const Member& member, const LawOptions& options) {
 
 void show_law(const LawOptions& options) {
   keep_standard_output({options.csv, options.svg}, options.json);
+  keep_input(options.name);
   Member member = problems::find_any_law(options.name, "", read_quantity);
   for (const std::string& assignment : options.parameters) {
     set_argument(member, assignment, read_quantity);

@@ -8,6 +8,7 @@
 #include "cli/files.h"
 #include "cli/front_output.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
@@ -123,8 +124,11 @@ void run_pareto(const ParetoCommand& options, int& status) {
   check_folder(options.out);
   workers_of(options);  // refused before anything is written
   const auto path = study_file(options);
+  keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
                              settings_of(options, path));
+  keep_inputs(study.bound().statement());
+  if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (options.out) check_writable(possible);

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/report/report.h"
 #include "problems/fronts/front_study.h"
 #include "problems/results/recorded_design.h"
@@ -48,6 +49,7 @@ problems::ReadDesign with_settings(const problems::ReadDesign& read,
 
 ReportPage design_page(const std::string& input, const std::vector<std::string>& settings) {
   problems::ReadDesign read = problems::read_design_file(input);
+  keep_inputs(read);
   if (!settings.empty()) read = with_settings(read, settings);
   Facts facts = read.verdict ? facts_of(input) : Facts{};
   return design_report({.read = std::move(read), .file = input, .facts = std::move(facts)});
@@ -56,6 +58,7 @@ ReportPage design_page(const std::string& input, const std::vector<std::string>&
 ReportPage study_page(const std::string& file) {
   optim::StudyRecord record = optim::StudyRecord::read(file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
+  keep_inputs(study.bound().statement());
   optim::RecordedExecutor recorded(study.space(), record, nullptr);
   const optim::Front front = study.run(recorded);
   if (front.points.empty()) {
@@ -96,7 +99,7 @@ void run_report(const ReportOptions& options) {
   const std::filesystem::path output =
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
-  check_not_input(options.input, output);
+  keep_input(options.input);
   check_ending(output);
   check_writable({output});
   const std::vector<OutputFile> files{

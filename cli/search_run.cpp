@@ -8,6 +8,7 @@
 
 #include "cli/cycle_figure.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
 #include "cli/next_step.h"
@@ -119,7 +120,9 @@ std::string show(const SearchCommand& command, const Answer& answer,
 int run_search(const SearchOptions& options, const SearchCommand& command) {
   check_folder(options.out);
   const problems::SolverStatement stated = stated_options(options);
+  keep_input(options.file);
   problems::ProblemStatement statement = problems::read_problem_file(options.file);
+  keep_inputs(statement);
   problems::set_values(statement, options.settings);
   command.check(statement);
   const problems::BoundProblem bound(std::move(statement));

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "problems/results/recorded_design.h"
+
+/// What this run reads. No output takes the place of an input: write_files and check_writable
+/// refuse it, and no clearing up removes it.
+namespace camlaw::cli {
+
+/// Names a file that is read; "-" and what is no file yet are none.
+void keep_input(const std::filesystem::path& path);
+/// Names the file of a problem and the law files that it names.
+void keep_inputs(const problems::ProblemStatement& statement);
+/// The same of a design's problem, unless the design is of a result, which stands alone.
+void keep_inputs(const problems::ReadDesign& read);
+
+/// Whether a path leads to an input, by whatever name or link.
+bool is_input(const std::filesystem::path& path);
+
+}  // namespace camlaw::cli
