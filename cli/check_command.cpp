@@ -74,7 +74,12 @@ class Variants {
 void run_check(const CheckOptions& options, int& status) {
   const auto statement = problems::read_problem_file(options.file);
   std::optional<Variants> variants;
-  if (!statement.objectives.empty() || options.derivatives || options.scaling) {
+  if (statement.objectives.empty() && (options.derivatives || options.scaling)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: {} looks at the objective, and there is none; write [objective] minimize = \"...\"",
+        options.file, options.scaling ? "--scaling" : "--derivatives"));
+  }
+  if (!statement.objectives.empty()) {
     variants.emplace(problems::BoundProblem(statement));  // or says why not
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }

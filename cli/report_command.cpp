@@ -25,7 +25,7 @@ struct ReportOptions {
 
 /// What a result says of the search that found it.
 Facts facts_of(const std::string& result) {
-  const Json said = Json::parse(problems::file_text(result, "result"));
+  const Json said = problems::parse_json(problems::file_text(result, "result"));
   Facts facts;
   const auto add = [&](const char* name, const char* key) {
     const auto at = said.find(key);

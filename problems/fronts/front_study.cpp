@@ -49,9 +49,19 @@ std::string laws_of_files(const ProblemStatement& statement) {
   return laws.dump();
 }
 
+/// A setting of a study that is JSON.
+Json setting_of(const char* name, const std::string& text) {
+  try {
+    return parse_json(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("the study's setting '{}' is damaged: {}", name, error.what()));
+  }
+}
+
 void check_laws(const std::string& its, const std::string& now) {
   if (its == now) return;
-  const Json before = Json::parse(its), after = Json::parse(now);
+  const Json before = setting_of("laws", its), after = parse_json(now);
   for (const auto& [name, pieces] : before.items()) {
     if (after.contains(name) && after[name] == pieces) continue;
     throw std::invalid_argument(
@@ -71,7 +81,7 @@ ProblemStatement read_and_set(const std::string& text, const std::string& source
 std::vector<std::string> set_of(const optim::StudySettings& settings) {
   const auto at = settings.find("set");
   if (at == settings.end()) return {};
-  const Json set = Json::parse(at->second, nullptr, false);
+  const Json set = setting_of("set", at->second);
   const bool texts = set.is_array() && std::all_of(set.begin(), set.end(), [](const Json& text) {
                        return text.is_string();
                      });

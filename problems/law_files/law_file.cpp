@@ -74,8 +74,7 @@ void check_rise(const Law<double>& law) {
 }
 
 ReadLaw law_of(const std::string& text) {
-  const Json object = Json::parse(text, nullptr, false);
-  if (object.is_discarded()) throw std::invalid_argument("it is not JSON, or not all of it");
+  const Json object = parse_json(text);
   if (!object.is_object() || !object.contains("format") || object["format"] != kFormat) {
     throw std::invalid_argument(
         fmt::format("it is no law file: it has no \"format\": \"{}\"", kFormat));

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "kinematics/law.h"
+#include "problems/json_text.h"
 
 /// A law's data as JSON, both ways: what is read back is the same law to the last bit.
 namespace camlaw::problems {
-
-using Json = nlohmann::ordered_json;
 
 /// A list of pieces with begin, end, origin, polynomial, harmonics and curves.
 Json pieces_to_json(const Law<double>& law);

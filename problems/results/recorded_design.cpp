@@ -104,8 +104,13 @@ void set_variables(const Json& record, ProblemStatement& statement) {
 
 /// The object of a result with a design.
 Json result_of(std::string_view json) {
-  Json result = Json::parse(json, nullptr, false);
-  if (result.is_discarded()) refuse(fmt::format("it is not JSON, or not all of it; {}", kWanted));
+  Json result = [&] {
+    try {
+      return parse_json(json);
+    } catch (const std::invalid_argument& error) {
+      refuse(fmt::format("{}; {}", error.what(), kWanted));
+    }
+  }();
   if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
     refuse(fmt::format("it is no result with a design in it; {}", kWanted));
   }

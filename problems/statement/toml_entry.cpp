@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "problems/statement/letters.h"
+#include "problems/statement/toml_guard.h"
 
 namespace camlaw::problems {
 namespace {
@@ -134,7 +134,7 @@ std::string_view to_string(Entry::Kind kind) {
 }
 
 Entry parse_toml(std::string_view text, const std::string& source) {
-  check_letters(text, source);
+  guard_toml(text, source);
   try {
     return EntryBuilder(source).file(toml::parse(text));
   } catch (const toml::parse_error& error) {

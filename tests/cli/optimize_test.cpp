@@ -187,6 +187,17 @@ TEST_CASE("check says a problem in words and compares derivatives", "[program]")
                         Contains("tolerance"));
 }
 
+TEST_CASE("check says where there is nothing to scale or to differentiate", "[program]") {
+  const Folder folder;
+  const std::string path = written(folder,
+                                   "mechanism = 'spine-cutter'\nlaw.name = 'cosine'\n"
+                                   "[variables.stroke]\nlower = 10\nupper = 20\n");
+  CHECK_THAT(done({"check", path}), Contains("There is no objective"));
+  for (const char* option : {"--scaling", "--derivatives"}) {
+    CHECK_THAT(failed({"check", path, option}, 2), Contains(option) && Contains("there is none"));
+  }
+}
+
 TEST_CASE("evaluate computes every response at the values that are set", "[program]") {
   const Json all = json_of({"evaluate", shipped("least_force.toml"), "--set", "alpha=0", "--json"});
   // The cubic at h = 1 mm: the paper's 4.56 N, doubled; R = 33.08 mm.

@@ -119,6 +119,9 @@ TEST_CASE("What is no result is refused with what it should be", "[results]") {
   CHECK(recorded_design(bound, {1, 0}, std::vector{-2.0}).is_null());
   CHECK(recorded_design(bound, {1, 0}, std::vector{std::nan(""), 30.0}).is_null());
   CHECK_THAT(complaint("{\"verdict\": \"fea"), Contains("r.json: it is not JSON, or not all"));
+  const std::string deep(100000, '[');
+  CHECK_THAT(complaint("{\"verdict\": " + deep),
+             Contains("r.json: its brackets are nested deeper"));
   CHECK_THAT(complaint("{}"), Contains("r.json: it is no result with a design in it; a problem"));
   CHECK_THAT(complaint("{\"verdict\": \"failed\", \"design\": null}"),
              Contains("r.json: it holds no design; its verdict is \"failed\""));

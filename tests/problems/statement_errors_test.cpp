@@ -42,6 +42,20 @@ std::string variable(const std::string& name, const std::string& body) {
   return "[variables." + name + "]\n" + body;
 }
 
+/// "b.b.b", so many parts.
+std::string nested(const std::string& part, int count) {
+  std::string text = part;
+  for (int i = 1; i < count; ++i) text += "." + part;
+  return text;
+}
+
+/// "[1.5,1.5]", so many.
+std::string numbers(int count) {
+  std::string text = "[1.5";
+  for (int i = 1; i < count; ++i) text += ",1.5";
+  return text + "]\n";
+}
+
 const std::string kAlpha = "'polynomial-5'";
 const std::string kBounds = "lower = -5\nupper = 5\n";
 
@@ -61,6 +75,16 @@ TEST_CASE("text that is not TOML is refused with its line", "[statement]") {
       {"title = 'größe' # \"é\"\n'ü' = 3\n", ":2: ü: unknown key", {}},
       {"\xff\xfet\n", ":1: ", {"not UTF-8"}},
       {"a = 1\n[[[a]]]\n", ":2: ", {"not TOML"}},
+      {"a = 1\n" + nested("b", 33) + " = 1\n", ":2: ", {"a key has more than 32 parts"}},
+      {nested("b", 15000) + " = 1\n", ":1: ", {"more than 32 parts"}},
+      {nested("'b'", 15000) + " = 1\n", ":1: ", {"more than 32 parts"}},
+      {"[" + nested("b", 100000) + "]\nc = 1\n", ":1: ", {"more than 32 parts"}},
+      {"a = {" + nested("b ", 40) + " = 1}\n", ":1: ", {"more than 32 parts"}},
+      {nested("b", 32) + " = 1\n", ":1: b: unknown key", {}},
+      {"title = '" + nested("b", 50) + "' # " + nested("b", 50) + "\nb = " + numbers(50),
+       ":2: b: unknown key",
+       {}},
+      {"a = " + std::string(100000, '['), ":1: ", {"not TOML", "depth"}},
       {"", ": it is empty", {"mechanism", "law"}},
       {"# only a comment\n", ": it is empty", {}},
   });

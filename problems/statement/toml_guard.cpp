@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/statement/letters.h"
+#include "problems/statement/toml_guard.h"
 
 #include <fmt/format.h>
 
@@ -30,25 +30,13 @@ class Walk {
   int line() const { return line_; }
   std::string_view rest() const { return text_; }
 
-  /// Goes to the next letter beyond ASCII that is in neither; false where there is none.
-  bool next_bare_letter() {
-    while (!text_.empty()) {
-      if (end_.empty() && is_between(text_.front(), 0x80, 0xFF)) return true;
-      if (end_.empty()) {
-        step_outside();
-      } else {
-        step_inside();
-      }
-    }
-    return false;
+  /// Goes to where the text is in neither, unless it is there; false where it ends before.
+  bool is_outside() {
+    while (!text_.empty() && !end_.empty()) step_inside();
+    return !text_.empty();
   }
 
- private:
-  void skip(std::size_t count) {
-    for (const char c : text_.substr(0, count)) line_ += c == '\n' ? 1 : 0;
-    text_.remove_prefix(std::min(count, text_.size()));
-  }
-
+  /// From outside past one byte, a mark that opens quotes, or the sign of a comment.
   void step_outside() {
     if (text_.front() == '#') end_ = "\n";
     for (const std::string_view mark : {"\"\"\"", "'''", "\"", "'"}) {
@@ -57,6 +45,12 @@ class Walk {
       skip(mark.size() - 1);
     }
     skip(1);
+  }
+
+ private:
+  void skip(std::size_t count) {
+    for (const char c : text_.substr(0, count)) line_ += c == '\n' ? 1 : 0;
+    text_.remove_prefix(std::min(count, text_.size()));
   }
 
   void step_inside() {
@@ -78,16 +72,44 @@ class Walk {
   int line_ = 1;
 };
 
+/// Points between the parts of a key, as far as the walk has come in it.
+class KeyPoints {
+ public:
+  /// A byte in neither quotes nor comments.
+  void take(char c) {
+    constexpr std::string_view kOfKeys = "._- \t\"'";  // a part may be in quotes
+    const bool of_key = is_between(c, 'a', 'z') || is_between(c, 'A', 'Z') ||
+                        is_between(c, '0', '9') || kOfKeys.find(c) != std::string_view::npos;
+    if (!of_key) count_ = 0;
+    count_ += c == '.' ? 1 : 0;
+  }
+  int count() const { return count_; }
+
+ private:
+  int count_ = 0;
+};
+
 }  // namespace
 
-void check_letters(std::string_view text, const std::string& source) {
+void guard_toml(std::string_view text, const std::string& source) {
+  constexpr int kMostParts = 32;
   Walk walk(text);
-  if (!walk.next_bare_letter()) return;
-  throw std::invalid_argument(fmt::format("{}:{}: {}", source, walk.line(),
-                                          begins_letter(walk.rest())
-                                              ? "it is not TOML: letters beyond a to z stand in "
-                                                "quotes, such as \"größe\""
-                                              : "it is not UTF-8; save the file as UTF-8 text"));
+  KeyPoints points;
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("{}:{}: {}", source, walk.line(), why));
+  };
+  for (; walk.is_outside(); walk.step_outside()) {
+    const char next = walk.rest().front();
+    if (is_between(next, 0x80, 0xFF)) {
+      refuse(begins_letter(walk.rest())
+                 ? "it is not TOML: letters beyond a to z stand in quotes, such as \"größe\""
+                 : "it is not UTF-8; save the file as UTF-8 text");
+    }
+    points.take(next);
+    if (points.count() >= kMostParts) {
+      refuse(fmt::format("a key has more than {} parts", kMostParts));
+    }
+  }
 }
 
 }  // namespace camlaw::problems
