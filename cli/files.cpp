@@ -224,13 +224,6 @@ void check_folder(const std::optional<std::string>& folder) {
   }
 }
 
-void check_not_input(const fs::path& input, const fs::path& output) {
-  std::error_code ignored;
-  if (!fs::equivalent(input, output, ignored)) return;
-  throw std::invalid_argument(
-      fmt::format("'{}' is the input itself; the output needs another name", output.string()));
-}
-
 std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
   std::vector<fs::path> removed;
   for (const fs::path& path : paths) {

@@ -39,9 +39,6 @@ void check_writable(const std::vector<std::filesystem::path>& paths);
 /// Throws std::invalid_argument where the folder of --out has no name, or one of a stream.
 void check_folder(const std::optional<std::string>& folder);
 
-/// Throws std::invalid_argument where an output is the very file that is read, links followed.
-void check_not_input(const std::filesystem::path& input, const std::filesystem::path& output);
-
 /// The ending of a file's name in small letters, ".dxf"; empty where it has none.
 std::string ending_of(const std::filesystem::path& path);
 

@@ -11,6 +11,7 @@
 #include "cli/files.h"
 #include "cli/fit_output.h"
 #include "cli/help.h"
+#include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
 #include "problems/fits/found_program.h"
@@ -100,42 +101,17 @@ std::filesystem::path in_out(const FitCommand& options, const char* file) {
   return std::filesystem::path(*options.out) / file;
 }
 
-/// The files that are read.
-std::vector<std::filesystem::path> inputs_of(const FitCommand& options) {
-  std::vector<std::filesystem::path> result{*options.data};
-  for (const auto& name : {options.mechanism, options.law}) {
-    if (name && std::filesystem::exists(*name)) result.emplace_back(*name);
-  }
-  return result;
-}
-
-bool is_input(const FitCommand& options, const std::filesystem::path& path) {
-  const auto inputs = inputs_of(options);
-  return std::any_of(inputs.begin(), inputs.end(), [&](const std::filesystem::path& input) {
-    std::error_code unknown;
-    return std::filesystem::equivalent(input, path, unknown);
-  });
-}
-
 /// Files in the folder that an earlier run left there: where one has been, which its fit.json
-/// tells, and not what this one reads.
+/// tells.
 std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
   if (!std::filesystem::exists(in_out(options, "fit.json"))) return {};
-  std::vector<std::filesystem::path> result{in_out(options, "law.json"),
-                                            in_out(options, "program.toml")};
-  std::erase_if(result, [&](const auto& path) { return is_input(options, path); });
-  return result;
+  return {in_out(options, "law.json"), in_out(options, "program.toml")};
 }
 
 /// Prints an answer; of a folder the files that an earlier run left and this one has not go.
 void give(const FitCommand& options, const std::string& text, const std::string& json,
           std::vector<OutputFile> files) {
-  if (options.out) {
-    files.push_back({in_out(options, "fit.json"), json});
-    for (const OutputFile& file : files) {
-      for (const auto& input : inputs_of(options)) check_not_input(input, file.path);
-    }
-  }
+  if (options.out) files.push_back({in_out(options, "fit.json"), json});
   fmt::print("{}", options.json ? json : text);
   if (options.out) write_out(left_behind(options), files, !options.json);
 }
@@ -220,6 +196,9 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
 /// What a table is of: a cam's profile, a curve of a machine, or else a motion.
 void fit_table(const FitCommand& options) {
   loss_of(options), laws_of(options);  // wrong options before any work
+  for (const auto& input : {options.data, options.mechanism, options.law}) {
+    if (input) keep_input(*input);
+  }
   if (options.out) check_writable({in_out(options, "fit.json")});
   const problems::SampleTable table = problems::read_samples(*options.data);
   try {

@@ -100,8 +100,8 @@ void run_report(const ReportOptions& options) {
       options.output ? std::filesystem::path(*options.output)
                      : std::filesystem::path(options.input).replace_extension(".html");
   keep_input(options.input);
-  check_ending(output);
   check_writable({output});
+  check_ending(output);
   const std::vector<OutputFile> files{
       {output, page_html(page_of(options.input, options.settings))}};
   write_files(files);

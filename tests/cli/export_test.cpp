@@ -537,7 +537,7 @@ TEST_CASE("an export does not go over its own input", "[export]") {
   const Folder folder;
   const std::string path = folder / "cam.json", text = read(kRoller);
   std::ofstream(path) << text;
-  CHECK_THAT(failed({"export", path, "--out", path}, 2), Contains("the input itself"));
+  CHECK_THAT(failed({"export", path, "--out", path}, 2), Contains("is an input of this run"));
   CHECK(read(path) == text);
   CHECK_THAT(done({"export", path, "--out", folder / "CAM.SVG"}), Contains("wrote "));
   check_svg(folder / "CAM.SVG");
