@@ -43,6 +43,7 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
                         limit.proved ? "" : "  (not proved)");
   }
   text += warnings_text(warnings_of(read.statement)) + "\n";
+  for (const std::string& what : verified.not_judged) text += fmt::format("not judged: {}\n", what);
   if (verified.disagreements.empty()) return text + "the claim holds\n";
   text += "the claim does not hold\n";
   for (const std::string& what : verified.disagreements) text += fmt::format("  {}\n", what);
@@ -64,6 +65,7 @@ Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
           {"kkt_residual", to_json(found.kkt_residual)},
           {"choices_held", !verified.whole},
           {"disagreements", verified.disagreements},
+          {"not_judged", verified.not_judged},
           {"holds", verified.disagreements.empty()}};
 }
 

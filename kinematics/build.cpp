@@ -19,8 +19,9 @@ namespace detail {
 void check_durations(std::span<const double> durations) {
   double sum = 0;
   for (const double d : durations) {
-    // A rest that is computed as 1 minus the others may fall a rounding below zero.
-    if (!(d >= -1e-12)) {
+    // A rest that is computed as 1 minus the others may fall a rounding below zero, and a search
+    // keeps it above only to its own tolerance.
+    if (!(d >= -kLeastRoom)) {
       throw std::invalid_argument(
           fmt::format("a phase has the duration {:.6g}: durations must not be negative, so the "
                       "fractions must add up to no more than 1",

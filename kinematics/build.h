@@ -49,6 +49,9 @@ struct AccelerationPhase {
   std::vector<Harmonic<T>> harmonics;
 };
 
+/// How far below zero a duration, or another room of a family (catalogue.h), counts as none.
+inline constexpr double kLeastRoom = 1e-10;
+
 /// Phases no longer than this are computed remainders of zero.
 inline constexpr double kShortestPhase = 1e-12;
 

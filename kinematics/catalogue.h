@@ -57,19 +57,20 @@ class Arguments {
   std::vector<std::vector<S>> values_;
 };
 
-/// A family's construction in every scalar, from one generic callable
-/// template <class S> Law<S> (const Arguments<S>&).
-class Maker {
+/// Something that a family's arguments make, in every scalar, from one generic callable
+/// template <class S> Result<S> (const Arguments<S>&).
+template <template <class> class Result>
+class InEveryScalar {
  public:
   template <class F>
-  Maker(F construct)  // NOLINT: a lambda is meant to become a Maker
+  InEveryScalar(F construct)  // NOLINT: a lambda is meant to become one
       : plain_([construct](const Arguments<double>& a) { return construct(a); }),
         dual_([construct](const Arguments<Dual>& a) { return construct(a); }),
         dual2_([construct](const Arguments<Dual2>& a) { return construct(a); }),
         interval_([construct](const Arguments<Interval>& a) { return construct(a); }) {}
 
   template <class S>
-  Law<S> make(const Arguments<S>& arguments) const {
+  Result<S> make(const Arguments<S>& arguments) const {
     static_assert(std::is_same_v<S, double> || std::is_same_v<S, Dual> ||
                       std::is_same_v<S, Dual2> || std::is_same_v<S, Interval>,
                   "the catalogue makes laws of double, Dual, Dual2 and Interval; other scalars go "
@@ -81,10 +82,26 @@ class Maker {
   }
 
  private:
-  std::function<Law<double>(const Arguments<double>&)> plain_;
-  std::function<Law<Dual>(const Arguments<Dual>&)> dual_;
-  std::function<Law<Dual2>(const Arguments<Dual2>&)> dual2_;
-  std::function<Law<Interval>(const Arguments<Interval>&)> interval_;
+  std::function<Result<double>(const Arguments<double>&)> plain_;
+  std::function<Result<Dual>(const Arguments<Dual>&)> dual_;
+  std::function<Result<Dual2>(const Arguments<Dual2>&)> dual2_;
+  std::function<Result<Interval>(const Arguments<Interval>&)> interval_;
+};
+
+/// A family's construction.
+using Maker = InEveryScalar<Law>;
+
+template <class S>
+using Itself = S;
+
+/// What the parameters of a family must leave together, beyond the range of each: the part of the
+/// law's length that phases leave to the last one, for instance. Values that leave less than
+/// nothing make no law.
+struct Room {
+  std::string name;            ///< "1 - a - b - c"
+  InEveryScalar<Itself> left;  ///< at least 0; a plain number
+  bool linear = true;          ///< in the parameters together
+  bool is_equal = false;       ///< 0, and neither more nor less
 };
 
 struct Member;
@@ -103,6 +120,7 @@ struct Family {
   /// Of a family that is not in the catalogue: the same law as a member of one that is, where there
   /// is such a member.
   std::function<Member(const Arguments<double>&)> listed = {};
+  std::vector<Room> rooms = {};  ///< what the parameters must leave together
 
   Arguments<double> standard() const;
   /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter

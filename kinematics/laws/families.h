@@ -31,7 +31,25 @@ struct RestToRest {
   bool symmetric;
   std::string source;
   std::vector<Parameter> parameters = {};
+  std::vector<Room> rooms = {};
 };
+
+/// (P5) 1 - sum factors[i] p[i] of a family's first parameters.
+inline Room rest_of_one(std::string name, std::vector<double> factors) {
+  return {std::move(name), [factors]<class S>(const Arguments<S>& a) {
+            S rest = number<S>(1);
+            for (std::size_t i = 0; i < factors.size(); ++i) {
+              rest = rest - number<S>(factors[i]) * a.scalar(i);
+            }
+            return rest;
+          }};
+}
+
+/// The same where nothing may be left.
+inline Room sum_of_one(Room room) {
+  room.is_equal = true;
+  return room;
+}
 
 /// The entry for a rest-to-rest law. It takes one more parameter, `crossover`: the asymmetric
 /// variants.
@@ -58,7 +76,9 @@ Family rest_to_rest(RestToRest about, F construct) {
             Law<S> law = construct(a);
             const S& at = a.scalar(index);
             return is_number(at, 0.5) ? law : skewed(law, at);
-          }};
+          },
+          {},
+          std::move(about.rooms)};
 }
 
 }  // namespace detail

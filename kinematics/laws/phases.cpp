@@ -6,10 +6,43 @@
 namespace camlaw {
 namespace {
 
-using detail::rest_to_rest;
+using detail::rest_of_one, detail::rest_to_rest;
 
 Parameter fraction(const char* name, double standard, const char* meaning) {
   return {name, "1", 0, 1, {standard}, meaning};
+}
+
+/// The peak jerk of an S-curve's arguments; left out, it makes 1/B + B/C + C/D = 1.
+template <class S>
+S s_curve_jerk(const Arguments<S>& a) {
+  const S one = number<S>(1), &B = a.scalar(0), &C = a.scalar(1);
+  return a.list(2).empty() ? C / (one - one / B - B / C) : a.list(2).front();
+}
+
+/// Its ramps last C / D, the constant acceleration B / C - C / D, the constant velocity 2 / B - 1.
+std::vector<Room> s_curve_rooms() {
+  const auto sum = []<class S>(const Arguments<S>& a) {
+    const S one = number<S>(1);
+    return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
+  };
+  return {
+      {"1 - 1/B - B/C",
+       []<class S>(const Arguments<S>& a) {
+         const S one = number<S>(1);
+         return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1);
+       },
+       false},
+      {"B/C - C/D",
+       []<class S>(const Arguments<S>& a) {
+         return a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
+       },
+       false},
+      {"2/B - 1",
+       []<class S>(const Arguments<S>& a) { return number<S>(2) / a.scalar(0) - number<S>(1); },
+       false},
+      {"1 - 1/B - B/C - C/D",
+       [sum]<class S>(const Arguments<S>& a) { return a.list(2).empty() ? number<S>(0) : sum(a); },
+       false, true}};
 }
 
 std::vector<Family> straight_phases() {
@@ -29,7 +62,8 @@ std::vector<Family> straight_phases() {
            1,
            true,
            "the least C for its B: C = B^2 / (B - 1) where t1 = t2",
-           {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")}},
+           {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")},
+           {rest_of_one("1 - t1 - t2", {1, 1})}},
           []<class S>(const Arguments<S>& a) {
             return trapezoidal_velocity<S>(a.scalar(0), a.scalar(1));
           }),
@@ -41,7 +75,8 @@ std::vector<Family> straight_phases() {
            true,
            "VDI 2143",
            {fraction("ramp", 0.125, "each of four ramps"),
-            fraction("constant", 0.25, "each stretch of constant acceleration")}},
+            fraction("constant", 0.25, "each stretch of constant acceleration")},
+           {rest_of_one("1 - 4 ramp - 2 constant", {4, 2})}},
           []<class S>(const Arguments<S>& a) {
             return trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
           }),
@@ -53,14 +88,12 @@ std::vector<Family> straight_phases() {
                     "drive controllers; lambda = 1",
                     {{"B", "1", 1, 100, {1.6}, "peak velocity"},
                      {"C", "1", 1, 1e4, {5.8}, "peak acceleration"},
-                     {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}}},
+                     {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}},
+                    s_curve_rooms()},
                    []<class S>(const Arguments<S>& a) {
-                     const S &B = a.scalar(0), &C = a.scalar(1);
-                     const S one = number<S>(1);
                      if (a.list(2).size() > 1)
                        throw std::invalid_argument("D takes one value at most");
-                     return s_curve<S>(
-                         B, C, a.list(2).empty() ? C / (one - one / B - B / C) : a.list(2).front());
+                     return s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
                    }),
   };
 }
@@ -106,7 +139,8 @@ std::vector<Family> trigonometric_phases() {
                     "Norton, Cam Design and Manufacturing Handbook",
                     {fraction("a", 0.3, "both sine ramps, of the whole stretch"),
                      fraction("b", 0.2, "both stretches of constant acceleration"),
-                     fraction("c", 0.3, "both cosine ramps")}},
+                     fraction("c", 0.3, "both cosine ramps")},
+                    {rest_of_one("1 - a - b - c", {1, 1, 1})}},
                    []<class S>(const Arguments<S>& a) {
                      return scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
                    }),
@@ -121,7 +155,8 @@ std::vector<Family> trigonometric_phases() {
            {fraction("d1", 0.1, "sine ramp up"), fraction("d2", 0.1, "constant acceleration"),
             fraction("d3", 0.15, "cosine ramp down"), fraction("d4", 0.05, "constant velocity"),
             fraction("d5", 0.2, "sine ramp of the deceleration"),
-            fraction("d6", 0.2, "constant deceleration")}},
+            fraction("d6", 0.2, "constant deceleration")},
+           {rest_of_one("1 - d1 - d2 - d3 - d4 - d5 - d6", {1, 1, 1, 1, 1, 1})}},
           []<class S>(const Arguments<S>& a) {
             std::vector<S> d;
             S rest = number<S>(1);

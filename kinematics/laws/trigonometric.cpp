@@ -85,19 +85,22 @@ std::vector<Family> harmonic_series() {
            "Freudenstein, 1960",
            {detail::linear({"a", "1", -10, 10, {0, 0.05}, "a_2, a_3, ...: any number", true})}},
           []<class S>(const Arguments<S>& a) { return fourier<S>(a.list(0)); }),
-      rest_to_rest({"triple-harmonic",
-                    {},
-                    "s'' = h1 sin(2 pi x) + h2 sin(4 pi x) + h3 sin(6 pi x), "
-                    "h1/(2 pi) + h2/(4 pi) + h3/(6 pi) = 1",
-                    4,
-                    true,
-                    "MechDesigner help; standard: no jerk at the ends and the crossover",
-                    {level("h1", 9 * kPi / 4, "level of the first harmonic"),
-                     level("h2", 0, "level of the second"),
-                     level("h3", -3 * kPi / 4, "level of the third")}},
-                   []<class S>(const Arguments<S>& a) {
-                     return triple_harmonic<S>(a.scalar(0), a.scalar(1), a.scalar(2));
-                   }),
+      rest_to_rest(
+          {"triple-harmonic",
+           {},
+           "s'' = h1 sin(2 pi x) + h2 sin(4 pi x) + h3 sin(6 pi x), "
+           "h1/(2 pi) + h2/(4 pi) + h3/(6 pi) = 1",
+           4,
+           true,
+           "MechDesigner help; standard: no jerk at the ends and the crossover",
+           {level("h1", 9 * kPi / 4, "level of the first harmonic"),
+            level("h2", 0, "level of the second"), level("h3", -3 * kPi / 4, "level of the third")},
+           {detail::sum_of_one(
+               detail::rest_of_one("1 - h1/(2 pi) - h2/(4 pi) - h3/(6 pi)",
+                                   {1 / (2 * kPi), 1 / (4 * kPi), 1 / (6 * kPi)}))}},
+          []<class S>(const Arguments<S>& a) {
+            return triple_harmonic<S>(a.scalar(0), a.scalar(1), a.scalar(2));
+          }),
   };
 }
 

@@ -10,7 +10,8 @@
 namespace camlaw {
 namespace {
 
-constexpr double kCycle = 360;  // deg
+constexpr double kCycle = 360;        // deg
+constexpr double kLeastAngle = 1e-3;  // deg, of a segment
 
 [[noreturn]] void refuse(const std::string& why) {
   throw std::invalid_argument("motion program: " + why);
@@ -68,7 +69,7 @@ struct Layout {
 };
 
 Layout lay_out(const std::vector<ProgramSegment>& segments) {
-  constexpr double kLeastAngle = 1e-3, kMostLevel = 1e3;
+  constexpr double kMostLevel = 1e3;
   const auto last_move = std::find_if(segments.rbegin(), segments.rend(),
                                       [](const ProgramSegment& s) { return !s.rests; });
   Layout layout;
@@ -214,6 +215,37 @@ std::vector<ProgramSegment> listed_segments(std::vector<ProgramSegment> stated,
   return stated;
 }
 
+/// What its angles leave for the last segment, of the cycle, and the rooms of its laws.
+std::vector<Room> rooms_of(const std::vector<ProgramSegment>& stated, const Layout& layout) {
+  std::string name = "1 -";
+  std::vector<std::size_t> angles;
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (!layout.parts[i].angle) continue;
+    name += fmt::format("{}{}_angle", angles.empty() ? " (" : " + ", stated[i].name);
+    angles.push_back(*layout.parts[i].angle);
+  }
+  std::vector<Room> rooms{{name + ") / 360 deg", [angles]<class S>(const Arguments<S>& a) {
+                             S left = number<S>(1 - kLeastAngle / kCycle);
+                             for (const std::size_t i : angles) {
+                               left = left - a.scalar(i) / number<S>(kCycle);
+                             }
+                             return left;
+                           }}};
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (!stated[i].law) continue;
+    const FamilyOf family = stated[i].law->family;
+    for (const Room& room : family->rooms) {
+      rooms.push_back(
+          {stated[i].name + ": " + room.name,
+           [family, part = layout.parts[i], left = room.left]<class S>(const Arguments<S>& a) {
+             return left.make(law_arguments(a, part, *family));
+           },
+           room.linear, room.is_equal});
+    }
+  }
+  return rooms;
+}
+
 /// The program of segments that need not be such as a person may state: a design may have a move
 /// that stays where it is.
 Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
@@ -239,6 +271,7 @@ Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
   family.listed = [stated, layout, matched](const Arguments<double>& arguments) {
     return program_of(listed_segments(stated, layout, arguments), matched);
   };
+  family.rooms = rooms_of(stated, layout);
   family.continuity = continuity(family.make(family.standard()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->standard()};

@@ -111,9 +111,27 @@ void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own
   size.default_tolerance = std::min(usual, size.tolerance);
 }
 
-double size_of(const Constraint& c, const Changes& changes) {
+/// Of a curve no more than a hundred times what it is and may be: what changes by more stands
+/// beside a pole, and its slope is not the size of anything.
+double size_of(const Constraint& c, const Changes& changes, Design about,
+               const std::vector<double>& own) {
+  constexpr double kLeast = 1e-3, kMost = 100;  // of the bound; of bound and highest |value|
   if (c.scale) return *c.scale;
-  return or_one(std::max(changes.at_design(c.response), 1e-3 * larger_bound(c)));
+  const double bound = larger_bound(c);
+  const double change = std::max(changes.at_design(c.response), kLeast * bound);
+  if (!c.response.is_curve()) return or_one(change);
+  const double whole = std::max(bound, magnitude(c.response, about, own));
+  return or_one(whole > 0 && std::isfinite(whole) ? std::min(change, kMost * whole) : change);
+}
+
+/// What a change of the objective is a share of where its value is near zero: a typical change, of
+/// a curve no more than its highest |value| at the design. Beside a pole, such as the acceleration
+/// of a phase that hardly lasts, a slope says nothing of how large a curve is.
+double objective_typical(const Objective& objective, double typical, Design x,
+                         const std::vector<double>& own) {
+  if (!objective.response.is_curve()) return typical;
+  const double whole = magnitude(objective.response, x, own);
+  return whole > 0 && std::isfinite(whole) ? std::min(typical, whole) : typical;
 }
 
 double objective_tolerance(const Objective& objective, double typical, Design x) {
@@ -144,10 +162,13 @@ double typical_change(const Function& function, Design x, const std::vector<doub
 
 double typical_change(const Response& response, Design x, const std::vector<double>& scales) {
   if (!response.is_curve()) return typical_change(response.function(), x, scales);
-  constexpr int kPlaces = 5;  // in each smooth stretch
+  constexpr int kPlaces = 5;       // in each smooth stretch
+  constexpr double kShort = 1e-6;  // of the cycle: what goes on in less has no size of its own
   const auto breaks = response.curve().trace(x)->breaks();
+  const double shortest = kShort * (breaks.back() - breaks.front());
   double largest = 0;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    if (breaks[k + 1] - breaks[k] < shortest) continue;
     for (int i = 0; i < kPlaces; ++i) {
       const double angle = breaks[k] + (breaks[k + 1] - breaks[k]) * (i + 0.5) / kPlaces;
       largest = std::max(largest, typical_change(response.curve().at({angle}), x, scales));
@@ -200,11 +221,12 @@ Sizes sizes(const Problem& problem, Design about) {
   result.own = own_magnitudes(problem, about);
   result.objective = or_one(changes.at_design(objective));
   const double typical = changes.typical(objective);
-  result.objective_typical = typical > 0 ? typical : result.objective;
+  result.objective_typical = objective_typical(
+      problem.objective, typical > 0 ? typical : result.objective, about, result.own);
   result.objective_tolerance =
       objective_tolerance(problem.objective, result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
-    result.constraints.push_back({size_of(c, changes), 0, 0});
+    result.constraints.push_back({size_of(c, changes, about, result.own), 0, 0});
     set_tolerance(c, about, result.own, result.constraints.back());
   }
   return result;
@@ -212,6 +234,8 @@ Sizes sizes(const Problem& problem, Design about) {
 
 Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
   sizes.own = own_magnitudes(problem, x);
+  sizes.objective_typical =
+      objective_typical(problem.objective, sizes.objective_typical, x, sizes.own);
   sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     set_tolerance(problem.constraints[i], x, sizes.own, sizes.constraints[i]);

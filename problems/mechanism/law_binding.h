@@ -54,15 +54,20 @@ class LawBinding {
   Law<S> law_at(std::span<const double> design) const {
     return member_at(design).template law<S>();
   }
-  /// The law for values of the varying parameters that carry derivatives of their own. Throws
-  /// std::invalid_argument where they make none.
+  /// The family's arguments for values of the varying parameters that carry derivatives of their
+  /// own.
   template <class S>
-  Law<S> law_of(std::span<const S> values) const {
+  Arguments<S> arguments_of(std::span<const S> values) const {
     Arguments<S> arguments = member_.arguments.as<S>();
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       arguments.values()[variables_[i].parameter][variables_[i].element] = values[i];
     }
-    return member_.family->make(arguments);
+    return arguments;
+  }
+  /// The law for such values. Throws std::invalid_argument where they make none.
+  template <class S>
+  Law<S> law_of(std::span<const S> values) const {
+    return member_.family->make(arguments_of(values));
   }
   /// The law with derivatives by the varying parameters, one for each kDualWidth of them; none
   /// where the values make no law.

@@ -70,13 +70,13 @@ bool supports(optim::Verdict found, const std::string& claimed) {
 }
 
 std::vector<std::string> disagreements(const ReadDesign& read, const optim::Assessment& found,
-                                       const std::string& unit) {
+                                       bool whole, const std::string& unit) {
   std::vector<std::string> result;
   if (!supports(found.verdict, *read.verdict)) {
     result.push_back(fmt::format("the result says {}; the design is {}: {}", *read.verdict,
                                  to_string(found.verdict), found.reason));
   }
-  if (read.global && !found.global) {
+  if (read.global && whole && !found.global) {
     result.push_back("the result says that no better design exists; no lower bound shows it");
   }
   const double value = found.objective.value;
@@ -106,8 +106,13 @@ VerifiedDesign verified(const ReadDesign& read) {
   result.found = judged(*held);
   result.whole = held->whole;
   result.limits = as_stated(read.statement, result.found.limits);
-  result.disagreements =
-      disagreements(read, result.found, held->problem.objectives.front().response.unit);
+  result.disagreements = disagreements(read, result.found, held->whole,
+                                       held->problem.objectives.front().response.unit);
+  if (read.global && !held->whole) {
+    result.not_judged.push_back(
+        "the result says that no better design exists; of other choices and whole numbers only a "
+        "search can tell");
+  }
   return result;
 }
 

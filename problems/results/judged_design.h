@@ -31,6 +31,8 @@ struct VerifiedDesign {
   std::vector<optim::LimitReport> limits;  ///< turned as they were stated
   bool whole = true;                       ///< the problem itself was judged: no choice was held
   std::vector<std::string> disagreements;  ///< in words; none: the claim holds
+  /// Of the claim: what cannot be judged without a search, in words.
+  std::vector<std::string> not_judged;
 };
 
 /// Throws std::invalid_argument where there is nothing to judge: no objective, several of them,

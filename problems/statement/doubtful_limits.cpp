@@ -120,15 +120,16 @@ std::vector<std::string> doubtful_limits(const BoundProblem& bound) {
       const double size = std::abs(*limit);
       if (size <= kApart * found[i].most && size * kApart >= found[i].least) continue;
       const bool met = upper ? found[i].met_above : found[i].met_below;
-      sentences.push_back(fmt::format(
-          "the limit {} {} {} is {}: at {} designs all over the box its greatest size is {}; is the unit "
-          "right?",
-          c.response.name,
-          c.lower == c.upper ? "="
-          : upper            ? "<="
-                             : ">=",
-          with_unit(*limit, c.response.unit), met ? "never active" : "never met", kPlaces,
-          span_text(found[i].least, found[i].most, c.response.unit)));
+      sentences.push_back(
+          fmt::format("the limit {} {} {} is {}: at {} designs all over the box its greatest size "
+                      "is {}; is the unit "
+                      "right?",
+                      c.response.name,
+                      c.lower == c.upper ? "="
+                      : upper            ? "<="
+                                         : ">=",
+                      with_unit(*limit, c.response.unit), met ? "never active" : "never met",
+                      kPlaces, span_text(found[i].least, found[i].most, c.response.unit)));
     }
   }
   return sentences;

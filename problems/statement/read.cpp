@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "problems/statement/file_text.h"
+#include "problems/statement/law_rooms.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -65,6 +66,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   check_laws_at_start(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);
+  limit_to_laws(problem);
   read_solver(file, problem);
   return problem;
 }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "problems/statement/choices.h"
+#include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
 #include "problems/units.h"
 
@@ -92,6 +93,7 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
   for (const std::string& assignment : assignments) assign(changed, assignment);
   check_laws(changed);  // values that are possible together only come together
+  limit_to_laws(changed);
   changed.settings.insert(changed.settings.end(), assignments.begin(), assignments.end());
   problem = std::move(changed);
 }

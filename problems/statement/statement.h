@@ -42,6 +42,9 @@ struct ObjectiveStatement {
 struct ConstraintStatement {
   ResponseName response;
   std::optional<double> lower, upper, tolerance;
+  /// Of a limit that the file does not state, but a law has (Room): the response, which is none of
+  /// the mechanism's.
+  std::shared_ptr<const MechanismResponse> of_law = {};
 };
 
 /// How to solve, where the file says so.

@@ -52,5 +52,6 @@ Case undefined_case(Random& random);
 Case jump_case(Random& random);
 Case stretch_case(Random& random);
 Case front_point_case(Random& random);
+Case wall_case(Random& random);
 
 }  // namespace camlaw::adversary

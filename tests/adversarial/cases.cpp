@@ -26,7 +26,8 @@ const std::vector<Kind>& all() {
                                        {"valleys", valleys_case, 3},
                                        {"smooth", smooth_case, 6},
                                        {"undefined", undefined_case, 4},
-                                       {"front-point", front_point_case, 3}};
+                                       {"front-point", front_point_case, 3},
+                                       {"wall", wall_case, 4}};
   return kinds;
 }
 

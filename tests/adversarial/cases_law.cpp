@@ -85,6 +85,31 @@ Case quiet_law_case(Random& random) {
   return problem.made({});
 }
 
+/// The best law may stand at the edge of what makes one, which no limit of the file names.
+Case wall_case(Random& random) {
+  LawFamily family = phase_family(random);
+  const Point standard = family.monotone;
+  LawProblem problem("wall", std::move(family));
+  const bool speed = random.chance(0.4);
+  problem.seek(speed ? kVelocity : kAcceleration, Part::Magnitude);
+  const double other = problem.of(speed ? kAcceleration : kVelocity, Part::Magnitude, standard);
+  if (speed || random.chance(0.6)) {
+    problem.limit(speed ? kAcceleration : kVelocity, Part::Magnitude,
+                  other * (0.92 + 0.4 * random.unit()));
+  }
+  if (random.chance(0.5)) {
+    problem.limit(kJerk, Part::Magnitude,
+                  problem.of(kJerk, Part::Magnitude, standard) * (1 + random.unit()));
+  }
+  if (random.chance(0.3)) problem.limit(kVelocity, Part::Lowest, 0);
+  Point start;
+  for (std::size_t i = 0; i < standard.size(); ++i) {
+    const PlainVariable& v = problem.plain().variables[i];
+    start.push_back(std::clamp(standard[i] * (0.6 + 0.5 * random.unit()), v.lower, v.upper));
+  }
+  return problem.made(start);
+}
+
 Case free_law_case(Random& random) {
   const int most = random.chance(0.7) ? 8 : random.chance(0.7) ? 20 : 40;
   LawFamily family = free_family(random, most);

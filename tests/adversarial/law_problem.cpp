@@ -91,6 +91,55 @@ LawFamily named_family(Random& random) {
   return f;
 }
 
+LawFamily phase_family(Random& random) {
+  LawFamily f;
+  f.affine = false;
+  f.order = {2, 2};
+  f.variables_text = by_elements;
+  if (random.chance(0.6)) {
+    f.text = "[law]\nname = \"scca\"\n";
+    for (const char* name : {"a", "b", "c"}) f.variables.push_back({name, 0, 1, 0.1, 0.4});
+    f.room = [](const Point& x) { return 1 - x[0] - x[1] - x[2]; };
+    f.make = [](const Point& x) {
+      return universal(
+          {x[0] / 2, x[1] / 2, x[2] / 2, 1 - x[0] - x[1] - x[2], x[2] / 2, x[1] / 2, x[0] / 2});
+    };
+    f.monotone = {0.3, 0.2, 0.3};
+  } else {
+    // Two to four of the first six vary, the others stay.
+    const std::vector<double> standard{0.1, 0.1, 0.15, 0.05, 0.2, 0.2};
+    f.text = "[law]\nname = \"universal\"\n";
+    std::vector<std::size_t> varying;
+    const int wanted = 2 + random.below(3), first = random.below(6);
+    for (int i = 0; i < wanted; ++i) varying.push_back(static_cast<std::size_t>((first + i) % 6));
+    std::sort(varying.begin(), varying.end());
+    for (std::size_t i = 0; i < 6; ++i) {
+      const std::string name = fmt::format("d{}", i + 1);
+      if (std::find(varying.begin(), varying.end(), i) == varying.end()) {
+        f.text += fmt::format("{} = {}\n", name, digits(standard[i]));
+      } else {
+        f.variables.push_back({name, 0, 1, 0.05, 0.25});
+        f.monotone.push_back(standard[i]);
+      }
+    }
+    const auto durations = [standard, varying](const Point& x) {
+      std::array<double, 7> d{};
+      std::copy(standard.begin(), standard.end(), d.begin());
+      for (std::size_t k = 0; k < varying.size(); ++k) d[varying[k]] = x[k];
+      d[6] = 1;
+      for (std::size_t i = 0; i < 6; ++i) d[6] -= d[i];
+      return d;
+    };
+    f.room = [durations](const Point& x) { return durations(x)[6]; };
+    f.make = [durations](const Point& x) { return universal(durations(x)); };
+  }
+  for (PlainVariable& v : f.variables) {
+    v.lower = random.chance(0.5) ? 0.0 : random.rounded(0.01, 0.1);
+    v.upper = random.chance(0.5) ? 1.0 : random.rounded(0.4, 0.9);
+  }
+  return f;
+}
+
 LawFamily free_family(Random& random, int most_knots) {
   LawFamily f;
   const int degree = 2 + random.below(4);
@@ -249,6 +298,17 @@ Case LawProblem::made(const Point& start) const {
               family_.text + family_.variables_text(plain_, start) + objective_ + limits_;
   test.plain = plain_;
   test.front = front_;
+  if (family_.room) {
+    // The program has it as a limit of its own, after those that are stated.
+    model_->machine = [](const Point& x) { return x; };
+    model_->formulas.push_back(
+        {.name = "room",
+         .kind = Formula::Kind::Number,
+         .value = [room = family_.room](const Point& x, const Motion&) { return room(x); },
+         .magnitude = 1});
+    test.plain.names.push_back("room");
+    test.plain.limits.push_back({static_cast<int>(model_->formulas.size()) - 1, 0.0, {}});
+  }
   return test;
 }
 

@@ -16,10 +16,14 @@ struct LawFamily {
   std::array<int, 2> order = {2, 2};
   bool affine = true;
   Point monotone;  ///< a design that does not run backwards
+  /// What the variables must leave, at least 0, though no limit of the file says so; affine.
+  std::function<double(const Point&)> room = {};
 };
 
 /// polynomial-5, polynomial-7, legendre, fourier; also with a crossover that varies.
 LawFamily named_family(Random& random);
+/// scca, or universal with some phases that vary: values may leave no room for the last phase.
+LawFamily phase_family(Random& random);
 /// law = "free" with random degree, knots and ends.
 LawFamily free_family(Random& random, int most_knots);
 /// The sensible range widened or narrowed about some place in it; kept within the accepted.

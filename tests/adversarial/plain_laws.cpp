@@ -139,6 +139,77 @@ class Pieces final : public PlainLaw {
   std::vector<Piece> list_;
 };
 
+/// x - sin x, however small x is.
+double sine_rest(double x) {
+  if (std::abs(x) > 0.5) return x - std::sin(x);
+  const double q = x * x;
+  return x * q / 6 *
+         (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156 * (1 - q / 210))))));
+}
+
+/// Quarter sine, constant and quarter cosine of height `level` from rest, then straight on.
+class Acceleration {
+ public:
+  Acceleration(std::array<double, 3> durations, double level) : d_(durations), level_(level) {
+    for (int k = 0; k < 3; ++k) {
+      const Motion end = at(k, d_[static_cast<std::size_t>(k)]);
+      s_.push_back(end.s), v_.push_back(end.v);
+    }
+  }
+  /// t from the phase's begin; the fourth phase is the straight one.
+  Motion at(int phase, double t) const {
+    const auto before = static_cast<std::size_t>(phase);
+    const double s0 = phase > 0 ? s_[before - 1] : 0, v0 = phase > 0 ? v_[before - 1] : 0;
+    if (phase == 3) return {s0 + v0 * t, 0, v0, 0, 0};
+    const double d = d_[before];
+    if (phase == 1) return {s0 + t * (v0 + level_ * t / 2), 0, v0 + level_ * t, level_, 0};
+    if (d == 0) return {s0, 0, v0, phase == 0 ? 0 : level_, 0};
+    const double w = pi / 2 / d, x = w * t, half = std::sin(x / 2), sine = std::sin(x);
+    if (phase == 0) {
+      return {level_ / (w * w) * sine_rest(x), 0, level_ / w * 2 * half * half, level_ * sine,
+              level_ * w * std::cos(x)};
+    }
+    return {s0 + v0 * t + level_ / (w * w) * 2 * half * half, 0, v0 + level_ / w * sine,
+            level_ * std::cos(x), -level_ * w * sine};
+  }
+  double speed() const { return v_.back(); }
+  double stroke() const { return s_.back(); }
+
+ private:
+  std::array<double, 3> d_;
+  double level_;
+  std::vector<double> s_, v_;
+};
+
+class Universal final : public PlainLaw {
+ public:
+  explicit Universal(const std::array<double, 7>& d)
+      : d_(d), up_({d[0], d[1], d[2]}, 1), down_({d[6], d[5], d[4]}, 1) {
+    const double ratio = up_.speed() / down_.speed();
+    const double level = 1 / (up_.stroke() + up_.speed() * d[3] + ratio * down_.stroke());
+    up_ = Acceleration({d[0], d[1], d[2]}, level);
+    down_ = Acceleration({d[6], d[5], d[4]}, level * ratio);
+  }
+  int pieces() const override { return 7; }
+  double begin(int k) const override {
+    double sum = 0;
+    for (int i = 0; i < k; ++i) sum += length(i);
+    return sum;
+  }
+  double length(int k) const override { return d_[static_cast<std::size_t>(k)]; }
+  /// The accelerating half from the left end of the law, the other one from the right.
+  Motion at(int k, double u, double w) const override {
+    if (k > 3) return mirrored(down_.at(6 - k, w * length(k)));
+    Motion m = up_.at(k, u * length(k));
+    m.r = 1 - m.s;
+    return m;
+  }
+
+ private:
+  std::array<double, 7> d_;
+  Acceleration up_, down_;
+};
+
 class Crossed final : public PlainLaw {
  public:
   Crossed(LawPtr law, double c) : law_(std::move(law)), c_(c) {}
@@ -220,8 +291,19 @@ class Waves final : public PlainLaw {
     const auto known = known_.find(u);
     if (known != known_.end()) return known->second;
     Motion m = polynomial_at(c_, u);
-    for (const Wave& t : terms_) {
-      const double w = t.frequency, sine = std::sin(w * u), cosine = std::cos(w * u);
+    // From one frequency to the next the angle turns by the same where they are evenly spaced;
+    // every sixteenth is worked out anew, so that no rounding gathers.
+    const double step = terms_.size() > 1 ? terms_[1].frequency - terms_[0].frequency : 0;
+    const double turn_sine = std::sin(step * u), turn_cosine = std::cos(step * u);
+    double sine = 0, cosine = 1;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const Wave& t = terms_[i];
+      const double w = t.frequency;
+      const bool even =
+          i % 16 != 0 && std::abs(w - terms_[i - 1].frequency - step) <= 1e-15 * std::abs(w);
+      const double before = sine;
+      sine = even ? sine * turn_cosine + cosine * turn_sine : std::sin(w * u);
+      cosine = even ? cosine * turn_cosine - before * turn_sine : std::cos(w * u);
       m.s += t.sine * sine + t.cosine * cosine;
       m.v += w * (t.sine * cosine - t.cosine * sine);
       m.a -= w * w * (t.sine * sine + t.cosine * cosine);
@@ -294,6 +376,10 @@ LawPtr trapezoidal_velocity(double t1, double t2) {
       std::vector<Pieces::Piece>{{0, t1, {0, 0, b / t1 / 2}, {1 - first, b, -b / t1 / 2}},
                                  {t1, middle, {first, b}, {last, b}},
                                  {1 - t2, t2, {1 - last, b, -b / t2 / 2}, {0, 0, b / t2 / 2}}});
+}
+
+LawPtr universal(const std::array<double, 7>& durations) {
+  return std::make_shared<Universal>(durations);
 }
 
 LawPtr crossed(LawPtr symmetric, double c) {

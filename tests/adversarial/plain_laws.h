@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,9 @@ LawPtr rest_polynomial(int k);
 LawPtr parabolic();
 /// Constant acceleration over t1, constant velocity, constant deceleration over t2.
 LawPtr trapezoidal_velocity(double t1, double t2);
+/// Seven phases of acceleration: quarter sine up, constant, quarter cosine down, none, and the same
+/// below zero. Of a fourth phase below zero the same formulas, which is no law.
+LawPtr universal(const std::array<double, 7>& durations);
 /// A symmetric law whose acceleration changes sign at c instead of 1/2; theory (X1), (X2).
 LawPtr crossed(LawPtr symmetric, double c);
 /// B-spline with a knot of full multiplicity at 0 and 1; `knots` inside, each `multiplicity` times.

@@ -71,6 +71,32 @@ minimize = "peak_inertia_force"
   CHECK(again["choices_held"] == true);
 }
 
+TEST_CASE("that no other choice is better is not judged without a search, and said so",
+          "[program]") {
+  const Folder folder;
+  const std::string file = folder / "listed.toml";
+  std::ofstream(file) << R"(mechanism = "disc-cam-roller"
+program.segments = [
+  { name = "rise", angle = "120 deg", law = "cycloidal" },
+  { name = "high", angle = "60 deg" },
+  { name = "back", angle = "120 deg", law = "cycloidal" },
+  { name = "low" },
+]
+variables.base_radius = { values = ["30 mm", "40 mm", "50 mm"] }
+variables.roller_radius = { values = ["8 mm", "10 mm"] }
+objective.minimize = "base_radius"
+constraints = [{ response = "pressure_angle", upper = "30 deg" }]
+)";
+  const Json result = json_of({"optimize", file, "--json"});
+  REQUIRE(result["global"].is_string());
+  const Outcome text = run({"verify", stored(folder, result)});
+  CHECK(text.status == 0);
+  CHECK_THAT(text.out, Contains("not judged: the result says that no better design exists"));
+  Json larger = result;  // in the list, and not the least that is claimed
+  larger["design"]["variables"]["base_radius"] = 40;
+  CHECK(run({"verify", stored(folder, larger)}).status == 4);
+}
+
 TEST_CASE("a force of nothing but rounding at a rest bounds nothing", "[program]") {
   // Without preload the force is zero in the dwell: a law that ends a rounding below zero must not
   // exclude every design. 65 mm is better than 100.

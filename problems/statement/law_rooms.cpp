@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/law_rooms.h"
+
+#include <algorithm>
+
+#include "kinematics/build.h"
+#include "problems/mechanism/responses.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// What a room may be over the whole box of the variables. Infinite where the formula does not
+/// bound it.
+Interval room_over_box(const Room& room, const Member& law, const ProblemStatement& problem) {
+  Arguments<Interval> arguments = law.arguments.as<Interval>();
+  for (const VariableStatement& v : problem.variables) {
+    if (!v.of_law) continue;
+    const auto& parameters = law.family->parameters;
+    const auto at = std::find_if(parameters.begin(), parameters.end(),
+                                 [&](const Parameter& p) { return p.name == v.law_parameter; });
+    if (at == parameters.end()) continue;  // not a parameter of this law
+    auto& values = arguments.values()[static_cast<std::size_t>(at - parameters.begin())];
+    if (v.element < values.size()) values[v.element] = Interval(v.lower, v.upper);
+  }
+  return room.left.make(arguments);
+}
+
+bool holds(const Room& room, const Interval& over_box) {
+  return over_box.lower() >= -kLeastRoom && (!room.is_equal || over_box.upper() <= kLeastRoom);
+}
+
+/// What the room of that number leaves, for a binding to a law of the family; 1 for other laws.
+optim::Function left_over(const Binding& binding, const std::string& family, std::size_t number,
+                          optim::Shape shape) {
+  const auto& law = binding.law;
+  if (law->member().family->name != family) {
+    return function_of(
+        {}, detail::kernel_of([]<class T>(std::span<const T>) { return camlaw::number<T>(1); }),
+        optim::Shape::Linear);
+  }
+  std::vector<std::size_t> variables;
+  for (const LawVariable& v : law->variables()) variables.push_back(v.variable);
+  const auto left = [law, number]<class T>(std::span<const T> u) -> T {
+    return law->member().family->rooms[number].left.make(law->arguments_of(u));
+  };
+  return function_of(variables, detail::kernel_of(left), shape);
+}
+
+ConstraintStatement constraint_of(const Member& law, std::size_t number, bool several) {
+  const Room& room = law.family->rooms[number];
+  const std::string& family = law.family->name;
+  const optim::Shape shape = room.linear ? optim::Shape::Linear : optim::Shape::General;
+  MechanismResponse response;
+  response.name = several ? family + ": " + room.name : room.name;
+  response.unit = "1";
+  response.meaning = room.is_equal ? "what the law's parameters may not leave"
+                                   : "what the law's parameters leave together";
+  response.sees_law = true;
+  response.number = [family, number, shape](const Binding& binding, optim::Shape) {
+    return left_over(binding, family, number, shape);
+  };
+  ConstraintStatement constraint;
+  constraint.of_law = std::make_shared<const MechanismResponse>(std::move(response));
+  constraint.response.name = constraint.of_law->name;
+  constraint.response.response = constraint.of_law.get();
+  constraint.response.unit = "1";
+  constraint.lower = 0;
+  if (room.is_equal) constraint.upper = 0;
+  constraint.tolerance = kLeastRoom;
+  return constraint;
+}
+
+}  // namespace
+
+void limit_to_laws(ProblemStatement& problem) {
+  std::erase_if(problem.constraints, [](const ConstraintStatement& c) { return c.of_law; });
+  for (const Member& law : problem.laws) {
+    for (std::size_t i = 0; i < law.family->rooms.size(); ++i) {
+      const Room& room = law.family->rooms[i];
+      if (holds(room, room_over_box(room, law, problem))) continue;
+      problem.constraints.push_back(constraint_of(law, i, problem.laws.size() > 1));
+    }
+  }
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/statement/statement.h"
+
+namespace camlaw::problems {
+
+/// Limits the variables to values that make a law: what a family's parameters must leave together
+/// (Room), such as 1 - a - b - c >= 0 for the phases of scca, becomes a constraint where the bounds
+/// of the variables do not see to it. So a design at the edge of what is possible stands at a limit
+/// with a price. Constraints of an earlier call go first: what is fixed may have changed.
+void limit_to_laws(ProblemStatement& problem);
+
+}  // namespace camlaw::problems
