@@ -33,6 +33,20 @@ Problem neighbourhood(const Problem& problem, Design about, const std::vector<do
   return near;
 }
 
+/// How large a response is at a design: of a curve its highest |value|, of a number what its
+/// variables contribute to it, to first order.
+double magnitude(const Response& response, Design x, const std::vector<double>& own) {
+  if (response.is_curve()) {
+    return std::abs(extreme_of(*response.curve().trace(x), Part::Magnitude).value);
+  }
+  const Function& f = response.function();
+  std::vector<double> g(f.inputs().size());
+  f.gradient(x, g);
+  double sum = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) sum += std::abs(g[k]) * own[f.inputs()[k]];
+  return sum;
+}
+
 /// What typical changes make of responses at one design and about it.
 class Changes {
  public:
@@ -62,6 +76,23 @@ class Changes {
     return *middle;
   }
 
+  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
+  /// those about it (a curve may be brought to zero); zero where it is not a number.
+  double whole(const Response& curve, const std::vector<double>& own) const {
+    std::vector<double> values;
+    for (const auto& x : box_) {
+      const double value = magnitude(curve, x, own);
+      if (std::isfinite(value)) values.push_back(value);
+    }
+    double usual = 0;
+    if (!values.empty()) {
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+      std::nth_element(values.begin(), middle, values.end());
+      usual = *middle;
+    }
+    return std::max(usual, or_zero(magnitude(curve, about_, own)));
+  }
+
   double at_design(const Response& response) const {
     constexpr double kFar = 100;
     const double here = typical_change(response, about_, scales_);
@@ -85,20 +116,6 @@ double larger_bound(const Constraint& c) {
   return std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
 }
 
-/// How large a response is at a design: of a curve its highest |value|, of a number what its
-/// variables contribute to it, to first order.
-double magnitude(const Response& response, Design x, const std::vector<double>& own) {
-  if (response.is_curve()) {
-    return std::abs(extreme_of(*response.curve().trace(x), Part::Magnitude).value);
-  }
-  const Function& f = response.function();
-  std::vector<double> g(f.inputs().size());
-  f.gradient(x, g);
-  double sum = 0;
-  for (std::size_t k = 0; k < g.size(); ++k) sum += std::abs(g[k]) * own[f.inputs()[k]];
-  return sum;
-}
-
 void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own,
                    ConstraintSize& size) {
   constexpr double kShare = 1e-6;
@@ -113,25 +130,24 @@ void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own
 
 /// Of a curve no more than a hundred times what it is and may be: what changes by more stands
 /// beside a pole, and its slope is not the size of anything.
-double size_of(const Constraint& c, const Changes& changes, Design about,
-               const std::vector<double>& own) {
+double size_of(const Constraint& c, const Changes& changes, const std::vector<double>& own) {
   constexpr double kLeast = 1e-3, kMost = 100;  // of the bound; of bound and highest |value|
   if (c.scale) return *c.scale;
   const double bound = larger_bound(c);
   const double change = std::max(changes.at_design(c.response), kLeast * bound);
   if (!c.response.is_curve()) return or_one(change);
-  const double whole = std::max(bound, magnitude(c.response, about, own));
-  return or_one(whole > 0 && std::isfinite(whole) ? std::min(change, kMost * whole) : change);
+  const double whole = std::max(bound, changes.whole(c.response, own));
+  return or_one(whole > 0 ? std::min(change, kMost * whole) : change);
 }
 
 /// What a change of the objective is a share of where its value is near zero: a typical change, of
-/// a curve no more than its highest |value| at the design. Beside a pole, such as the acceleration
-/// of a phase that hardly lasts, a slope says nothing of how large a curve is.
-double objective_typical(const Objective& objective, double typical, Design x,
+/// a curve no more than how large it is. Beside a pole, such as the acceleration of a phase that
+/// hardly lasts, a slope says nothing of that.
+double objective_typical(const Objective& objective, double typical, const Changes& changes,
                          const std::vector<double>& own) {
   if (!objective.response.is_curve()) return typical;
-  const double whole = magnitude(objective.response, x, own);
-  return whole > 0 && std::isfinite(whole) ? std::min(typical, whole) : typical;
+  const double whole = changes.whole(objective.response, own);
+  return whole > 0 ? std::min(typical, whole) : typical;
 }
 
 double objective_tolerance(const Objective& objective, double typical, Design x) {
@@ -222,11 +238,11 @@ Sizes sizes(const Problem& problem, Design about) {
   result.objective = or_one(changes.at_design(objective));
   const double typical = changes.typical(objective);
   result.objective_typical = objective_typical(
-      problem.objective, typical > 0 ? typical : result.objective, about, result.own);
+      problem.objective, typical > 0 ? typical : result.objective, changes, result.own);
   result.objective_tolerance =
       objective_tolerance(problem.objective, result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
-    result.constraints.push_back({size_of(c, changes, about, result.own), 0, 0});
+    result.constraints.push_back({size_of(c, changes, result.own), 0, 0});
     set_tolerance(c, about, result.own, result.constraints.back());
   }
   return result;
@@ -234,8 +250,6 @@ Sizes sizes(const Problem& problem, Design about) {
 
 Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
   sizes.own = own_magnitudes(problem, x);
-  sizes.objective_typical =
-      objective_typical(problem.objective, sizes.objective_typical, x, sizes.own);
   sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     set_tolerance(problem.constraints[i], x, sizes.own, sizes.constraints[i]);
