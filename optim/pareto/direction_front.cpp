@@ -40,7 +40,7 @@ class DirectionFront final : public PartFront {
     if (task.kind != Task::Kind::Toward) {
       challenged_.insert(task.bounds);
     } else if (const auto asked = asked_.find(task.origin); asked != asked_.end()) {
-      looks_.push_back(looked(asked->second, task, outcome));
+      looks_.push_back(looked(asked->second, outcome));
     }
     for (const FrontPoint& point : outcome.points) insert(point);
   }
@@ -94,7 +94,8 @@ class DirectionFront final : public PartFront {
   struct Asked {
     double size = 0;
     bool is_beyond = false;
-    Costs from;  ///< of a place beyond: the point's costs
+    Costs from;          ///< of a place beyond: the point's costs
+    Costs place, range;  ///< costs there, and what they were measured by
   };
   /// What came of it. `place` is in costs until empty_looks() makes it one by the ranges.
   struct Look {
@@ -205,16 +206,37 @@ class DirectionFront final : public PartFront {
     if (hole.is_beyond && is_closed(hole, looks, all[hole.about.front()])) return;
     double size = hole.size;
     for (const Look& look : looks) size = std::min(size, distance_aside(hole.place, look.place));
-    if (!(size > kClosed)) return;
-    const bool is_one = std::any_of(all.begin(), all.end(), [&](const Costs& place) {
-      return front.are_equal(place, hole.place);
+    if (!(size > kClosed) || was_asked_for(hole, front)) return;
+    const bool is_one = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
+      return front.are_equal(all[p], hole.place);
     });
     if (is_one) return;
-    const Costs origin = front.costs_at(hole.place);
-    Task task = toward(origin, front.range, starts_about(hole, front));
-    asked_[origin] = {hole.is_beyond ? hole.size : size, hole.is_beyond,
-                      hole.is_beyond ? front.points[hole.about.front()].costs : Costs{}};
+    Task task = search_from(front.costs_at(hole.place), front);
+    task.starts = starts_about(hole, front);
+    asked_[task.origin] = {hole.is_beyond ? hole.size : size, hole.is_beyond,
+                           hole.is_beyond ? front.points[hole.about.front()].costs : Costs{},
+                           front.costs_at(hole.place), front.range};
     places.push_back({size, std::move(task), false, hole.place, hole.is_beyond});
+  }
+
+  /// Whether this very place was: what came of it is not on the front, or all that is about it.
+  bool was_asked_for(const Hole& hole, const FrontSoFar& front) const {
+    constexpr double kSame = 0.05;
+    return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
+      return distance_aside(front.place(look.place), hole.place) <= kSame * hole.size;
+    });
+  }
+
+  /// All costs by their ranges; one that does not vary is held within its tolerance.
+  Task search_from(Costs origin, const FrontSoFar& front) const {
+    constexpr double kRoom = 2, kLeast = 1e-9;  // tolerances; of the size
+    Costs direction = front.range;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      if (front.varies(i)) continue;
+      direction[i] = std::max(front.tolerances[i], kLeast * front.range[i]);
+      origin[i] = front.nadir[i] + kRoom * direction[i];
+    }
+    return toward(std::move(origin), std::move(direction), {});
   }
 
   /// The mean of the designs that a hole lies between, and the nearest design.
@@ -259,9 +281,9 @@ class DirectionFront final : public PartFront {
 
   /// What a search has told: it has reached the place if it came to a point that is new, not far
   /// aside from where it was sent.
-  Look looked(const Asked& asked, const Task& task, const Outcome& outcome) {
+  Look looked(const Asked& asked, const Outcome& outcome) {
     constexpr double kReached = 0.5, kNew = 0.45;
-    Look look{task.origin, asked.size, asked.is_beyond, false, false, asked.from, {}};
+    Look look{asked.place, asked.size, asked.is_beyond, false, false, asked.from, {}};
     bool is_new = false;
     if (outcome.points.empty()) {
       look.failed = !outcome.infeasible;
@@ -270,7 +292,7 @@ class DirectionFront final : public PartFront {
       const auto place = [&](const Costs& costs) {
         Costs result;
         for (std::size_t i = 0; i < costs.size(); ++i) {
-          result.push_back((costs[i] - task.origin[i]) / task.direction[i]);
+          result.push_back((costs[i] - asked.place[i]) / asked.range[i]);
         }
         return result;
       };

@@ -77,6 +77,10 @@ std::vector<Costs> FrontSoFar::places() const {
   return result;
 }
 
+bool FrontSoFar::varies(std::size_t cost) const {
+  return nadir[cost] - ideal[cost] > tolerances[cost];
+}
+
 bool FrontSoFar::are_equal(const Costs& place, const Costs& other) const {
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (std::abs(place[i] - other[i]) * range[i] > tolerances[i]) return false;
@@ -94,6 +98,7 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& toleranc
   if (front.points.empty()) return front;
   const std::vector<Costs> left = costs_of(front.points);
   front.ideal = ideal(left);
+  front.nadir = nadir(left);
   front.range = ranges(left, tolerances);
   front.tolerances = tolerances;
   front.tolerances.resize(front.ideal.size(), 0.0);

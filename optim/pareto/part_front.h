@@ -12,7 +12,8 @@ namespace camlaw::optim {
 /// The front over all combinations so far, as those that look for more see it.
 struct FrontSoFar {
   std::vector<FrontPoint> points;
-  Costs ideal, range;            ///< range: nadir - ideal; of a cost that does not vary its size
+  Costs ideal, nadir;
+  Costs range;                   ///< nadir - ideal; of a cost that does not vary its size
   Costs tolerances;              ///< differences of each cost that are none
   std::vector<Hole> holes = {};  ///< where more of it may be, of three costs or more
 
@@ -22,6 +23,8 @@ struct FrontSoFar {
   Costs place(const Costs& costs) const;
   Costs costs_at(const Costs& place) const;
   std::vector<Costs> places() const;
+  /// Whether a cost differs by more than its tolerance.
+  bool varies(std::size_t cost) const;
   /// Whether no cost of two places differs by more than its tolerance.
   bool are_equal(const Costs& place, const Costs& other) const;
 };

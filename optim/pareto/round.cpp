@@ -105,19 +105,19 @@ std::vector<Task> even_round(const PartFronts& parts, FrontSoFar front, std::siz
   constexpr double kBeyondMost = 0.7;  // of a round, if all of them did
   constexpr std::size_t kLast = 8;     // tasks of a round when there are points enough
   const std::vector<Costs> all = front.places();
-  const std::vector<Gap> its_gaps = gaps(all);
-  front.holes = holes(all, its_gaps);
+  Spacing its = spacing(all);
+  front.holes = std::move(its.holes);
   const std::vector<OpenPlace> places = open_places(parts, front);
   if (std::vector<Task> tasks = challenges(places); !tasks.empty()) return tasks;
   const double rate = beyond_rate(parts);
   const bool any_beyond =
       std::any_of(places.begin(), places.end(), [](const auto& place) { return place.is_beyond; });
   const auto shares = [&](std::size_t count) {
-    const auto beyond = static_cast<std::size_t>(kBeyondMost * rate * static_cast<double>(count));
-    const std::size_t its = any_beyond ? std::max<std::size_t>(1, beyond) : 0;
-    return std::array<std::size_t, 2>{std::max(count, its + 1) - its, its};
+    const auto share = static_cast<std::size_t>(kBeyondMost * rate * static_cast<double>(count));
+    const std::size_t beyond = any_beyond ? std::max<std::size_t>(1, share) : 0;
+    return std::array<std::size_t, 2>{std::max(count, beyond + 1) - beyond, beyond};
   };
-  const std::size_t apart = all.size() - count_twins(all, its_gaps);
+  const std::size_t apart = all.size() - count_twins(all, its.gaps);
   if (apart < wanted) return largest_apart(places, shares(round_of(wanted - apart)), 0);
   const Evenness even = evenness(parts, spread(front, wanted));
   std::array<std::size_t, 2> count = shares(kLast);

@@ -11,7 +11,7 @@ namespace {
 
 /// Beyond so many nearest points of each nothing is looked for: it bounds the work for fronts of
 /// thousands of points, and is all of them for fronts of hundreds.
-constexpr std::size_t kNear = 256;
+constexpr std::size_t kNear = 128;
 
 struct Near {
   double distance;
@@ -35,6 +35,12 @@ std::vector<std::vector<Near>> nearest_of_each(std::span<const Costs> places) {
     all.shrink_to_fit();
   }
   return result;
+}
+
+/// Whether a pair comes up at its other point too, which is then the one that tells.
+bool is_seen_from_other(const std::vector<std::vector<Near>>& near, std::size_t point,
+                        const Near& other) {
+  return other.point < point && !(near[other.point].back() < Near{other.distance, point});
 }
 
 Costs mean_of(std::span<const Costs> places, const std::vector<std::size_t>& of) {
@@ -84,7 +90,7 @@ void add_between(std::vector<Hole>& result, std::span<const Costs> places,
   constexpr double kEmpty = 0.5;  // of the ball over two points: what must be empty
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (const Near& other : near[i]) {
-      if (other.point < i) continue;
+      if (is_seen_from_other(near, i, other)) continue;
       const Costs middle = mean_of(places, {i, other.point});
       const double half = other.distance / 2;
       double size = half;
@@ -130,6 +136,24 @@ void add_beyond(std::vector<Hole>& result, std::span<const Costs> places,
   }
 }
 
+std::vector<Gap> gaps_among(std::span<const Costs> places,
+                            const std::vector<std::vector<Near>>& near) {
+  std::vector<Gap> result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (const Near& other : near[i]) {
+      if (is_seen_from_other(near, i, other)) continue;
+      bool is_neighbour = true;
+      for (const Near& n : near[i]) {
+        if (n.distance >= other.distance) break;
+        is_neighbour = distance(places[n.point], places[other.point]) >= other.distance;
+        if (!is_neighbour) break;
+      }
+      if (is_neighbour) result.push_back({i, other.point, other.distance});
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 double distance(const Costs& a, const Costs& b) {
@@ -148,21 +172,7 @@ double distance_aside(const Costs& a, const Costs& b) {
 }
 
 std::vector<Gap> gaps(std::span<const Costs> places) {
-  const auto near = nearest_of_each(places);
-  std::vector<Gap> result;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (const Near& other : near[i]) {
-      if (other.point < i) continue;
-      bool is_neighbour = true;
-      for (const Near& n : near[i]) {
-        if (n.distance >= other.distance) break;
-        is_neighbour = distance(places[n.point], places[other.point]) >= other.distance;
-        if (!is_neighbour) break;
-      }
-      if (is_neighbour) result.push_back({i, other.point, other.distance});
-    }
-  }
-  return result;
+  return gaps_among(places, nearest_of_each(places));
 }
 
 double mean_length(std::span<const Gap> gaps) {
@@ -199,11 +209,11 @@ std::vector<std::size_t> thinned(std::span<const Costs> places, std::size_t coun
   return kept;
 }
 
-std::vector<Hole> holes(std::span<const Costs> places, std::span<const Gap> gaps) {
-  std::vector<Hole> result;
-  if (places.size() < 2) return result;
-  add_between(result, places, nearest_of_each(places));
-  add_beyond(result, places, gaps);
+Spacing spacing(std::span<const Costs> places) {
+  const auto near = nearest_of_each(places);
+  Spacing result{gaps_among(places, near), {}};
+  add_between(result.holes, places, near);
+  add_beyond(result.holes, places, result.gaps);
   return result;
 }
 

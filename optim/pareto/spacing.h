@@ -14,10 +14,6 @@ struct Gap {
   double length = 0;
 };
 
-/// All of them, by points. They join all points; along a curve they are its steps. Neighbours are
-/// looked for among the kNear nearest points of each.
-std::vector<Gap> gaps(std::span<const Costs> places);
-
 /// Mean length; 0 of none.
 double mean_length(std::span<const Gap> gaps);
 
@@ -34,10 +30,19 @@ struct Hole {
   bool is_beyond = false;          ///< outside of the points: about.front() is the nearest
 };
 
-/// Between neighbours: the middles of two, and the means of up to as many points as there are
-/// costs. And beyond points that have neighbours to one side only, as far as those are away, but
-/// not where a cost would be less than its least.
-std::vector<Hole> holes(std::span<const Costs> places, std::span<const Gap> gaps);
+struct Spacing {
+  /// Between all neighbours. They join all points; along a curve they are its steps. Neighbours are
+  /// looked for among the kNear nearest points of each.
+  std::vector<Gap> gaps;
+  /// Between neighbours: the middles of two, and the means of up to as many points as there are
+  /// costs. And beyond points that have neighbours to one side only, as far as those are away, but
+  /// not where a cost would be less than its least.
+  std::vector<Hole> holes;
+};
+
+Spacing spacing(std::span<const Costs> places);
+/// The gaps alone.
+std::vector<Gap> gaps(std::span<const Costs> places);
 
 double distance(const Costs& a, const Costs& b);
 /// Of what is left of the way from a to b without its part along (1, 1, ...): no two points of a
