@@ -153,8 +153,9 @@ class DirectionFront final : public PartFront {
       for (const auto& point : alone_) {
         if (std::isfinite(point->costs[i])) worst = std::max(worst, point->costs[i]);
       }
+      // Where the ends have the same of a cost, it may vary between them.
       const double range = worst - least_[i];
-      scale_.push_back(range > 0 ? range : std::max(std::abs(worst), 1.0));
+      scale_.push_back(range > tolerances_[i] ? range : std::max(std::abs(worst), 1.0));
     }
   }
 

@@ -143,8 +143,10 @@ class Study {
   void settle_tolerances() {
     const MultiProblem first = space_.problem(space_.options(0));
     for (std::size_t i = 0; i < objectives(); ++i) {
-      front_.tolerances.push_back(first.objectives[i].tolerance.value_or(standard_tolerance(i)));
+      const auto& stated = first.objectives[i].tolerance;
+      front_.tolerances.push_back(stated ? *stated : standard_tolerance(i));
     }
+    for (const auto& part : parts_) part->know(front_.tolerances);
   }
 
   double standard_tolerance(std::size_t objective) const {

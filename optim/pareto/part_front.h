@@ -85,6 +85,8 @@ class PartFront {
   void take_repeated(const Task& task, const Outcome& outcome);
   /// Whether the least of each cost is known.
   bool has_ends() const;
+  /// Differences of each cost that are none, known when the first tasks are done.
+  void know(const Costs& tolerances) { tolerances_ = tolerances; }
   /// What sets the sweep up after the first tasks; asked for again until there is nothing left.
   virtual std::vector<Task> next_tasks() = 0;
 
@@ -116,7 +118,7 @@ class PartFront {
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost
   std::vector<std::optional<FrontPoint>> alone_;  ///< the optimum of each cost alone
-  Costs least_;
+  Costs least_, tolerances_;
   bool empty_ = false;
 };
 

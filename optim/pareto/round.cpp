@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace camlaw::optim {
 namespace {
@@ -89,11 +90,17 @@ double beyond_rate(const PartFronts& parts) {
 std::size_t count_twins(const std::vector<Costs>& places, std::span<const Gap> gaps) {
   constexpr double kNear = 0.3;  // of the mean gap
   const double near = kNear * mean_length(gaps);
-  std::vector<bool> is_twin(places.size(), false);
+  // Points joined by such gaps are one: gaps join all points, so that each leaves one less.
+  std::vector<std::size_t> group(places.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  std::size_t twins = 0;
   for (const Gap& gap : gaps) {
-    if (gap.length < near && !is_twin[gap.a]) is_twin[gap.b] = true;
+    const std::size_t a = group[gap.a], b = group[gap.b];
+    if (!(gap.length < near) || a == b) continue;
+    std::replace(group.begin(), group.end(), b, a);
+    ++twins;
   }
-  return static_cast<std::size_t>(std::count(is_twin.begin(), is_twin.end(), true));
+  return twins;
 }
 
 /// Of three objectives or more.

@@ -136,6 +136,40 @@ auto last_of_patches(const U& u, const G& g, std::size_t objectives) {
   return sum;
 }
 
+/// Where u (1 + sin(3 pi u)) is greater than for any smaller u, from 0 to 1: that is where less of
+/// one objective is more of the last. Two stretches, as long as a share of [0, 1] each.
+class Records {
+ public:
+  Records() {
+    const double first = top(0.1, 0.4);
+    const double second = top(0.7, 1);
+    double low = 0.5, high = second;  // as high as the first top
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (height(middle) < height(first) ? low : high) = middle;
+    }
+    first_ = first;
+    begin_ = high;
+    end_ = second;
+  }
+  double operator()(double share) const {
+    const double along = share * (first_ + end_ - begin_);
+    return along <= first_ ? along : begin_ + along - first_;
+  }
+
+ private:
+  static double height(double u) { return u * (1 + std::sin(3 * kPi * u)); }
+  static double top(double low, double high) {
+    for (int i = 0; i < 200; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (height(a) < height(b) ? low : high) = height(a) < height(b) ? a : b;
+    }
+    return (low + high) / 2;
+  }
+
+  double first_, begin_, end_;
+};
+
 KnownSurface patches(std::size_t objectives) {
   std::vector<Function> parts;
   for (std::size_t k = 0; k + 1 < objectives; ++k) {
@@ -147,9 +181,10 @@ KnownSurface patches(std::size_t objectives) {
     for (std::size_t i = objectives - 1; i < u.size(); ++i) rest = rest + u[i];
     return last_of_patches(u, 2.0 + (9.0 / static_cast<double>(kRest)) * rest, objectives);
   }));
-  const auto costs = [objectives](const std::vector<double>& u) {
-    std::vector<double> result(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(objectives - 1));
-    result.push_back(last_of_patches(u, 2.0, objectives));
+  const auto costs = [objectives, records = Records()](const std::vector<double>& shares) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i + 1 < objectives; ++i) result.push_back(records(shares[i]));
+    result.push_back(last_of_patches(result, 2.0, objectives));
     return result;
   };
   return {stated("patches", objectives - 1 + kRest, std::move(parts)), costs, objectives - 1,

@@ -16,11 +16,10 @@ namespace camlaw::problems {
 
 struct KnownSurface {
   optim::MultiProblem problem;
-  /// The costs for numbers from 0 to 1, `parameters` of them. They cover the front; of a front with
-  /// holes some are dominated.
+  /// The costs for numbers from 0 to 1, `parameters` of them: all of the front and nothing else.
   std::function<std::vector<double>(const std::vector<double>&)> costs;
   std::size_t parameters = 0;
-  bool is_all_front = true;  ///< false: some are dominated
+  bool is_connected = true;
 };
 
 /// "sphere" (DTLZ2), "inverted" (a simplex that points away from the ideal), "centres" (squares of

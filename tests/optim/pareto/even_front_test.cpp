@@ -35,11 +35,12 @@ void check_even(const Case& c) {
   CHECK(front.failures.empty());
   REQUIRE(front.largest_gap);
   CHECK(*front.largest_gap <= 2.5);
-  const std::vector<Costs> samples = samples_of(surface, surface.is_all_front ? 8000 : 4000);
+  const std::vector<Costs> samples = samples_of(surface, 8000);
   const std::vector<Costs> all = costs_of(front);
   const std::vector<Costs> places = by_range(all, samples);
   const Even even = evenness_of(places);
-  if (surface.is_all_front) CHECK(even.gap <= 2.5);  // else the largest is between patches
+  // Of a front in pieces the largest is between them.
+  if (surface.is_connected) CHECK(even.gap <= 2.5);
   CHECK(even.nearest <= 2.5);
   CHECK(even.crowded >= 0.2);
   CHECK(farthest(by_range(samples, samples), places) <= c.covered * even.mean_nearest);
@@ -58,7 +59,7 @@ TEST_CASE("fronts of three objectives are even", "[front][heavy]") {
   check_even({"centres", 3, 40, 1.7});
   check_even({"inverted", 3, 40, 1.5});
   check_even({"curve", 3, 40, 1.2});
-  check_even({"patches", 3, 40, 2.2});
+  check_even({"patches", 3, 40, 1.8});
 }
 
 TEST_CASE("fronts of four objectives are even", "[front][heavy]") {

@@ -84,15 +84,7 @@ inline std::vector<Costs> samples_of(const problems::KnownSurface& surface, std:
     for (double& x : u) x = static_cast<double>(generator() >> 11) * 0x1p-53;
     all.push_back(surface.costs(u));
   }
-  if (surface.is_all_front) return all;
-  std::vector<Costs> front;
-  for (const Costs& point : all) {
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const Costs& other) { return is_dominated(other, point); })) {
-      front.push_back(point);
-    }
-  }
-  return front;
+  return all;
 }
 
 /// How far a point of the front can be from the nearest that was found.
