@@ -14,6 +14,7 @@ class Dominance {
   Dominance(double share, const std::vector<double>& absolute)
       : share_(share), absolute_(absolute) {}
 
+  /// Nothing is greater by more than its tolerance, and something smaller by more than that.
   bool dominates(const Point& a, const Point& b) const {
     bool better = false;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -23,6 +24,15 @@ class Dominance {
       if (a[i] < b[i] - margin) better = true;
     }
     return better;
+  }
+
+  /// Nothing is greater at all: that is transitive, and what a dominates then whatever dominates a
+  /// does too.
+  bool dominates_outright(const Point& a, const Point& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (a[i] > b[i]) return false;
+    }
+    return dominates(a, b);
   }
 
   /// Whether a's first objective is so much greater that it cannot dominate b.
@@ -45,11 +55,8 @@ bool has_nan(const Point& point) {
   return std::any_of(point.begin(), point.end(), [](double x) { return std::isnan(x); });
 }
 
-}  // namespace
-
-std::vector<bool> non_dominated(std::span<const Point> points, double tolerance,
-                                const std::vector<double>& tolerances) {
-  const Dominance order_of(tolerance, tolerances);
+/// In lexicographic order those that no other dominates outright.
+std::vector<std::size_t> outright(std::span<const Point> points, const Dominance& relation) {
   std::vector<std::size_t> order, kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!has_nan(points[i])) order.push_back(i);
@@ -59,20 +66,90 @@ std::vector<bool> non_dominated(std::span<const Point> points, double tolerance,
   });
   for (const std::size_t i : order) {
     const bool out = std::any_of(kept.begin(), kept.end(), [&](std::size_t k) {
-      return order_of.dominates(points[k], points[i]);
+      return relation.dominates_outright(points[k], points[i]);
     });
-    if (out) continue;
-    // What it dominates is not far before it.
-    auto from = kept.end();
-    while (from != kept.begin() && !order_of.is_behind(points[i], points[*(from - 1)])) --from;
-    kept.erase(
-        std::remove_if(from, kept.end(),
-                       [&](std::size_t k) { return order_of.dominates(points[i], points[k]); }),
-        kept.end());
-    kept.push_back(i);
+    if (!out) kept.push_back(i);
   }
+  return kept;
+}
+
+/// Points in lexicographic order become those that stay.
+class Kernel {
+ public:
+  Kernel(std::span<const Point> points, std::vector<std::size_t> order, const Dominance& relation)
+      : points_(points),
+        order_(std::move(order)),
+        relation_(relation),
+        dominators_(order_.size(), 0),
+        decided_(order_.size(), false) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      for_each_dominated(i, [&](std::size_t k) { ++dominators_[k]; });
+    }
+  }
+
+  std::vector<std::size_t> find() {
+    std::vector<std::size_t> stay;
+    std::vector<std::size_t> free;
+    for (std::size_t i = order_.size(); i-- > 0;) {
+      if (dominators_[i] == 0) free.push_back(i);
+    }
+    std::size_t first = 0;  // all before it are decided
+    for (;;) {
+      while (first < order_.size() && decided_[first]) ++first;
+      if (first == order_.size()) return stay;
+      const bool is_ring = free.empty();
+      const std::size_t next = is_ring ? first : free.back();
+      if (!is_ring) free.pop_back();
+      if (decided_[next]) continue;
+      decided_[next] = true;
+      stay.push_back(order_[next]);
+      if (is_ring) remove_dominators(next, free);
+      for_each_dominated(next, [&](std::size_t k) { remove(k, free); });
+    }
+  }
+
+ private:
+  const Point& point(std::size_t i) const { return points_[order_[i]]; }
+
+  /// Those that are not decided; what is dominated is not far before what dominates it.
+  template <class F>
+  void for_each_dominated(std::size_t i, F f) const {
+    std::size_t from = i;
+    while (from > 0 && !relation_.is_behind(point(i), point(from - 1))) --from;
+    for (std::size_t k = from; k < order_.size(); ++k) {
+      if (k != i && !decided_[k] && relation_.dominates(point(i), point(k))) f(k);
+    }
+  }
+
+  void remove(std::size_t i, std::vector<std::size_t>& free) {
+    decided_[i] = true;
+    for_each_dominated(i, [&](std::size_t k) {
+      if (--dominators_[k] == 0) free.push_back(k);
+    });
+  }
+
+  void remove_dominators(std::size_t i, std::vector<std::size_t>& free) {
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      if (!decided_[k] && relation_.dominates(point(k), point(i))) remove(k, free);
+    }
+  }
+
+  std::span<const Point> points_;
+  std::vector<std::size_t> order_;
+  const Dominance& relation_;
+  std::vector<std::size_t> dominators_;  ///< that are not decided
+  std::vector<bool> decided_;
+};
+
+}  // namespace
+
+std::vector<bool> non_dominated(std::span<const Point> points, double tolerance,
+                                const std::vector<double>& tolerances) {
+  const Dominance relation(tolerance, tolerances);
   std::vector<bool> result(points.size(), false);
-  for (const std::size_t k : kept) result[k] = true;
+  for (const std::size_t k : Kernel(points, outright(points, relation), relation).find()) {
+    result[k] = true;
+  }
   return result;
 }
 
