@@ -50,21 +50,20 @@ class DirectionFront final : public PartFront {
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
     std::vector<OpenPlace> places = challenges(front);
     if (!has_ends() || front.points.empty()) return places;
-    const std::vector<Look> looks = empty_looks(front);
-    const std::vector<Costs> all = front.places();
+    const Known known{empty_looks(front), looked_at(front), front.places()};
     for (const Hole& hole : front.holes) {
       const bool is_mine = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
         return front.points[p].part == part_;
       });
-      if (is_mine) add(places, hole, looks, all, front);
+      if (is_mine) add(places, hole, known, front);
     }
     for (const FrontPoint& scouted : scouted_) {
       if (front.covers(scouted.costs)) continue;
       Hole hole{front.place(scouted.costs), kInfinity, {}, false};
-      for (const Costs& place : all) {
+      for (const Costs& place : known.points) {
         hole.size = std::min(hole.size, distance_aside(hole.place, place));
       }
-      add(places, hole, looks, all, front);
+      add(places, hole, known, front);
       if (!places.empty() && places.back().place == hole.place) {
         places.back().task.starts = {scouted.x};
       }
@@ -105,6 +104,19 @@ class DirectionFront final : public PartFront {
     Costs from, result;
   };
 
+  /// What is known, in places by the ranges of the front.
+  struct Known {
+    std::vector<Look> empty;    ///< searches that tell where nothing is
+    std::vector<Costs> looked;  ///< places that were searched from
+    std::vector<Costs> points;  ///< of the front
+  };
+
+  std::vector<Costs> looked_at(const FrontSoFar& front) const {
+    std::vector<Costs> result;
+    for (const Look& look : looks_) result.push_back(front.place(look.place));
+    return result;
+  }
+
   /// Whether the scout is better than one of the front in everything, and by enough in something.
   static bool improves(const FrontPoint& scouted, const FrontSoFar& front, double share) {
     return std::any_of(front.points.begin(), front.points.end(), [&](const FrontPoint& p) {
@@ -138,7 +150,11 @@ class DirectionFront final : public PartFront {
     const FrontPoint* best = &points_.front();
     double least = kInfinity;
     for (const FrontPoint& p : points_) {
-      const double its = distance(front.place(p.costs), place);
+      double its = 0;  // square of the distance
+      for (std::size_t i = 0; i < place.size(); ++i) {
+        const double step = (p.costs[i] - front.ideal[i]) / front.range[i] - place[i];
+        its += step * step;
+      }
       if (its < least) best = &p;
       least = std::min(least, its);
     }
@@ -201,15 +217,17 @@ class DirectionFront final : public PartFront {
   }
 
   /// A hole becomes a place to look at, as far as no search was near it.
-  void add(std::vector<OpenPlace>& places, const Hole& hole, const std::vector<Look>& looks,
-           const std::vector<Costs>& all, const FrontSoFar& front) const {
+  void add(std::vector<OpenPlace>& places, const Hole& hole, const Known& known,
+           const FrontSoFar& front) const {
     constexpr double kClosed = 1e-4;
-    if (hole.is_beyond && is_closed(hole, looks, all[hole.about.front()])) return;
+    if (hole.is_beyond && is_closed(hole, known.empty, known.points[hole.about.front()])) return;
     double size = hole.size;
-    for (const Look& look : looks) size = std::min(size, distance_aside(hole.place, look.place));
-    if (!(size > kClosed) || was_asked_for(hole, front)) return;
+    for (const Look& look : known.empty) {
+      size = std::min(size, distance_aside(hole.place, look.place));
+    }
+    if (!(size > kClosed) || was_asked_for(hole, known.looked)) return;
     const bool is_one = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
-      return front.are_equal(all[p], hole.place);
+      return front.are_equal(known.points[p], hole.place);
     });
     if (is_one) return;
     Task task = search_from(front.costs_at(hole.place), front);
@@ -221,10 +239,10 @@ class DirectionFront final : public PartFront {
   }
 
   /// Whether this very place was: what came of it is not on the front, or all that is about it.
-  bool was_asked_for(const Hole& hole, const FrontSoFar& front) const {
+  static bool was_asked_for(const Hole& hole, const std::vector<Costs>& looked) {
     constexpr double kSame = 0.05;
-    return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
-      return distance_aside(front.place(look.place), hole.place) <= kSame * hole.size;
+    return std::any_of(looked.begin(), looked.end(), [&](const Costs& place) {
+      return distance_aside(place, hole.place) <= kSame * hole.size;
     });
   }
 
