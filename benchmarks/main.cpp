@@ -8,8 +8,8 @@
 
 /// camlaw_benchmarks --table prints the tables of speed of README.md, --accuracy those of accuracy.
 /// --search, --cam-shape, --cams and --fronts print those tables of speed alone, --known-fronts
-/// that table of accuracy; --nist FOLDER that of NIST's regression sets. Any other arguments are
-/// Google Benchmark's (--benchmark_filter=peaks and so on).
+/// and --even-fronts those tables of accuracy; --nist FOLDER that of NIST's regression sets. Any
+/// other arguments are Google Benchmark's (--benchmark_filter=peaks and so on).
 int main(int argc, char* argv[]) {
   namespace measures = camlaw::benchmarks;
   const std::string_view wanted = argc == 2 ? argv[1] : "";
@@ -28,13 +28,16 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--cams") measures::print_cam_table();
   if (all || wanted == "--fronts") measures::print_front_table();
   if (wanted == "--known-fronts") measures::print_known_fronts();
+  if (wanted == "--even-fronts") measures::print_even_fronts();
   if (wanted == "--accuracy") {
     measures::print_hock_schittkowski_table();
     measures::print_cam_shape_accuracy();
     measures::print_known_fronts();
+    measures::print_even_fronts();
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
-      wanted == "--fronts" || wanted == "--known-fronts" || wanted == "--accuracy") {
+      wanted == "--fronts" || wanted == "--known-fronts" || wanted == "--even-fronts" ||
+      wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();

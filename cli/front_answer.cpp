@@ -59,7 +59,7 @@ std::string FrontAnswer::family(const FrontPoint& point) const {
 std::vector<optim::Costs> FrontAnswer::costs() const { return optim::costs_of(front.points); }
 
 int status_of(const optim::Front& front) {
-  if (!front.complete) return kNotSolved;
+  if (front.stopped) return kNotSolved;
   if (!front.points.empty()) return kDone;
   return front.failures.empty() ? kInfeasible : kNotSolved;
 }

@@ -45,14 +45,15 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
   std::vector<std::pair<std::string, std::size_t>> result;
   const auto all = answer.costs();
   if (options.knee) {
-    const auto knee = optim::knee(all);
+    const auto knee = optim::knee(all, answer.front.tolerances);
     if (!knee)
       throw std::invalid_argument(
           "--knee: this front has none; no point lies below the line through its ends");
     result.emplace_back("knee", knee->point);
   }
   if (options.weights) {
-    result.emplace_back("compromise", optim::compromise(all, parse_weights(*options.weights)));
+    result.emplace_back("compromise", optim::compromise(all, parse_weights(*options.weights),
+                                                        answer.front.tolerances));
   }
   if (options.point) {
     const auto number =

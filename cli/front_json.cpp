@@ -76,17 +76,20 @@ Json next_json(const FrontAnswer& answer, std::size_t point) {
 Json front_json(const FrontAnswer& answer) {
   const Front& front = answer.front;
   Json objectives = Json::array(), points = Json::array(), failures = Json::array();
-  for (const auto& o : front.objectives) {
+  for (std::size_t i = 0; i < front.objectives.size(); ++i) {
+    const auto& o = front.objectives[i];
     objectives.push_back({{"name", o.name},
                           {"unit", o.unit},
-                          {"sense", o.sense == optim::Sense::Minimize ? "minimize" : "maximize"}});
+                          {"sense", o.sense == optim::Sense::Minimize ? "minimize" : "maximize"},
+                          {"tolerance", i < front.tolerances.size() ? to_json(front.tolerances[i])
+                                                                    : Json(nullptr)}});
   }
   for (std::size_t k = 0; k < front.points.size(); ++k) points.push_back(point_object(answer, k));
   for (const optim::FailedTask& failed : front.failures) {
     failures.push_back({{"search", failed.number + 1}, {"why", failed.why}});
   }
   const auto all = answer.costs();
-  const auto knee = optim::knee(all);
+  const auto knee = optim::knee(all, answer.front.tolerances);
   Json knee_object(nullptr);
   if (knee) {
     knee_object = {{"point", knee->point},
@@ -112,6 +115,8 @@ Json front_json(const FrontAnswer& answer) {
                                     : Json(nullptr)},
           {"knee", std::move(knee_object)},
           {"complete", front.complete},
+          {"finished", !front.stopped},
+          {"largest_gap", front.largest_gap ? to_json(*front.largest_gap) : Json(nullptr)},
           {"warnings", answer.warnings},
           {"searches", front.tasks},
           {"evaluations", front.evaluations},

@@ -99,7 +99,7 @@ std::string slopes_note(const FrontAnswer& answer) {
 
 std::string knee_text(const FrontAnswer& answer) {
   const auto all = answer.costs();
-  const auto knee = optim::knee(all);
+  const auto knee = optim::knee(all, answer.front.tolerances);
   if (!knee) return "";
   std::string text =
       fmt::format("knee: point {}, {}\n", knee->point + 1, values_text(answer, all[knee->point]));
@@ -142,12 +142,16 @@ std::string measures_text(const FrontAnswer& answer) {
   }
   const auto all = answer.costs();
   if (front.objectives.size() == 2 && all.size() > 2) {
-    const auto lengths = optim::steps(all);
+    const auto lengths = optim::steps(all, answer.front.tolerances);
     double sum = 0;
     for (const double l : lengths) sum += l;
     text += fmt::format("largest step between neighbours: {:.2f} times the mean\n",
                         *std::max_element(lengths.begin(), lengths.end()) / sum *
                             static_cast<double>(lengths.size()));
+  }
+  if (front.largest_gap) {
+    text +=
+        fmt::format("largest gap between neighbours: {:.2f} times the mean\n", *front.largest_gap);
   }
   return text;
 }
@@ -171,7 +175,12 @@ std::string work_text(const FrontAnswer& answer) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
   }
   text += warnings_text(answer.warnings);
-  if (!front.complete) text += "the study is not finished; --resume goes on with it\n";
+  if (front.stopped) {
+    text += "the study is not finished; --resume goes on with it\n";
+  } else if (!front.complete) {
+    text += "the front is not complete: its largest gap is more than " +
+            fmt::format("{} times the mean\n", in_digits(optim::kLargestGap));
+  }
   return text;
 }
 

@@ -10,6 +10,8 @@ namespace camlaw::benchmarks {
 void print_hock_schittkowski_table();
 /// Fronts that are known, by sweep and by NSGA-II.
 void print_known_fronts();
+/// Fronts of three objectives and more: how even they are, and against NSGA-II.
+void print_even_fronts();
 /// The cam shape by its number of radii.
 void print_cam_shape_accuracy();
 /// Fits of NIST's nonlinear regression sets, whose files lie in a folder.

@@ -85,7 +85,11 @@ std::string lead(const FrontAnswer& answer) {
   const std::string certified =
       fmt::format("{} of {} points certified", front.certified(), front.points.size());
   std::string badges = badge(all ? "good" : "plain", certified);
-  if (!front.complete) badges += badge("bad", "not finished");
+  if (front.stopped) {
+    badges += badge("bad", "not finished");
+  } else if (!front.complete) {
+    badges += badge("plain", "not complete");
+  }
   return fmt::format("<p>{}</p>\n", badges) + warnings_html(answer.warnings) +
          paragraph(fmt::format("{}.", fmt::join(ranges, "; ")));
 }
@@ -102,7 +106,7 @@ ReportSection points_section(const FrontAnswer& answer, const std::vector<std::s
 }
 
 ReportSection knee_sensitivity(const FrontAnswer& answer) {
-  const auto knee = optim::knee(answer.costs());
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
   const std::size_t k = knee ? knee->point : 0;
   const FrontPoint& point = answer.front.points[k];
   const auto& space = answer.study.space();

@@ -67,7 +67,11 @@ class BoxFront final : public PartFront {
       if (front.covers(box.corner)) continue;
       const double w = box.width(0) / front.range[0], h = box.width(1) / front.range[1];
       constexpr double kClosed = 1e-5;
-      if (!(std::hypot(w, h) > kClosed) || !(w > 0) || !(h > 0)) continue;
+      if (!(std::hypot(w, h) > kClosed)) continue;
+      // Of equal costs the better end has the rest.
+      const bool is_thin =
+          !(box.width(0) > front.tolerances[0]) || !(box.width(1) > front.tolerances[1]);
+      if (is_thin) continue;
       if (const FrontPoint* rival = find_rival(box, front)) {
         Task task = bounded(1, rival->costs[0]);
         task.starts = {halfway(box.left->x, box.right->x), box.left->x};

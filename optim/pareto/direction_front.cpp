@@ -6,18 +6,16 @@
 
 #include "optim/pareto/part_front.h"
 
-/// The sweep of three objectives or more (docs/optimisation.md, "Directions").
+/// The sweep of three objectives or more (docs/optimisation.md, "Gaps").
 namespace camlaw::optim {
 namespace {
-
-using Edge = std::pair<std::size_t, std::size_t>;
 
 class DirectionFront final : public PartFront {
  public:
   using PartFront::PartFront;
 
   /// At the optimum of each cost alone the others need not be least: they are sought there, one
-  /// after the other. Then the corners of the simplex of directions.
+  /// after the other. Then the compromise of all costs but one, for each.
   std::vector<Task> next_tasks() override {
     std::vector<Task> tasks;
     if (std::any_of(alone_.begin(), alone_.end(), [](const auto& p) { return !p; })) return tasks;
@@ -29,49 +27,46 @@ class DirectionFront final : public PartFront {
       }
     } else if (stage_ == objectives_) {
       measure();
-      for (std::size_t i = 0; i < objectives_; ++i) {
-        std::vector<double> corner(objectives_, 0.0);
-        corner[i] = 1;
-        tasks.push_back(toward(corner, {alone_[i]->x}));
-      }
+      for (std::size_t i = 0; i < objectives_; ++i) tasks.push_back(compromise_without(i));
     }
     return tasks;
   }
 
   void take(const Task& task, const Outcome& outcome) override {
-    if (stage_ > 0 && stage_ < objectives_) {
-      move_ends(task, outcome);
+    if (const auto end = beside_.find(task.bounds); end != beside_.end()) {
+      move_end(end->second, task, outcome);
       return;
     }
-    for (const FrontPoint& point : outcome.points) insert(point);
     if (task.kind != Task::Kind::Toward) {
       challenged_.insert(task.bounds);
-      return;
+    } else if (const auto asked = asked_.find(task.origin); asked != asked_.end()) {
+      looks_.push_back(looked(asked->second, outcome));
     }
-    const std::size_t vertex = vertices_.size();
-    vertices_.push_back({asked_.at(task.direction), std::nullopt});
-    if (!outcome.points.empty()) vertices_.back().point = outcome.points.front();
-    if (vertex < objectives_) {
-      if (vertex + 1 == objectives_) add_first_simplex();
-      return;
-    }
-    divide(parents_.at(task.direction), vertex);
+    for (const FrontPoint& point : outcome.points) insert(point);
   }
 
+  void see(const std::vector<FrontPoint>& scouted) override { scouted_ = scouted; }
+
   std::vector<OpenPlace> open(const FrontSoFar& front) const override {
-    std::map<Edge, double> edges;
-    for (const auto& simplex : simplices_) {
-      if (const auto edge = first_edge(simplex)) {
-        edges.insert({*edge, 1.0});
-        continue;
-      }
-      const auto longest = longest_edge(simplex, front);
-      if (longest && !front.covers(corner(simplex))) edges.insert(*longest);
-    }
     std::vector<OpenPlace> places = challenges(front);
-    for (const auto& [edge, length] : edges) {
-      constexpr double kClosed = 1e-4;
-      if (length > kClosed) places.push_back({length, halving(edge)});
+    if (!has_ends() || front.points.empty()) return places;
+    const Known known{empty_looks(front), looked_at(front), front.places()};
+    for (const Hole& hole : front.holes) {
+      const bool is_mine = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
+        return front.points[p].part == part_;
+      });
+      if (is_mine) add(places, hole, known, front);
+    }
+    for (const FrontPoint& scouted : scouted_) {
+      if (front.covers(scouted.costs)) continue;
+      Hole hole{front.place(scouted.costs), kInfinity, {}, false};
+      for (const Costs& place : known.points) {
+        hole.size = std::min(hole.size, distance_aside(hole.place, place));
+      }
+      add(places, hole, known, front);
+      if (!places.empty() && places.back().place == hole.place) {
+        places.back().task.starts = {scouted.x};
+      }
     }
     return places;
   }
@@ -84,12 +79,43 @@ class DirectionFront final : public PartFront {
     return task;
   }
 
+  Beyond beyond() const override { return beyond_; }
+
+  bool is_known_empty(const Costs& place, double within, const FrontSoFar& front) const override {
+    for (const Look& look : empty_looks(front)) {
+      if (!look.failed && distance_aside(place, look.place) <= within) return true;
+    }
+    return false;
+  }
+
  private:
-  struct Vertex {
-    std::vector<double> direction;  ///< not negative, adds up to one
-    std::optional<FrontPoint> point;
+  /// A place that was asked for, and why.
+  struct Asked {
+    double size = 0;
+    bool is_beyond = false;
+    Costs from;          ///< of a place beyond: the point's costs
+    Costs place, range;  ///< costs there, and what they were measured by
   };
-  using Simplex = std::vector<std::size_t>;  ///< vertices
+  /// What came of it. `place` is in costs until empty_looks() makes it one by the ranges.
+  struct Look {
+    Costs place;
+    double size = 0;
+    bool is_beyond = false, failed = false, reached = false;
+    Costs from, result;
+  };
+
+  /// What is known, in places by the ranges of the front.
+  struct Known {
+    std::vector<Look> empty;    ///< searches that tell where nothing is
+    std::vector<Costs> looked;  ///< places that were searched from
+    std::vector<Costs> points;  ///< of the front
+  };
+
+  std::vector<Costs> looked_at(const FrontSoFar& front) const {
+    std::vector<Costs> result;
+    for (const Look& look : looks_) result.push_back(front.place(look.place));
+    return result;
+  }
 
   /// Whether the scout is better than one of the front in everything, and by enough in something.
   static bool improves(const FrontPoint& scouted, const FrontSoFar& front, double share) {
@@ -114,28 +140,25 @@ class DirectionFront final : public PartFront {
       }
       Task task = as_good_as(rival, part_, objectives_ - 1);
       if (!reachable || challenged_.count(task.bounds) > 0) continue;
-      task.starts = {nearest(rival, front).x};
-      places.push_back({1, std::move(task), true});
+      task.starts = {nearest(front.place(rival.costs), front).x};
+      places.push_back({1, std::move(task), true, {}, false});
     }
     return places;
   }
 
-  const FrontPoint& nearest(const FrontPoint& point, const FrontSoFar& front) const {
-    return *std::min_element(
-        points_.begin(), points_.end(), [&](const FrontPoint& a, const FrontPoint& b) {
-          return square_of_distance(a, point, front) < square_of_distance(b, point, front);
-        });
-  }
-
-  /// By the range of each cost.
-  static double square_of_distance(const FrontPoint& a, const FrontPoint& b,
-                                   const FrontSoFar& front) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.costs.size(); ++i) {
-      const double step = (a.costs[i] - b.costs[i]) / front.range[i];
-      sum += step * step;
+  const FrontPoint& nearest(const Costs& place, const FrontSoFar& front) const {
+    const FrontPoint* best = &points_.front();
+    double least = kInfinity;
+    for (const FrontPoint& p : points_) {
+      double its = 0;  // square of the distance
+      for (std::size_t i = 0; i < place.size(); ++i) {
+        const double step = (p.costs[i] - front.ideal[i]) / front.range[i] - place[i];
+        its += step * step;
+      }
+      if (its < least) best = &p;
+      least = std::min(least, its);
     }
-    return sum;
+    return *best;
   }
 
   /// How far each cost goes on the front, as far as the ends tell.
@@ -146,26 +169,28 @@ class DirectionFront final : public PartFront {
       for (const auto& point : alone_) {
         if (std::isfinite(point->costs[i])) worst = std::max(worst, point->costs[i]);
       }
+      // Where the ends have the same of a cost, it may vary between them.
       const double range = worst - least_[i];
-      scale_.push_back(range > 0 ? range : std::max(std::abs(worst), 1.0));
+      scale_.push_back(range > tolerances_[i] ? range : std::max(std::abs(worst), 1.0));
     }
   }
 
   /// The least of another cost where one is at its own, which is eased so that there is room.
-  Task beside(std::size_t end, std::size_t sought) const {
+  Task beside(std::size_t end, std::size_t sought) {
     Task task = as_good_as(*alone_[end], part_, sought);
     for (std::size_t i = 0; i < objectives_; ++i) task.bounds[i] += ease(task.bounds[i], scale_[i]);
     task.starts = {alone_[end]->x};
+    beside_[task.bounds] = end;
     return task;
   }
 
   /// An end at which another cost falls steeply is left for the point beside it, which is better by
   /// a part of the range there. A point that gains less is none of its own.
-  void move_ends(const Task& task, const Outcome& outcome) {
+  void move_end(std::size_t which, const Task& task, const Outcome& outcome) {
     constexpr double kWorth = 1e-3;
     if (outcome.points.empty()) return;
     const FrontPoint& point = outcome.points.front();
-    FrontPoint& end = *alone_[(task.sought + objectives_ - stage_) % objectives_];
+    FrontPoint& end = *alone_[which];
     const double gain = end.costs[task.sought] - point.costs[task.sought];
     if (!(gain > kWorth * scale_[task.sought]) || !is_as_sound(point, end)) return;
     std::erase_if(points_, [&](const FrontPoint& p) { return p.costs == end.costs; });
@@ -173,105 +198,161 @@ class DirectionFront final : public PartFront {
     insert(end);
   }
 
-  Task toward(const std::vector<double>& direction, std::vector<std::vector<double>> starts) const {
-    // No cost may be held at its least alone: there are hardly any designs there.
-    constexpr double kLeast = 1e-5;
+  Task toward(Costs origin, Costs direction, std::vector<std::vector<double>> starts) const {
     Task task;
     task.kind = Task::Kind::Toward;
     task.part = part_;
-    task.origin = least_;
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      task.direction.push_back(scale_[i] * std::max(direction[i], kLeast));
-    }
+    task.origin = std::move(origin);
+    task.direction = std::move(direction);
     task.starts = std::move(starts);
-    asked_[task.direction] = direction;
     return task;
   }
 
-  void add_first_simplex() {
-    Simplex all;
-    for (std::size_t i = 0; i < objectives_; ++i) all.push_back(i);
-    simplices_.push_back(all);
+  /// Where all costs but one are as near to their least as can be, by their ranges.
+  Task compromise_without(std::size_t i) const {
+    constexpr double kFar = 1e3;  // ranges: no cost on the front is there
+    Costs origin = least_;
+    origin[i] += kFar * scale_[i];
+    return toward(std::move(origin), scale_, {alone_[(i + 1) % objectives_]->x});
   }
 
-  double length(const Edge& edge, const FrontSoFar& front) const {
-    const auto &a = vertices_[edge.first].point, &b = vertices_[edge.second].point;
-    return a && b ? std::sqrt(square_of_distance(*a, *b, front)) : 0;
-  }
-
-  /// An edge of the simplex that was the first. Each of those is halved, even where its ends have
-  /// come to one point: between them others may lie.
-  std::optional<Edge> first_edge(const Simplex& simplex) const {
-    std::vector<std::size_t> corners;
-    for (const std::size_t v : simplex) {
-      if (v < objectives_ && vertices_[v].point) corners.push_back(v);
+  /// A hole becomes a place to look at, as far as no search was near it.
+  void add(std::vector<OpenPlace>& places, const Hole& hole, const Known& known,
+           const FrontSoFar& front) const {
+    constexpr double kClosed = 1e-4;
+    if (hole.is_beyond && is_closed(hole, known.empty, known.points[hole.about.front()])) return;
+    double size = hole.size;
+    for (const Look& look : known.empty) {
+      size = std::min(size, distance_aside(hole.place, look.place));
     }
-    std::sort(corners.begin(), corners.end());
-    if (corners.size() < 2) return {};
-    return Edge(corners[0], corners[1]);
+    if (!(size > kClosed) || was_asked_for(hole, known.looked)) return;
+    const bool is_one = std::any_of(hole.about.begin(), hole.about.end(), [&](std::size_t p) {
+      return front.are_equal(known.points[p], hole.place);
+    });
+    if (is_one) return;
+    Task task = search_from(front.costs_at(hole.place), front);
+    task.starts = starts_about(hole, front);
+    asked_[task.origin] = {hole.is_beyond ? hole.size : size, hole.is_beyond,
+                           hole.is_beyond ? front.points[hole.about.front()].costs : Costs{},
+                           front.costs_at(hole.place), front.range};
+    places.push_back({size, std::move(task), false, hole.place, hole.is_beyond});
   }
 
-  std::optional<std::pair<Edge, double>> longest_edge(const Simplex& simplex,
-                                                      const FrontSoFar& front) const {
-    std::optional<std::pair<Edge, double>> result;
-    for (std::size_t i = 0; i < simplex.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        const Edge edge = std::minmax(simplex[i], simplex[k]);
-        const double its = length(edge, front);
-        if (!result || its > result->second) result = {edge, its};
+  /// Whether this very place was: what came of it is not on the front, or all that is about it.
+  static bool was_asked_for(const Hole& hole, const std::vector<Costs>& looked) {
+    constexpr double kSame = 0.05;
+    return std::any_of(looked.begin(), looked.end(), [&](const Costs& place) {
+      return distance_aside(place, hole.place) <= kSame * hole.size;
+    });
+  }
+
+  /// All costs by their ranges; one that does not vary is held within its tolerance.
+  Task search_from(Costs origin, const FrontSoFar& front) const {
+    constexpr double kRoom = 2, kLeast = 1e-9;  // tolerances; of the size
+    Costs direction = front.range;
+    for (std::size_t i = 0; i < objectives_; ++i) {
+      if (front.varies(i)) continue;
+      direction[i] = std::max(front.tolerances[i], kLeast * front.range[i]);
+      origin[i] = front.nadir[i] + kRoom * direction[i];
+    }
+    return toward(std::move(origin), std::move(direction), {});
+  }
+
+  /// The mean of the designs that a hole lies between, and the nearest design.
+  std::vector<std::vector<double>> starts_about(const Hole& hole, const FrontSoFar& front) const {
+    const FrontPoint& near = nearest(hole.place, front);
+    std::vector<double> mean(near.x.size(), 0.0);
+    std::size_t count = 0;
+    for (const std::size_t p : hole.about) {
+      if (front.points[p].part != part_) continue;
+      ++count;
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += front.points[p].x[i];
+    }
+    if (count < 2) return {near.x};
+    for (double& m : mean) m /= static_cast<double>(count);
+    return {std::move(mean), near.x};
+  }
+
+  /// Whether a search beyond the point, or one that led to it, has found nothing in the direction.
+  static bool is_closed(const Hole& hole, const std::vector<Look>& looks, const Costs& point) {
+    constexpr double kSame = 0.3, kCosine = 0.5;
+    return std::any_of(looks.begin(), looks.end(), [&](const Look& look) {
+      if (!look.is_beyond) return false;
+      for (const Costs* at : {&look.from, &look.result}) {
+        if (at->empty() || distance(*at, point) > kSame * hole.size) continue;
+        if (cosine_aside(*at, look.place, point, hole.place) > kCosine) return true;
       }
+      return false;
+    });
+  }
+
+  /// Of the angle between two steps, each without its part along (1, 1, ...).
+  static double cosine_aside(const Costs& a, const Costs& b, const Costs& c, const Costs& d) {
+    double first = 0, second = 0, product = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      first += b[i] - a[i];
+      second += d[i] - c[i];
+      product += (b[i] - a[i]) * (d[i] - c[i]);
+    }
+    const double lengths = distance_aside(a, b) * distance_aside(c, d);
+    return lengths > 0 ? (product - first * second / static_cast<double>(a.size())) / lengths : 0;
+  }
+
+  /// What a search has told: it has reached the place if it came to a point that is new, not far
+  /// aside from where it was sent.
+  Look looked(const Asked& asked, const Outcome& outcome) {
+    constexpr double kReached = 0.5, kNew = 0.45;
+    Look look{asked.place, asked.size, asked.is_beyond, false, false, asked.from, {}};
+    bool is_new = false;
+    if (outcome.points.empty()) {
+      look.failed = !outcome.infeasible;
+    } else {
+      look.result = outcome.points.front().costs;
+      const auto place = [&](const Costs& costs) {
+        Costs result;
+        for (std::size_t i = 0; i < costs.size(); ++i) {
+          result.push_back((costs[i] - asked.place[i]) / asked.range[i]);
+        }
+        return result;
+      };
+      const Costs there = place(look.result);
+      is_new = std::none_of(points_.begin(), points_.end(), [&](const FrontPoint& p) {
+        return distance(place(p.costs), there) < kNew * asked.size;
+      });
+      const double aside = distance_aside(there, Costs(objectives_, 0.0));
+      look.reached = is_new && aside <= kReached * asked.size;
+    }
+    beyond_.tried += asked.is_beyond;
+    beyond_.found += asked.is_beyond && is_new;
+    return look;
+  }
+
+  /// Searches that tell where nothing is, by the ranges of the front: those that did not reach
+  /// their place, and those whose point something dominates.
+  std::vector<Look> empty_looks(const FrontSoFar& front) const {
+    std::vector<Look> result;
+    const std::vector<Costs> all = front.places();
+    for (Look look : looks_) {
+      look.place = front.place(look.place);
+      const bool is_there = look.reached && std::any_of(all.begin(), all.end(), [&](const auto& p) {
+                              return distance_aside(p, look.place) <= look.size / 2;
+                            });
+      if (is_there) continue;
+      if (!look.from.empty()) look.from = front.place(look.from);
+      if (!look.result.empty()) look.result = front.place(look.result);
+      result.push_back(std::move(look));
     }
     return result;
   }
 
-  /// The least of each cost over a simplex's corners.
-  Costs corner(const Simplex& simplex) const {
-    std::vector<Costs> ends;
-    for (const std::size_t v : simplex) {
-      if (vertices_[v].point) ends.push_back(vertices_[v].point->costs);
-    }
-    return ends.empty() ? least_ : ideal(ends);
-  }
-
-  Task halving(const Edge& edge) const {
-    const Vertex &a = vertices_[edge.first], &b = vertices_[edge.second];
-    std::vector<double> middle(objectives_);
-    for (std::size_t i = 0; i < objectives_; ++i) {
-      middle[i] = (a.direction[i] + b.direction[i]) / 2;
-    }
-    Task task = toward(middle, {halfway(a.point->x, b.point->x), a.point->x});
-    parents_[task.direction] = edge;
-    return task;
-  }
-
-  /// Every simplex with the edge becomes two.
-  void divide(const Edge& edge, std::size_t middle) {
-    std::vector<Simplex> result;
-    for (const Simplex& simplex : simplices_) {
-      const auto has = [&](std::size_t v) {
-        return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
-      };
-      if (!has(edge.first) || !has(edge.second)) {
-        result.push_back(simplex);
-        continue;
-      }
-      for (const std::size_t end : {edge.first, edge.second}) {
-        Simplex half = simplex;
-        std::replace(half.begin(), half.end(), end, middle);
-        result.push_back(std::move(half));
-      }
-    }
-    simplices_ = std::move(result);
-  }
-
-  std::size_t stage_ = 0;  ///< of setting up; `objectives_`: the corners
+  std::size_t stage_ = 0;  ///< of setting up; `objectives_`: the compromises
   Costs scale_;
+  std::vector<FrontPoint> scouted_;
+  std::map<std::vector<double>, std::size_t> beside_;  ///< by bounds: searches beside which end
   std::set<std::vector<double>> challenged_;  ///< bounds of searches against other combinations
-  std::vector<Vertex> vertices_;
-  std::vector<Simplex> simplices_;
-  // Of each direction that was asked for: where it lies on the simplex, and the edge it halves.
-  mutable std::map<std::vector<double>, std::vector<double>> asked_;
-  mutable std::map<std::vector<double>, Edge> parents_;
+  std::vector<Look> looks_;
+  Beyond beyond_;
+  mutable std::map<Costs, Asked> asked_;  ///< by the origin of the task
 };
 
 }  // namespace

@@ -25,14 +25,20 @@ Costs best_of_each(std::span<const Costs> front, Better better) {
 
 double sum(const Costs& costs) { return std::accumulate(costs.begin(), costs.end(), 0.0); }
 
+double tolerance_of(const Costs& tolerances, std::size_t i) {
+  return i < tolerances.size() ? tolerances[i] : 0;
+}
+
 /// For which factors on one cost the knee's sum stays the least: sum + (factor - 1) * cost.
-void factor_range(const std::vector<Costs>& u, std::size_t knee, std::size_t objective, double& low,
-                  double& high) {
+/// `same` is what normalised costs may differ by and be equal.
+void factor_range(const std::vector<Costs>& u, std::size_t knee, std::size_t objective, double same,
+                  double& low, double& high) {
   low = 0;
   high = kInfinite;
   for (const Costs& other : u) {
     // sum_k + (f - 1) k <= sum_o + (f - 1) o
     const double slope = u[knee][objective] - other[objective];
+    if (!(std::abs(slope) > same)) continue;
     const double room = sum(other) - sum(u[knee]);
     if (slope > 0) high = std::min(high, 1 + room / slope);
     if (slope < 0) low = std::max(low, 1 + room / slope);
@@ -49,39 +55,40 @@ Costs nadir(std::span<const Costs> front) {
   return best_of_each(front, [](double a, double b) { return a > b; });
 }
 
-Costs ranges(std::span<const Costs> front) {
+Costs ranges(std::span<const Costs> front, const Costs& tolerances) {
   const Costs best = ideal(front), worst = nadir(front);
   Costs result;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const double range = worst[i] - best[i];
     const double size = std::abs(worst[i]) > 0 ? std::abs(worst[i]) : 1;
-    result.push_back(range > 0 ? range : size);
+    const double same = tolerance_of(tolerances, i);
+    result.push_back(range > same ? range : std::max(size, same));
   }
   return result;
 }
 
-Costs default_reference(std::span<const Costs> front) {
+Costs default_reference(std::span<const Costs> front, const Costs& tolerances) {
   constexpr double kShare = 0.1;
-  const Costs range = ranges(front);
+  const Costs range = ranges(front, tolerances);
   Costs reference = nadir(front);
   for (std::size_t i = 0; i < reference.size(); ++i) reference[i] += kShare * range[i];
   return reference;
 }
 
-std::vector<Costs> normalised(std::span<const Costs> front) {
+std::vector<Costs> normalised(std::span<const Costs> front, const Costs& tolerances) {
   const Costs best = ideal(front), worst = nadir(front);
   std::vector<Costs> result(front.begin(), front.end());
   for (Costs& point : result) {
     for (std::size_t i = 0; i < point.size(); ++i) {
       const double range = worst[i] - best[i];
-      point[i] = range > 0 ? (point[i] - best[i]) / range : 0;
+      point[i] = range > tolerance_of(tolerances, i) ? (point[i] - best[i]) / range : 0;
     }
   }
   return result;
 }
 
-std::vector<double> steps(std::span<const Costs> front) {
-  const std::vector<Costs> u = normalised(front);
+std::vector<double> steps(std::span<const Costs> front, const Costs& tolerances) {
+  const std::vector<Costs> u = normalised(front, tolerances);
   std::vector<double> result;
   for (std::size_t i = 1; i < u.size(); ++i) {
     result.push_back(std::hypot(u[i][0] - u[i - 1][0], u[i][1] - u[i - 1][1]));
@@ -89,9 +96,10 @@ std::vector<double> steps(std::span<const Costs> front) {
   return result;
 }
 
-std::optional<Knee> knee(std::span<const Costs> front) {
+std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances) {
   if (front.size() < 3) return {};
-  const std::vector<Costs> u = normalised(front);
+  const std::vector<Costs> u = normalised(front, tolerances);
+  const Costs range = ranges(front, tolerances);
   const auto least = std::min_element(
       u.begin(), u.end(), [](const Costs& a, const Costs& b) { return sum(a) < sum(b); });
   const bool is_end = least->size() == 2 && ((*least)[0] == 0 || (*least)[1] == 0);
@@ -104,12 +112,14 @@ std::optional<Knee> knee(std::span<const Costs> front) {
   result.low.resize(objectives);
   result.high.resize(objectives);
   for (std::size_t i = 0; i < objectives; ++i) {
-    factor_range(u, result.point, i, result.low[i], result.high[i]);
+    factor_range(u, result.point, i, tolerance_of(tolerances, i) / range[i], result.low[i],
+                 result.high[i]);
   }
   return result;
 }
 
-std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights) {
+std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights,
+                       const Costs& tolerances) {
   if (front.empty()) throw std::invalid_argument("weights: the front has no points");
   const bool fits = weights.size() == front.front().size();
   const bool proper = std::all_of(weights.begin(), weights.end(),
@@ -119,7 +129,7 @@ std::size_t compromise(std::span<const Costs> front, const std::vector<double>& 
     throw std::invalid_argument(
         "weights: one number for each objective is wanted, none negative, one at least positive");
   }
-  const std::vector<Costs> u = normalised(front);
+  const std::vector<Costs> u = normalised(front, tolerances);
   const auto measure = [&](const Costs& point) {
     double greatest = 0, total = 0;
     for (std::size_t i = 0; i < point.size(); ++i) {

@@ -7,7 +7,8 @@
 #include <vector>
 
 /// What a front tells. Points are costs, all to be small, and no point dominates another; equations
-/// are those of docs/optimisation.md, "Fronts".
+/// are those of docs/optimisation.md, "Fronts". `tolerances` are what differences of each cost are
+/// none: a cost that varies by no more than that does not vary. Empty: every difference counts.
 namespace camlaw::optim {
 
 using Costs = std::vector<double>;
@@ -18,11 +19,11 @@ Costs ideal(std::span<const Costs> front);
 Costs nadir(std::span<const Costs> front);
 
 /// The way from ideal to nadir; of a cost that does not vary its size, or one.
-Costs ranges(std::span<const Costs> front);
+Costs ranges(std::span<const Costs> front, const Costs& tolerances = {});
 
 /// The reference that hypervolumes are measured from where none is stated: the nadir and a tenth
 /// of ranges() beyond it.
-Costs default_reference(std::span<const Costs> front);
+Costs default_reference(std::span<const Costs> front, const Costs& tolerances = {});
 
 /// Measure of what the front dominates, bounded by the reference (Zitzler and Thiele 1998; pagmo).
 /// Points that do not lie below the reference count nothing.
@@ -39,28 +40,30 @@ double hypervolume_within(std::span<const Costs> front,
                           std::span<const std::vector<double>> weights, const Costs& reference);
 
 /// Costs as shares of the way from ideal to nadir; of a cost that does not vary 0.
-std::vector<Costs> normalised(std::span<const Costs> front);
+std::vector<Costs> normalised(std::span<const Costs> front, const Costs& tolerances = {});
 
 /// How far each point is from its nearest neighbours along a front of two objectives, sorted by the
 /// first: lengths of the normalised steps. Empty for fewer than two points.
-std::vector<double> steps(std::span<const Costs> front);
+std::vector<double> steps(std::span<const Costs> front, const Costs& tolerances = {});
 
 /// The knee: the point that lies deepest below the plane through the ends of the front, after
 /// normalising; that is the one with the least sum of normalised costs.
 struct Knee {
   std::size_t point = 0;
   /// For each objective: by what factor its normalised cost may count less or more, the others as
-  /// they are, with this point still the knee. Wide ranges tell a sharp knee.
+  /// they are, with this point still the knee. Wide ranges tell a sharp knee. Points that are equal
+  /// in the cost bound nothing.
   std::vector<double> low, high;
 };
 /// Empty for a front of fewer than three points, and of two objectives where an end has the least
 /// sum.
-std::optional<Knee> knee(std::span<const Costs> front);
+std::optional<Knee> knee(std::span<const Costs> front, const Costs& tolerances = {});
 
 /// The point with the least of the greatest weighed normalised cost (Chebyshev); of several the one
 /// with the least weighed sum. Weights are not negative and one at least is positive; throws
 /// std::invalid_argument else.
-std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights);
+std::size_t compromise(std::span<const Costs> front, const std::vector<double>& weights,
+                       const Costs& tolerances = {});
 
 /// On a front of two objectives, sorted by the first: the other cost where cost `objective` is
 /// `share` of its size less than at the point, between neighbours in proportion; none where the

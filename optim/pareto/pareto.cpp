@@ -5,7 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "optim/pareto/part_front.h"
+#include "optim/pareto/round.h"
+#include "optim/problem/sizes.h"
 
 namespace camlaw::optim {
 namespace {
@@ -61,8 +62,8 @@ class Study {
 
   Front run() {
     const bool done = scout() && begin() && refine() && look_again();
+    front_.stopped = !done;
     settle();
-    front_.complete = done;
     return std::move(front_);
   }
 
@@ -98,6 +99,7 @@ class Study {
     const bool done = carry_out(tasks, outcomes);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       scouted_[tasks[i].part] = outcomes[i].points;
+      parts_[tasks[i].part]->see(outcomes[i].points);
     }
     report();
     return done;
@@ -131,7 +133,39 @@ class Study {
     return starts;
   }
 
-  bool begin() { return look_for_ends() && set_up(); }
+  bool begin() {
+    const bool done = look_for_ends();
+    settle_tolerances();
+    return done && set_up();
+  }
+
+  /// As stated, else the standard ones where each objective is best (docs/optimisation.md, (Z3)).
+  void settle_tolerances() {
+    const MultiProblem first = space_.problem(space_.options(0));
+    for (std::size_t i = 0; i < objectives(); ++i) {
+      const auto& stated = first.objectives[i].tolerance;
+      front_.tolerances.push_back(stated ? *stated : standard_tolerance(i));
+    }
+    for (const auto& part : parts_) part->know(front_.tolerances);
+  }
+
+  double standard_tolerance(std::size_t objective) const {
+    const FrontPoint* best = nullptr;
+    for (const auto& part : parts_) {
+      const auto* end = part->end(objective);
+      if (end != nullptr && (best == nullptr || end->costs[objective] < best->costs[objective])) {
+        best = end;
+      }
+    }
+    if (best == nullptr) return 0;
+    try {
+      const Problem problem = space_.problem(space_.options(best->part)).alone(objective);
+      const double tolerance = sizes(problem, best->x).objective_tolerance;
+      return std::isfinite(tolerance) ? tolerance : 0;
+    } catch (const std::exception&) {
+      return 0;  // of a model that throws nearby: all differences count
+    }
+  }
 
   bool look_for_ends() {
     std::vector<Task> tasks;
@@ -192,39 +226,11 @@ class Study {
     if (options_.method == ParetoMethod::Nsga2) return polish();
     const std::size_t limit = front_.tasks + kTasksPerPoint * options_.points + 64 * parts_.size();
     while (front_.tasks < limit) {
-      const FrontSoFar front = so_far();
-      std::vector<Task> tasks = largest(front);
+      std::vector<Task> tasks = next_round(parts_, so_far(), options_.points);
       if (tasks.empty()) return true;
       if (!carry_out_and_give(std::move(tasks))) return false;
     }
     return true;
-  }
-
-  /// Tasks of places at least half as large as the largest, as many as a round has: not as many as
-  /// there are workers, so that their number does not show. Of many points that are missing a
-  /// quarter, as each round looks at the whole front.
-  std::vector<Task> largest(const FrontSoFar& front) const {
-    const std::size_t missing = options_.points - std::min(options_.points, front.points.size());
-    const std::size_t round = std::min(missing, std::max(kRound, missing / 4));
-    std::vector<OpenPlace> places;
-    for (const auto& part : parts_) {
-      if (part->is_empty()) continue;
-      for (OpenPlace& place : part->open(front)) places.push_back(std::move(place));
-    }
-    // Before the front grows, what is on it must be there by right.
-    const auto challenges = std::stable_partition(
-        places.begin(), places.end(), [](const OpenPlace& place) { return place.is_challenge; });
-    const bool challenged = challenges != places.begin();
-    if (challenged) places.erase(challenges, places.end());
-    std::stable_sort(places.begin(), places.end(),
-                     [](const OpenPlace& a, const OpenPlace& b) { return a.size > b.size; });
-    std::vector<Task> tasks;
-    for (const OpenPlace& place : places) {
-      const std::size_t most = challenged ? kRound : round;
-      if (tasks.size() == most || (!challenged && place.size < places.front().size / 2)) break;
-      tasks.push_back(place.task);
-    }
-    return tasks;
   }
 
   /// No more than `count` of a front's points, its ends among them.
@@ -283,11 +289,11 @@ class Study {
     for (const auto& part : parts_) {
       points.insert(points.end(), part->points().begin(), part->points().end());
     }
-    return front_of(points);
+    return front_of(points, front_.tolerances);
   }
 
   Costs reference(const std::vector<Costs>& all) const {
-    return options_.reference ? *options_.reference : default_reference(all);
+    return options_.reference ? *options_.reference : default_reference(all, front_.tolerances);
   }
 
   /// Works out how far the front is, and tells.
@@ -305,7 +311,14 @@ class Study {
   }
 
   void settle() {
-    front_.points = so_far().points;
+    FrontSoFar found = so_far();
+    front_.complete = !front_.stopped;
+    if (objectives() > 2 && options_.method != ParetoMethod::Nsga2) {
+      found = spread(std::move(found), options_.points);
+      front_.largest_gap = evenness(parts_, found).ratio();
+      front_.complete = front_.complete && *front_.largest_gap <= kLargestGap;
+    }
+    front_.points = std::move(found.points);
     std::vector<Costs> all = costs_of(front_.points);
     if (all.empty()) return;
     front_.ideal = ideal(all);
@@ -338,7 +351,7 @@ class Study {
   }
 
   static constexpr std::size_t kTasksPerPoint = 20;
-  static constexpr std::size_t kRound = 16;  ///< tasks of a round
+  static constexpr std::size_t kRound = 16;  ///< tasks of a round beside the sweep
 
   const MultiSpace& space_;
   const ParetoOptions& options_;

@@ -41,6 +41,9 @@ struct FailedTask {
   std::string why;
 };
 
+/// The largest gap of a front of three objectives or more that is called complete, in mean ones.
+inline constexpr double kLargestGap = 2.5;
+
 struct Front {
   std::vector<ObjectiveName> objectives;
   std::vector<FrontPoint> points;  ///< none dominated, by the first cost
@@ -58,7 +61,14 @@ struct Front {
   std::size_t tasks = 0;
   long evaluations = 0;
   std::vector<FailedTask> failures;
-  bool complete = false;  ///< false: it was stopped
+  /// Differences of each objective that are none: as stated, else (Z3).
+  Costs tolerances;
+  bool stopped = false;  ///< before the end
+  /// Of three objectives or more, by sweep: the largest gap, but for those that a search has shown
+  /// to be empty, in mean ones.
+  std::optional<double> largest_gap;
+  /// It was not stopped, and there is no larger gap than kLargestGap.
+  bool complete = false;
 
   /// How many of the points are certified.
   std::size_t certified() const;

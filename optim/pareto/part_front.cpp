@@ -19,26 +19,78 @@ int rank(const FrontPoint& point) {
   return 2;
 }
 
-bool lie_together(const Costs& a, const Costs& b, const Costs& range) {
+bool lie_together(const Costs& a, const Costs& b, const FrontSoFar& front) {
   constexpr double kTogether = 1e-7;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(a[i] - b[i]) > kTogether * range[i]) return false;
+    const double same = std::max(kTogether * front.range[i], front.tolerances[i]);
+    if (std::abs(a[i] - b[i]) > same) return false;
   }
   return true;
+}
+
+/// Of points that lie together one, the soundest.
+std::vector<FrontPoint> apart(std::vector<FrontPoint> points, const FrontSoFar& front) {
+  const auto sooner = [](const FrontPoint& a, const FrontPoint& b) { return a.costs < b.costs; };
+  std::stable_sort(points.begin(), points.end(), [&](const FrontPoint& a, const FrontPoint& b) {
+    return rank(a) < rank(b) || (rank(a) == rank(b) && sooner(a, b));
+  });
+  std::vector<FrontPoint> result;
+  for (FrontPoint& point : points) {
+    const bool has_twin = std::any_of(result.begin(), result.end(), [&](const FrontPoint& p) {
+      return lie_together(p.costs, point.costs, front);
+    });
+    if (!has_twin) result.push_back(std::move(point));
+  }
+  std::stable_sort(result.begin(), result.end(), sooner);
+  return result;
 }
 
 }  // namespace
 
 bool FrontSoFar::covers(const Costs& costs) const {
   for (const FrontPoint& p : points) {  // by the first cost
-    if (p.costs[0] > costs[0]) return false;
-    if (none_greater(p.costs, costs)) return true;
+    if (p.costs[0] > costs[0] + tolerances[0]) return false;
+    bool is_as_good = true;
+    for (std::size_t i = 0; i < costs.size() && is_as_good; ++i) {
+      is_as_good = p.costs[i] <= costs[i] + tolerances[i];
+    }
+    if (is_as_good) return true;
   }
   return false;
 }
 
-FrontSoFar front_of(const std::vector<FrontPoint>& points) {
-  const std::vector<bool> kept = non_dominated(costs_of(points));
+Costs FrontSoFar::place(const Costs& costs) const {
+  Costs result;
+  for (std::size_t i = 0; i < costs.size(); ++i) result.push_back((costs[i] - ideal[i]) / range[i]);
+  return result;
+}
+
+Costs FrontSoFar::costs_at(const Costs& place) const {
+  Costs result;
+  for (std::size_t i = 0; i < place.size(); ++i) result.push_back(ideal[i] + place[i] * range[i]);
+  return result;
+}
+
+std::vector<Costs> FrontSoFar::places() const {
+  std::vector<Costs> result;
+  for (const FrontPoint& p : points) result.push_back(place(p.costs));
+  return result;
+}
+
+bool FrontSoFar::varies(std::size_t cost) const {
+  return nadir[cost] - ideal[cost] > tolerances[cost];
+}
+
+bool FrontSoFar::are_equal(const Costs& place, const Costs& other) const {
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (std::abs(place[i] - other[i]) * range[i] > tolerances[i]) return false;
+  }
+  return true;
+}
+
+FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances) {
+  constexpr double kRounding = 1e-9;
+  const std::vector<bool> kept = non_dominated(costs_of(points), kRounding, tolerances);
   FrontSoFar front;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (kept[i]) front.points.push_back(points[i]);
@@ -46,21 +98,11 @@ FrontSoFar front_of(const std::vector<FrontPoint>& points) {
   if (front.points.empty()) return front;
   const std::vector<Costs> left = costs_of(front.points);
   front.ideal = ideal(left);
-  front.range = ranges(left);
-  std::stable_sort(front.points.begin(), front.points.end(),
-                   [](const FrontPoint& a, const FrontPoint& b) { return a.costs < b.costs; });
-  std::vector<FrontPoint> apart;
-  for (FrontPoint& point : front.points) {
-    const auto twin = std::find_if(apart.begin(), apart.end(), [&](const FrontPoint& p) {
-      return lie_together(p.costs, point.costs, front.range);
-    });
-    if (twin == apart.end()) {
-      apart.push_back(std::move(point));
-    } else if (rank(point) < rank(*twin)) {
-      *twin = std::move(point);
-    }
-  }
-  front.points = std::move(apart);
+  front.nadir = nadir(left);
+  front.range = ranges(left, tolerances);
+  front.tolerances = tolerances;
+  front.tolerances.resize(front.ideal.size(), 0.0);
+  front.points = apart(std::move(front.points), front);
   return front;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "optim/pareto/measures.h"
+#include "optim/pareto/spacing.h"
 #include "optim/pareto/task.h"
 
 namespace camlaw::optim {
@@ -11,15 +12,26 @@ namespace camlaw::optim {
 /// The front over all combinations so far, as those that look for more see it.
 struct FrontSoFar {
   std::vector<FrontPoint> points;
-  Costs ideal, range;  ///< range: nadir - ideal; of a cost that does not vary its size
+  Costs ideal, nadir;
+  Costs range;                   ///< nadir - ideal; of a cost that does not vary its size
+  Costs tolerances;              ///< differences of each cost that are none
+  std::vector<Hole> holes = {};  ///< where more of it may be, of three costs or more
 
   /// Whether a point is as good as `costs` in everything.
   bool covers(const Costs& costs) const;
+  /// Costs by their ranges, from the ideal.
+  Costs place(const Costs& costs) const;
+  Costs costs_at(const Costs& place) const;
+  std::vector<Costs> places() const;
+  /// Whether a cost differs by more than its tolerance.
+  bool varies(std::size_t cost) const;
+  /// Whether no cost of two places differs by more than its tolerance.
+  bool are_equal(const Costs& place, const Costs& other) const;
 };
 
 /// Points of all combinations that no other one dominates, by the first cost; of those that lie
-/// together (1e-7 of the range) the one with the better verdict.
-FrontSoFar front_of(const std::vector<FrontPoint>& points);
+/// together (by the tolerances, or 1e-7 of the range) the one with the best verdict.
+FrontSoFar front_of(const std::vector<FrontPoint>& points, const Costs& tolerances = {});
 
 /// By how much a cost's bound is eased so that a search has room beside an optimum: 1e-6 of its
 /// range, and no less than solvers tell apart.
@@ -38,6 +50,13 @@ struct OpenPlace {
   /// A point of another combination is on the front only if this finds nothing better: that is to
   /// be known before the front is called one.
   bool is_challenge = false;
+  Costs place = {};        ///< of three costs or more, where that is
+  bool is_beyond = false;  ///< outside of all points: as a rule there is nothing
+};
+
+/// How many searches outside of all points there were, and how many found something new.
+struct Beyond {
+  std::size_t tried = 0, found = 0;
 };
 
 /// What a sweep knows of one combination's front, and where it looks next. All that it does
@@ -53,6 +72,10 @@ class PartFront {
   bool is_empty() const { return empty_; }
   /// The least of each cost, as far as known; infinite below where a search failed.
   const Costs& least() const { return least_; }
+  /// The optimum of one cost alone; none where its search failed or was not carried out.
+  const FrontPoint* end(std::size_t objective) const {
+    return objective < alone_.size() && alone_[objective] ? &*alone_[objective] : nullptr;
+  }
 
   /// Each cost alone.
   std::vector<Task> first_tasks(const std::vector<std::vector<double>>& starts_of_each) const;
@@ -62,6 +85,8 @@ class PartFront {
   void take_repeated(const Task& task, const Outcome& outcome);
   /// Whether the least of each cost is known.
   bool has_ends() const;
+  /// Differences of each cost that are none, known when the first tasks are done.
+  void know(const Costs& tolerances) { tolerances_ = tolerances; }
   /// What sets the sweep up after the first tasks; asked for again until there is nothing left.
   virtual std::vector<Task> next_tasks() = 0;
 
@@ -72,6 +97,14 @@ class PartFront {
   /// known leaves room for it.
   virtual std::optional<Task> task_for(const FrontPoint& scouted,
                                        const FrontSoFar& front) const = 0;
+  /// Designs that a scout has found: places where more of the front may be.
+  virtual void see(const std::vector<FrontPoint>& /*scouted*/) {}
+  virtual Beyond beyond() const { return {}; }
+  /// Whether a search has shown that there is nothing about a place.
+  virtual bool is_known_empty(const Costs& /*place*/, double /*within*/,
+                              const FrontSoFar& /*front*/) const {
+    return false;
+  }
   /// What a point of this part could be at best where places are open: corners that no design lies
   /// below. Empty where the sweep does not know.
   virtual std::vector<Costs> corners() const { return {}; }
@@ -85,14 +118,14 @@ class PartFront {
   std::size_t part_, objectives_;
   std::vector<FrontPoint> points_;  ///< of this part, none dominated, by the first cost
   std::vector<std::optional<FrontPoint>> alone_;  ///< the optimum of each cost alone
-  Costs least_;
+  Costs least_, tolerances_;
   bool empty_ = false;
 };
 
 /// Two objectives: between neighbours lies a box that may hold more of the front; the largest is
 /// halved by an epsilon constraint.
 std::unique_ptr<PartFront> box_front(std::size_t part);
-/// Three or more: along directions from the ideal point, which simplices divide.
+/// Three or more: from places between and beyond the points, all in one direction.
 std::unique_ptr<PartFront> direction_front(std::size_t part, std::size_t objectives);
 
 }  // namespace camlaw::optim

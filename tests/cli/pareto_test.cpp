@@ -11,6 +11,7 @@
 
 #include "problems/results/recorded_design.h"
 #include "tests/cli/program_runner.h"
+#include "tests/optim/pareto/evenness.h"
 
 namespace camlaw::cli {
 namespace {
@@ -92,7 +93,7 @@ TEST_CASE("pareto gives the front with every key", "[program]") {
   for (const char* key :
        {"title", "objectives", "points", "ideal", "nadir", "reference", "hypervolume",
         "hypervolume_at_most", "limit_hypervolume", "knee", "complete", "searches", "evaluations",
-        "combinations", "empty_combinations", "failures", "seed"}) {
+        "combinations", "empty_combinations", "failures", "seed", "finished", "largest_gap"}) {
     INFO(key);
     CHECK(result.contains(key));
   }
@@ -146,8 +147,11 @@ TEST_CASE("pareto tells people of the front", "[program]") {
 
 TEST_CASE("the number of workers does not show", "[program]") {
   const Folder folder;
+  const std::string torque = "\n[[objectives]]\nminimize = \"peak_drive_torque\"\n";
   for (const std::string& file :
-       {shipped("front.toml"), written(folder, "choices.toml", with_choices())}) {
+       {shipped("front.toml"), written(folder, "choices.toml", with_choices()),
+        written(folder, "three.toml", read(shipped("front.toml")) + torque),
+        written(folder, "three_choices.toml", with_choices() + torque)}) {
     const std::string one = done(pareto(file, {"--points", "9", "--json", "--workers", "1"}));
     for (const char* workers : {"2", "5"}) {
       CHECK(done(pareto(file, {"--points", "9", "--json", "--workers", workers})) == one);
@@ -515,6 +519,10 @@ TEST_CASE("fronts of three objectives, and with one that is to be great", "[prog
   CHECK(result["objectives"].size() == 3);
   CHECK(result["limit_hypervolume"].is_null());
   CHECK(result["hypervolume_at_most"].is_null());
+  CHECK(result["points"].size() <= 8);
+  CHECK(result["complete"] == (result["largest_gap"] <= 2.5));
+  CHECK(result["finished"] == true);
+  for (const Json& objective : result["objectives"]) CHECK(objective["tolerance"] > 0);
   for (const Json& point : result["points"]) CHECK(point["slopes"].size() == 2);
   check_svg(folder / "three/front.svg");
   const std::string great =
@@ -530,6 +538,56 @@ TEST_CASE("fronts of three objectives, and with one that is to be great", "[prog
   }
   check_svg(folder / "great/front.svg");
   CHECK_THAT(done(pareto(three, {"--points", "5"})), Contains("slope 2") && Contains("slope 3"));
+}
+
+TEST_CASE("an objective's tolerance in the file decides which points differ", "[program]") {
+  const Folder folder;
+  const std::string file =
+      written(folder, "coarse.toml",
+              changed("minimize = \"minimum_cam_radius\"",
+                      "minimize = \"minimum_cam_radius\"\ntolerance = \"0.5 mm\""));
+  const Json coarse = json_of(pareto(file, {"--points", "60", "--json"}));
+  const Json fine = json_of(pareto(shipped("front.toml"), {"--points", "60", "--json"}));
+  CHECK(coarse["objectives"][0]["tolerance"] == 0.5);
+  REQUIRE(coarse["points"].size() > 3);
+  CHECK(coarse["points"].size() < fine["points"].size());
+  for (std::size_t i = 1; i < coarse["points"].size(); ++i) {
+    const auto radius = [&](std::size_t k) {
+      return coarse["points"][k]["objectives"]["minimum_cam_radius"].get<double>();
+    };
+    CHECK(radius(i) - radius(i - 1) > 0.5);
+  }
+}
+
+TEST_CASE("the roller's front of three objectives is even and complete", "[program][heavy]") {
+  const std::string file = std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_front.toml";
+  const Json result = json_of(pareto(file, {"--points", "40", "--json"}));
+  CHECK(result["complete"] == true);
+  CHECK(result["largest_gap"] <= 2.5);
+  std::vector<std::vector<double>> places;
+  for (const Json& point : result["points"]) {
+    std::vector<double> place;
+    std::size_t i = 0;
+    for (const auto& objective : result["objectives"]) {
+      const double low = result["ideal"][i], high = result["nadir"][i];
+      const double value = point["objectives"][objective["name"].get<std::string>()];
+      place.push_back((value - low) / (high - low));
+      ++i;
+    }
+    places.push_back(place);
+  }
+  REQUIRE(places.size() == 40);
+  const optim::even_tests::Even even = optim::even_tests::evenness_of(places);
+  CHECK(even.nearest <= 2.5);
+  CHECK(even.crowded >= 0.25);
+  // NSGA-II's best of five seeds with 40 designs of either law and 100 generations, 75 points on
+  // the front, from this reference (benchmarks/README.md): 1442.8.
+  std::vector<optim::Costs> costs;
+  for (const Json& point : result["points"]) {
+    costs.push_back({point["objectives"]["base_radius"], point["objectives"]["peak drive_torque"],
+                     point["objectives"]["highest contact_stress"]});
+  }
+  CHECK(optim::hypervolume(costs, {85.5, 5.041360244661644, 207.76758228849005}) >= 0.995 * 1442.8);
 }
 
 TEST_CASE("a reference out of reach leaves the numbers numbers", "[program]") {
