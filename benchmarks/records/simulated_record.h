@@ -23,7 +23,7 @@ struct SimulatedRecord {
   std::size_t count = 0;  ///< of samples
   double noise = 0;       ///< standard deviation, normal and independent
   double step = 0;        ///< what values are rounded to; 0: to nine digits
-  std::string table;      ///< the text of the file
+  std::string table = {}; ///< the text of the file
 
   /// The motion without noise.
   double value(double place) const;

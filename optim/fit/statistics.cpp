@@ -69,9 +69,10 @@ namespace {
 
 /// The share of a part below x.
 double share_below(const StudentPart& part, double x) {
-  if (!(part.deviation > 0)) return x < part.centre ? 0 : 1;
+  const double deviation = x < part.centre ? part.below : part.above;
+  if (!(deviation > 0)) return x < part.centre ? 0 : 1;
   const boost::math::students_t_distribution<double> student(part.degrees);
-  return boost::math::cdf(student, (x - part.centre) / part.deviation);
+  return boost::math::cdf(student, (x - part.centre) / deviation);
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ double mixture_quantile(std::span<const StudentPart> parts, double q) {
   double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
   for (const StudentPart& part : parts) {
     const boost::math::students_t_distribution<double> student(part.degrees);
-    const double own = part.centre + part.deviation * boost::math::quantile(student, q);
+    const double own =
+        part.centre + (q < 0.5 ? part.below : part.above) * boost::math::quantile(student, q);
     low = std::min(low, own), high = std::max(high, own);
     sum += part.weight;
   }

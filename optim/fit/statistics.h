@@ -46,9 +46,10 @@ std::vector<std::size_t> order_of(std::span<const double> values);
 /// freedom.
 double student_quantile(int degrees_of_freedom, double confidence);
 
-/// Student's t about a centre, as a part of a mixture.
+/// Student's t about a centre, as a part of a mixture; below and above the centre with a deviation
+/// each.
 struct StudentPart {
-  double weight, centre, deviation;
+  double weight, centre, below, above;
   int degrees;  ///< of freedom
 };
 

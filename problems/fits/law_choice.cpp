@@ -12,12 +12,13 @@
 namespace camlaw::problems {
 
 void weigh(std::vector<LawFit>& fits) {
+  constexpr double kShare = 4;  // that laws without a number are tried more often than with it
   std::map<std::size_t, double> count;
   for (const LawFit& fit : fits) count[fit.numbers] += 1;
   double best = optim::kInfinity, sum = 0;
   for (LawFit& fit : fits) {
     fit.criterion += 2 * std::log(count[fit.numbers]) +
-                     2 * std::log(2) * static_cast<double>(fit.numbers - count.begin()->first);
+                     2 * std::log(kShare) * static_cast<double>(fit.numbers - count.begin()->first);
     best = std::min(best, fit.criterion);
   }
   for (LawFit& fit : fits) {
@@ -85,11 +86,14 @@ void widen(std::vector<LawFit>& ranking, double confidence) {
     if (!std::isfinite(own.standard_deviation)) continue;
     for (const LawFit& fit : ranking) {
       const optim::FittedParameter& p = fit.fit.parameters[j];
-      if (fit.weight < kLeast || !std::isfinite(p.standard_deviation)) continue;
-      parts.push_back({fit.weight, p.value, p.standard_deviation, fit.fit.degrees_of_freedom});
+      const bool is_known = std::isfinite(p.low) && std::isfinite(p.high);
+      if (fit.weight < kLeast || !is_known || !(p.standard_deviation > 0)) continue;
+      const double t = optim::student_quantile(fit.fit.degrees_of_freedom, confidence);
+      const double below = (p.value - p.low) / t, above = (p.high - p.value) / t;
+      parts.push_back({fit.weight, p.value, below, above, fit.fit.degrees_of_freedom});
       const double off = p.value - own.value;
       weight += fit.weight;
-      squares += fit.weight * (p.standard_deviation * p.standard_deviation + off * off);
+      squares += fit.weight * ((below * below + above * above) / 2 + off * off);
     }
     if (parts.size() < 2) continue;
     own.standard_deviation = std::sqrt(squares / weight);

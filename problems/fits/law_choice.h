@@ -8,7 +8,7 @@
 namespace camlaw::problems {
 
 /// Adds to each criterion what the law was worth before the samples were seen, and sets the weights
-/// (S2): laws with as many numbers share one half of what those with a number less share.
+/// (S2): laws with as many numbers share a quarter of what those with a number less share.
 void weigh(std::vector<LawFit>& fits);
 
 /// Sorts by the criterion; first comes the law with the fewest numbers of those that noise does not

@@ -14,6 +14,7 @@
 #include "problems/fits/law_limits.h"
 #include "problems/fits/motion_residuals.h"
 #include "problems/fits/occam.h"
+#include "problems/fits/profile_intervals.h"
 #include "problems/fits/rounding_errors.h"
 
 namespace camlaw::problems {
@@ -280,6 +281,7 @@ struct FittedAll {
   optim::FitResult fit;
   std::size_t numbers;  ///< that were free
   double criterion;     ///< (S1), without what the law was worth before
+  std::vector<double> inflation;
 };
 
 FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
@@ -305,14 +307,15 @@ FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGu
   const Jumps jumps = jumps_of(found.law(), samples.order);
   best = fit_with_jumps(samples, residuals.residuals(), own, jumps, how(options, FitReach::Near),
                         std::move(*best));
-  count_rounding(samples, residuals.residuals(), own, options.confidence, *best);
+  std::vector<double> inflation =
+      count_rounding(samples, residuals.residuals(), own, options.confidence, *best);
   const std::size_t n = samples.value.size();
   const double sum = sum_left(samples, *best, options.loss);
   const Occam occam = occam_of(residuals.residuals(), own, layout.first(), size_of(samples, *best),
                                std::sqrt(sum / static_cast<double>(n)), *best);
   const double criterion = optim::evidence(n, best->rank, occam.count, sum, occam.logarithm);
   return {residuals.told(std::move(*best), parameters, options.confidence), count_of_free(own),
-          criterion};
+          criterion, std::move(inflation)};
 }
 
 }  // namespace
@@ -358,11 +361,22 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   const std::vector<double> x = values_of(result.fit);
   result.law = with_coefficients(law, result.fit, layout, options.skew);
   result.criterion = all.criterion;
+  result.inflation = std::move(all.inflation);
   result.begin = x[MotionLayout::kBegin];
   result.end = x[MotionLayout::kEnd];
   result.from = layout.with_zero ? x[MotionLayout::kZero] : 0;
   result.to = result.from + x[MotionLayout::kStroke];
   return result;
+}
+
+void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
+                  const LawFitOptions& options, LawFit& fit) {
+  if (options.loss != optim::Loss::None) return;
+  const auto parameters = parameters_of(samples, fit.law, guess, {samples.order == 0}, fit.skew);
+  const LawResiduals residuals(samples, fit.law, fit.skew, parameters);
+  const auto own = from(residuals.fitted(parameters), values_of(fit.fit), fit.base);
+  profile_intervals(residuals.residuals(), own, fit.base, fit.inflation, options.confidence,
+                    fit.fit);
 }
 
 double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,

@@ -39,6 +39,8 @@ struct LawFit {
   double criterion = 0;
   double weight = 1;  ///< among the laws that were tried (S2)
   double begin = 0, end = 1, from = 0, to = 1;
+  /// By how much rounding makes each deviation larger than that of independent residuals.
+  std::vector<double> inflation = {};
 
   double value(double place, int order) const;
 };
@@ -48,6 +50,11 @@ struct LawFit {
 /// two samples, values that are not finite, and guesses that are no motion.
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options = {});
+
+/// Intervals of begin, end, stroke and zero by the profile of the sum of squares; `guess` as it was
+/// for the fit. Under a loss they stay as they are.
+void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
+                  const LawFitOptions& options, LawFit& fit);
 
 /// Throws std::invalid_argument as fit_law does for samples and guess, whatever the law.
 void check_motion(const MotionSamples& samples, const MotionGuess& guess);

@@ -104,6 +104,16 @@ std::optional<Law<double>> smoothed(const MotionFit& fit) {
   }
 }
 
+/// Intervals by profiles of the first law and others that count.
+void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
+                    std::vector<LawFit>& ranking) {
+  constexpr double kCounts = 0.01;
+  for (LawFit& fit : ranking) {
+    if (&fit != &ranking.front() && fit.weight < kCounts) continue;
+    profile_ends(motion.samples, motion.guess, options, fit);
+  }
+}
+
 }  // namespace
 
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
@@ -119,6 +129,7 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   const AsGood others = as_good(result.ranking);
   for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
   result.is_cut = others.is_cut;
+  profile_likely(motion, options, result.ranking);
   widen(result.ranking, options.confidence);
   result.distrust = distrust_of(result, options);
   const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&

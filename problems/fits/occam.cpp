@@ -13,12 +13,23 @@ Occam occam_of(const optim::Residuals& residuals,
   using Eigen::Index;
   constexpr double kMost = 0.1;
   const std::size_t m = parameters.size(), n = residuals.count();
+  // Where a coefficient has no effect to first order it has one to second order, as a rule: a
+  // polynomial's where it changes as begin and end do. The samples then leave it the square root of
+  // what they else would.
+  const double most = kMost * size / deviation;
+  const double second = 0.5 * std::log1p(static_cast<double>(n) * most * most / 12);
   std::vector<Index> own;
+  bool has_open = false;
   for (std::size_t j = first; j < m; ++j) {
     const bool held = parameters[j].lower == parameters[j].upper || fit.parameters[j].at_bound;
-    if (!held && fit.parameters[j].identifiable) own.push_back(static_cast<Index>(j));
+    if (held) continue;
+    if (fit.parameters[j].identifiable) {
+      own.push_back(static_cast<Index>(j));
+    } else {
+      has_open = true;
+    }
   }
-  Occam result{own.size(), 0};
+  Occam result{own.size(), has_open ? second * static_cast<double>(fit.free_directions.size()) : 0};
   std::vector<double> p, r(n), jacobian(n * m);
   for (const auto& parameter : fit.parameters) p.push_back(parameter.value);
   if (own.empty() || !residuals.evaluate(p, r, jacobian)) return result;
@@ -40,7 +51,7 @@ Occam occam_of(const optim::Residuals& residuals,
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(known);
   constexpr double kLeast = 1e-30;
   for (const double value : solved.eigenvalues()) {
-    result.logarithm += std::log1p(1 / std::max(value, kLeast));
+    result.logarithm += std::max(std::log1p(1 / std::max(value, kLeast)), second);
   }
   return result;
 }
