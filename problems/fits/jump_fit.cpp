@@ -42,9 +42,10 @@ class GapSearch {
     for (int step = std::max(1, count / kParts); step > 0; step /= 2) {
       for (bool again = true; again;) {
         again = false;
-        for (const std::size_t end : ends_) again = moved(end, step) || moved(end, -step) || again;
+        for (const Gaps& by : moves(step)) again = moved(by) || again;
       }
     }
+    settle();
     add_what_jumps_tell();
     return std::move(best_);
   }
@@ -61,8 +62,12 @@ class GapSearch {
   double low(int gap) const { return places_[static_cast<std::size_t>(gap)]; }
   double high(int gap) const { return places_[static_cast<std::size_t>(gap) + 1]; }
 
+  /// Shares of the gaps at which the ends are held; none: they are fitted within.
+  using Shares = std::optional<std::array<double, 2>>;
+  static constexpr std::array<double, 2> kMiddle{0.5, 0.5};
+
   /// The best fit with the ends in these gaps, from the best so far; none where that is no motion.
-  std::optional<optim::FitResult> fit_in(const Gaps& gaps) const {
+  std::optional<optim::FitResult> fit_in(const Gaps& gaps, const Shares& shares = kMiddle) const {
     std::vector<optim::FitParameter> parameters = given_;
     for (std::size_t j = 0; j < parameters.size(); ++j) {
       parameters[j].start =
@@ -71,11 +76,14 @@ class GapSearch {
     for (const std::size_t end : ends_) {
       if (!is_gap(gaps[end])) return {};
       optim::FitParameter& p = parameters[end];
-      // Samples at the very ends belong to one side.
-      constexpr double kInside = 1e-6;
-      const double width = high(gaps[end]) - low(gaps[end]);
-      p.lower = low(gaps[end]) + kInside * width, p.upper = high(gaps[end]) - kInside * width;
-      if (p.start < p.lower || p.start > p.upper) p.start = std::midpoint(p.lower, p.upper);
+      const double from = low(gaps[end]), width = high(gaps[end]) - from;
+      if (shares) {
+        p.lower = p.upper = p.start = from + (*shares)[end] * width;
+      } else {  // samples at the very ends belong to one side
+        constexpr double kInside = 1e-6;
+        p.lower = from + kInside * width, p.upper = from + (1 - kInside) * width;
+        if (p.start < p.lower || p.start > p.upper) p.start = from + width / 2;
+      }
     }
     if (parameters[MotionLayout::kEnd].start <= parameters[MotionLayout::kBegin].start) return {};
     try {
@@ -85,9 +93,43 @@ class GapSearch {
     }
   }
 
-  bool moved(std::size_t end, int step) {
-    Gaps gaps = gap_;
-    gaps[end] += step;
+  /// Where in their gaps the ends lie: a jump between them may stand at a place.
+  void settle() {
+    constexpr std::array<double, 3> kShares{0.5, 0.25, 0.75};
+    std::vector<Shares> tried{std::nullopt};
+    for (const double first : kShares) {
+      for (const double second : kShares) tried.push_back(std::array{first, second});
+    }
+    for (const Shares& shares : tried) {
+      auto other = fit_in(gap_, shares);
+      const bool is_better =
+          other &&
+          (other->merit < best_.merit * (1 - kSame) ||
+           (other->converged && !best_.converged && other->merit <= best_.merit * (1 + kSame)));
+      if (is_better) best_ = std::move(*other);
+    }
+  }
+
+  /// Each end alone, and both: a jump between the ends stays where it is as they move apart.
+  std::vector<Gaps> moves(int step) const {
+    std::vector<Gaps> result;
+    for (const std::size_t end : ends_) {
+      for (const int by : {step, -step}) {
+        Gaps gaps{};
+        gaps[end] = by;
+        result.push_back(gaps);
+      }
+    }
+    if (ends_.size() < 2) return result;
+    for (const int by : {step, -step}) {
+      result.push_back({by, by});
+      result.push_back({by, -by});
+    }
+    return result;
+  }
+
+  bool moved(const Gaps& by) {
+    const Gaps gaps{gap_[0] + by[0], gap_[1] + by[1]};
     auto other = fit_in(gaps);
     if (!other || !(other->merit < best_.merit * (1 - kSame))) return false;
     best_ = std::move(*other);

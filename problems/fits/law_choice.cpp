@@ -12,7 +12,7 @@
 namespace camlaw::problems {
 
 void weigh(std::vector<LawFit>& fits) {
-  constexpr double kShare = 4;  // that laws without a number are tried more often than with it
+  constexpr double kShare = 3;  // that laws without a number are tried more often than with it
   std::map<std::size_t, double> count;
   for (const LawFit& fit : fits) count[fit.numbers] += 1;
   double best = optim::kInfinity, sum = 0;
@@ -55,7 +55,7 @@ bool is_hardly_skewed(const LawFit& a, const LawFit& b) {
 }  // namespace
 
 AsGood as_good(const std::vector<LawFit>& ranking) {
-  constexpr double kEnough = 0.995;
+  constexpr double kEnough = 0.9995, kTold = 0.99;
   constexpr std::size_t kMost = 12;
   AsGood result;
   double sum = ranking.front().weight;
@@ -67,7 +67,7 @@ AsGood as_good(const std::vector<LawFit>& ranking) {
     };
     if (is_same(0) || std::any_of(result.fits.begin(), result.fits.end(), is_same)) continue;
     if (result.fits.size() == kMost) {
-      result.is_cut = true;
+      result.is_cut = sum - ranking[i].weight < kTold;
       break;
     }
     result.fits.push_back(i);

@@ -8,7 +8,7 @@
 namespace camlaw::problems {
 
 /// Adds to each criterion what the law was worth before the samples were seen, and sets the weights
-/// (S2): laws with as many numbers share a quarter of what those with a number less share.
+/// (S2): laws with as many numbers share a third of what those with a number less share.
 void weigh(std::vector<LawFit>& fits);
 
 /// Sorts by the criterion; first comes the law with the fewest numbers of those that noise does not
@@ -16,8 +16,8 @@ void weigh(std::vector<LawFit>& fits);
 void put_in_order(std::vector<LawFit>& fits);
 
 /// Other motions that may be behind the samples too, the likeliest first: of the fits in order, the
-/// first left out, as few as hold all but a two-hundredth of the weight with it. `is_cut`: there
-/// are more than are worth a list.
+/// first left out, as few as hold all but a two-thousandth of the weight with it,
+/// twelve at the most. `is_cut`: those leave a hundredth and more to others.
 struct AsGood {
   std::vector<std::size_t> fits;
   bool is_cut = false;

@@ -17,7 +17,7 @@ struct MotionFit {
   FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
   /// Other motions that may be behind the samples, the likeliest first.
   std::vector<std::string> as_good = {};
-  bool is_cut = false;  ///< there are more of those than are listed
+  bool is_cut = false;  ///< those that are listed leave much to others
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch
