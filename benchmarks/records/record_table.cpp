@@ -53,7 +53,7 @@ void RecordTally::add(const RecordVerdict& v) {
 std::string record_table(const std::vector<RecordVerdict>& verdicts) {
   std::string table =
       "| records | number | not one motion | right law named | named or as good | as good, median "
-      "| trusted | false trust | intervals that hold | width, median and mean |\n"
+      "| trusted | false trust | intervals that hold | width, median and geometric mean |\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   using Which = std::function<bool(const RecordVerdict&)>;
   const std::vector<std::pair<std::string, Which>> rows{
