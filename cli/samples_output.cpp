@@ -54,16 +54,17 @@ std::string ranking_text(const MotionFit& fit) {
   const std::string& unit = fit.motion.samples.unit;
   TextTable table({{"#"},
                    {"law", TextTable::Align::Left},
-                   {"AICc"},
+                   {"share"},
                    {fmt::format("rms{}", unit == "1" ? "" : ", " + unit)},
                    {"largest"}});
   for (std::size_t i = 0; i < std::min(fit.ranking.size(), kRanked); ++i) {
     const LawFit& f = fit.ranking[i];
     table.add({fmt::format("{}", i + 1), shortened(f.law.label()),
-               fmt::format("{:.1f}", f.criterion), number(f.fit.rms),
+               fmt::format("{:.1f} %", 100 * f.weight), number(f.fit.rms),
                number(std::abs(f.fit.residuals[f.fit.largest]))});
   }
-  return fmt::format("laws by AICc, the best of {}\n{}", fit.ranking.size(), table.text());
+  return fmt::format("laws and their share in what may be behind the samples, the best of {}\n{}",
+                     fit.ranking.size(), table.text());
 }
 
 /// What is left, and how well the samples tell the numbers apart.
@@ -109,7 +110,8 @@ std::string motion_text(const MotionFit& fit) {
   if (!fit.distrust.empty()) {
     text += fmt::format("not to be trusted: {}\n", fit.distrust);
   } else if (!fit.as_good.empty()) {
-    text += fmt::format("as good, with no more numbers: {}\n", fmt::join(fit.as_good, ", "));
+    text +=
+        fmt::format("as good for all that the samples tell: {}\n", fmt::join(fit.as_good, ", "));
   }
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);
@@ -148,6 +150,7 @@ Json motion_json(const MotionFit& fit) {
   for (const LawFit& f : fit.ranking) {
     ranking.push_back({{"law", f.law.name()},
                        {"criterion", to_json(f.criterion)},
+                       {"share", to_json(f.weight)},
                        {"rms", to_json(f.fit.rms)},
                        {"max_residual", to_json(std::abs(f.fit.residuals[f.fit.largest]))}});
   }
@@ -170,7 +173,7 @@ Json motion_json(const MotionFit& fit) {
           {"free_directions", free_directions_json(best)},
           {"far_off", far_off_json(fit)},
           {"criterion", to_json(best.criterion)},
-          {"criterion_name", "AICc"},
+          {"criterion_name", "-2 ln evidence"},
           {"prediction_error", to_json(fit.prediction_error)},
           {"trusted", fit.distrust.empty()},
           {"reason", fit.distrust},

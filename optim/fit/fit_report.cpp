@@ -116,25 +116,17 @@ void fill_covariance(const Identifiability& known, const std::vector<Index>& fre
   }
 }
 
-/// Deviation and interval of each parameter.
-void fill_intervals(const std::vector<FitParameter>& given, const std::vector<bool>& held,
-                    double confidence, FitResult& result) {
-  const double quantile = student_quantile(result.degrees_of_freedom, confidence);
+/// Which parameters stand at a bound.
+void describe_bounds(const std::vector<FitParameter>& given, const std::vector<bool>& held,
+                     FitResult& result) {
   for (std::size_t j = 0; j < given.size(); ++j) {
     FittedParameter& p = result.parameters[j];
     const FitParameter& bounds = given[j];
-    const auto index = static_cast<Index>(j);
-    const bool fixed = bounds.lower == bounds.upper;
-    p.at_bound = held[j] && !fixed;
-    p.standard_deviation = p.at_bound ? kNan : std::sqrt(result.covariance(index, index));
-    const double half = fixed ? 0 : p.identifiable ? quantile * p.standard_deviation : kInfinity;
-    p.low = std::isnan(half) ? kNan : std::max(bounds.lower, p.value - half);
-    p.high = std::isnan(half) ? kNan : std::min(bounds.upper, p.value + half);
-    if (p.at_bound) {
-      const bool low = p.value <= bounds.lower;
-      add(result.reason, fmt::format("'{}' stands at its {} bound {:.6g}", p.name,
-                                     low ? "lower" : "upper", low ? bounds.lower : bounds.upper));
-    }
+    p.at_bound = held[j] && bounds.lower != bounds.upper;
+    if (!p.at_bound) continue;
+    const bool low = p.value <= bounds.lower;
+    add(result.reason, fmt::format("'{}' stands at its {} bound {:.6g}", p.name,
+                                   low ? "lower" : "upper", low ? bounds.lower : bounds.upper));
   }
 }
 
@@ -149,6 +141,21 @@ void judge_counts(std::size_t residuals, std::size_t parameters, FitResult& resu
 }
 
 }  // namespace
+
+void set_intervals(const std::vector<FitParameter>& parameters, double confidence,
+                   FitResult& result) {
+  const double quantile = student_quantile(result.degrees_of_freedom, confidence);
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    FittedParameter& p = result.parameters[j];
+    const FitParameter& bounds = parameters[j];
+    const auto index = static_cast<Index>(j);
+    const bool fixed = bounds.lower == bounds.upper;
+    p.standard_deviation = p.at_bound ? kNan : std::sqrt(result.covariance(index, index));
+    const double half = fixed ? 0 : p.identifiable ? quantile * p.standard_deviation : kInfinity;
+    p.low = std::isnan(half) ? kNan : std::max(bounds.lower, p.value - half);
+    p.high = std::isnan(half) ? kNan : std::min(bounds.upper, p.value + half);
+  }
+}
 
 FitResult fit_report(const std::vector<FitParameter>& parameters, const Residuals& residuals,
                      const FitOptions& options, const FitBox& box, const FitEnd& end) {
@@ -181,7 +188,9 @@ FitResult fit_report(const std::vector<FitParameter>& parameters, const Residual
     add(result.reason, "most residuals lie beyond the scale of the loss");
   }
   fill_covariance(known, free, result);
-  fill_intervals(parameters, held, options.confidence, result);
+  result.reason_but_bounds = result.reason;
+  describe_bounds(parameters, held, result);
+  set_intervals(parameters, options.confidence, result);
   return result;
 }
 

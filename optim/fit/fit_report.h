@@ -14,6 +14,10 @@ struct FitEnd {
   std::string doubt;  ///< what is wrong with an estimated scale; empty where nothing is
 };
 
+/// Deviations and intervals of the parameters by the covariance that the result has.
+void set_intervals(const std::vector<FitParameter>& parameters, double confidence,
+                   FitResult& result);
+
 /// Everything of a FitResult but the counts.
 FitResult fit_report(const std::vector<FitParameter>& parameters, const Residuals& residuals,
                      const FitOptions& options, const FitBox& box, const FitEnd& end);

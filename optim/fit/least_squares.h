@@ -102,6 +102,8 @@ struct FitResult {
 
   /// In words why values or intervals cannot be trusted; empty where they can.
   std::string reason;
+  /// The same but for parameters that stand at a bound.
+  std::string reason_but_bounds;
 };
 
 /// Residuals as the loss counts them, each times its weight, so that far-off ones do not hide what

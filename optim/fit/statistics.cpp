@@ -18,6 +18,13 @@ double aicc(std::size_t n, std::size_t p, double sum_of_squares) {
   return points * std::log(sum_of_squares / points) + 2 * points * k / (points - k - 1);
 }
 
+double evidence(std::size_t n, std::size_t p, std::size_t m, double sum_of_squares, double occam) {
+  if (n < p + 3) return std::numeric_limits<double>::infinity();
+  const auto nu = static_cast<double>(n - p);
+  return nu * std::log(sum_of_squares / 2) - 2 * std::lgamma(nu / 2) +
+         static_cast<double>(m) * std::log(sum_of_squares / nu) + occam;
+}
+
 double quantile(std::span<const double> values, double q) {
   if (values.empty()) throw std::invalid_argument("a quantile needs at least one value");
   if (!(q >= 0 && q <= 1)) {
@@ -56,6 +63,41 @@ double student_quantile(int degrees_of_freedom, double confidence) {
   if (degrees_of_freedom <= 0) return std::numeric_limits<double>::quiet_NaN();
   const boost::math::students_t_distribution<double> student(degrees_of_freedom);
   return boost::math::quantile(student, (1 + confidence) / 2);
+}
+
+namespace {
+
+/// The share of a part below x.
+double share_below(const StudentPart& part, double x) {
+  const double deviation = x < part.centre ? part.below : part.above;
+  if (!(deviation > 0)) return x < part.centre ? 0 : 1;
+  const boost::math::students_t_distribution<double> student(part.degrees);
+  return boost::math::cdf(student, (x - part.centre) / deviation);
+}
+
+}  // namespace
+
+double mixture_quantile(std::span<const StudentPart> parts, double q) {
+  if (parts.empty()) throw std::invalid_argument("a mixture needs at least one part");
+  if (!(q > 0 && q < 1)) {
+    throw std::invalid_argument(fmt::format("the share {} of a mixture is not in (0, 1)", q));
+  }
+  double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
+  for (const StudentPart& part : parts) {
+    const boost::math::students_t_distribution<double> student(part.degrees);
+    const double own =
+        part.centre + (q < 0.5 ? part.below : part.above) * boost::math::quantile(student, q);
+    low = std::min(low, own), high = std::max(high, own);
+    sum += part.weight;
+  }
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings && low < high; ++i) {
+    const double middle = std::midpoint(low, high);
+    double below = 0;
+    for (const StudentPart& part : parts) below += part.weight * share_below(part, middle);
+    (below < q * sum ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
 }
 
 namespace {

@@ -18,6 +18,16 @@ namespace camlaw::optim {
 /// zero. Source: Hurvich and Tsai 1989, Biometrika 76.
 double aicc(std::size_t n, std::size_t p, double sum_of_squares);
 
+/// Twice the negative logarithm of how likely values are under a model, whatever its parameters,
+/// to compare models by; constants that all models share are left out:
+///   nu ln(S / 2) - 2 ln Gamma(nu / 2) + m ln(S / nu) + ln det(1 + P C^-1),  nu = n - p
+/// n values left a sum of squares S with p fitted parameters, m of which not all models have.
+/// Before the values are seen these have the variances P, after they have the covariance C; `occam`
+/// is the determinant's logarithm. The scatter and the other parameters may be anything (Laplace's
+/// approximation; O'Hagan and Forster 2004, chapter 7). Infinite where n - p < 3: too few values to
+/// judge the model by; minus infinite where S is zero.
+double evidence(std::size_t n, std::size_t p, std::size_t m, double sum_of_squares, double occam);
+
 /// The value that share q of the sorted values lies below, linear between neighbours (Hyndman and
 /// Fan 1996, definition 7): q = 0 is the least, q = 1 the greatest. NaN where a value is. Throws
 /// std::invalid_argument without values or for q outside [0, 1].
@@ -35,6 +45,17 @@ std::vector<std::size_t> order_of(std::span<const double> values);
 /// Student's t that a share of all lies within, both sides together; NaN without degrees of
 /// freedom.
 double student_quantile(int degrees_of_freedom, double confidence);
+
+/// Student's t about a centre, as a part of a mixture; below and above the centre with a deviation
+/// each.
+struct StudentPart {
+  double weight, centre, below, above;
+  int degrees;  ///< of freedom
+};
+
+/// The value that share q of a mixture lies below; weights need not sum to 1. Throws
+/// std::invalid_argument without parts or for q outside (0, 1).
+double mixture_quantile(std::span<const StudentPart> parts, double q);
 
 /// What n residuals look like along x.
 struct ResidualPattern {

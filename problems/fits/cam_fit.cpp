@@ -31,8 +31,8 @@ double cost_of(const Explanation& told, double noise) {
 }
 
 /// Departures from a law, which is fitted again without them until no more do.
-Explanation explained(const FoundMotion& motion, LawFit law, const LawFitOptions& options,
-                      double noise) {
+Explanation explained(const FoundMotion& motion, LawFit law, LawFitOptions options, double noise) {
+  options.skew = law.skew;
   constexpr int kPasses = 4;
   Explanation told{std::move(law), {}, 0};
   for (int pass = 0; pass < kPasses; ++pass) {

@@ -16,8 +16,16 @@ struct Coefficient {
   double value;            ///< of the member
 };
 
-/// All numbers of a law but the crossover and what shapes its data; the variables behind them are
-/// counted from `first`.
-std::vector<Coefficient> coefficients_of(const Member& law, std::size_t first = 0);
+/// Whether the place where a law's acceleration changes sign is one of its numbers.
+enum class Skew { Held, Free };
+
+/// All numbers of a law but what shapes its data, the crossover only where it is free; the
+/// variables behind them are counted from `first`.
+std::vector<Coefficient> coefficients_of(const Member& law, std::size_t first = 0,
+                                         Skew skew = Skew::Held);
+
+/// Whether a law has a crossover that none of its other numbers stand for: those of symmetric
+/// families.
+bool can_be_skewed(const Member& law);
 
 }  // namespace camlaw::problems

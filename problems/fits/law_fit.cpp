@@ -10,8 +10,12 @@
 
 #include "optim/fit/statistics.h"
 #include "problems/fits/condensed.h"
+#include "problems/fits/jump_fit.h"
 #include "problems/fits/law_limits.h"
 #include "problems/fits/motion_residuals.h"
+#include "problems/fits/occam.h"
+#include "problems/fits/profile_intervals.h"
+#include "problems/fits/rounding_errors.h"
 
 namespace camlaw::problems {
 namespace {
@@ -19,7 +23,8 @@ namespace {
 using optim::FitReach;
 
 std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, const Member& law,
-                                               const MotionGuess& guess, MotionLayout layout) {
+                                               const MotionGuess& guess, MotionLayout layout,
+                                               Skew skew) {
   const double length = guess.end - guess.begin, stroke = guess.to - guess.from;
   constexpr double kBeyond = 0.3;  // of the length: an end is looked for that far off its guess
   std::vector<optim::FitParameter> result;
@@ -34,7 +39,7 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
     result.push_back({"zero", samples.length_unit, -optim::kInfinity, optim::kInfinity, guess.from,
                       std::abs(stroke)});
   }
-  for (const Coefficient& c : coefficients_of(law)) {
+  for (const Coefficient& c : coefficients_of(law, 0, skew)) {
     const bool is_held = is_end_value(law, c);
     result.push_back(
         {c.name, c.unit, is_held ? c.value : c.low, is_held ? c.value : c.high, c.value});
@@ -45,9 +50,9 @@ std::vector<optim::FitParameter> parameters_of(const MotionSamples& samples, con
 /// The residuals of one law as they are fitted: with what its coefficients must meet together.
 class LawResiduals {
  public:
-  LawResiduals(const MotionSamples& samples, const Member& law,
+  LawResiduals(const MotionSamples& samples, const Member& law, Skew skew,
                const std::vector<optim::FitParameter>& parameters)
-      : motion_(samples, law) {
+      : motion_(samples, law, skew), has_free_ends_(problems::has_free_ends(law)) {
     const auto limit = limit_of(law);
     if (!limit) return;
     std::vector<double> start;
@@ -58,14 +63,18 @@ class LawResiduals {
   LawResiduals& operator=(const LawResiduals&) = delete;
 
   std::size_t first() const { return motion_.layout().first(); }
+  bool has_free_ends() const { return has_free_ends_; }
+  const optim::Residuals& residuals() const {
+    if (limited_) return *limited_;
+    return motion_;
+  }
   /// The parameters as they are fitted.
   std::vector<optim::FitParameter> fitted(std::vector<optim::FitParameter> parameters) const {
     return limited_ ? limited_->limited(std::move(parameters)) : parameters;
   }
   optim::FitResult fit(const std::vector<optim::FitParameter>& fitted,
                        const optim::FitOptions& options) const {
-    if (limited_) return optim::fit(fitted, *limited_, options);
-    return optim::fit(fitted, motion_, options);
+    return optim::fit(fitted, residuals(), options);
   }
   /// A fit of the fitted ones told of the parameters.
   optim::FitResult told(optim::FitResult result, const std::vector<optim::FitParameter>& parameters,
@@ -75,6 +84,7 @@ class LawResiduals {
 
  private:
   MotionResiduals motion_;
+  bool has_free_ends_;
   std::optional<LimitedResiduals> limited_;
 };
 
@@ -129,6 +139,39 @@ optim::FitOptions how(const LawFitOptions& options, FitReach reach) {
   return fit;
 }
 
+/// A rough fit of everything but begin and end, which stay at these.
+optim::FitResult between_ends(const LawResiduals& few, std::vector<optim::FitParameter> parameters,
+                              double begin, double end, const optim::FitOptions& rough) {
+  const std::vector<double> ends{begin, end};
+  parameters = from(std::move(parameters), ends, ends.size());
+  for (std::size_t j = 0; j < ends.size(); ++j) {
+    parameters[j].lower = parameters[j].upper = parameters[j].start;
+  }
+  return few.fit(parameters, rough);
+}
+
+/// The same for the best of many ends around those of the parameters, then all. With free values at
+/// its ends a polynomial is the same curve over any stretch: only how it meets the rests tells
+/// them, and the sum of squares has a valley at each of many places.
+optim::FitResult over_ends(const LawResiduals& few,
+                           const std::vector<optim::FitParameter>& parameters,
+                           const optim::FitOptions& rough) {
+  constexpr double kAside[] = {-0.12, -0.06, -0.03, -0.01, 0, 0.01, 0.03, 0.06, 0.12};
+  const double begin = parameters[MotionLayout::kBegin].start,
+               end = parameters[MotionLayout::kEnd].start;
+  std::optional<optim::FitResult> best;
+  for (const double before : kAside) {
+    for (const double after : kAside) {
+      const double length = end - begin;
+      optim::FitResult fit =
+          between_ends(few, parameters, begin + before * length, end + after * length, rough);
+      if (!best || fit.merit < best->merit) best = std::move(fit);
+    }
+  }
+  const std::vector<double> found = values_of(*best);
+  return few.fit(from(parameters, found, found.size()), rough);
+}
+
 /// Where fits of all samples should begin, as values of the fitted parameters, the best first; by
 /// rough fits to a few. Laws of several coefficients have valleys in which longer motions with
 /// other coefficients nearly do as well: such fits begin at shorter and longer motions too.
@@ -143,6 +186,12 @@ std::vector<std::vector<double>> starts(const LawResiduals& few,
   if (parameters.size() == first) return {values_of(alone)};
   const auto begin = from(parameters, values_of(alone), first);
   std::vector<optim::FitResult> ends{few.fit(begin, rough)};
+  if (options.like) {  // where another law follows the samples
+    const std::vector<double> found =
+        values_of(between_ends(few, parameters, options.like->begin, options.like->end, rough));
+    ends.push_back(few.fit(from(parameters, found, found.size()), rough));
+  }
+  if (few.has_free_ends()) ends.push_back(over_ends(few, parameters, rough));
   // Where the samples do not determine the numbers no start helps.
   const bool is_single = parameters.size() < first + 2 || !ends.front().free_directions.empty();
   for (const double longer : kLonger) {
@@ -169,8 +218,8 @@ std::vector<std::vector<double>> starts(const LawResiduals& few,
 /// From the fit of other samples, within the bounds that it had.
 optim::FitResult fitted_near(const MotionSamples& samples, const LawFit& fit,
                              const MotionGuess& guess, const LawFitOptions& options) {
-  const auto parameters = parameters_of(samples, fit.law, guess, {samples.order == 0});
-  const LawResiduals residuals(samples, fit.law, parameters);
+  const auto parameters = parameters_of(samples, fit.law, guess, {samples.order == 0}, fit.skew);
+  const LawResiduals residuals(samples, fit.law, fit.skew, parameters);
   const std::size_t first = residuals.first();
   const auto own = from(residuals.fitted(parameters), values_of(fit.fit), first);
   return residuals.told(residuals.fit(own, how(options, FitReach::Near)), parameters,
@@ -184,19 +233,65 @@ std::size_t count_of_free(const std::vector<optim::FitParameter>& parameters) {
                     [](const optim::FitParameter& p) { return p.lower < p.upper; }));
 }
 
+/// The member with the coefficients of a fit.
+Member with_coefficients(const Member& law, const optim::FitResult& told, MotionLayout layout,
+                         Skew skew) {
+  Member result = law;
+  for (const Coefficient& c : coefficients_of(law, layout.first(), skew)) {
+    result.arguments.values()[c.at.parameter][c.at.element] = told.parameters[c.at.variable].value;
+  }
+  return result;
+}
+
+/// At which ends samples of a law's derivative jump.
+Jumps jumps_of(const Law<double>& law, int order) {
+  constexpr double kLeast = 0.01;  // of a motion of length and stroke one
+  if (order == 0) return {};
+  const auto k = static_cast<std::size_t>(order);
+  return {std::abs(law.derivatives<3>(0.0, Side::Right)[k]) > kLeast,
+          std::abs(law.derivatives<3>(1.0, Side::Left)[k]) > kLeast};
+}
+
+/// The stroke, or of a derivative the greatest value.
+double size_of(const MotionSamples& samples, const optim::FitResult& fit) {
+  if (samples.order == 0) return std::abs(fit.parameters[MotionLayout::kStroke].value);
+  double size = 0;
+  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  return size;
+}
+
+/// What a fit leaves, as laws are compared by it.
+double sum_left(const MotionSamples& samples, const optim::FitResult& fit, optim::Loss loss) {
+  // Under a loss what it sums, so that a far point does not decide which law is best.
+  double sum = 0;
+  for (const double r : fit.residuals) {
+    sum +=
+        loss == optim::Loss::None ? r * r : optim::loss_at(loss, fit.loss_scale.value_or(1), r).rho;
+  }
+  // What is left at the size of rounding, of doubles or of the values as written, tells no laws
+  // apart.
+  constexpr double kRounding = 1e-10;
+  double size = 0;
+  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  const double floor = std::max(kRounding * size, rounding_deviation(samples));
+  return std::max(sum, static_cast<double>(samples.value.size()) * floor * floor);
+}
+
 struct FittedAll {
   optim::FitResult fit;
   std::size_t numbers;  ///< that were free
+  double criterion;     ///< (S1), without what the law was worth before
+  std::vector<double> inflation;
 };
 
 FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                  const LawFitOptions& options) {
-  const auto parameters = parameters_of(samples, law, guess, {samples.order == 0});
-  const LawResiduals residuals(samples, law, parameters);
+  const auto parameters = parameters_of(samples, law, guess, {samples.order == 0}, options.skew);
+  const LawResiduals residuals(samples, law, options.skew, parameters);
   const auto own = residuals.fitted(parameters);
   const MotionSamples means = few_of(samples, parameters[MotionLayout::kBegin].lower,
                                      parameters[MotionLayout::kEnd].upper, options.loss);
-  const LawResiduals few(means, law, parameters);
+  const LawResiduals few(means, law, options.skew, parameters);
   LawFitOptions of_means = options;
   of_means.loss_scale.reset();
   if (means.each > 1) of_means.loss = optim::Loss::None;
@@ -206,28 +301,21 @@ FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGu
         residuals.fit(from(own, start, start.size()), how(options, FitReach::Near));
     if (!best || fit.merit < best->merit) best = std::move(fit);
   }
-  return {residuals.told(std::move(*best), parameters, options.confidence), count_of_free(own)};
-}
-
-/// By AICc (R8).
-double criterion_of(const MotionSamples& samples, const optim::FitResult& fit, std::size_t numbers,
-                    optim::Loss loss) {
-  // Under a loss what it sums, so that a far point does not decide which law is best.
-  double sum = 0;
-  for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
-    const double r = fit.residuals[i];
-    sum +=
-        loss == optim::Loss::None ? r * r : optim::loss_at(loss, fit.loss_scale.value_or(1), r).rho;
-  }
-  // What is left at the size of rounding, of doubles or of the values as written, tells no laws
-  // apart.
-  constexpr double kRounding = 1e-10;
-  double size = 0;
-  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  const MotionLayout layout{samples.order == 0};
+  const Member found = with_coefficients(law, residuals.told(*best, parameters, options.confidence),
+                                         layout, options.skew);
+  const Jumps jumps = jumps_of(found.law(), samples.order);
+  best = fit_with_jumps(samples, residuals.residuals(), own, jumps, how(options, FitReach::Near),
+                        std::move(*best));
+  std::vector<double> inflation =
+      count_rounding(samples, residuals.residuals(), own, options.confidence, *best);
   const std::size_t n = samples.value.size();
-  const double floor = std::max(kRounding * size, rounding_deviation(samples));
-  sum = std::max(sum, static_cast<double>(n) * floor * floor);
-  return optim::aicc(n, numbers, sum);
+  const double sum = sum_left(samples, *best, options.loss);
+  const Occam occam = occam_of(residuals.residuals(), own, layout.first(), size_of(samples, *best),
+                               std::sqrt(sum / static_cast<double>(n)), *best);
+  const double criterion = optim::evidence(n, best->rank, occam.count, sum, occam.logarithm);
+  return {residuals.told(std::move(*best), parameters, options.confidence), count_of_free(own),
+          criterion, std::move(inflation)};
 }
 
 }  // namespace
@@ -269,17 +357,26 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
   check_motion(samples, guess);
   const MotionLayout layout{samples.order == 0};
   FittedAll all = fitted(samples, law, guess, options);
-  LawFit result{law, std::move(all.fit), all.numbers};
+  LawFit result{law, std::move(all.fit), options.skew, layout.first(), all.numbers};
   const std::vector<double> x = values_of(result.fit);
-  for (const Coefficient& c : coefficients_of(law, layout.first())) {
-    result.law.arguments.values()[c.at.parameter][c.at.element] = x[c.at.variable];
-  }
-  result.criterion = criterion_of(samples, result.fit, result.numbers, options.loss);
+  result.law = with_coefficients(law, result.fit, layout, options.skew);
+  result.criterion = all.criterion;
+  result.inflation = std::move(all.inflation);
   result.begin = x[MotionLayout::kBegin];
   result.end = x[MotionLayout::kEnd];
   result.from = layout.with_zero ? x[MotionLayout::kZero] : 0;
   result.to = result.from + x[MotionLayout::kStroke];
   return result;
+}
+
+void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
+                  const LawFitOptions& options, LawFit& fit) {
+  if (options.loss != optim::Loss::None) return;
+  const auto parameters = parameters_of(samples, fit.law, guess, {samples.order == 0}, fit.skew);
+  const LawResiduals residuals(samples, fit.law, fit.skew, parameters);
+  const auto own = from(residuals.fitted(parameters), values_of(fit.fit), fit.base);
+  profile_intervals(residuals.residuals(), own, fit.base, fit.inflation, options.confidence,
+                    fit.fit);
 }
 
 double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
@@ -297,7 +394,7 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit, const Mo
   return optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
         const auto own = fitted_near(part(kept), fit, guess, options);
-        const MotionResiduals others(part(left_out), fit.law);
+        const MotionResiduals others(part(left_out), fit.law, fit.skew);
         std::vector<double> r(left_out.size());
         if (!others.evaluate(values_of(own), r, {})) return std::nan("");
         return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);

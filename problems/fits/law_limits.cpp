@@ -33,10 +33,13 @@ std::optional<LawLimit> limit_of(const Member& law) {
   return found->second;
 }
 
-bool is_end_value(const Member& law, const Coefficient& coefficient) {
+bool has_free_ends(const Member& law) {
   const std::string& family = law.family->name;
-  return (family == "boundary-5" || family == "boundary-7") &&
-         (coefficient.name == "s0" || coefficient.name == "s1");
+  return family == "boundary-5" || family == "boundary-7";
+}
+
+bool is_end_value(const Member& law, const Coefficient& coefficient) {
+  return has_free_ends(law) && (coefficient.name == "s0" || coefficient.name == "s1");
 }
 
 LimitedResiduals::LimitedResiduals(const optim::Residuals& residuals, LawLimit limit,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "problems/fits/law_choice.h"
 #include "problems/fits/lift_samples.h"
 
 namespace camlaw::problems {
@@ -22,17 +23,39 @@ LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options
   return options;
 }
 
-/// Those within two of the best explain the samples as well: of them the simplest comes first.
-void put_simplest_first(std::vector<LawFit>& ranking) {
-  constexpr double kAsWell = 2;
-  const auto as_well = std::find_if(ranking.begin(), ranking.end(), [&](const LawFit& fit) {
-    return fit.criterion > ranking.front().criterion + kAsWell;
+constexpr std::size_t kEnds = 4;  ///< numbers of a motion: begin, end, stroke, zero
+
+/// One law to try.
+struct Candidate {
+  Member law;
+  Skew skew;
+  std::size_t coefficients;
+};
+
+/// Each law as it is and, where it can be, skewed; those of few coefficients first.
+std::vector<Candidate> candidates_of(const std::vector<Member>& laws) {
+  std::vector<Candidate> result;
+  for (const Member& law : laws) {
+    result.push_back({law, Skew::Held, coefficients_of(law).size()});
+    if (!can_be_skewed(law)) continue;
+    result.push_back({law, Skew::Free, coefficients_of(law, 0, Skew::Free).size()});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+    return a.coefficients < b.coefficients;
   });
-  const auto simplest =
-      std::min_element(ranking.begin(), as_well,
-                       [](const LawFit& a, const LawFit& b) { return a.numbers < b.numbers; });
-  if (simplest != as_well) std::rotate(ranking.begin(), simplest, simplest + 1);
+  return result;
 }
+
+const LawFit* best_of(const std::vector<LawFit>& fits, std::size_t numbers) {
+  const LawFit* best = nullptr;
+  for (const LawFit& fit : fits) {
+    if (fit.numbers > numbers) continue;
+    if (best == nullptr || fit.fit.sum_of_squares < best->fit.sum_of_squares) best = &fit;
+  }
+  return best;
+}
+
+MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
 
 }  // namespace
 
@@ -41,18 +64,26 @@ std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Me
   check_motion(samples, guess);
   const LawFitOptions alike = with_one_scale(samples, options);
   std::vector<LawFit> ranking;
-  for (const Member& law : laws) {
+  const std::vector<Candidate> candidates = candidates_of(laws);
+  for (const Candidate& candidate : candidates) {
     if (alike.progress) {
-      alike.progress(static_cast<double>(&law - laws.data()) / static_cast<double>(laws.size()));
+      alike.progress(static_cast<double>(&candidate - candidates.data()) /
+                     static_cast<double>(candidates.size()));
+    }
+    LawFitOptions own = alike;
+    own.skew = candidate.skew;
+    if (candidate.coefficients > 0) {
+      if (const LawFit* best = best_of(ranking, candidate.coefficients + kEnds)) {
+        own.like = motion_of(*best);
+      }
     }
     try {
-      ranking.push_back(fit_law(samples, law, guess, alike));
+      ranking.push_back(fit_law(samples, candidate.law, guess, own));
     } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
     }
   }
-  std::stable_sort(ranking.begin(), ranking.end(),
-                   [](const LawFit& a, const LawFit& b) { return a.criterion < b.criterion; });
-  if (!ranking.empty()) put_simplest_first(ranking);
+  weigh(ranking);
+  put_in_order(ranking);
   return ranking;
 }
 

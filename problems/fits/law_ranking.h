@@ -5,9 +5,9 @@
 
 namespace camlaw::problems {
 
-/// Each of the laws, by AICc; first of those within two of the best, which explain the samples as
-/// well (Burnham and Anderson 2002), the one with the fewest parameters. Laws that cannot be fitted
-/// are left out.
+/// Each of the laws, as it is and skewed, by how likely it is; first of those that noise does not
+/// tell from the best the one with the fewest numbers (law_choice.h). Laws that cannot be fitted
+/// are left out. Intervals are those of each law alone.
 std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                               const MotionGuess& guess, const LawFitOptions& options = {});
 

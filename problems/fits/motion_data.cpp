@@ -101,8 +101,11 @@ FoundCycle find_motions(const MotionSamples& samples) {
       return other.kind == SegmentKind::Dwell ? (other.end - other.begin) / 2 : 0.0;
     };
     const std::size_t count = segments.size();
+    const bool is_only =
+        std::count_if(segments.begin(), segments.end(),
+                      [](const FoundSegment& one) { return one.kind != SegmentKind::Dwell; }) == 1;
     const bool has_before = i > 0 || period > 0, has_after = i + 1 < count || period > 0;
-    if (count == 1 && period == 0) {  // all samples belong to it, far-off ones at its ends too
+    if (is_only && period == 0) {  // all samples belong to it, far-off ones at its ends too
       result.motions.push_back({{s.begin, s.end, s.from, s.to}, samples});
       break;
     }

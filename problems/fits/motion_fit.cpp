@@ -9,26 +9,32 @@
 #include <stdexcept>
 
 #include "optim/fit/smoothing_spline.h"
+#include "problems/fits/drift.h"
 #include "problems/fits/fitted_law.h"
+#include "problems/fits/law_choice.h"
 #include "problems/fits/law_ranking.h"
 #include "problems/fits/motion_residuals.h"
-#include "problems/fits/same_motion.h"
 
 namespace camlaw::problems {
 namespace {
+
+/// Chances of a sample in normal noise that is called far off: where such ones are listed, and
+/// where the fit is distrusted for them.
+constexpr double kListed = 0.05, kDistrusted = 1e-4;
 
 bool is_exact(const LawFit& fit) {
   constexpr double kRounding = 1e-9;
   return fit.fit.rms < kRounding * std::abs(fit.to - fit.from);
 }
 
-FarOff far_off_of(const MotionFit& fit) {
+/// `chance`: of one in normal noise.
+FarOff far_off_of(const MotionFit& fit, double chance) {
   const LawFit& best = fit.best();
   constexpr double kRounding = 1e-6;
   double size = 0;
   for (const double y : fit.motion.samples.value) size = std::max(size, std::abs(y - best.from));
   const double least = std::max(kRounding * size, fit.motion.samples.resolution);
-  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least);
+  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least, chance);
 }
 
 std::string quantity(double value, const std::string& unit) {
@@ -52,30 +58,6 @@ bool shows_no_stroke(const LawFit& fit) {
   return stroke.low <= 0 && stroke.high >= 0;
 }
 
-/// Whether what is left is as small as the rounding of the values.
-bool is_rounding(const MotionFit& fit) {
-  return fit.best().fit.rms < fit.motion.samples.resolution / 2;
-}
-
-std::vector<std::string> as_good(const MotionFit& fit) {
-  constexpr double kAsWell = 2;
-  const LawFit& best = fit.best();
-  std::vector<std::string> names;
-  for (const LawFit& other : fit.ranking) {
-    if (&other == &best || other.criterion > best.criterion + kAsWell) continue;
-    if (other.numbers > best.numbers || same_motion(other.law, best.law)) continue;
-    names.push_back(other.law.label());
-  }
-  return names;
-}
-
-std::string not_told(const MotionFit& fit) {
-  if (fit.as_good.empty()) return "";
-  return fmt::format("values rounded to {} do not tell {} from {}",
-                     quantity(fit.motion.samples.resolution, fit.motion.samples.unit),
-                     fit.best().law.label(), fmt::join(fit.as_good, ", "));
-}
-
 /// What of the residuals is a curve, in words; empty where they may be noise.
 std::string curve_left(const MotionFit& fit) {
   if (!fit.left.is_curve) return "";
@@ -87,17 +69,34 @@ std::string curve_left(const MotionFit& fit) {
 
 std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const LawFit& best = fit.best();
-  if (!best.fit.reason.empty()) return best.fit.reason;
+  if (!best.fit.reason_but_bounds.empty()) return best.fit.reason_but_bounds;
   if (!std::isfinite(best.criterion) && best.criterion > 0) {
     return fmt::format("{} samples are too few to tell laws apart",
                        fit.motion.samples.place.size());
   }
   if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
   if (is_exact(best)) return "";
-  if (is_rounding(fit)) return not_told(fit);
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
-  const bool is_drawn = options.loss == optim::Loss::None && draws(fit.far_off, best.fit.residuals);
-  return is_drawn ? drawn_by(fit) : "";
+  const bool is_drawn =
+      options.loss == optim::Loss::None && draws(far_off_of(fit, kDistrusted), best.fit.residuals);
+  if (is_drawn) return drawn_by(fit);
+  if (options.loss == optim::Loss::None) {
+    constexpr double kChance = 4.4;  // deviations: one record in 100 000
+    const Drift drift = drift_of(fit.motion.samples, best);
+    if (drift.deviations > kChance) {
+      return fmt::format(
+          "the samples drift by {} from the first place to the last beside the motion: the rests "
+          "are not level",
+          quantity(drift.over_record, fit.motion.samples.unit));
+    }
+  }
+  if (fit.is_cut) {
+    return fmt::format(
+        "noise of {} does not tell the law: {}, {} and more may be behind the samples",
+        quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
+        fmt::join(fit.as_good, ", "));
+  }
+  return "";
 }
 
 /// A smooth curve from rest to rest between the ends that the samples show: those of a law that
@@ -116,6 +115,16 @@ std::optional<Law<double>> smoothed(const MotionFit& fit) {
   }
 }
 
+/// Intervals by profiles of the first law and others that count.
+void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
+                    std::vector<LawFit>& ranking) {
+  constexpr double kCounts = 0.01;
+  for (LawFit& fit : ranking) {
+    if (&fit != &ranking.front() && fit.weight < kCounts) continue;
+    profile_ends(motion.samples, motion.guess, options, fit);
+  }
+}
+
 }  // namespace
 
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
@@ -127,8 +136,12 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   result.prediction_error = cross_validated(motion.samples, result.best(), motion.guess, options);
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
-  result.far_off = far_off_of(result);
-  result.as_good = as_good(result);
+  result.far_off = far_off_of(result, kListed);
+  const AsGood others = as_good(result.ranking);
+  for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
+  result.is_cut = others.is_cut;
+  profile_likely(motion, options, result.ranking);
+  widen(result.ranking, options.confidence);
   result.distrust = distrust_of(result, options);
   const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&
                         result.distrust == curve_left(result);

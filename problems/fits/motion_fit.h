@@ -11,12 +11,13 @@ namespace camlaw::problems {
 
 struct MotionFit {
   FoundMotion motion;
-  std::vector<LawFit> ranking;       ///< the best by AICc first; not empty
+  std::vector<LawFit> ranking;       ///< the named law first, then by likelihood; not empty
   double prediction_error = 0;       ///< of the first, by cross-validation
   optim::ResidualPattern left = {};  ///< what its residuals look like, as the loss counts them
   FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
-  /// Other motions that follow the samples as well, AICc within two, with no more numbers.
+  /// Other motions that may be behind the samples, the likeliest first.
   std::vector<std::string> as_good = {};
+  bool is_cut = false;  ///< those that are listed leave much to others
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch

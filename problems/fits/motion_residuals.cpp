@@ -9,9 +9,9 @@
 namespace camlaw::problems {
 namespace {
 
-std::vector<LawVariable> variables_of(const Member& law, MotionLayout layout) {
+std::vector<LawVariable> variables_of(const Member& law, MotionLayout layout, Skew skew) {
   std::vector<LawVariable> result;
-  for (const Coefficient& c : coefficients_of(law, layout.first())) result.push_back(c.at);
+  for (const Coefficient& c : coefficients_of(law, layout.first(), skew)) result.push_back(c.at);
   return result;
 }
 
@@ -23,8 +23,8 @@ struct AtPoint {
 
 }  // namespace
 
-MotionResiduals::MotionResiduals(MotionSamples samples, const Member& law)
-    : samples_(std::move(samples)), binding_(law, variables_of(law, layout())) {
+MotionResiduals::MotionResiduals(MotionSamples samples, const Member& law, Skew skew)
+    : samples_(std::move(samples)), binding_(law, variables_of(law, layout(), skew)) {
   for (const LawVariable& v : binding_.variables()) {
     own_.push_back(law.arguments.list(v.parameter)[v.element]);
   }

@@ -20,8 +20,9 @@ struct MotionLayout {
 /// or its first or second derivative by x, less the samples.
 class MotionResiduals final : public optim::Residuals {
  public:
-  /// `samples` gives places and values, order and layout() the rest.
-  MotionResiduals(MotionSamples samples, const Member& law);
+  /// `samples` gives places and values, order and layout() the rest; the coefficients are those of
+  /// coefficients_of().
+  MotionResiduals(MotionSamples samples, const Member& law, Skew skew = Skew::Held);
 
   MotionLayout layout() const { return {samples_.order == 0}; }
   std::size_t count() const override { return samples_.place.size(); }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "optim/fit/statistics.h"
+#include "problems/fits/lift_samples.h"
 #include "problems/fits/turn.h"
 
 namespace camlaw::problems {
@@ -24,6 +26,21 @@ double outer_value(const MotionSamples& samples, bool first) {
   std::vector<double> values;
   for (std::size_t i = 0; i < few; ++i) values.push_back(samples.value[order[i]]);
   return optim::median(values);
+}
+
+/// What neighbours show of it; none where there are too few.
+double noise_of(const MotionSamples& samples) {
+  const std::vector<std::size_t> order = optim::order_of(samples.place);
+  std::vector<double> place, value;
+  for (const std::size_t i : order) {
+    if (!place.empty() && samples.place[i] == place.back()) continue;
+    place.push_back(samples.place[i]), value.push_back(samples.value[i]);
+  }
+  try {
+    return estimated_noise(place, value);
+  } catch (const std::invalid_argument&) {
+    return 0;
+  }
 }
 
 }  // namespace
@@ -59,10 +76,11 @@ MotionGuess guess_motion(const MotionSamples& samples) {
   for (const double v : samples.value) {
     if (std::abs(v) > std::abs(greatest)) greatest = v;
   }
-  constexpr double kRest = 0.01;
+  constexpr double kRest = 0.01, kNoise = 4;  // of the greatest, of the noise
+  const double rest = std::max(kRest * std::abs(greatest), kNoise * noise_of(samples));
   double begin = guess.end, end = guess.begin;
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
-    if (!(std::abs(samples.value[i]) > kRest * std::abs(greatest))) continue;
+    if (!(std::abs(samples.value[i]) > rest)) continue;
     begin = std::min(begin, samples.place[i]);
     end = std::max(end, samples.place[i]);
   }

@@ -117,4 +117,50 @@ TEST_CASE("cross-validation refuses folds that cannot be", "[fit]") {
   CHECK(std::isnan(cross_validated_error(5, 2, lost)));
 }
 
+TEST_CASE("evidence is what integration over the parameters gives", "[fit]") {
+  // y = c x with noise: flat in c and in ln sigma against c from an even prior, by sums.
+  const std::vector<double> x{0.3, -0.7, 1.1, 0.4, -1.3, 0.9, 0.2},
+      y{0.5, -0.6, 1.2, 0.1, -1.1, 1.3, 0.3};
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    xx += x[i] * x[i], xy += x[i] * y[i], yy += y[i] * y[i];
+  const double n = static_cast<double>(x.size()), before = 4;  // variance of c, normal
+  const double none = yy, with = yy - xy * xy / xx;
+  const auto integral = [&](bool has_slope) {
+    double sum = 0;
+    for (double s = -6; s < 4; s += 0.01) {  // ln sigma
+      const double sigma = std::exp(s);
+      if (!has_slope) {
+        sum += std::exp(-n * s - none / (2 * sigma * sigma));
+        continue;
+      }
+      for (double c = -12; c < 12; c += 0.02) {
+        const double squares = with + xx * (c - xy / xx) * (c - xy / xx);
+        sum += 0.02 * std::exp(-n * s - squares / (2 * sigma * sigma) - c * c / (2 * before)) /
+               std::sqrt(2 * 3.14159265358979 * before);
+      }
+    }
+    return -2 * std::log(sum);
+  };
+  const double covariance = with / (n - 1) / xx;
+  const double slope = evidence(x.size(), 1, 1, with, std::log1p(before / covariance)),
+               nothing = evidence(x.size(), 0, 0, none, 0);
+  // Laplace's approximation with seven values: within a few tenths.
+  CHECK(slope - nothing == Approx(integral(true) - integral(false)).margin(0.6));
+  CHECK(evidence(5, 3, 0, 1, 0) == kInfinity);
+}
+
+TEST_CASE("quantiles of a mixture", "[fit]") {
+  const std::vector<StudentPart> one{{2, 3, 0.5, 0.5, 7}};
+  CHECK(mixture_quantile(one, 0.975) == Approx(3 + 0.5 * student_quantile(7, 0.95)));
+  const std::vector<StudentPart> sides{{1, 3, 0.5, 2, 7}};
+  CHECK(mixture_quantile(sides, 0.025) == Approx(3 - 0.5 * student_quantile(7, 0.95)));
+  CHECK(mixture_quantile(sides, 0.975) == Approx(3 + 2 * student_quantile(7, 0.95)));
+  // Two far apart: a tail of 2.5 % of all is one of 5 % of its half.
+  const std::vector<StudentPart> two{{1, 0, 1, 1, 9}, {1, 1000, 1, 1, 9}};
+  CHECK(mixture_quantile(two, 0.975) == Approx(1000 + student_quantile(9, 0.9)));
+  CHECK_THROWS_AS(mixture_quantile({}, 0.5), std::invalid_argument);
+  CHECK_THROWS_AS(mixture_quantile(one, 1), std::invalid_argument);
+}
+
 }  // namespace camlaw::optim

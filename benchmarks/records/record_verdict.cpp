@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "benchmarks/records/record_verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "benchmarks/timing.h"
+#include "problems/fits/constants_fit.h"
+#include "problems/fits/fitted_cycle.h"
+#include "problems/fits/sample_table.h"
+
+namespace camlaw::benchmarks {
+namespace {
+
+using problems::LawFit;
+using problems::MotionFit;
+
+/// Whether the family of the fitted law holds the true one.
+bool holds_truth(const LawFit& fit, const SimulatedRecord& record) {
+  if (fit.law.family == record.law.family && !record.skewed) return true;
+  constexpr std::size_t kPlaces = 300;
+  constexpr double kSame = 1e-6;
+  problems::MotionSamples clean;
+  clean.order = record.order;
+  const double length = record.end - record.begin;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / kPlaces;
+    clean.place.push_back(record.begin + length * (1.2 * share - 0.1));
+    clean.value.push_back(record.value(clean.place.back()));
+  }
+  const auto [low, high] = std::minmax_element(clean.value.begin(), clean.value.end());
+  const problems::MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
+  try {
+    problems::LawFitOptions own;
+    own.skew = fit.skew;
+    return problems::fit_law(clean, fit.law, guess, own).fit.rms < kSame * (*high - *low);
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+bool agrees(const LawFit& fit, const SimulatedRecord& record,
+            const problems::MotionSamples& samples) {
+  double sum = 0;
+  for (const double place : samples.place) {
+    const double apart = fit.value(place, record.order) - record.value(place);
+    sum += apart * apart;
+  }
+  return std::sqrt(sum / static_cast<double>(samples.place.size())) <= record.deviation();
+}
+
+bool is_right(const LawFit& fit, const SimulatedRecord& record,
+              const problems::MotionSamples& samples) {
+  return agrees(fit, record, samples) && holds_truth(fit, record);
+}
+
+/// Of the ranking, by the name that the answer prints.
+const LawFit* ranked(const MotionFit& fit, const std::string& label) {
+  const auto found = std::find_if(fit.ranking.begin(), fit.ranking.end(),
+                                  [&](const LawFit& f) { return f.law.label() == label; });
+  return found == fit.ranking.end() ? nullptr : &*found;
+}
+
+void compare_intervals(const MotionFit& fit, const SimulatedRecord& record,
+                       RecordVerdict& verdict) {
+  problems::LawFitOptions alike;
+  alike.skew = record.skewed ? problems::Skew::Free : problems::Skew::Held;
+  const LawFit alone = problems::fit_law(
+      fit.motion.samples, record.law,
+      {record.begin, record.end, record.zero, record.zero + record.stroke}, alike);
+  const double truth[] = {record.begin, record.end, record.stroke, record.zero};
+  const std::size_t count = record.order == 0 ? 4 : 3;
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto &own = fit.best().fit.parameters[j], &other = alone.fit.parameters[j];
+    if (!std::isfinite(own.low) || !std::isfinite(own.high)) continue;
+    verdict.held[j] = own.low <= truth[j] && truth[j] <= own.high;
+    const double width = (own.high - own.low) / (other.high - other.low);
+    if (std::isfinite(width)) verdict.width[j] = width;
+  }
+}
+
+double size_of(const SimulatedRecord& record, const problems::MotionSamples& samples) {
+  const auto [low, high] = std::minmax_element(samples.value.begin(), samples.value.end());
+  return record.order == 0 ? std::abs(record.stroke) : std::max(*high, -*low);
+}
+
+}  // namespace
+
+RecordVerdict verdict_of(std::uint64_t number, Disturbance disturbance) {
+  const SimulatedRecord record = simulated_record(number, disturbance);
+  RecordVerdict verdict;
+  verdict.number = number, verdict.truth = record.law.label(), verdict.order = record.order;
+  std::optional<problems::FittedCycle> cycle;
+  verdict.milliseconds =
+      1e3 * seconds([&] {
+        try {
+          const auto samples =
+              problems::motion_samples(problems::parse_samples(record.table, "record"));
+          cycle = problems::fit_cycle(problems::find_motions(samples), problems::laws_to_try());
+        } catch (const std::invalid_argument& error) {
+          verdict.named = error.what();
+        }
+      });
+  verdict.step = record.step / record.noise;
+  if (!cycle) return verdict;
+  const MotionFit& fit = cycle->fits.front();
+  verdict.named = fit.best().law.label();
+  verdict.noise = record.deviation() / size_of(record, fit.motion.samples);
+  verdict.is_one_motion = cycle->fits.size() == 1;
+  if (!verdict.is_one_motion) return verdict;
+  verdict.trusted = fit.distrust.empty();
+  verdict.reason = fit.distrust;
+  verdict.as_good = fit.as_good.size();
+  verdict.is_right = verdict.is_among = is_right(fit.best(), record, fit.motion.samples);
+  for (const std::string& label : fit.as_good) {
+    const LawFit* other = ranked(fit, label);
+    if (verdict.is_among || other == nullptr) continue;
+    verdict.is_among = is_right(*other, record, fit.motion.samples);
+  }
+  compare_intervals(fit, record, verdict);
+  return verdict;
+}
+
+std::string line_of(const RecordVerdict& v) {
+  std::string text =
+      fmt::format("{};{};{};{:.3g};{:.3g};{};{:d};{:d};{:d};{:d};{};{:.0f}", v.number, v.truth,
+                  v.named, v.noise, v.step, v.order, v.is_one_motion, v.is_right, v.is_among,
+                  v.trusted, v.as_good, v.milliseconds);
+  for (std::size_t j = 0; j < v.held.size(); ++j) {
+    text += v.held[j] ? fmt::format(";{:d}", *v.held[j]) : ";";
+    text += v.width[j] ? fmt::format(";{:.4g}", *v.width[j]) : ";";
+  }
+  std::string reason = v.reason;
+  std::replace(reason.begin(), reason.end(), ';', ',');
+  return text + ";" + reason;
+}
+
+RecordVerdict verdict_of_line(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line + ";");
+  for (std::string cell; std::getline(stream, cell, ';');) cells.push_back(cell);
+  constexpr std::size_t kCells = 21;
+  if (cells.size() != kCells) throw std::invalid_argument("no verdict of a record: " + line);
+  RecordVerdict v;
+  v.number = std::stoull(cells[0]), v.truth = cells[1], v.named = cells[2];
+  v.noise = std::stod(cells[3]), v.step = std::stod(cells[4]), v.order = std::stoi(cells[5]);
+  v.is_one_motion = cells[6] == "1", v.is_right = cells[7] == "1", v.is_among = cells[8] == "1";
+  v.trusted = cells[9] == "1", v.as_good = std::stoul(cells[10]);
+  v.milliseconds = std::stod(cells[11]), v.reason = cells[20];
+  for (std::size_t j = 0; j < v.held.size(); ++j) {
+    if (!cells[12 + 2 * j].empty()) v.held[j] = cells[12 + 2 * j] == "1";
+    if (!cells[13 + 2 * j].empty()) v.width[j] = std::stod(cells[13 + 2 * j]);
+  }
+  return v;
+}
+
+}  // namespace camlaw::benchmarks
