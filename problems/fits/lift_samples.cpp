@@ -161,9 +161,9 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
   return is_off;
 }
 
-/// Samples far off a robust curve.
-std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> period,
-                             double least_noise) {
+/// How far samples lie off a robust curve that are far off it; 0 of all others.
+std::vector<double> far_off_in(const LiftSamples& lift, std::optional<double> period,
+                               double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
   std::vector<double> residuals;
   for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
@@ -172,7 +172,11 @@ std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> peri
   constexpr double kLeast = 1e-4;
   const FarOff found = far_off(lift.phi, residuals, freedom,
                                std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
-  return by_themselves(lift, residuals, found.samples);
+  const std::vector<bool> is_off = by_themselves(lift, residuals, found.samples);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!is_off[i]) residuals[i] = 0;
+  }
+  return residuals;
 }
 
 }  // namespace
@@ -190,19 +194,21 @@ LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
   const std::vector<Group> groups = sorted(phi, s, period);
   LiftSamples all;
   for (const Group& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
-  const std::vector<bool> is_off = has_suspects(all, least_noise)
-                                       ? far_off_in(all, period, least_noise)
-                                       : std::vector<bool>(groups.size());
+  const std::vector<double> off = has_suspects(all, least_noise)
+                                      ? far_off_in(all, period, least_noise)
+                                      : std::vector<double>(groups.size());
   LiftSamples kept;
+  std::vector<std::pair<std::size_t, double>> outlying;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (is_off[i]) {
-      const auto& samples = groups[i].samples;
-      kept.outlying.insert(kept.outlying.end(), samples.begin(), samples.end());
+    if (off[i] != 0) {
+      for (const std::size_t k : groups[i].samples)
+        outlying.emplace_back(k, s[k] - all.s[i] + off[i]);
     } else {
       kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
     }
   }
-  std::sort(kept.outlying.begin(), kept.outlying.end());
+  std::sort(outlying.begin(), outlying.end());
+  for (const auto& [sample, by] : outlying) kept.outlying.push_back(sample), kept.off.push_back(by);
   const double each = static_cast<double>(phi.size()) / static_cast<double>(groups.size());
   kept.noise =
       noise ? *noise / std::sqrt(each) : std::max(estimated_noise(kept.phi, kept.s), least_noise);
