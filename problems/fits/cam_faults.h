@@ -9,7 +9,7 @@ namespace camlaw::problems {
 /// The faults that a measured cam may have: its centre lies elsewhere (the unknowns are the true
 /// one's coordinates, mm), or a size of its follower is another one (the unknown is the stated size
 /// less the true one, mm), each by what it does to the lift at a fixed cam angle to first order
-/// (docs/theory.md, "Measured cams", (I10)).
+/// (docs/theory.md, "Measured cams", (I13) and (I14)).
 PossibleFault centre_of(const MeasuredCam& cam);
 std::vector<PossibleFault> possible_faults(const MeasuredCam& cam);
 

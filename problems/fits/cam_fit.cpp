@@ -183,7 +183,7 @@ CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFit
              std::move(departed)};
   fit.faults = faults_of(fit, options);
   if (!fit.faults.empty()) {
-    distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, centre.has_value()));
+    distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
   }
   fit.centre = centre;
   return fit;

@@ -24,7 +24,7 @@ std::string drift_words(const FaultTest& test, const std::string& unit) {
       quantity(test.size[0], unit), quantity(2 * std::sqrt(test.covariance(0, 0)), unit, 2));
 }
 
-std::string centre_words(const FaultTest& test, const std::string& unit, bool is_centred) {
+std::string centre_words(const FaultTest& test, const std::string& unit, bool can_centre) {
   const double far = std::hypot(test.size[0], test.size[1]);
   const double towards = in_turn(std::atan2(test.size[1], test.size[0])) / kDegree;
   // A cam's fault is a length whatever its follower's unit is.
@@ -32,8 +32,7 @@ std::string centre_words(const FaultTest& test, const std::string& unit, bool is
       "what the laws leave goes once round per turn, {} towards {:.0f} deg, as where the cam was "
       "clamped off its centre{}",
       quantity(far, unit == "deg" ? "mm" : unit), towards,
-      is_centred ? "; the centre was fitted, and the laws still leave that"
-                 : ": --shift centre fits the centre along");
+      can_centre ? ": --shift centre fits the centre along" : "");
 }
 
 std::string size_words(const FaultTest& test) {
@@ -45,12 +44,12 @@ std::string size_words(const FaultTest& test) {
       quantity(2 * std::sqrt(test.covariance(0, 0)), "mm", 2), name);
 }
 
-std::string words_of(const FaultTest& test, const std::string& unit, bool is_centred) {
+std::string words_of(const FaultTest& test, const std::string& unit, bool can_centre) {
   switch (test.fault.kind) {
     case FaultKind::Drift:
       return drift_words(test, unit);
     case FaultKind::OffCentre:
-      return centre_words(test, unit, is_centred);
+      return centre_words(test, unit, can_centre);
     case FaultKind::OwnSize:
       return size_words(test);
   }
@@ -80,10 +79,10 @@ std::string many_far(const std::vector<FaultyRow>& rows, std::size_t of,
 }
 
 std::string fault_words(const std::vector<FaultTest>& seen, const std::string& unit,
-                        bool is_centred) {
-  std::string words = words_of(seen.front(), unit, is_centred);
+                        bool can_centre) {
+  std::string words = words_of(seen.front(), unit, can_centre);
   for (std::size_t i = 1; i < seen.size(); ++i) {
-    words += "; or, as likely, " + words_of(seen[i], unit, is_centred);
+    words += "; or, as likely, " + words_of(seen[i], unit, can_centre);
   }
   return words;
 }

@@ -15,8 +15,8 @@ std::string many_far(const std::vector<FaultyRow>& rows, std::size_t of,
                      const MotionSamples& samples);
 
 /// What the record shows, what it means and what helps, the likeliest fault first. `unit`: of the
-/// samples; `is_centred`: the centre has been fitted along.
+/// samples; `can_centre`: --shift centre would fit the centre along, which it has not yet.
 std::string fault_words(const std::vector<FaultTest>& seen, const std::string& unit,
-                        bool is_centred);
+                        bool can_centre);
 
 }  // namespace camlaw::problems

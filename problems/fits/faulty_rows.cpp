@@ -122,8 +122,8 @@ std::optional<OddOne> odd_one(const MotionSamples& samples) {
 }  // namespace
 
 bool are_few(std::size_t off, std::size_t rows) {
-  constexpr std::size_t kOneIn = 100;
-  return off <= std::max<std::size_t>(1, rows / kOneIn);
+  constexpr std::size_t kFew = 3, kOneIn = 50;
+  return off <= std::max(kFew, rows / kOneIn);
 }
 
 void leave_out_stray_places(MotionRecord& record) {

@@ -37,8 +37,8 @@ void leave_out_stray_places(MotionRecord& record);
 /// as in find_motions.
 void leave_out_far_values(MotionRecord& record, double period);
 
-/// Whether so few rows of so many lie off that the others can be relied upon: one in a hundred, or
-/// one.
+/// Whether so few rows of so many lie off that the others can be relied upon: one in fifty, or
+/// three.
 bool are_few(std::size_t off, std::size_t rows);
 
 }  // namespace camlaw::problems

@@ -124,7 +124,12 @@ FoundCycle find_motions(const MotionSamples& samples) {
     }
     const double low = s.begin - (has_before && count > 1 ? beside((i + count - 1) % count) : 0);
     const double high = s.end + (has_after && count > 1 ? beside((i + 1) % count) : 0);
-    result.motions.push_back({{s.begin, s.end, s.from, s.to}, between(samples, low, high, period)});
+    MotionSamples own = between(samples, low, high, period);
+    if (own.place.size() < kFewestOfMotion) {  // a few rows that lie off are no motion
+      result.segments[i].kind = SegmentKind::Dwell;
+      continue;
+    }
+    result.motions.push_back({{s.begin, s.end, s.from, s.to}, std::move(own)});
   }
   if (result.motions.empty()) throw std::invalid_argument("samples: they show no motion");
   return result;

@@ -21,6 +21,9 @@ MotionRecord motion_record(const SampleTable& table);
 /// Of that the samples alone.
 MotionSamples motion_samples(const SampleTable& table);
 
+/// Begin, end, stroke and zero of a motion, and one more to tell an error by.
+inline constexpr std::size_t kFewestOfMotion = 5;
+
 /// One rise or return of a cycle, and its samples.
 struct FoundMotion {
   MotionGuess guess;

@@ -13,23 +13,20 @@
 namespace camlaw::problems {
 namespace {
 
-/// Begin, end, stroke and zero, and one more to tell an error by.
-constexpr std::size_t kFewest = 5;
-
 void check_enough(const MotionSamples& samples) {
   const std::size_t count = samples.place.size();
-  if (count >= kFewest) return;
+  if (count >= kFewestOfMotion) return;
   throw std::invalid_argument(fmt::format(
       "{} sample{} cannot tell a motion, which has begin, end, stroke and zero; {} rows "
       "of numbers at least are wanted",
-      count, count == 1 ? "" : "s", kFewest));
+      count, count == 1 ? "" : "s", kFewestOfMotion));
 }
 
 std::vector<PossibleFault> possible_faults(const MotionSamples& samples, double period) {
   if (samples.order != 0) return {};
   const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
   std::vector<PossibleFault> faults{drift(*low, *high - *low, period)};
-  if (period > 0) faults.push_back(off_centre());
+  if (samples.place_unit == "deg") faults.push_back(off_centre());
   return faults;
 }
 
@@ -105,7 +102,8 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   result.faults =
       seen_faults(tested(ranked_motions(result.cycle), possible_faults(samples, period)));
   if (!result.faults.empty()) {
-    distrust_all(result.cycle, fault_words(result.faults, samples.unit, options.fit_centre));
+    distrust_all(result.cycle,
+                 fault_words(result.faults, samples.unit, period > 0 && !options.fit_centre));
   }
   return result;
 }

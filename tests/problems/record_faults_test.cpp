@@ -138,6 +138,20 @@ TEST_CASE("a row that is off is named by its line and left out", "[record-faults
   }
 }
 
+TEST_CASE("rows that are off at the ends of a record are found too", "[record-faults]") {
+  for (const std::size_t wrong : {0, 1, 2, 118, 119, 120}) {
+    for (const double by : {4.0, -0.3}) {
+      INFO("row " << wrong << " off by " << by);
+      MotionRecord record = rise(121, 0.004, 3);
+      record.samples.value[wrong] += by;
+      leave_out_far_values(record, 0);
+      REQUIRE(record.far.size() == 1);
+      CHECK(record.far[0].line == wrong + 2);
+      CHECK(record.far[0].distance == Approx(by).margin(0.08));
+    }
+  }
+}
+
 TEST_CASE("sound records keep all their rows", "[record-faults]") {
   for (unsigned seed = 0; seed < 30; ++seed) {
     for (const char* name : {"modified-sine", "parabolic", "cycloidal", "poly-3-4-5", "cosine"}) {
