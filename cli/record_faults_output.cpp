@@ -54,8 +54,8 @@ std::string centre_text(const SamplesAnswer& answer) {
   return fmt::format("centre fitted along: {} off, towards {} deg (x {} +- {}, y {} +- {})\n",
                      with_unit(number(std::abs(centre->place)), centre_unit(answer)),
                      in_digits(towards, 4), number(centre->place.real()),
-                     in_digits(centre->x_error, 2), number(centre->place.imag()),
-                     in_digits(centre->y_error, 2));
+                     in_digits(centre->x_error(), 2), number(centre->place.imag()),
+                     in_digits(centre->y_error(), 2));
 }
 
 Json rows_json(const std::vector<FaultyRow>& rows) {
@@ -117,8 +117,8 @@ void add_record_faults(const SamplesAnswer& answer, Json& result) {
   result["centre"] = !centre ? Json(nullptr)
                              : Json{{"x", to_json(centre->place.real())},
                                     {"y", to_json(centre->place.imag())},
-                                    {"x_standard_deviation", to_json(centre->x_error)},
-                                    {"y_standard_deviation", to_json(centre->y_error)},
+                                    {"x_standard_deviation", to_json(centre->x_error())},
+                                    {"y_standard_deviation", to_json(centre->y_error())},
                                     {"unit", centre_unit(answer)}};
 }
 

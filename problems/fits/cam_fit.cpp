@@ -186,6 +186,7 @@ CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFit
     distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
   }
   fit.centre = centre;
+  if (centre) widen_all(fit.cycle, centre_of(fit.cam), *centre);
   return fit;
 }
 

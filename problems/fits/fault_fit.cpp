@@ -97,6 +97,9 @@ std::vector<Member> best_with(const RankedMotions& found, const PossibleFault& f
 
 }  // namespace
 
+double Centre::x_error() const { return std::sqrt(covariance(0, 0)); }
+double Centre::y_error() const { return std::sqrt(covariance(1, 1)); }
+
 std::size_t RankedMotions::count() const {
   std::size_t result = 0;
   for (const MotionSamples& motion : samples) result += motion.place.size();
@@ -143,8 +146,7 @@ Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
     if (by->norm() < kSettled * cycle.noise) break;
   }
   const FaultFit fit = fit_fault(take_out, centre, laws, options);
-  return {
-      {fit.size[0], fit.size[1]}, std::sqrt(fit.covariance(0, 0)), std::sqrt(fit.covariance(1, 1))};
+  return {{fit.size[0], fit.size[1]}, fit.covariance};
 }
 
 }  // namespace camlaw::problems

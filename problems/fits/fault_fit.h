@@ -41,7 +41,10 @@ FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::ve
 /// The centre about which a record of a whole turn was taken.
 struct Centre {
   std::complex<double> place;  ///< in the unit of the fault's unknowns
-  double x_error = 0, y_error = 0;
+  Eigen::Matrix2d covariance;  ///< of x and y
+
+  double x_error() const;
+  double y_error() const;
 };
 
 /// Begins with the dwells, in which nothing but the centre moves the samples.

@@ -31,40 +31,52 @@ std::vector<Eigen::Index> free_columns(const optim::FitResult& fit) {
   return result;
 }
 
-std::optional<Left> left_by(const LawFit& fit, const MotionSamples& samples,
-                            const PossibleFault& fault, bool weighted) {
+/// A law's residuals, its Jacobian's free columns and a fault's at the samples, each row by the
+/// root of its weight where they are weighted.
+struct Columns {
+  std::vector<Eigen::Index> free;  ///< which of the parameters
+  MatrixXd own, fault;
+  VectorXd residual;
+};
+
+std::optional<Columns> columns_of(const LawFit& fit, const MotionSamples& samples,
+                                  const PossibleFault& fault, bool weighted) {
   const std::size_t n = samples.place.size(), p = fit.fit.parameters.size();
   std::vector<double> values, r(n), rows(n * p);
   for (const auto& parameter : fit.fit.parameters) values.push_back(parameter.value);
   if (!MotionResiduals(samples, fit.law).evaluate(values, r, rows)) return {};
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const auto rows_count = static_cast<Eigen::Index>(n), all = static_cast<Eigen::Index>(p);
-  const Eigen::Map<const RowMajor> jacobian(rows.data(), rows_count, all);
-  const std::vector<Eigen::Index> free = free_columns(fit.fit);
-  MatrixXd own(rows_count, static_cast<Eigen::Index>(free.size()));
-  for (std::size_t j = 0; j < free.size(); ++j) {
-    VectorXd column = jacobian.col(free[j]);
-    const double length = column.norm();
-    own.col(static_cast<Eigen::Index>(j)) = length > 0 ? VectorXd(column / length) : column;
+  const auto count = static_cast<Eigen::Index>(n);
+  const Eigen::Map<const RowMajor> jacobian(rows.data(), count, static_cast<Eigen::Index>(p));
+  Columns columns{free_columns(fit.fit), {}, MatrixXd(count, fault.by.size()), {}};
+  columns.residual = Eigen::Map<const VectorXd>(r.data(), count);
+  columns.own.resize(count, static_cast<Eigen::Index>(columns.free.size()));
+  for (std::size_t j = 0; j < columns.free.size(); ++j) {
+    columns.own.col(static_cast<Eigen::Index>(j)) = jacobian.col(columns.free[j]);
   }
-  Left left{Eigen::Map<const VectorXd>(r.data(), rows_count),
-            MatrixXd(rows_count, static_cast<Eigen::Index>(fault.by.size()))};
-  for (Eigen::Index i = 0; i < rows_count; ++i) {
+  for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     for (std::size_t j = 0; j < fault.by.size(); ++j) {
-      left.fault(i, static_cast<Eigen::Index>(j)) = fault.by[j](samples.place[k]);
+      columns.fault(i, static_cast<Eigen::Index>(j)) = fault.by[j](samples.place[k]);
     }
     const double root = weighted ? std::sqrt(fit.fit.weights[k]) : 1;
-    own.row(i) *= root, left.fault.row(i) *= root, left.residual[i] *= root;
+    columns.own.row(i) *= root, columns.fault.row(i) *= root, columns.residual[i] *= root;
   }
-  if (!own.allFinite() || !left.fault.allFinite()) return {};
-  if (own.cols() > 0) {
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(own);
-    const Eigen::Index rank = qr.rank();
-    const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(rows_count, rank);
-    left.residual -= basis * (basis.transpose() * left.residual);
-    left.fault -= basis * (basis.transpose() * left.fault);
-  }
+  if (!columns.own.allFinite() || !columns.fault.allFinite()) return {};
+  return columns;
+}
+
+std::optional<Left> left_by(const LawFit& fit, const MotionSamples& samples,
+                            const PossibleFault& fault, bool weighted) {
+  auto columns = columns_of(fit, samples, fault, weighted);
+  if (!columns) return {};
+  Left left{std::move(columns->residual), std::move(columns->fault)};
+  if (columns->own.cols() == 0) return left;
+  columns->own.colwise().normalize();  // so that the rank does not depend on units
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns->own);
+  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(left.residual.size(), qr.rank());
+  left.residual -= basis * (basis.transpose() * left.residual);
+  left.fault -= basis * (basis.transpose() * left.fault);
   return left;
 }
 
@@ -157,6 +169,23 @@ PossibleFault off_centre() {
           {"centre_x", "centre_y"},
           {[](double place) { return std::cos(place * kDegree); },
            [](double place) { return std::sin(place * kDegree); }}};
+}
+
+void widen(LawFit& fit, const MotionSamples& samples, const PossibleFault& fault,
+           const MatrixXd& covariance) {
+  const auto columns = columns_of(fit, samples, fault, true);
+  if (!columns || columns->own.cols() == 0) return;
+  const MatrixXd follow = columns->own.colPivHouseholderQr().solve(columns->fault);
+  const MatrixXd more = follow * covariance * follow.transpose();
+  for (std::size_t k = 0; k < columns->free.size(); ++k) {
+    optim::FittedParameter& p = fit.fit.parameters[static_cast<std::size_t>(columns->free[k])];
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!(p.standard_deviation > 0) || !std::isfinite(p.standard_deviation)) continue;
+    const double wider = std::sqrt(1 + more(i, i) / (p.standard_deviation * p.standard_deviation));
+    p.standard_deviation *= wider;
+    p.low = p.value - wider * (p.value - p.low);
+    p.high = p.value + wider * (p.high - p.value);
+  }
 }
 
 FaultScore by_aicc() { return {optim::aicc, true}; }

@@ -60,6 +60,12 @@ FaultTest test_fault(const std::vector<std::vector<LawFit>>& rankings,
                      const std::vector<MotionSamples>& samples, PossibleFault fault,
                      const FaultScore& score = by_aicc());
 
+/// Deviations and intervals of a law's numbers with the error of a fault that was fitted along and
+/// taken out of the samples: what the numbers follow of it, K = J^+ E, adds K C K^T to their
+/// covariance, C being the fault's.
+void widen(LawFit& fit, const MotionSamples& samples, const PossibleFault& fault,
+           const Eigen::MatrixXd& covariance);
+
 /// The gain in AICc from which on a fault is taken to be there; of one with which plain laws tell
 /// the samples it is enough that these do as well.
 inline constexpr double kGainOfFault = 8, kGainWithPlainLaws = -4;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/fit/statistics.h"
 #include "problems/fits/fault_words.h"
 #include "problems/fits/turn.h"
 
@@ -55,10 +56,35 @@ void distrust_many_far(RecordedMotion& found, double period) {
   }
 }
 
+/// The laws of the record; where none can be found, and the lift does not come back to where it
+/// began, that is why.
+FittedCycle fitted(const MotionSamples& samples, double period, const std::vector<Member>& laws,
+                   const LawFitOptions& options) {
+  try {
+    return fit_cycle(find_motions(samples), laws, options);
+  } catch (const std::invalid_argument&) {
+    constexpr double kOpen = 0.02;  // of the whole lift
+    const std::vector<std::size_t> order = optim::order_of(samples.place);
+    const double first = samples.value[order.front()], last = samples.value[order.back()];
+    const auto [low, high] = std::minmax_element(samples.value.begin(), samples.value.end());
+    if (period == 0 || std::abs(last - first) <= kOpen * (*high - *low)) throw;
+    throw std::invalid_argument(
+        fmt::format("the lift is {:.4g} {} where the turn begins and {:.4g} {} where it ends: it "
+                    "drifted, or jumped, while it was measured",
+                    first, samples.unit, last, samples.unit));
+  }
+}
+
 }  // namespace
 
 void distrust_all(FittedCycle& cycle, const std::string& why) {
   for (MotionFit& fit : cycle.fits) fit.distrust = why;
+}
+
+void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by) {
+  for (MotionFit& fit : cycle.fits) {
+    for (LawFit& law : fit.ranking) widen(law, fit.motion.samples, centre, by.covariance);
+  }
 }
 
 RankedMotions ranked_motions(const FittedCycle& cycle) {
@@ -96,8 +122,9 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
     const std::complex<double> centre = result.centre->place;
     samples = about(samples, centre.real(), centre.imag()).samples;
   }
-  result.cycle = fit_cycle(find_motions(samples), laws,
-                           part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
+  result.cycle =
+      fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
+  if (result.centre) widen_all(result.cycle, off_centre(), *result.centre);
   distrust_many_far(result, period);
   result.faults =
       seen_faults(tested(ranked_motions(result.cycle), possible_faults(samples, period)));

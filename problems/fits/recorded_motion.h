@@ -29,6 +29,8 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
 
 /// Tells every motion of a cycle not to be trusted for a fault of the record.
 void distrust_all(FittedCycle& cycle, const std::string& why);
+/// Intervals of the laws' numbers with the error of the centre that was taken out.
+void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by);
 /// The laws that were tried for each motion, and its samples.
 RankedMotions ranked_motions(const FittedCycle& cycle);
 /// test_fault() of each.
