@@ -162,8 +162,8 @@ Count counted(Wrong wrong, bool is_turn, int records) {
 TEST_CASE("records with faults are not trusted where their curve is wrong",
           "[.long][false-trust]") {
   fmt::print(
-      "| record | fault | motions | trusted | curve wrong | law wrong "
-      "|\n|---|---|---|---|---|---|\n");
+      "| record | fault | records | named | motions | trusted | curve wrong | law wrong |\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|\n");
   for (const bool is_turn : {false, true}) {
     for (const auto& [name, wrong] :
          {std::pair{"none", Wrong::Nothing}, std::pair{"drift", Wrong::Drift},
