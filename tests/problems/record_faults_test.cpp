@@ -287,7 +287,7 @@ TEST_CASE("a drift is told from a cam that is off its centre", "[record-faults]"
   for (const MotionFit& fit : found.cycle.fits) CHECK_THAT(fit.distrust, Contains("drift"));
 }
 
-TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-faults]") {
+TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-faults][heavy]") {
   struct Case {
     std::string mechanism, sizes;
   };
