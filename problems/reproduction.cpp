@@ -38,8 +38,8 @@ Number read_number(const std::string& text, const char* column, std::size_t line
 std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source) {
   try {
     std::vector<PrintedValue> result;
-    for (const auto& [line, cells] : csv_rows(csv, {"id", "quantity", "law", "condition", "unit",
-                                                    "place", "printed", "decimals"})) {
+    for (const auto& [line, cells] : csv_rows(
+             csv, {"id", "quantity", "law", "condition", "unit", "place", "printed", "decimals"})) {
       result.push_back({.id = cells[0],
                         .quantity = cells[1],
                         .law = cells[2],
