@@ -14,6 +14,7 @@
 #include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
+#include "problems/fits/assumed_units.h"
 #include "problems/fits/found_program.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/standard_machine.h"
@@ -125,32 +126,59 @@ void give_samples(const FitCommand& options, const SamplesAnswer& answer,
   give(options, samples_text(answer), samples_json(answer).dump(2) + "\n", std::move(files));
 }
 
+bool shifts(const FitCommand& options, const char* what) {
+  return std::find(options.shifts.begin(), options.shifts.end(), what) != options.shifts.end();
+}
+
+/// Of a motion and of a cam's profile the centre alone can be unknown.
+void check_centre_alone(const FitCommand& options) {
+  for (const char* other : {"place", "value"}) {
+    if (!shifts(options, other)) continue;
+    throw std::invalid_argument(fmt::format(
+        "--shift {}: it goes with a recorded curve, and --mechanism FILE; of a motion or "
+        "a cam's profile the centre can be unknown, --shift centre",
+        other));
+  }
+}
+
 void fit_samples(const FitCommand& options, const problems::SampleTable& table) {
-  const problems::MotionSamples samples = problems::motion_samples(table);
+  if (options.response || !options.set.empty()) {
+    throw std::invalid_argument("--response and --set go with --mechanism FILE");
+  }
+  check_centre_alone(options);
+  if (problems::goes_round(table)) {
+    throw std::invalid_argument(
+        "x and y go round as a cam's profile does: state what runs on it, --mechanism FILE, and "
+        "the unit, 'x [mm]'");
+  }
+  problems::MotionRecord record = problems::motion_record(table);
   ProgressLine line(!options.json);
-  const SamplesAnswer answer{*options.data, samples.lacking, samples.each, samples.left_out,
-                             problems::fit_cycle(problems::find_motions(samples), laws_of(options),
-                                                 how_of(options, line))};
+  const problems::MotionSamples& read = record.samples;
+  SamplesAnswer answer{*options.data, read.lacking, read.each, read.left_out, {}, record.notes};
+  answer.fit = problems::fit_recorded_motion(std::move(record), laws_of(options),
+                                             {how_of(options, line), shifts(options, "centre")});
   line.clear();
   give_samples(options, answer, {});
 }
 
-void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
-  if (!options.shifts.empty()) {
-    throw std::invalid_argument("--shift: it goes with a recorded curve, not with a cam's profile");
-  }
+void fit_cam(const FitCommand& options, problems::SampleTable table) {
+  check_centre_alone(options);
   if (!options.mechanism) {
     throw std::invalid_argument(fmt::format(
         "it is a cam's profile; what runs on it is needed: --mechanism FILE, or one of {}",
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
-  problems::MeasuredCam cam = problems::measured_cam(table, machine);
+  std::vector<std::string> notes = problems::assume_profile_units(table);
   ProgressLine line(!options.json);
-  const std::size_t lacking = cam.lacking, each = cam.each, far_rows = cam.left_out;
-  const SamplesAnswer answer{
-      *options.data, lacking, each, far_rows,
-      problems::fit_cam(std::move(cam), laws_of(options), how_of(options, line))};
+  const auto laws = laws_of(options);
+  const auto how = how_of(options, line);
+  problems::CamFit fit = shifts(options, "centre")
+                             ? problems::fit_centred_cam(table, machine, laws, how)
+                             : problems::fit_cam(problems::measured_cam(table, machine), laws, how);
+  const std::size_t lacking = fit.cam.lacking, each = fit.cam.each, far_rows = fit.cam.left_out;
+  const SamplesAnswer answer{*options.data, lacking,        each,
+                             far_rows,      std::move(fit), std::move(notes)};
   line.clear();
   std::vector<OutputFile> files;
   if (options.out) {
@@ -168,15 +196,17 @@ void fit_cam(const FitCommand& options, const problems::SampleTable& table) {
   }
 }
 
-bool shifts(const FitCommand& options, const char* what) {
-  return std::find(options.shifts.begin(), options.shifts.end(), what) != options.shifts.end();
-}
-
 void fit_recorded(const FitCommand& options, const problems::SampleTable& table) {
   if (options.law) {
     throw std::invalid_argument(
         "--law: it goes with a motion or a cam's profile; of a recorded curve the law is the "
         "machine's own");
+  }
+  if (shifts(options, "centre")) {
+    throw std::invalid_argument(
+        "--shift centre: it goes with a motion or a cam's profile; of a recorded curve the zeros "
+        "of "
+        "place and value can be unknown, --shift place,value");
   }
   const problems::ProblemStatement machine = machine_of(options);
   problems::RecordedCurve record =
@@ -202,12 +232,10 @@ void fit_table(const FitCommand& options) {
   if (options.out) check_writable({in_out(options, "fit.json")});
   const problems::SampleTable table = problems::read_samples(*options.data);
   try {
-    if (!options.response && problems::shows_profile(table)) return fit_cam(options, table);
-    if (options.mechanism) return fit_recorded(options, table);
-    if (options.response || !options.set.empty() || !options.shifts.empty()) {
-      throw std::invalid_argument("--response, --set and --shift go with --mechanism FILE");
-    }
-    fit_samples(options, table);
+    const bool is_profile =
+        problems::shows_profile(table) || (options.mechanism && problems::goes_round(table));
+    if (!options.response && is_profile) return fit_cam(options, table);
+    options.mechanism ? fit_recorded(options, table) : fit_samples(options, table);
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     if (what.starts_with(*options.data)) throw;
@@ -254,8 +282,9 @@ void add_fit_command(CLI::App& app) {
       ->type_name("NAME");
   command
       ->add_option("--shift", options->shifts,
-                   "a zero of the record that is unknown and fitted along: place, value, or both")
-      ->check(CLI::IsMember({"place", "value"}))
+                   "what of the record is unknown and fitted along: centre (of a motion or a cam's "
+                   "profile), the zeros of place and value (of a machine's curve)")
+      ->check(CLI::IsMember({"centre", "place", "value"}))
       ->delimiter(',');
   command
       ->add_option("--loss", options->loss,

@@ -9,6 +9,7 @@
 #include "problems/fits/constants_fit.h"
 #include "problems/fits/motion_fit.h"
 #include "problems/fits/record_fit.h"
+#include "problems/fits/recorded_motion.h"
 
 /// Fits for people and for programs.
 namespace camlaw::cli {
@@ -47,16 +48,30 @@ Figure record_figure(const RecordAnswer& answer);
 struct SamplesAnswer {
   std::string source;
   std::size_t left_out = 0;  ///< rows that lack a number
-  std::size_t each = 1;      ///< rows that are taken as one mean
-  std::size_t far_rows = 0;  ///< of those, left out as far off their neighbours
-  /// The laws, or the cam that they and more were found of.
-  std::variant<problems::FittedCycle, problems::CamFit> fit;
+  std::size_t each = 1;      ///< measured rows that a sample is the mean of
+  std::size_t far_rows = 0;  ///< of those, far off their neighbours
+  std::variant<problems::RecordedMotion, problems::CamFit> fit;
+  std::vector<std::string> notes = {};  ///< what was assumed in reading
 
   const problems::CamFit* cam() const { return std::get_if<problems::CamFit>(&fit); }
+  const problems::RecordedMotion* motion() const {
+    return std::get_if<problems::RecordedMotion>(&fit);
+  }
   const problems::FittedCycle& cycle() const {
-    return cam() != nullptr ? cam()->cycle : std::get<problems::FittedCycle>(fit);
+    return cam() != nullptr ? cam()->cycle : motion()->cycle;
+  }
+  const std::vector<problems::FaultTest>& faults() const {
+    return cam() != nullptr ? cam()->faults : motion()->faults;
+  }
+  const std::optional<problems::Centre>& centre() const {
+    return cam() != nullptr ? cam()->centre : motion()->centre;
   }
 };
+
+/// What is wrong with the record: rows that were left out, the centre that was fitted.
+std::string record_faults_text(const SamplesAnswer& answer);
+/// The same: `stray_rows`, `far_rows`, `faults`, `centre`, `notes`.
+void add_record_faults(const SamplesAnswer& answer, Json& result);
 
 /// What a measured cam adds: what of it lies off.
 std::string cam_text(const problems::CamFit& cam);

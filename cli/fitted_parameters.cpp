@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/fit_output.h"
 #include "cli/text_table.h"
 
 namespace camlaw::cli {
 
-std::string number(double value) { return in_digits(value, 6); }
+std::string number(double value) {
+  return std::isnan(value) ? "-" : in_digits(value, 6);  // what was not computed
+}
 
 std::string fitted_table(const optim::FitResult& fit) {
   TextTable table({{"number", TextTable::Align::Left},

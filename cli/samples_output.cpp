@@ -226,7 +226,7 @@ std::string samples_text(const SamplesAnswer& answer) {
       (answer.cam() != nullptr ? cam_text(*answer.cam()) : "") + segments_text(answer);
   if (answer.left_out > 0)
     text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
-  text = condensed_text(answer.each, answer.far_rows) + text;
+  text = condensed_text(answer.each, answer.far_rows) + record_faults_text(answer) + text;
   for (const MotionFit& fit : answer.cycle().fits) {
     if (answer.cycle().fits.size() > 1) {
       text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
@@ -256,6 +256,7 @@ Json samples_json(const SamplesAnswer& answer) {
   result["left_out"] = answer.left_out;
   result["rows_each"] = answer.each;
   result["far_rows_left_out"] = answer.far_rows;
+  add_record_faults(answer, result);
   if (answer.cam() != nullptr) result["cam"] = cam_json(*answer.cam());
   return result;
 }

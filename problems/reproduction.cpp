@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#define CSV_IO_NO_THREAD
-#include <csv.h>
-
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
@@ -13,6 +10,7 @@
 #include "problems/balancing_cam/reproduction.h"
 #include "problems/baseline.csv.h"
 #include "problems/cam_shape/reproduction.h"
+#include "problems/csv_rows.h"
 #include "problems/die_press/reproduction.h"
 #include "problems/sheet_delivery/reproduction.h"
 #include "problems/signature_feeder/reproduction.h"
@@ -24,7 +22,7 @@ namespace {
 
 /// The double nearest to a printed number, or a whole number.
 template <class Number>
-Number read_number(const std::string& text, const char* column, unsigned line) {
+Number read_number(const std::string& text, const char* column, std::size_t line) {
   Number number{};
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);
@@ -38,19 +36,19 @@ Number read_number(const std::string& text, const char* column, unsigned line) {
 }  // namespace
 
 std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source) {
-  using Reader = io::CSVReader<8, io::trim_chars<' '>, io::double_quote_escape<',', '"'>>;
   try {
-    Reader reader(source, csv.data(), csv.data() + csv.size());
-    reader.read_header(io::ignore_extra_column, "id", "quantity", "law", "condition", "printed",
-                       "unit", "decimals", "place");
     std::vector<PrintedValue> result;
-    PrintedValue row;
-    std::string printed, decimals;
-    while (reader.read_row(row.id, row.quantity, row.law, row.condition, printed, row.unit,
-                           decimals, row.place)) {
-      row.number.value = read_number<double>(printed, "printed", reader.get_file_line());
-      row.number.decimals = read_number<int>(decimals, "decimals", reader.get_file_line());
-      result.push_back(row);
+    for (const auto& [line, cells] : csv_rows(
+             csv, {"id", "quantity", "law", "condition", "unit", "place", "printed", "decimals"})) {
+      result.push_back({.id = cells[0],
+                        .quantity = cells[1],
+                        .law = cells[2],
+                        .condition = cells[3],
+                        .number = {},
+                        .unit = cells[4],
+                        .place = cells[5]});
+      result.back().number.value = read_number<double>(cells[6], "printed", line);
+      result.back().number.decimals = read_number<int>(cells[7], "decimals", line);
     }
     return result;
   } catch (const std::exception& error) {
@@ -146,13 +144,9 @@ struct Expected {
 };
 
 std::vector<Expected> read_baseline() {
-  io::CSVReader<3> reader("baseline.csv", data::baseline.data(),
-                          data::baseline.data() + data::baseline.size());
-  reader.read_header(io::ignore_no_column, "system", "id", "verdict");
   std::vector<Expected> result;
-  std::string system, id, verdict;
-  while (reader.read_row(system, id, verdict)) {
-    result.push_back({system, id, read_finding(verdict)});
+  for (const CsvRow& row : csv_rows(data::baseline, {"system", "id", "verdict"})) {
+    result.push_back({row.cells[0], row.cells[1], read_finding(row.cells[2])});
   }
   return result;
 }

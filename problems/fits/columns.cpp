@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -69,12 +68,6 @@ double common_step(std::vector<double> values) {
 
 }  // namespace
 
-bool is_called(const SampleColumn& column, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(), [&](const char* name) {
-    return boost::algorithm::iequals(column.name, name);
-  });
-}
-
 const SampleColumn* first_column(const SampleTable& table,
                                  const std::function<bool(const SampleColumn&)>& is_wanted) {
   const SampleColumn* first = nullptr;
@@ -86,9 +79,8 @@ const SampleColumn* first_column(const SampleTable& table,
   return first;
 }
 
-const SampleColumn* find_column(const SampleTable& table,
-                                std::initializer_list<const char*> names) {
-  return first_column(table, [&](const SampleColumn& column) { return is_called(column, names); });
+const SampleColumn* find_column(const SampleTable& table, ColumnKind kind) {
+  return first_column(table, [&](const SampleColumn& c) { return is_named(c.name, kind); });
 }
 
 const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* other) {
@@ -96,8 +88,10 @@ const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* 
 }
 
 const SampleColumn& place_column(const SampleTable& table, const SampleColumn* value) {
-  const SampleColumn* place =
-      find_column(table, {"angle", "cam_angle", "phi", "theta", "x", "t", "time"});
+  const SampleColumn* place = first_column(table, [](const SampleColumn& column) {
+    return is_named(column.name, ColumnKind::Angle) || is_named(column.name, ColumnKind::Time) ||
+           is_named(column.name, ColumnKind::Across);
+  });
   return place != nullptr && place != value ? *place : column_beside(table, value);
 }
 

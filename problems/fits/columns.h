@@ -2,27 +2,25 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "problems/fits/column_names.h"
 #include "problems/fits/sample_table.h"
 
 /// What the columns of measured tables are called, and what they are counted in.
 namespace camlaw::problems {
 
-/// Whether a column has one of the names, in any case.
-bool is_called(const SampleColumn& column, std::initializer_list<const char*> names);
 /// The first column that is wanted, of several one that is no text; null where there is none.
 const SampleColumn* first_column(const SampleTable& table,
                                  const std::function<bool(const SampleColumn&)>& is_wanted);
-/// That which has one of the names.
-const SampleColumn* find_column(const SampleTable& table, std::initializer_list<const char*> names);
+/// That which is called as one of a kind.
+const SampleColumn* find_column(const SampleTable& table, ColumnKind kind);
 
 /// That which is not the other one.
 const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* other);
-/// The column of the place: called angle, cam_angle, phi, theta, x, t or time, else the first but
-/// `value`, which may be null.
+/// The column of the place: called as an angle, a time or x, else the first but `value`, which may
+/// be null.
 const SampleColumn& place_column(const SampleTable& table, const SampleColumn* value);
 
 /// Whether a column's unit is of a unit's kind.

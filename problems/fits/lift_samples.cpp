@@ -139,7 +139,7 @@ double miss_of(const LiftSamples& lift, const std::vector<bool>& left_out, std::
   }
   double miss = lift.s[i];
   for (const std::size_t k : at) miss -= lagrange_weight(lift.phi, at, k, i) * lift.s[k];
-  return std::abs(miss);
+  return miss;
 }
 
 /// Of the suspects those that are by themselves: where the curve is wrong samples follow their
@@ -153,17 +153,17 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
     again = false;
     for (const std::size_t i : suspects) {
       const double size = std::abs(residuals[i]);
-      if (is_off[i] || miss_of(lift, is_off, i) < kOwnOfAll * size) continue;
-      if (miss_of(lift, is_suspect, i) < kOwn * size) continue;
+      if (is_off[i] || std::abs(miss_of(lift, is_off, i)) < kOwnOfAll * size) continue;
+      if (std::abs(miss_of(lift, is_suspect, i)) < kOwn * size) continue;
       is_off[i] = again = true;
     }
   }
   return is_off;
 }
 
-/// Samples far off a robust curve.
-std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> period,
-                             double least_noise) {
+/// How far samples lie off a robust curve that are far off it; 0 of all others.
+std::vector<double> far_off_in(const LiftSamples& lift, std::optional<double> period,
+                               double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
   std::vector<double> residuals;
   for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
@@ -172,7 +172,69 @@ std::vector<bool> far_off_in(const LiftSamples& lift, std::optional<double> peri
   constexpr double kLeast = 1e-4;
   const FarOff found = far_off(lift.phi, residuals, freedom,
                                std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
-  return by_themselves(lift, residuals, found.samples);
+  const std::vector<bool> is_off = by_themselves(lift, residuals, found.samples);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!is_off[i]) residuals[i] = 0;
+  }
+  return residuals;
+}
+
+/// Samples as they are, or seen from their end.
+LiftSamples seen_from(const LiftSamples& lift, bool end) {
+  if (!end) return lift;
+  LiftSamples turned;
+  for (std::size_t i = lift.phi.size(); i-- > 0;) {
+    turned.phi.push_back(-lift.phi[i]), turned.s.push_back(lift.s[i]);
+  }
+  return turned;
+}
+
+/// The greatest miss at the first samples that are not left out, in the unit of one sample's noise.
+double first_misses(const LiftSamples& lift, const std::vector<bool>& is_off) {
+  constexpr std::size_t kFirst = 12;
+  std::vector<double> x, s;
+  for (std::size_t i = 0; i < lift.phi.size() && x.size() < kFirst; ++i) {
+    if (!is_off[i]) x.push_back(lift.phi[i]), s.push_back(lift.s[i]);
+  }
+  const std::vector<double> sizes = misses(x, s);
+  constexpr std::size_t kNear = 4;  // those that the first two samples have a part in
+  return *std::max_element(sizes.begin(), sizes.begin() + kNear);
+}
+
+/// Adds to `off` one of the two first samples without which the next ones are as smooth as all: a
+/// curve bends to follow it.
+void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double>& off) {
+  std::vector<bool> is_off;
+  for (const double by : off) is_off.push_back(by != 0);
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < off.size() && first.size() < 2; ++i) {
+    if (!is_off[i]) first.push_back(i);
+  }
+  if (first_misses(lift, is_off) <= least) return;
+  for (const std::size_t i : first) {
+    is_off[i] = true;
+    if (first_misses(lift, is_off) <= least) {
+      off[i] = miss_of(lift, is_off, i);
+      return;
+    }
+    is_off[i] = false;
+  }
+}
+
+/// The same of both ends of samples that do not go round.
+void find_off_at_ends(const LiftSamples& lift, double least_noise, std::vector<double>& off) {
+  constexpr double kSuspect = 5, kLeast = 1e-4;
+  const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
+  const double noise = std::max(optim::median(misses(lift.phi, lift.s)) / 0.6745, least_noise);
+  const double least = std::max(kSuspect * noise, kLeast * (*high - *low));
+  for (const bool end : {false, true}) {
+    if (end) std::reverse(off.begin(), off.end());
+    try {
+      find_off_at_begin(seen_from(lift, end), least, off);
+    } catch (const std::invalid_argument&) {  // too few neighbours there
+    }
+    if (end) std::reverse(off.begin(), off.end());
+  }
 }
 
 }  // namespace
@@ -190,19 +252,23 @@ LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
   const std::vector<Group> groups = sorted(phi, s, period);
   LiftSamples all;
   for (const Group& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
-  const std::vector<bool> is_off = has_suspects(all, least_noise)
-                                       ? far_off_in(all, period, least_noise)
-                                       : std::vector<bool>(groups.size());
+  std::vector<double> off(groups.size());
+  if (has_suspects(all, least_noise)) {
+    off = far_off_in(all, period, least_noise);
+    if (!period) find_off_at_ends(all, least_noise, off);
+  }
   LiftSamples kept;
+  std::vector<std::pair<std::size_t, double>> outlying;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (is_off[i]) {
-      const auto& samples = groups[i].samples;
-      kept.outlying.insert(kept.outlying.end(), samples.begin(), samples.end());
+    if (off[i] != 0) {
+      for (const std::size_t k : groups[i].samples)
+        outlying.emplace_back(k, s[k] - all.s[i] + off[i]);
     } else {
       kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
     }
   }
-  std::sort(kept.outlying.begin(), kept.outlying.end());
+  std::sort(outlying.begin(), outlying.end());
+  for (const auto& [sample, by] : outlying) kept.outlying.push_back(sample), kept.off.push_back(by);
   const double each = static_cast<double>(phi.size()) / static_cast<double>(groups.size());
   kept.noise =
       noise ? *noise / std::sqrt(each) : std::max(estimated_noise(kept.phi, kept.s), least_noise);

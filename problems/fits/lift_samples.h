@@ -22,7 +22,8 @@ struct LiftSamples {
   double noise = 0;            ///< standard deviation of these, given or estimated
   double sample_noise = 0;     ///< of one sample as measured
   std::vector<std::size_t>
-      outlying;  ///< left out of phi and s, by their place as given, increasing
+      outlying;             ///< left out of phi and s, by their place as given, increasing
+  std::vector<double> off;  ///< by how much each of these lies off the others' curve
 };
 
 /// Orders samples, takes those at one place as their median, and leaves out those that lie farther

@@ -62,11 +62,11 @@ const KnownFollower& follower_of(const ProblemStatement& machine) {
 }
 
 const SampleColumn* radius_of(const SampleTable& table) {
-  return find_column(table, {"radius", "r", "rho"});
+  return find_column(table, ColumnKind::Radius);
 }
 
 const SampleColumn* polar_angle_of(const SampleTable& table) {
-  return find_column(table, {"angle", "polar_angle", "theta", "phi", "cam_angle"});
+  return find_column(table, ColumnKind::Angle);
 }
 
 struct Polar {
@@ -79,7 +79,7 @@ struct Coordinates {
 };
 
 Coordinates coordinates_of(const SampleTable& table) {
-  return {find_column(table, {"x", "profile_x"}), find_column(table, {"y", "profile_y"})};
+  return {find_column(table, ColumnKind::ProfileX), find_column(table, ColumnKind::ProfileY)};
 }
 
 /// An angle and a radius, or else x and y.
@@ -119,6 +119,15 @@ Polar points_of(const SampleTable& own) {
   return points;
 }
 
+/// std::polar wants radii that are not below 0.
+void check_radii(const SampleTable& own, const Polar& points) {
+  for (std::size_t i = 0; i < points.r.size(); ++i) {
+    if (points.r[i] > 0) continue;
+    throw std::invalid_argument(fmt::format("{}:{}: the radius is {:.6g}, not above 0", own.source,
+                                            own.lines[i], points.r[i]));
+  }
+}
+
 /// Rows of an angle and a radius may be in any order. A point that is there twice counts once: it
 /// would seem to have been measured without noise.
 void put_in_order(Polar& points, bool is_polar) {
@@ -155,21 +164,19 @@ MeasuredProfile profile_of(const Condensed& points, double resolution) {
   return MeasuredProfile::polar(points.place, points.value, smoothing);
 }
 
-MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) {
-  const KnownFollower& known = follower_of(machine);
-  const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
-  const SampleTable own = profile_columns(table);
-  Polar read = points_of(own);
-  const double rounded = read.resolution;
-  const Condensed points = in_order(std::move(read), radius_of(own) != nullptr);
-  MeasuredCam cam{
-      MeasuredLift(profile_of(points, rounded), known.make(sizes), known.rotation), {}, {}};
-  cam.each = points.each;
-  cam.left_out = points.left_out;
-  cam.lacking = own.left_out;
-  const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
-  cam.samples.place_unit = "deg";
-  cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
+/// Polar coordinates about another centre.
+void move_centre(Polar& points, std::complex<double> centre) {
+  if (centre == 0.0) return;
+  for (std::size_t i = 0; i < points.r.size(); ++i) {
+    const std::complex<double> p = std::polar(points.r[i], points.theta[i]) - centre;
+    points.theta[i] = std::arg(p);
+    points.r[i] = std::abs(p);
+  }
+}
+
+/// The samples and the outlying points of a cam's lift.
+void take_samples(MeasuredCam& cam) {
+  const double unit = cam.samples.unit == "deg" ? kDegree : 1;
   std::vector<double> shares;
   for (const LiftSample& sample : cam.lift.samples()) {
     shares.push_back(sample.share);
@@ -178,9 +185,31 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine) 
       continue;
     }
     cam.samples.place.push_back(sample.phi / kDegree);
-    cam.samples.value.push_back(swings ? sample.s / kDegree : sample.s);
+    cam.samples.value.push_back(sample.s / unit);
   }
-  cam.samples.resolution = rounded * optim::median(std::move(shares)) / (swings ? kDegree : 1);
+  cam.samples.resolution = cam.rounded * optim::median(std::move(shares)) / unit;
+}
+
+MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
+                     std::complex<double> centre) {
+  const KnownFollower& known = follower_of(machine);
+  const Sizes sizes = [&](const char* name) { return constant_of(machine, name); };
+  const SampleTable own = profile_columns(table);
+  Polar read = points_of(own);
+  const double rounded = read.resolution;
+  check_radii(own, read);
+  move_centre(read, centre);
+  const Condensed points = in_order(std::move(read), radius_of(own) != nullptr);
+  MeasuredCam cam{
+      MeasuredLift(profile_of(points, rounded), known.make(sizes), known.rotation), {}, {}};
+  cam.each = points.each;
+  cam.left_out = points.left_out;
+  cam.lacking = own.left_out;
+  cam.rounded = rounded;
+  const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
+  cam.samples.place_unit = "deg";
+  cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
+  take_samples(cam);
   return cam;
 }
 
@@ -192,15 +221,28 @@ std::vector<std::string> measured_cams() {
   return result;
 }
 
+MeasuredCam with_follower(const MeasuredCam& cam, const MeasuredFollower& follower) {
+  MeasuredCam result{MeasuredLift(cam.lift.profile(), follower, cam.lift.rotation()),
+                     cam.samples.none(),
+                     {},
+                     cam.each,
+                     cam.left_out,
+                     cam.lacking,
+                     cam.rounded};
+  take_samples(result);
+  return result;
+}
+
 bool shows_profile(const SampleTable& table) {
   if (radius_of(table) != nullptr) return true;
   const auto [x, y] = coordinates_of(table);
   return x != nullptr && y != nullptr && has_kind(*x, "mm") && has_kind(*y, "mm");
 }
 
-MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine) {
+MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine,
+                         std::complex<double> centre) {
   try {
-    return read_cam(table, machine);
+    return read_cam(table, machine, centre);
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     if (what.starts_with(table.source)) throw;

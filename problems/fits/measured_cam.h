@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <complex>
+
 #include "problems/fits/law_fit.h"
 #include "problems/fits/measured_lift.h"
 #include "problems/fits/sample_table.h"
@@ -29,6 +31,7 @@ struct MeasuredCam {
   std::size_t each = 1;      ///< measured points that one of these is the mean of
   std::size_t left_out = 0;  ///< of those, far off their neighbours
   std::size_t lacking = 0;   ///< rows of the table without a number
+  double rounded = 0;        ///< what the points' radii are rounded to, mm
 };
 
 /// The disc cams whose follower a profile can be measured for.
@@ -39,6 +42,11 @@ std::vector<std::string> measured_cams();
 /// smoothing spline through all; many points are condensed(). Throws std::invalid_argument:
 /// machines other than measured_cams(), columns in units of another kind, and what MeasuredProfile
 /// and MeasuredLift throw; the sentence begins with the table's name.
-MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine);
+/// `centre`: where the cam's centre lies in the table's coordinates, mm.
+MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine,
+                         std::complex<double> centre = 0);
+
+/// The same points under another follower. Throws std::invalid_argument as MeasuredLift does.
+MeasuredCam with_follower(const MeasuredCam& cam, const MeasuredFollower& follower);
 
 }  // namespace camlaw::problems

@@ -301,7 +301,8 @@ std::vector<LiftSample> MeasuredLift::samples() const {
     const double cosine = std::abs(point.place) / point.speed;  // (I8)
     const double along_normal = sample.residual * cosine;
     result.push_back({in_turn(here.phi), here.coordinate - zero_ + here.share * along_normal,
-                      along_normal, sample.outlying, here.share * cosine});
+                      along_normal, sample.outlying, here.share * cosine, here.share,
+                      point.normal});
   }
   return result;
 }

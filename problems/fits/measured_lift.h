@@ -52,6 +52,8 @@ struct LiftSample {
   double distance;  ///< of the point from the smooth profile, outwards
   bool outlying;    ///< beyond what chance explains (docs/theory.md, (O8))
   double share;     ///< of an error of the point's radius that the lift has (I8)
+  double follows;   ///< of a shift of the profile along its normal that the follower makes
+  std::complex<double> normal;  ///< of the profile there, as it lies on the cam at angle 0
 };
 
 /// What a follower does on a measured profile.
@@ -72,7 +74,11 @@ class MeasuredLift {
   std::vector<LiftSample> samples() const;
   /// The radius of the circle about the cam's centre on which the follower stands at the lift s.
   double base_radius(double s) const;
+  /// The follower's own coordinate at the lift s: of an arm the angle psi of (I3).
+  double coordinate(double s) const { return zero_ + s; }
   const MeasuredProfile& profile() const { return profile_; }
+  const MeasuredFollower& follower() const { return follower_; }
+  Rotation rotation() const { return rotation_; }
   /// From the lowest place to the highest, and s at the lowest.
   double stroke() const { return highest_ - lowest_; }
   double lowest() const { return lowest_ - zero_; }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "problems/fits/assumed_units.h"
 #include "problems/fits/columns.h"
 #include "problems/fits/condensed.h"
 #include "problems/fits/turn.h"
@@ -17,9 +18,9 @@ namespace {
 
 /// 0 displacement, 1 velocity, 2 acceleration; none for another name.
 std::optional<int> order_of(const SampleColumn& column) {
-  if (is_called(column, {"lift", "displacement", "s", "y", "h"})) return 0;
-  if (is_called(column, {"velocity", "v", "s'"})) return 1;
-  if (is_called(column, {"acceleration", "a", "s''"})) return 2;
+  if (is_named(column.name, ColumnKind::Displacement)) return 0;
+  if (is_named(column.name, ColumnKind::Velocity)) return 1;
+  if (is_named(column.name, ColumnKind::Acceleration)) return 2;
   return {};
 }
 
@@ -37,14 +38,16 @@ std::string divided(const std::string& unit, const std::string& by, int order) {
 
 }  // namespace
 
-MotionSamples motion_samples(const SampleTable& table) {
+MotionRecord motion_record(const SampleTable& table) {
   const SampleColumn& motion = motion_column(table);
-  const SampleTable own = numbers_of(table, {&place_column(table, &motion), &motion});
-  const SampleColumn &place = own.columns[0], &value = own.columns[1];
-  MotionSamples samples;
+  SampleTable own = numbers_of(table, {&place_column(table, &motion), &motion});
+  MotionRecord record;
+  const SampleColumn& value = own.columns[1];
+  if (auto note = assume_degrees(own.columns[0])) record.notes.push_back(std::move(*note));
+  MotionSamples& samples = record.samples;
   samples.lacking = own.left_out;
   samples.order = order_of(value).value_or(0);
-  UnitValues places = in_unit(own, place, {"deg", "s", "1"});
+  UnitValues places = in_unit(own, own.columns[0], {"deg", "s", "1"});
   const std::vector<std::string> lengths{"mm", "deg", "1"};
   std::vector<std::string> units;
   for (const std::string& length : lengths) {
@@ -54,19 +57,33 @@ MotionSamples motion_samples(const SampleTable& table) {
   const auto which = std::find(units.begin(), units.end(), values.unit) - units.begin();
   samples.length_unit = lengths[static_cast<std::size_t>(which)];
   samples.resolution = std::abs(values.factor) * resolution_of(value);
+  record.lines = std::move(own.lines);
+  samples.place = std::move(places.values);
+  samples.value = std::move(values.values);
+  samples.place_unit = std::move(places.unit);
+  samples.unit = std::move(values.unit);
+  leave_out_stray_places(record);
   Condensed means =
-      condensed(std::move(places.values), std::move(values.values), samples.resolution);
+      condensed(std::move(samples.place), std::move(samples.value), samples.resolution);
   samples.place = std::move(means.place);
   samples.value = std::move(means.value);
   samples.each = means.each;
+  if (means.each > 1) record.lines.clear();
   // Where noise is larger than the rounding, means are rounded so much less.
   if (means.deviation > samples.resolution) {
     samples.resolution /= std::sqrt(static_cast<double>(means.each));
   }
   samples.left_out = means.left_out;
-  samples.place_unit = std::move(places.unit);
-  samples.unit = std::move(values.unit);
-  return samples;
+  return record;
+}
+
+MotionSamples motion_samples(const SampleTable& table) { return motion_record(table).samples; }
+
+double cycle_period(const MotionSamples& samples) {
+  constexpr double kWhole = 0.95;
+  const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
+  const bool is_turn = samples.place_unit == "deg" && *high - *low > kWhole * kTurnDegrees;
+  return is_turn ? kTurnDegrees : 0;
 }
 
 FoundCycle find_motions(const MotionSamples& samples) {
@@ -75,7 +92,6 @@ FoundCycle find_motions(const MotionSamples& samples) {
   const auto [first, last] = std::minmax_element(samples.place.begin(), samples.place.end());
   const double range = *last - *first;
   const bool is_angle = samples.place_unit == "deg";
-  constexpr double kWhole = 0.95;
   if (is_angle && range > kTurnDegrees * (1 + 1e-6)) {
     throw std::invalid_argument(
         fmt::format("the angles go over {:.6g} deg; one turn of 360 deg at most is wanted", range));
@@ -86,7 +102,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
   }
   SegmentOptions options;
   options.least_noise = rounding_deviation(samples);
-  const double period = is_angle && range > kWhole * kTurnDegrees ? kTurnDegrees : 0;
+  const double period = cycle_period(samples);
   if (period > 0) options.period = period;
   FoundSegments found = motion_segments(samples.place, samples.value, options);
   result.noise = found.noise;
@@ -111,7 +127,12 @@ FoundCycle find_motions(const MotionSamples& samples) {
     }
     const double low = s.begin - (has_before && count > 1 ? beside((i + count - 1) % count) : 0);
     const double high = s.end + (has_after && count > 1 ? beside((i + 1) % count) : 0);
-    result.motions.push_back({{s.begin, s.end, s.from, s.to}, between(samples, low, high, period)});
+    MotionSamples own = between(samples, low, high, period);
+    if (own.place.size() < kFewestOfMotion) {  // a few rows that lie off are no motion
+      result.segments[i].kind = SegmentKind::Dwell;
+      continue;
+    }
+    result.motions.push_back({{s.begin, s.end, s.from, s.to}, std::move(own)});
   }
   if (result.motions.empty()) throw std::invalid_argument("samples: they show no motion");
   return result;

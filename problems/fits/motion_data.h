@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "problems/fits/faulty_rows.h"
 #include "problems/fits/law_fit.h"
 #include "problems/fits/sample_table.h"
 #include "problems/fits/segments.h"
@@ -10,11 +11,18 @@
 namespace camlaw::problems {
 
 /// The columns of a table as a place and a displacement, velocity or acceleration. The place is the
-/// column called angle, cam_angle, phi, theta, x, t or time, else the first; the value that called
-/// lift, displacement, s, y; velocity, v; or acceleration, a, else the second. Angles become deg,
-/// lengths mm, times s, what has no unit stays; velocity is in mm/deg and the like. Many samples
-/// are condensed(). Throws std::invalid_argument naming the column and the units that it may have.
+/// column called angle, phi, x, t, ... (problems/fits/column_names.h), else the first; the value
+/// that called as a displacement, velocity or acceleration, else the second. Angles become deg,
+/// lengths mm, times s, what has no unit stays, but for angles of which the values tell that they
+/// are degrees; velocity is in mm/deg and the like. Rows whose place lies far from all others are
+/// left out. Many samples are condensed(). Throws std::invalid_argument naming the column and the
+/// units that it may have.
+MotionRecord motion_record(const SampleTable& table);
+/// Of that the samples alone.
 MotionSamples motion_samples(const SampleTable& table);
+
+/// Begin, end, stroke and zero of a motion, and one more to tell an error by.
+inline constexpr std::size_t kFewestOfMotion = 5;
 
 /// One rise or return of a cycle, and its samples.
 struct FoundMotion {
@@ -29,6 +37,9 @@ struct FoundCycle {
   double noise = 0;          ///< of the lift, where segments were looked for
   std::size_t outlying = 0;  ///< samples that the search left out; they belong to motions still
 };
+
+/// The turn in deg where angles of a lift cover nearly all of it; else 0.
+double cycle_period(const MotionSamples& samples);
 
 /// Motions that samples show. Displacements of 24 samples and more are searched for dwells, rises
 /// and returns, over the turn where their angles cover nearly all of it; of others all samples are

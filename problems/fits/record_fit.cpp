@@ -116,7 +116,27 @@ void check_places(const RecordedCurve& record, const optim::Curve& curve, optim:
   }
 }
 
-std::string distrust_of(const RecordFit& fit, const RecordFitOptions& options) {
+/// As many places as unknowns are met whatever the machine is.
+void check_enough(const RecordedCurve& record, std::size_t unknowns) {
+  if (record.place.size() > unknowns) return;
+  throw std::invalid_argument(
+      fmt::format("{} rows of numbers cannot tell {} unknowns; {} at least "
+                  "are wanted",
+                  record.place.size(), unknowns, unknowns + 1));
+}
+
+/// Values that drew a fit in which all count alike.
+std::string drawn_by(const RecordFit& fit, const RecordedCurve& record) {
+  const std::size_t worst = fit.far_off.samples.front();
+  return fmt::format(
+      "{} of {} values lie farther off than chance explains and draw the fit, by {:.3g} {} at "
+      "{:.6g} {} the most; --loss huber or --loss cauchy bounds what they count",
+      fit.far_off.samples.size(), fit.model.size(), std::abs(fit.fit.residuals[worst]),
+      record.response.unit, record.place[worst], record.response.response->along);
+}
+
+std::string distrust_of(const RecordFit& fit, const RecordedCurve& record,
+                        const RecordFitOptions& options) {
   std::string why = fit.fit.reason;
   const auto add = [&](const std::string& more) { why += (why.empty() ? "" : "; ") + more; };
   if (fit.left.is_curve) {
@@ -126,10 +146,7 @@ std::string distrust_of(const RecordFit& fit, const RecordFitOptions& options) {
         fit.left.correlation));
   }
   if (options.loss == optim::Loss::None && draws(fit.far_off, fit.fit.residuals)) {
-    add(
-        fmt::format("{} of {} values lie farther off than chance explains and draw the fit; --loss "
-                    "huber or --loss cauchy bounds what they count",
-                    fit.far_off.samples.size(), fit.model.size()));
+    add(drawn_by(fit, record));
   }
   return why;
 }
@@ -150,6 +167,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   for (const auto& p : parameters) start.push_back(p.start);
   check_places(record, response.curve(), start, options);
   const Shifts shifts = add_shifts(parameters, record, options);
+  check_enough(record, parameters.size());
   const RecordResiduals residuals(record, response.curve(), variables, shifts);
   optim::FitOptions how;
   how.loss = options.loss;
@@ -168,7 +186,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   constexpr double kRounding = 1e-9;
   result.far_off = far_off(record.place, r, result.fit.rank, kRounding * size);
   const bool exact = result.fit.rms < kRounding * size;
-  result.distrust = exact ? result.fit.reason : distrust_of(result, options);
+  result.distrust = exact ? result.fit.reason : distrust_of(result, record, options);
   return result;
 }
 

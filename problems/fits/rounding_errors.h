@@ -11,7 +11,7 @@ namespace camlaw::problems {
 /// `given` are the parameters as they were fitted, `residuals` what they were fitted to. Without
 /// rounding nothing changes. Returns by how much each deviation has grown; 1 where it has none.
 std::vector<double> count_rounding(const MotionSamples& samples, const optim::Residuals& residuals,
-                    const std::vector<optim::FitParameter>& given, double confidence,
-                    optim::FitResult& fit);
+                                   const std::vector<optim::FitParameter>& given, double confidence,
+                                   optim::FitResult& fit);
 
 }  // namespace camlaw::problems

@@ -2,12 +2,9 @@
 #include "problems/fits/sample_table.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <boost/algorithm/string/predicate.hpp>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,97 +15,14 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "problems/fits/cells.h"
+#include "problems/fits/line_source.h"
+#include "problems/fits/table_layout.h"
+
 namespace camlaw::problems {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n\"";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
-/// Where a cell that begins at `from` ends: at the next `between` that stands in no quotes.
-std::size_t cell_end(std::string_view line, char between, std::size_t from) {
-  std::size_t first = from;
-  while (first < line.size() && line[first] != between &&
-         (line[first] == ' ' || line[first] == '\t')) {
-    ++first;
-  }
-  if (first == line.size() || line[first] != '"')
-    return std::min(line.find(between, from), line.size());
-  bool inside = false;
-  for (std::size_t i = first; i < line.size(); ++i) {
-    if (line[i] == '"') inside = !inside;  // two in a row are none
-    if (line[i] == between && !inside) return i;
-  }
-  return line.size();
-}
-
-/// Calls take(cell) for each cell of a line.
-template <class F>
-void for_cells(std::string_view line, char between, F take) {
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t to = cell_end(line, between, from);
-    take(trimmed(line.substr(from, to - from)));
-    from = to + 1;
-  }
-}
-
-/// The first of semicolon and tab that stands outside of quotes, else the comma.
-char delimiter_of(std::string_view header) {
-  for (const char c : {';', '\t'}) {
-    if (cell_end(header, c, 0) < header.size()) return c;
-  }
-  return ',';
-}
-
-/// "lift [mm]" or "lift (mm)".
-SampleColumn named(std::string_view cell) {
-  const std::size_t open = cell.find_first_of("[(");
-  const std::size_t close = cell.find_last_of("])");
-  if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
-    return {.name = std::string(cell), .unit = "", .values = {}};
-  }
-  return {.name = std::string(trimmed(cell.substr(0, open))),
-          .unit = std::string(trimmed(cell.substr(open + 1, close - open - 1))),
-          .values = {}};
-}
-
-/// A number; NaN for an empty cell and for "nan", none for anything else.
-bool read_number(std::string_view cell, char between, double& value) {
-  const bool none = cell.empty() || boost::algorithm::iequals(cell, "nan") ||
-                    boost::algorithm::iequals(cell, "n/a") || boost::algorithm::iequals(cell, "na");
-  if (none) {
-    value = kNaN;
-    return true;
-  }
-  std::string plain;
-  if (between != ',' && cell.find(',') != std::string_view::npos) {
-    plain = std::string(cell);
-    std::replace(plain.begin(), plain.end(), ',', '.');
-    cell = plain;
-  }
-  if (cell.front() == '+') cell.remove_prefix(1);
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc() && end == cell.data() + cell.size();
-}
-
-/// How many digits after the point a number is written with; below 0 of 1e3.
-int decimals_of(std::string_view cell) {
-  const std::size_t e = cell.find_first_of("eE");
-  const std::string_view digits = cell.substr(0, e);
-  const std::size_t point = digits.find_first_of(".,");
-  const std::size_t after = point == std::string_view::npos ? 0 : digits.size() - point - 1;
-  int exponent = 0;
-  if (e != std::string_view::npos) {
-    const std::string_view power = cell.substr(e + (e + 1 < cell.size() && cell[e + 1] == '+') + 1);
-    std::from_chars(power.data(), power.data() + power.size(), exponent);
-  }
-  return static_cast<int>(after) - exponent;
-}
 
 /// How often numbers of a column have so many decimals.
 class Decimals {
@@ -154,14 +68,23 @@ class Reader {
  public:
   explicit Reader(std::string source) { table_.source = std::move(source); }
 
-  void take(std::string_view line) {
-    ++line_;
-    if (trimmed(line).empty() || trimmed(line).front() == '#') return;
-    table_.columns.empty() ? read_header(line) : read_row(line);
+  void take(std::size_t number, const std::string& line) {
+    if (trimmed(line).empty()) return;
+    if (is_laid_out_) return read_row(number, line);
+    leading_.push_back({number, line});
+    leading_bytes_ += line.size();
+    if (!is_row_of_numbers(line)) {
+      if (leading_.size() < kMostLeading && leading_bytes_ < kMostLeadingBytes) return;
+    } else if (const auto layout = layout_above_last(leading_)) {
+      return begin_with(*layout);
+    } else if (++nameless_rows_ < kMostNamelessRows) {
+      return;
+    }
+    begin_with(first_line_layout(leading_, table_.source));
   }
 
   SampleTable ended() {
-    if (table_.columns.empty()) refuse("it is empty; a header and rows of numbers are wanted");
+    if (!is_laid_out_) begin_with(first_line_layout(leading_, table_.source));
     check_rows(table_);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
       SampleColumn& column = table_.columns[i];
@@ -174,51 +97,57 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw std::invalid_argument(fmt::format("{}: {}", table_.source, why));
-  }
-  [[noreturn]] void refuse_line(const std::string& why) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", table_.source, line_, why));
+  // What may stand before the names, and how many rows of numbers without any are looked at.
+  static constexpr std::size_t kMostLeading = 1000, kMostNamelessRows = 20;
+  static constexpr std::size_t kMostLeadingBytes = std::size_t{1} << 22;
+
+  [[noreturn]] void refuse_line(std::size_t number, const std::string& why) const {
+    throw std::invalid_argument(fmt::format("{}:{}: {}", table_.source, number, why));
   }
 
-  void read_header(std::string_view line) {
-    between_ = delimiter_of(line);
-    bool numbers = true;
-    for_cells(line, between_, [&](std::string_view cell) {
-      double ignored = 0;
-      numbers = numbers && read_number(cell, between_, ignored);
-      table_.columns.push_back(named(cell));
-    });
-    if (numbers) {
-      refuse_line("a line of names is wanted first, with units: \"angle [deg], lift [mm]\"");
+  /// Takes the names and the rows that have been read so far.
+  void begin_with(const TableLayout& layout) {
+    if (layout.columns.size() > kMostColumns) {
+      refuse_line(leading_.back().number, fmt::format("there are {} columns; {} at most are read",
+                                                      layout.columns.size(), kMostColumns));
     }
-    if (table_.columns.size() < 2) {
-      refuse_line(
-          "there is one column; two at least are wanted, separated by commas, semicolons "
-          "or tabs");
+    for (const ColumnName& column : layout.columns) {
+      table_.columns.push_back({.name = column.name, .unit = column.unit, .values = {}});
     }
-  }
-
-  void read_row(std::string_view line) {
     decimals_.resize(table_.columns.size());
     texts_.resize(table_.columns.size());
-    std::size_t i = 0;
-    for_cells(line, between_, [&](std::string_view cell) {
-      if (i < table_.columns.size()) read_cell(cell, i);
-      ++i;
-    });
-    if (i != table_.columns.size()) {
-      refuse_line(fmt::format("{} cells, where the header has {}", i, table_.columns.size()));
+    between_ = layout.between;
+    is_laid_out_ = true;
+    for (std::size_t i = layout.first_row; i < leading_.size(); ++i) {
+      read_row(leading_[i].number, leading_[i].text);
     }
+    leading_.clear();
   }
 
-  void read_cell(std::string_view cell, std::size_t i) {
+  void read_row(std::size_t number, const std::string& line) {
+    if (is_comment(trimmed(line))) return;
+    std::vector<std::string_view> cells = cells_of(line, between_);
+    const std::size_t count = table_.columns.size();
+    if (cells.size() == count + 1 && cells.back().empty()) cells.pop_back();
+    if (cells.size() != count) {
+      refuse_line(number, fmt::format("{} cells, where the header has {}", cells.size(), count));
+    }
+    if ((table_.lines.size() + 1) * count > kMostCells) {
+      refuse_line(number, fmt::format("the table goes on beyond {} numbers; fewer rows or columns "
+                                      "are wanted",
+                                      kMostCells));
+    }
+    for (std::size_t i = 0; i < count; ++i) read_cell(number, cells[i], i);
+    table_.lines.push_back(static_cast<std::uint32_t>(number));
+  }
+
+  void read_cell(std::size_t number, std::string_view cell, std::size_t i) {
     SampleColumn& column = table_.columns[i];
     double value = kNaN;
-    const bool is_number = read_number(cell, between_, value);
+    const bool is_number = read_number(cell, value);
     if ((!is_number || std::isinf(value)) && column.fault.empty()) {
-      column.fault = fmt::format("{}:{}: '{}' is {}", table_.source, line_, cell.substr(0, 40),
-                                 is_number ? "infinite" : "no number");
+      column.fault = fmt::format("{}:{}: '{}' is {}", table_.source, number, cell.substr(0, 40),
+                                 is_number ? "infinite" : "not a number");
     }
     if (!is_number) ++texts_[i];
     column.values.push_back(is_number ? value : kNaN);
@@ -227,22 +156,18 @@ class Reader {
   }
 
   SampleTable table_;
+  std::vector<NumberedLine> leading_;  ///< until the names are found
+  std::size_t leading_bytes_ = 0, nameless_rows_ = 0;
+  bool is_laid_out_ = false;
   char between_ = ',';
-  std::size_t line_ = 0;
   std::vector<Decimals> decimals_;
   std::vector<std::size_t> texts_;  ///< cells that are neither empty nor numbers
 };
 
 SampleTable read_from(std::istream& in, const std::string& source) {
   Reader reader(source);
-  std::string line;
-  bool is_first = true;
-  while (std::getline(in, line)) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    const bool is_marked = is_first && line.starts_with(kByteOrderMark);
-    reader.take(std::string_view(line).substr(is_marked ? kByteOrderMark.size() : 0));
-    is_first = false;
-  }
+  LineSource lines(in, source);
+  for (std::string line; lines.next(line);) reader.take(lines.number(), line);
   return reader.ended();
 }
 
@@ -264,6 +189,7 @@ SampleTable numbers_of(const SampleTable& table,
       return std::isnan(column->values[row]);
     });
     result.left_out += lacks ? 1 : 0;
+    if (!lacks && !table.lines.empty()) result.lines.push_back(table.lines[row]);
     std::size_t i = 0;
     for (const SampleColumn* column : columns) {
       if (!lacks) result.columns[i++].values.push_back(column->values[row]);

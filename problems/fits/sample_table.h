@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ struct SampleColumn {
   std::vector<double> values;  ///< NaN where a row has no number
   /// One in the last digit that most cells have.
   double last_digit = 0;
-  /// Where a cell is neither empty nor a finite number, "t.csv:3: 'four' is no number"; empty where
-  /// none is.
+  /// Where a cell is neither empty nor a finite number, "t.csv:3: 'four' is not a number"; empty
+  /// where none is.
   std::string fault = {};
   bool is_text = false;  ///< more cells hold something else than a number
 };
@@ -23,16 +24,23 @@ struct SampleColumn {
 struct SampleTable {
   std::string source;
   std::vector<SampleColumn> columns;
-  std::size_t left_out = 0;  ///< rows that numbers_of() has left out
+  std::vector<std::uint32_t> lines = {};  ///< of the file, that the rows stand on, from 1
+  std::size_t left_out = 0;               ///< rows that numbers_of() has left out
 
   std::size_t rows() const { return columns.front().values.size(); }
 };
 
+/// More numbers than this are not read.
+inline constexpr std::size_t kMostCells = 20'000'000;
+inline constexpr std::size_t kMostColumns = 1000;
+
 /// Reads a table with a line of names, each with its unit in brackets or parentheses:
-/// "angle [deg], lift [mm]". Cells are separated by commas, semicolons or tabs, whichever the
-/// header has; beside semicolons and tabs numbers may have a decimal comma. Empty lines and those
-/// that begin with # are passed over. Throws std::invalid_argument naming file and line: no header,
-/// too few columns or rows, a row of another length.
+/// "angle [deg], lift [mm]", or a line of units below. Cells are separated by commas, semicolons,
+/// tabs or blanks; beside others than commas, and in quotes, numbers may have a decimal comma.
+/// Lines above the names are passed over, and empty lines and those that begin with #. How names,
+/// units and separators are found: problems/fits/table_layout.h; encodings and line ends:
+/// problems/fits/line_source.h. Throws std::invalid_argument naming file and line: no header, too
+/// few columns or rows, a row of another length, more than kMostCells or kMostColumns.
 SampleTable read_samples(const std::string& path);
 /// The same of a text; `source` names it in errors.
 SampleTable parse_samples(const std::string& text, const std::string& source);

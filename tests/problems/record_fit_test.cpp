@@ -129,7 +129,8 @@ TEST_CASE("several turns, wrong zeros and outliers", "[record]") {
   CHECK(p[4].value == Approx(-0.4).margin(0.01));
   for (const auto& [k, value] : kTrue) CHECK(p[k].value == Approx(value).epsilon(0.02));
   for (std::size_t i = 0; i < record.value.size(); i += 10) record.value[i] += 30;
-  CHECK_THAT(fit_record(cam(), record, options).distrust, Contains("draw the fit"));
+  CHECK_THAT(fit_record(cam(), record, options).distrust,
+             Contains("draw the fit") && Contains("the most"));
   options.loss = optim::Loss::Cauchy;
   const RecordFit robust = fit_record(cam(), record, options);
   for (const auto& [k, value] : kTrue) {
@@ -180,6 +181,8 @@ TEST_CASE("machines that cannot be fitted are refused by what is missing", "[rec
     return testing::complaint([&] { fit_record(read_problem(toml, "cam.toml"), of); });
   };
   CHECK_THAT(said(text.substr(0, text.find("[variables")), record), Contains("[variables]"));
+  CHECK_THAT(said(text, recorded("drive_torque", 3, 0, 1)),
+             Contains("3 rows") && Contains("4 at least"));
   std::string listed = text;
   listed.replace(listed.find("lower = \"0.1 kg\"\nupper = \"20 kg\"\nstart = \"1 kg\""), 47,
                  "values = ['1 kg', '2 kg']");

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// What columns of measured tables are called, in English, German and Ukrainian.
+namespace camlaw::problems {
+
+enum class ColumnKind {
+  Angle,         ///< angle, cam_angle, phi, theta; Winkel; кут
+  Time,          ///< t, time; Zeit; час
+  Across,        ///< x
+  Displacement,  ///< lift, displacement, s, y, h; Hub, Weg; переміщення
+  Velocity,
+  Acceleration,
+  Radius,
+  ProfileX,  ///< x, profile_x
+  ProfileY   ///< y, profile_y
+};
+
+/// Whether a column's name is one of a kind's, in any case; blanks count as underscores.
+bool is_named(std::string_view name, ColumnKind kind);
+/// Whether it is one of any kind's.
+bool is_known_name(std::string_view name);
+
+/// Whether a unit of an angle, a length, a time or what is made of them can be read.
+bool is_known_unit(std::string_view unit);
+/// Whether it is one of an angle or a length that no name is mistaken for: "deg", "mm", not "m".
+bool is_plain_unit(std::string_view unit);
+
+}  // namespace camlaw::problems
