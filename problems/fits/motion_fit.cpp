@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "optim/fit/smoothing_spline.h"
-#include "problems/fits/drift.h"
 #include "problems/fits/fitted_law.h"
 #include "problems/fits/law_choice.h"
 #include "problems/fits/law_ranking.h"
@@ -80,16 +79,6 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const bool is_drawn =
       options.loss == optim::Loss::None && draws(far_off_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
-  if (options.loss == optim::Loss::None) {
-    constexpr double kChance = 4.4;  // deviations: one record in 100 000
-    const Drift drift = drift_of(fit.motion.samples, best);
-    if (drift.deviations > kChance) {
-      return fmt::format(
-          "the samples drift by {} from the first place to the last beside the motion: the rests "
-          "are not level",
-          quantity(drift.over_record, fit.motion.samples.unit));
-    }
-  }
   if (fit.is_cut) {
     return fmt::format(
         "noise of {} does not tell the law: {}, {} and more may be behind the samples",

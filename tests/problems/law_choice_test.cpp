@@ -10,7 +10,6 @@
 
 #include "benchmarks/records/record_table.h"
 #include "problems/fits/constants_fit.h"
-#include "problems/fits/drift.h"
 #include "problems/fits/fitted_cycle.h"
 #include "problems/fits/law_ranking.h"
 #include "tests/random_numbers.h"
@@ -140,22 +139,6 @@ TEST_CASE("velocities and accelerations that jump are fitted", "[law-choice]") {
     const auto& begin = parameter(fit, "begin");
     CHECK(begin.high - begin.low < 2 * spacing);
   }
-}
-
-TEST_CASE("a record that drifts is not trusted, and the drift is told", "[law-choice]") {
-  const MotionSamples level = record("cycloidal", 200, 0.01, 7);
-  const std::vector<Member> laws{find_law("cycloidal")};
-  const auto fit = [&](const MotionSamples& samples) {
-    return fit_motion({guess_motion(samples), samples}, laws);
-  };
-  CHECK(fit(level).distrust.empty());
-  MotionSamples drifting = level;
-  for (std::size_t i = 0; i < drifting.value.size(); ++i) {
-    drifting.value[i] += 0.15 * (drifting.place[i] - 5) / 120;
-  }
-  const MotionFit drifted = fit(drifting);
-  CHECK_FALSE(drifted.distrust.empty());
-  CHECK(drift_of(drifting, drifted.best()).over_record == Approx(0.15).margin(0.04));
 }
 
 TEST_CASE("equal families end in equal minima", "[law-choice]") {
