@@ -8,6 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "kinematics/build.h"
+#include "problems/mechanism/responses.h"
 #include "problems/statement/choices.h"
 
 namespace camlaw::problems {
@@ -72,6 +74,22 @@ optim::Constraint limit_on(const Mechanism& mechanism, const ConstraintStatement
   result.tolerance = c.tolerance;
   if (c.response.part == Part::Magnitude && c.upper) result.lower = -*c.upper;
   return result;
+}
+
+bool makes_law(const Member& member) {
+  try {
+    member.law();
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+/// A response that is the same at every design.
+optim::Response constant(const std::string& name, const std::string& unit, double value) {
+  const auto kernel =
+      detail::kernel_of([value]<class T>(std::span<const T>) { return camlaw::number<T>(value); });
+  return {name, unit, function_of({}, kernel, optim::Shape::Linear)};
 }
 
 }  // namespace
@@ -165,18 +183,34 @@ std::vector<BoundProblem::Slot> BoundProblem::slots(const std::vector<std::size_
   return result;
 }
 
+/// The law of a combination, its variables at their starts; where those make no law beside what is
+/// chosen, on the straight way to their lower bounds.
+Member BoundProblem::member(const std::vector<std::size_t>& options) const {
+  constexpr double kShares[] = {1, 0.75, 0.5, 0.25, 0.1, 0};
+  const std::vector<Slot> all = slots(options);
+  Member member = law(options);
+  for (const double share : kShares) {
+    for (const Slot& slot : all) {
+      const VariableStatement& v = statement_.variables[slot.variable];
+      if (!v.of_law) continue;
+      const double start = share == 1 ? v.start : v.lower + share * (v.start - v.lower);
+      member.arguments.values()[*slot.parameter][v.element] = slot.fixed.value_or(start);
+    }
+    if (makes_law(member)) break;
+  }
+  return member;
+}
+
 Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
   Binding binding;
   binding.constants = statement_.constants;
-  Member member = law(options);
   std::vector<LawVariable> law_variables;
   std::vector<std::pair<std::size_t, std::size_t>> parameters;
   std::size_t variable = 0;
   for (const Slot& slot : slots(options)) {
     const VariableStatement& v = statement_.variables[slot.variable];
-    if (slot.fixed && v.of_law) {
-      member.arguments.values()[*slot.parameter][v.element] = *slot.fixed;
-    } else if (slot.fixed) {
+    if (slot.fixed && v.of_law) continue;  // the member has it
+    if (slot.fixed) {
       binding.constants[v.parameter] = *slot.fixed;
     } else if (v.of_law) {
       law_variables.push_back({*slot.parameter, v.element, variable++});
@@ -189,18 +223,26 @@ Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
     binding.parameters.push_back(parameter);
     binding.variables.push_back(index);
   }
-  binding.law = std::make_shared<LawBinding>(std::move(member), std::move(law_variables));
+  binding.law = std::make_shared<LawBinding>(member(options), std::move(law_variables));
   return binding;
 }
 
 optim::MultiProblem BoundProblem::problem(const std::vector<std::size_t>& options) const {
   optim::MultiProblem problem;
   problem.name = statement_.title;
+  const Member chosen = member(options);
+  std::vector<LawRange> varying;
   for (const Slot& slot : slots(options)) {
     if (slot.fixed) continue;
     const VariableStatement& v = statement_.variables[slot.variable];
-    problem.variables.push_back({v.name, v.unit, v.lower, v.upper, v.start, v.scale, v.integer});
+    if (v.of_law) varying.push_back({*slot.parameter, v.element, v.lower, v.upper});
+    const double start = v.of_law ? chosen.arguments.list(*slot.parameter)[v.element] : v.start;
+    problem.variables.push_back({v.name, v.unit, v.lower, v.upper, start, v.scale, v.integer});
   }
+  const bool has_room = std::none_of(
+      statement_.constraints.begin(), statement_.constraints.end(),
+      [&](const auto& c) { return most_room(c, chosen, varying).value_or(0) < -kLeastRoom; });
+  if (!has_room && !choices_.empty()) return without_designs(chosen, varying, std::move(problem));
   const Binding bound = binding(options);
   const Mechanism& mechanism = *statement_.mechanism;
   for (const ObjectiveStatement& objective : statement_.objectives) {
@@ -208,6 +250,26 @@ optim::MultiProblem BoundProblem::problem(const std::vector<std::size_t>& option
                                   objective.sense, objective.response.part, objective.tolerance});
   }
   problem.constraints = constraints_of(statement_, bound);
+  return problem;
+}
+
+/// The problem of a combination that leaves its law no room: a limit that no design meets. Its
+/// other responses are numbers without a meaning, and bound nothing.
+optim::MultiProblem BoundProblem::without_designs(const Member& chosen,
+                                                  std::span<const LawRange> varying,
+                                                  optim::MultiProblem problem) const {
+  for (const ObjectiveStatement& objective : statement_.objectives) {
+    problem.objectives.push_back({constant(objective.response.name, objective.response.unit, 0),
+                                  objective.sense, Part::Value, objective.tolerance});
+  }
+  for (const ConstraintStatement& c : statement_.constraints) {
+    const double left = most_room(c, chosen, varying).value_or(0);
+    optim::Constraint limit;
+    limit.response = constant(c.response.name, c.response.unit, std::min(left, 0.0));
+    limit.lower = left < -kLeastRoom ? 0 : -1;
+    limit.tolerance = c.tolerance;
+    problem.constraints.push_back(std::move(limit));
+  }
   return problem;
 }
 

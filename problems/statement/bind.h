@@ -3,6 +3,7 @@
 
 #include "optim/pareto/multi_problem.h"
 #include "optim/verdict/limits.h"
+#include "problems/statement/law_rooms.h"
 #include "problems/statement/statement.h"
 
 /// From a statement to functions: names become fields once, here.
@@ -26,8 +27,11 @@ class BoundProblem {
   /// What hypervolumes are measured from, as costs; none where the file does not say.
   std::optional<std::vector<double>> reference() const;
 
-  /// Of one combination of options: the problem, and the mechanism and law behind its variables.
+  /// Of one combination of options: the problem, and the mechanism and law behind its variables. A
+  /// combination that leaves its law no room has no design: its problem is a limit that nothing
+  /// meets.
   optim::MultiProblem problem(const std::vector<std::size_t>& options) const;
+  /// Throws std::invalid_argument where the combination makes no law.
   Binding binding(const std::vector<std::size_t>& options) const;
 
   /// The design as a person states it: the statement with every constant and law parameter of the
@@ -39,6 +43,9 @@ class BoundProblem {
   void check_objective() const;
   std::vector<Slot> slots(const std::vector<std::size_t>& options) const;
   const Member& law(const std::vector<std::size_t>& options) const;
+  Member member(const std::vector<std::size_t>& options) const;
+  optim::MultiProblem without_designs(const Member& chosen, std::span<const LawRange> varying,
+                                      optim::MultiProblem problem) const;
 
   ProblemStatement statement_;
   std::vector<optim::Choice> choices_;

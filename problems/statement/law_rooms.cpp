@@ -5,24 +5,31 @@
 
 #include "kinematics/build.h"
 #include "problems/mechanism/responses.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// What a room may be over the whole box of the variables. Infinite where the formula does not
-/// bound it.
-Interval room_over_box(const Room& room, const Member& law, const ProblemStatement& problem) {
+/// What a room may be over ranges of a law's parameters. Infinite where the formula does not bound
+/// it.
+Interval over_ranges(const Room& room, const Member& law, std::span<const LawRange> varying) {
   Arguments<Interval> arguments = law.arguments.as<Interval>();
-  for (const VariableStatement& v : problem.variables) {
-    if (!v.of_law) continue;
-    const auto& parameters = law.family->parameters;
-    const auto at = std::find_if(parameters.begin(), parameters.end(),
-                                 [&](const Parameter& p) { return p.name == v.law_parameter; });
-    if (at == parameters.end()) continue;  // not a parameter of this law
-    auto& values = arguments.values()[static_cast<std::size_t>(at - parameters.begin())];
-    if (v.element < values.size()) values[v.element] = Interval(v.lower, v.upper);
+  for (const LawRange& range : varying) {
+    arguments.values()[range.parameter][range.element] = Interval(range.lower, range.upper);
   }
   return room.left.make(arguments);
+}
+
+/// The ranges of the problem's variables in one of its laws.
+std::vector<LawRange> ranges_of(const Member& law, const ProblemStatement& problem) {
+  std::vector<LawRange> ranges;
+  for (const VariableStatement& v : problem.variables) {
+    if (!v.of_law) continue;
+    const auto parameter = index_in(*law.family, v.law_parameter);
+    if (!parameter || v.element >= law.arguments.list(*parameter).size()) continue;
+    ranges.push_back({*parameter, v.element, v.lower, v.upper});
+  }
+  return ranges;
 }
 
 bool holds(const Room& room, const Interval& over_box) {
@@ -77,10 +84,22 @@ void limit_to_laws(ProblemStatement& problem) {
   for (const Member& law : problem.laws) {
     for (std::size_t i = 0; i < law.family->rooms.size(); ++i) {
       const Room& room = law.family->rooms[i];
-      if (holds(room, room_over_box(room, law, problem))) continue;
+      if (holds(room, over_ranges(room, law, ranges_of(law, problem)))) continue;
       problem.constraints.push_back(constraint_of(law, i, problem.laws.size() > 1));
     }
   }
+}
+
+std::optional<double> most_room(const ConstraintStatement& constraint, const Member& law,
+                                std::span<const LawRange> varying) {
+  if (!constraint.of_law) return {};
+  for (const Room& room : law.family->rooms) {
+    const std::string& name = constraint.response.name;
+    if (name == room.name || name == law.family->name + ": " + room.name) {
+      return over_ranges(room, law, varying).upper();
+    }
+  }
+  return {};
 }
 
 }  // namespace camlaw::problems

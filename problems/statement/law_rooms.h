@@ -11,4 +11,15 @@ namespace camlaw::problems {
 /// with a price. Constraints of an earlier call go first: what is fixed may have changed.
 void limit_to_laws(ProblemStatement& problem);
 
+/// Between what a parameter of a law varies.
+struct LawRange {
+  std::size_t parameter, element;
+  double lower, upper;
+};
+
+/// The most that a law, some of its parameters in their ranges, may leave of such a constraint's
+/// room; none for other constraints and other laws.
+std::optional<double> most_room(const ConstraintStatement& constraint, const Member& law,
+                                std::span<const LawRange> varying);
+
 }  // namespace camlaw::problems

@@ -86,7 +86,8 @@ TEST_CASE("bash completes commands, options, names and words", "[program]") {
   CHECK(offers(folder, {"camlaw", "law", "modified-si"}).contains("modified-sine"));
   CHECK(offers(folder, {"camlaw", "law", "cubic", "--sa"}) == Set{"--samples"});
   CHECK(offers(folder, {"camlaw", "pareto", "x.toml", "--method", "s"}) == Set{"sweep"});
-  CHECK(offers(folder, {"camlaw", "fit", "x.csv", "--shift", ""}) == Set{"place", "value"});
+  CHECK(offers(folder, {"camlaw", "fit", "x.csv", "--shift", ""}) ==
+        Set{"centre", "place", "value"});
   CHECK(offers(folder, {"camlaw", "mechanisms", "geneva-"}) == Set{"geneva-spherical"});
   CHECK(offers(folder, {"camlaw", "optimize", "--solver", "ip"}) == Set{"ipopt"});
   CHECK(offers(folder, {"camlaw", "reproduce", "spine"}) == Set{"spine-cutter"});

@@ -145,4 +145,30 @@ TEST_CASE("a room is a limit only where the bounds can break it, and for the law
   CHECK(value_of_limit(optimum, "scca: 1 - a - b - c") >= -1e-10);
 }
 
+TEST_CASE("choices that leave a law no room have no designs, and the others are searched",
+          "[law-rooms]") {
+  const std::string wanted = "[objective]\nminimize = 'C'\n";
+  const auto of = [&](const std::string& a, const std::string& b) {
+    return solved(law_problem("name = 'scca'", wanted,
+                              {"a]\nvalues = [" + a + "]", "b]\nvalues = [" + b + "]",
+                               between("c", 0, 1) + "\nstart = 0.2"}));
+  };
+  // 0.5 and 0.6 leave nothing; of the others the best has the most constant acceleration.
+  const auto optimum = of("0.2, 0.5", "0.2, 0.6");
+  CHECK(optimum.found.assessment.verdict == Verdict::Certified);
+  CHECK(optimum.options.size() == 2);
+  CHECK(optimum.found.assessment.objective.value ==
+        Approx(of("0.2", "0.6").found.assessment.objective.value).epsilon(1e-9));
+  // 0.5 and 0.4 leave 0.1, less than where c begins: it is searched from less.
+  CHECK(of("0.2, 0.5", "0.4").found.assessment.verdict == Verdict::Certified);
+
+  const auto angles = solved(
+      "mechanism = 'disc-cam-flat'\n[program]\nsegments = ["
+      "{name = 'rise', angle = 100, law = 'cycloidal'}, {name = 'back', angle = 100, law = "
+      "'cycloidal'}, {name = 'low'}]\n[variables.rise_angle]\nvalues = [100, 200, 280]\n"
+      "[objective]\nminimize = 'peak_torque'\n");
+  CHECK(angles.found.assessment.verdict == Verdict::Certified);
+  CHECK(angles.options.front() == 1);
+}
+
 }  // namespace camlaw::problems
