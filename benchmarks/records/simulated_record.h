@@ -20,10 +20,10 @@ struct SimulatedRecord {
   int order = 0;              ///< 0 displacement, 1 velocity, 2 acceleration
   double begin = 0, end = 1;  ///< of the motion, deg
   double stroke = 1, zero = 0;
-  std::size_t count = 0;  ///< of samples
-  double noise = 0;       ///< standard deviation, normal and independent
-  double step = 0;        ///< what values are rounded to; 0: to nine digits
-  std::string table = {}; ///< the text of the file
+  std::size_t count = 0;   ///< of samples
+  double noise = 0;        ///< standard deviation, normal and independent
+  double step = 0;         ///< what values are rounded to; 0: to nine digits
+  std::string table = {};  ///< the text of the file
 
   /// The motion without noise.
   double value(double place) const;
