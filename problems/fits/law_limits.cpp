@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <string_view>
 
 #include "optim/fit/statistics.h"
 
@@ -14,28 +11,23 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kPi = std::numbers::pi;
-
 }  // namespace
 
 std::optional<LawLimit> limit_of(const Member& law) {
-  static const std::map<std::string_view, LawLimit> kLimits{
-      {"trapezoidal-velocity", {{1, 1}, "1 - t1 - t2"}},
-      {"trapezoidal-acceleration", {{4, 2}, "1 - 4 ramp - 2 constant"}},
-      {"scca", {{1, 1, 1}, "1 - a - b - c"}},
-      {"universal", {{1, 1, 1, 1, 1, 1}, "1 - d1 - d2 - d3 - d4 - d5 - d6"}},
-      {"triple-harmonic",
-       {{1 / (2 * kPi), 1 / (4 * kPi), 1 / (6 * kPi)},
-        "1 - h1/(2 pi) - h2/(4 pi) - h3/(6 pi)",
-        true}}};
-  const auto found = kLimits.find(law.family->name);
-  if (found == kLimits.end()) return {};
-  return found->second;
-}
-
-bool has_free_ends(const Member& law) {
-  const std::string& family = law.family->name;
-  return family == "boundary-5" || family == "boundary-7";
+  const auto& rooms = law.family->rooms;
+  const auto room =
+      std::find_if(rooms.begin(), rooms.end(), [](const Room& r) { return r.linear; });
+  if (room == rooms.end()) return {};
+  LawLimit limit{{}, room->name, room->is_equal};
+  const auto& parameters = law.family->parameters;
+  Arguments<double> at(std::vector(parameters.size(), std::vector{0.0}));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].name == kCrossover) continue;
+    at.values()[i] = {1.0};
+    limit.factors.push_back(1 - room->left.make(at));
+    at.values()[i] = {0.0};
+  }
+  return limit;
 }
 
 bool is_end_value(const Member& law, const Coefficient& coefficient) {
