@@ -30,6 +30,11 @@ std::optional<LawLimit> limit_of(const Member& law) {
   return limit;
 }
 
+bool has_free_ends(const Member& law) {
+  const std::string& family = law.family->name;
+  return family == "boundary-5" || family == "boundary-7";
+}
+
 bool is_end_value(const Member& law, const Coefficient& coefficient) {
   return has_free_ends(law) && (coefficient.name == "s0" || coefficient.name == "s1");
 }
