@@ -20,9 +20,11 @@ LimitText limit_text(const optim::LimitReport& report,
   // A bound of zero leaves the tolerance to tell what is rounding.
   const double size =
       std::max({std::abs(report.value), std::abs(report.bound), 1e3 * report.tolerance});
+  // It was stated: however far the value is from it, it has digits of its own.
+  const double bound_size = std::max(std::abs(report.bound), 1e3 * report.tolerance);
   const char* sign = report.is_equation ? "==" : report.is_upper ? "<=" : ">=";
   return {significant(report.value, size),
-          fmt::format("{} {}", sign, significant(report.bound, size)),
+          fmt::format("{} {}", sign, significant(report.bound, bound_size)),
           significant(report.margin, size, 3),
           report.worst_angle ? place_text(*report.worst_angle, stated.response) : ""};
 }

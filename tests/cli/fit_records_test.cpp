@@ -59,6 +59,8 @@ TEST_CASE("fit bounds what it reads", "[program]") {
   struct Case {
     std::string path, says;
   };
+  // A child begins as large as the program that runs it, and sanitizers hold memory of their own.
+  const double little = run({"--version"}).memory;
   for (const Case& bad : std::vector<Case>{
            {"/dev/zero", "not a text"},
            {written(folder, "header.csv", std::string(40'000'000, 'a') + "\n1,2\n"), "longer than"},
@@ -81,7 +83,7 @@ TEST_CASE("fit bounds what it reads", "[program]") {
     CHECK_THAT(outcome.err, Contains(bad.says));
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     CHECK(taken.count() < 5);
-    CHECK(outcome.memory < 2e8);
+    CHECK(outcome.memory < little + 1.5e8);
   }
 }
 
