@@ -91,6 +91,16 @@ void take_bound(const Problem& problem, const Sizes& sizes, const Kkt& condition
   }
 }
 
+/// Where the conditions do not hold, multipliers are the best there are, and weigh limits beside
+/// the design too: a price is told of a limit that the design stands at.
+void drop_prices_of_room(Assessment& result) {
+  constexpr double kStands = 10;  // tolerances
+  if (result.kkt_residual <= kKktTolerance) return;
+  for (LimitReport& limit : result.limits) {
+    if (!limit.is_equation && limit.margin > kStands * limit.tolerance) limit.multiplier = 0;
+  }
+}
+
 bool inside_bounds(const std::vector<VariableReport>& variables) {
   return std::all_of(variables.begin(), variables.end(), [](const VariableReport& v) {
     return v.value >= v.lower && v.value <= v.upper;
@@ -238,6 +248,7 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
   take_conditions(problem, sizes, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
+  drop_prices_of_room(result);
   if (prove) {
     conclude(problem, sizes, "", result);
   } else {
