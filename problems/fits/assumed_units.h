@@ -10,7 +10,7 @@
 /// Units that tables do not state.
 namespace camlaw::problems {
 
-/// Gives a column that is called as an angle and states no unit the unit deg where its values go
+/// Gives a column that is named as an angle and states no unit the unit deg where its values go
 /// over more than a turn of radians. What was done, in words; none where nothing was.
 std::optional<std::string> assume_degrees(SampleColumn& column);
 

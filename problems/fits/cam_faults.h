@@ -13,7 +13,7 @@ namespace camlaw::problems {
 PossibleFault centre_of(const MeasuredCam& cam);
 std::vector<PossibleFault> possible_faults(const MeasuredCam& cam);
 
-/// The follower with one size, called as in the fault, less by so much.
+/// The follower with one size, named as in the fault, less by so much.
 MeasuredFollower with_less(MeasuredFollower follower, const std::string& name, double less);
 
 }  // namespace camlaw::problems

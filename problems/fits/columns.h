@@ -14,12 +14,12 @@ namespace camlaw::problems {
 /// The first column that is wanted, of several one that is no text; null where there is none.
 const SampleColumn* first_column(const SampleTable& table,
                                  const std::function<bool(const SampleColumn&)>& is_wanted);
-/// That which is called as one of a kind.
+/// That which is named as one of a kind.
 const SampleColumn* find_column(const SampleTable& table, ColumnKind kind);
 
 /// That which is not the other one.
 const SampleColumn& column_beside(const SampleTable& table, const SampleColumn* other);
-/// The column of the place: called as an angle, a time or x, else the first but `value`, which may
+/// The column of the place: named as an angle, a time or x, else the first but `value`, which may
 /// be null.
 const SampleColumn& place_column(const SampleTable& table, const SampleColumn* value);
 

@@ -12,7 +12,7 @@ namespace camlaw::problems {
 
 /// The columns of a table as a place and a displacement, velocity or acceleration. The place is the
 /// column called angle, phi, x, t, ... (problems/fits/column_names.h), else the first; the value
-/// that called as a displacement, velocity or acceleration, else the second. Angles become deg,
+/// that named as a displacement, velocity or acceleration, else the second. Angles become deg,
 /// lengths mm, times s, what has no unit stays, but for angles of which the values tell that they
 /// are degrees; velocity is in mm/deg and the like. Rows whose place lies far from all others are
 /// left out. Many samples are condensed(). Throws std::invalid_argument naming the column and the
