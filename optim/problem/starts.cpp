@@ -40,9 +40,14 @@ std::vector<std::uint64_t> primes(std::size_t count) {
   return found;
 }
 
-}  // namespace
+/// A side of the box: evenly from low to high, or by orders of magnitude where both have one sign.
+double at_share(double low, double high, double share, bool by_magnitude) {
+  if (!by_magnitude || !(low * high > 0)) return std::lerp(low, high, share);
+  return low * std::pow(high / low, share);
+}
 
-std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed) {
+std::vector<std::vector<double>> filled(const Problem& problem, int count, std::uint64_t seed,
+                                        bool by_magnitude) {
   constexpr double kReach = 10;
   const std::vector<double> first = problem.start();
   const std::vector<double> scales = variable_scales(problem);
@@ -57,11 +62,22 @@ std::vector<std::vector<double>> starts(const Problem& problem, int count, std::
       const double low = std::isfinite(v.lower) ? v.lower : first[i] - reach;
       const double high = std::isfinite(v.upper) ? v.upper : first[i] + reach;
       const double turned = mirrored(static_cast<std::uint64_t>(n), bases[i]) + share(seed, i);
-      x[i] = std::lerp(low, high, turned - std::floor(turned));
+      x[i] = std::clamp(at_share(low, high, turned - std::floor(turned), by_magnitude), low, high);
     }
     result.push_back(std::move(x));
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed) {
+  return filled(problem, count, seed, false);
+}
+
+std::vector<std::vector<double>> starts_by_magnitude(const Problem& problem, int count,
+                                                     std::uint64_t seed) {
+  return filled(problem, count, seed, true);
 }
 
 }  // namespace camlaw::optim

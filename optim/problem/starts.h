@@ -13,4 +13,10 @@ namespace camlaw::optim {
 /// Fixed and whole variables keep their start.
 std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed);
 
+/// The same sequence, in which variables of one sign fill their sides evenly by orders of
+/// magnitude: of a side from 1e-3 to 1e5 three eighths of the places are below 1, which evenly
+/// filled would hold none.
+std::vector<std::vector<double>> starts_by_magnitude(const Problem& problem, int count,
+                                                     std::uint64_t seed);
+
 }  // namespace camlaw::optim

@@ -370,8 +370,31 @@ class Search {
                                            undefined_at(original_, valid.x, "the nearest design"));
   }
 
+  bool has_numbers_at(Design x) const {
+    const Assessment there = assess(problem_, sizes(problem_, x), x, false);
+    return std::isfinite(there.objective.value) && !std::isinf(worst_violation(there.limits));
+  }
+
+  /// Where no limit tells where the model gives numbers: from the first places of the box at which
+  /// it does, evenly spread or by orders of magnitude.
+  void seek_numbers_all_over() {
+    constexpr int kPlaces = 128, kEnough = 3;
+    const auto even = starts(problem_, kPlaces, options_.seed);
+    const auto by_magnitude = starts_by_magnitude(problem_, kPlaces, options_.seed);
+    int searched = 0;
+    for (std::size_t i = 1; i < even.size(); ++i) {
+      for (const auto* places : {&by_magnitude, &even}) {
+        if (searched == kEnough || deadline_.passed()) return;
+        if (!has_numbers_at((*places)[i])) continue;
+        ++searched;
+        search_from((*places)[i]);
+      }
+    }
+  }
+
   void finish() {
     if (!has_numbers()) seek_numbers();
+    if (!has_numbers() && found_.assessment.verdict != Verdict::Infeasible) seek_numbers_all_over();
     const Assessment& best = found_.assessment;
     if (best.verdict == Verdict::Infeasible) {
       judge();

@@ -130,16 +130,24 @@ class Collector {
       add_place(side, peak, true);
       if (std::isnan(peak.value)) return;
     }
-    const int places = net_.between ? 8 : 1;
+    const int steps = steps_of_stretch(side.breaks.size() - 1);
     for (std::size_t k = 0; k + 1 < side.breaks.size(); ++k) {
       const double from = side.breaks[k], to = side.breaks[k + 1];
-      for (int i = 0; i <= places; ++i) {
-        const Place place = even_place(from, to, places, i);
+      for (int i = 0; i <= steps; ++i) {
+        const Place place = even_place(from, to, steps, i);
         const bool known = std::any_of(peaks.begin(), peaks.end(),
                                        [&](const Extreme& peak) { return peak.place == place; });
         if (!known) add_place(side, {place, side.trace.at(place)[0]}, false);
       }
     }
+  }
+
+  /// Curves of many stretches need no more than a few places in each.
+  int steps_of_stretch(std::size_t stretches) const {
+    constexpr int kFew = 8;
+    constexpr std::size_t kMost = 2048;
+    const auto shared = static_cast<int>(kMost / std::max<std::size_t>(stretches, 1));
+    return std::min(net_.places, std::max(kFew, shared));
   }
 
   void add_place(const CurveLevel& side, const Extreme& at, bool is_peak) {

@@ -34,8 +34,8 @@ struct ActiveLimit {
 
 /// How wide the net is cast for limits that hold a design.
 struct Net {
-  double width;          ///< the largest margin, a share of the limit's size
-  bool between = false;  ///< of curves also even places between the ends of smooth stretches
+  double width;    ///< the largest margin, a share of the limit's size
+  int places = 1;  ///< of curves the even steps between the ends of a smooth stretch
 };
 
 /// The limits whose margin is at most the net's width or twice their tolerance: numbers, variables'

@@ -116,13 +116,15 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
   // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
   // slack times multiplier counts against them.
   constexpr double kGood = 1e-8;
-  constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, true}};
+  constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, 8}, {1e-4, 64}};
+  // What is farther from optimal than this no closer look brings nearer.
+  constexpr double kWorthwhile = 1e-4;
   const Layout layout = lay_out(problem, optimality);
   Weighed best;
   for (const Net& net : kNets) {
     Weighed weighed = weigh(problem, sizes, x, optimality, layout, net);
     if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
-    if (best.residual <= kGood) break;
+    if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
   }
   const bool least_violation = optimality == Optimality::LeastViolation;
   Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);

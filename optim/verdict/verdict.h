@@ -53,7 +53,7 @@ struct Assessment {
 };
 
 /// Whether the conditions of optimality hold: what the residual may be.
-inline constexpr double kKktTolerance = 1e-6;
+inline constexpr double kKktTolerance = 1e-7;
 
 /// Judges a design as an answer to the problem, with tolerances as they are at the design
 /// (judged_at). `prove` asks for interval proofs over the cycle, for an answer; without, a design

@@ -74,7 +74,7 @@ std::vector<MechanismResponse> numbers() {
 /// A curve that the law decides as a whole.
 MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<ElasticFollower>(std::move(about));
   response.along = "1";
   response.sees_law = true;
   response.uses = detail::used_parameters<ElasticFollower>([&](const ElasticFollower<Dual>& f) {

@@ -64,13 +64,15 @@ inline std::vector<std::size_t> law_number_variables(const Binding& binding) {
   return variables;
 }
 
-/// In these arguments; where it is linear in the law, with slopes worked out once.
+/// In these arguments; where it is linear in the law and nothing else varies, with slopes worked
+/// out once.
 template <template <class> class M, class F>
 std::shared_ptr<const optim::Kernel> law_number_kernel(const Binding& binding,
                                                        const UnitFactor& factor, const F& formula,
                                                        optim::Shape shape) {
   auto kernel = kernel_of(law_formula<M>(binding, factor, formula));
-  if (shape != optim::Shape::Linear || binding.law->variables().empty()) return kernel;
+  const bool law_alone = binding.parameters.empty() && !binding.law->variables().empty();
+  if (shape != optim::Shape::Linear || !law_alone) return kernel;
   return std::make_shared<AffineKernel>(std::move(kernel), own_values(binding));
 }
 
@@ -79,7 +81,7 @@ std::shared_ptr<const optim::Kernel> law_number_kernel(const Binding& binding,
 template <template <class> class M, class F>
 MechanismResponse law_number(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<M>(std::move(about));
   response.sees_law = true;
   const Law<Dual> some = find_law("poly-3-4-5").law<Dual>();
   response.uses = detail::used_parameters<M>(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -80,6 +81,45 @@ BoundMachine<M> typical_machine(std::vector<std::size_t> varying = {}) {
   }
   binding.parameters = std::move(varying);
   return BoundMachine<M>(binding);
+}
+
+/// Places of a parameter's accepted range, even and, where it holds one sign, by orders of
+/// magnitude.
+inline std::vector<double> places_of_range(const MechanismParameter& p) {
+  constexpr int kPlaces = 24;
+  std::vector<double> places;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double share = static_cast<double>(i) / kPlaces;
+    places.push_back(p.low + share * (p.high - p.low));
+    if (p.low > 0) places.push_back(p.low * std::pow(p.high / p.low, share));
+  }
+  return places;
+}
+
+/// The parameters that decide whether a machine is possible: those that, moved over the range that
+/// they accept while the others are typical, make a possible machine impossible or the other way
+/// round. What depends on other parameters alone must still follow these, for it is a number only
+/// where the machine is possible.
+template <template <class> class M>
+const std::vector<std::size_t>& parameters_of_possibility() {
+  static const std::vector<std::size_t> kept = [] {
+    const auto& parameters = MachineTraits<M>::parameters();
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto machine = typical_machine<M>({i});
+      const auto possible_at = [&](double x) {
+        return is_possible(machine.template at<double>(std::span(&x, 1)));
+      };
+      const bool typical = possible_at(typical_value(parameters[i]));
+      const auto places = places_of_range(parameters[i]);
+      if (std::any_of(places.begin(), places.end(),
+                      [&](double x) { return possible_at(x) != typical; })) {
+        result.push_back(i);
+      }
+    }
+    return result;
+  }();
+  return kept;
 }
 
 }  // namespace camlaw::problems

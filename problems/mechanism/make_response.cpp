@@ -27,23 +27,29 @@ int strength(Shape shape) {
   return 0;
 }
 
+bool holds(const std::vector<std::size_t>& increasing, std::size_t parameter) {
+  return std::binary_search(increasing.begin(), increasing.end(), parameter);
+}
+
 /// The binding with nothing varying that the response does not depend on.
 Binding narrowed(const Binding& binding, const MechanismResponse& response) {
   Binding result{binding.constants, {}, {}, binding.law};
   for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
     const std::size_t parameter = binding.parameters[k];
-    if (!std::binary_search(response.uses.begin(), response.uses.end(), parameter)) continue;
+    if (!holds(response.uses, parameter) && !holds(response.possible_by, parameter)) continue;
     result.parameters.push_back(parameter);
     result.variables.push_back(binding.variables[k]);
   }
   return result;
 }
 
-/// The strongest form that is stated for what varies.
+/// The strongest form that is stated for what varies of what the response's value depends on.
 Shape stated_shape(const Mechanism& mechanism, const MechanismResponse& response,
                    const Binding& binding) {
   std::set<std::string> varying;
-  for (const std::size_t i : binding.parameters) varying.insert(mechanism.parameters[i].name);
+  for (const std::size_t i : binding.parameters) {
+    if (holds(response.uses, i)) varying.insert(mechanism.parameters[i].name);
+  }
   if (response.sees_law && !binding.law->variables().empty()) {
     if (!binding.law->is_linear()) return Shape::General;
     varying.insert("law");

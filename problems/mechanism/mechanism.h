@@ -56,10 +56,14 @@ struct MechanismResponse {
   std::string meaning;
   std::vector<ShapeStatement> shapes;
   std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
-  std::string along = {};              ///< of a curve: the unit of its places, "deg" of cam angle
-  bool sees_law = false;               ///< whether the law, or the program, matters to it
+  /// The parameters that decide whether there is such a machine, increasing: it is a number only
+  /// where there is.
+  std::vector<std::size_t> possible_by = {};
+  std::string along = {};  ///< of a curve: the unit of its places, "deg" of cam angle
+  bool sees_law = false;   ///< whether the law, or the program, matters to it
   std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
-  /// One of the two makes the response for a binding, in which only what it uses varies.
+  /// One of the two makes the response for a binding, in which only what it uses, and what it is
+  /// possible by, varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};
   std::function<std::shared_ptr<const optim::Curve>(const Binding&, optim::Shape)> curve = {};
 };

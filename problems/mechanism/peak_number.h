@@ -93,7 +93,7 @@ template <template <class> class M, class F>
 MechanismResponse peak_number(ResponseAbout about, MechanismResponse curve, optim::Part part,
                               F formula) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<M>(std::move(about));
   const auto own = detail::used_parameters<M>(
       [&](const M<Dual>& machine) { return formula(machine, Dual(0.37)); });
   std::set_union(own.begin(), own.end(), curve.uses.begin(), curve.uses.end(),

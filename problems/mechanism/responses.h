@@ -191,11 +191,14 @@ std::shared_ptr<const optim::Kernel> machine_kernel_of(F f) {
   return std::make_shared<optim::AutomaticKernel<F, Interval, Series<Interval, 2>>>(std::move(f));
 }
 
-inline MechanismResponse described(ResponseAbout about) {
+/// What its describer says of a machine's response, and what decides whether it is a number.
+template <template <class> class M>
+MechanismResponse described(ResponseAbout about) {
   return {.name = std::move(about.name),
           .unit = std::move(about.unit),
           .meaning = std::move(about.meaning),
-          .shapes = std::move(about.shapes)};
+          .shapes = std::move(about.shapes),
+          .possible_by = parameters_of_possibility<M>()};
 }
 
 }  // namespace detail
@@ -203,7 +206,7 @@ inline MechanismResponse described(ResponseAbout about) {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<M>(std::move(about));
   response.uses = detail::used_parameters<M>(formula);
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
@@ -219,7 +222,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
 template <template <class> class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<M>(std::move(about));
   response.along = cycle.unit;
   response.sees_law = true;
   response.uses = detail::used_by_curve<M>(formula);

@@ -171,7 +171,7 @@ TurnParts turn_parts(const Binding& binding, const UnitFactor& factor, Which whi
 template <template <class> class M, class Which, class F>
 MechanismResponse turn_response(ResponseAbout about, Which which, F work) {
   const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described(std::move(about));
+  MechanismResponse response = detail::described<M>(std::move(about));
   response.along = "deg";
   const M<double> machine = typical_machine<M>().template at<double>({});
   const auto standard = detail::breaks_of<double>(machine);

@@ -19,7 +19,8 @@ struct Caution {
 
 /// Of a cam at a statement's constants and starts, as far as its mechanism has the responses: an
 /// undercut of 1 or more, a tool that does not fit a hollow, a follower that leaves the cam below
-/// its speed, a base circle inside the bore.
+/// its speed, a base circle inside the bore. Of a law whose jerk is sought or limited: an
+/// acceleration that jumps at its ends.
 std::vector<Caution> cautions(const ProblemStatement& design);
 
 }  // namespace camlaw::problems

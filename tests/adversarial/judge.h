@@ -11,8 +11,11 @@
 namespace camlaw::adversary {
 
 /// The places at which a model's curves are looked at: even in each piece, and graded towards its
-/// ends down to 1e-8 of it.
-std::vector<Spot> grid_of(const Model& model);
+/// ends down to 1e-8 of it. `times` as many of the even ones.
+std::vector<Spot> grid_of(const Model& model, int times = 1);
+
+/// How many times as densely a design is looked at on which an answer is called wrong.
+inline constexpr int kCloser = 16;
 
 /// What a limit's excess vanishes with at a place; 0 at a rest itself.
 double divisor_of(const Model& model, int response, double sign, double bound, const Spot& at);

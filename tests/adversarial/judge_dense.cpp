@@ -92,9 +92,9 @@ std::vector<Side> sides(const PlainProblem& problem) {
   return result;
 }
 
-std::vector<Spot> grid_of(const Model& model) {
+std::vector<Spot> grid_of(const Model& model, int times) {
   const int pieces = model.pieces();
-  const int even = pieces <= 3 ? 48 : pieces <= 8 ? 24 : 8;
+  const int even = times * (pieces <= 3 ? 48 : pieces <= 8 ? 24 : 8);
   const double ratio = pieces <= 3 ? 0.31622776601683794 : pieces <= 8 ? 0.1 : 0.01;
   std::vector<double> near;  // below the first even place
   for (double u = 0.5 / even; u > 1e-8; u *= ratio) near.push_back(u);

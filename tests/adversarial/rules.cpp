@@ -66,6 +66,22 @@ double slack_of(const PlainProblem& plain, const Outcome& outcome) {
   return answer.objective_tolerance + std::min(10 * worth, 1e-3 * size) + 1e-9 * size;
 }
 
+/// What a search found is true of the places that it looked at. Its design is looked at again, more
+/// closely, and led within the limits where it passes one between them; dropped where it cannot be.
+void confirm(const PlainProblem& plain, const std::vector<Spot>& fine, Truth& truth) {
+  if (!truth.best) return;
+  const auto meets = [&](const Point& x) {
+    const auto look = plain.model->look(x);
+    return look != nullptr && violation_of(plain, *look, x, fine, true) <= kRounding;
+  };
+  if (!meets(*truth.best)) truth.best = descend(plain, fine, *truth.best);
+  if (!truth.best || !meets(*truth.best)) {
+    truth.best.reset();
+    return;
+  }
+  truth.value = objective_of(plain, *plain.model->look(*truth.best), fine, true);
+}
+
 /// (a): a better design.
 void judge_optimum(const Case& test, Outcome& outcome) {
   const Answer& answer = outcome.answer;
@@ -86,11 +102,10 @@ void judge_optimum(const Case& test, Outcome& outcome) {
   if (answer.said != Said::Certified) return;
   if (beaten && answer.global) return tell(*outcome.truth.best, outcome.truth.value);
   if (answer.global) return;
-  if (const auto near = descend(plain, outcome.truth.grid, answer.x)) {
-    const auto look = plain.model->look(*near);
-    const double value = objective_of(plain, *look, outcome.truth.grid, true);
-    if (gain(value) > slack) return tell(*near, value);
-  }
+  Truth near;
+  near.best = descend(plain, outcome.truth.grid, answer.x);
+  confirm(plain, outcome.fine, near);
+  if (near.best && gain(near.value) > slack) return tell(*near.best, near.value);
   outcome.other_valley = beaten;
 }
 
@@ -105,7 +120,7 @@ void judge_limits(const Case& test, Outcome& outcome) {
     outcome.wrong.push_back({'b', "there is no such machine at " + words(answer.x)});
     return;
   }
-  const auto& grid = outcome.truth.grid;
+  const auto& grid = outcome.fine;
   for (const Side& side : sides(plain)) {
     const SaidLimit& said = answer.limits[static_cast<std::size_t>(side.limit)];
     const Extreme high = extreme_of(model, *look, grid, side.response, side.sign, true);
@@ -156,8 +171,7 @@ void judge_peaks(const Case& test, const problems::ProblemStatement& design, Out
     if (found == printed.end() || !found->is_curve) continue;
     if (!found->proved) continue;  // it is printed as sampled
     for (const double sign : {1.0, -1.0}) {
-      const Extreme high =
-          extreme_of(*plain.model, *look, outcome.truth.grid, response, sign, true);
+      const Extreme high = extreme_of(*plain.model, *look, outcome.fine, response, sign, true);
       const double said = sign > 0 ? found->highest : found->lowest;
       if (!std::isfinite(said) || !(sign * said < high.value - 1e-6 * high.magnitude)) continue;
       outcome.wrong.push_back(
@@ -315,6 +329,8 @@ Outcome judged(const Case& test, Random random) {
     from = processor_s();
     const Answer& answer = outcome.answer;
     outcome.truth = truth_of(test, answer, random);
+    outcome.fine = grid_of(*test.plain.model, kCloser);
+    if (!is_affine(test.plain) && !test.known) confirm(test.plain, outcome.fine, outcome.truth);
     if (answer.said == Said::Certified || answer.said == Said::Feasible) {
       judge_optimum(test, outcome);
       judge_limits(test, outcome);

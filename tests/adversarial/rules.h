@@ -19,6 +19,7 @@ struct Wrong {
 struct Outcome {
   Answer answer;
   Truth truth;
+  std::vector<Spot> fine;  ///< the places at which designs are looked at before anything is wrong
   std::vector<Wrong> wrong;
   bool crashed = false;             ///< an exception reached us; `answer.reason` has its words
   bool right = false;               ///< feasible only, though no better design is known

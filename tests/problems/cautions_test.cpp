@@ -84,6 +84,21 @@ TEST_CASE("the speed at which contact is lost is where its caution begins", "[ca
   CHECK(at(lost * (1 + 1e-6)).size() == 1);
 }
 
+TEST_CASE("a law whose jerk counts and whose acceleration jumps at its ends is named",
+          "[cautions]") {
+  const auto law = [](const std::string& alpha, const std::string& response) {
+    return "mechanism = 'law'\n[law]\nname = 'polynomial-5'\nalpha = " + alpha +
+           "\n[objective]\nminimize = 'C'\n[[constraints]]\nresponse = '" + response +
+           "'\nupper = 80\n";
+  };
+  const auto jumps = said(law("-5", "D"));  // s''(0) = 6 + 0.6 alpha
+  REQUIRE(jumps.size() == 1);
+  CHECK_THAT(jumps[0], Contains("jumps at an end") && Contains("begins with 3 and ends with -3"));
+  CHECK(said(law("-5", "jerk")).size() == 1);
+  CHECK(said(law("-10", "D")).empty());  // 3-4-5: from rest to rest
+  CHECK(said(law("-5", "B")).empty());   // nobody asks for the jerk
+}
+
 TEST_CASE("a limit with a wrong unit is named, with what it was read as", "[cautions]") {
   const std::string varies = "[variables.base_radius]\nlower = '30 mm'\nupper = '120 mm'\n";
   const auto limited = [&](const std::string& limit) {

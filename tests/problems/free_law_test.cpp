@@ -192,6 +192,59 @@ TEST_CASE("No optimum is certified over a jump of the velocity", "[free][pulse]"
   CHECK_THAT(a.reason, Contains("no number"));
 }
 
+TEST_CASE("Limits that push along whole stretches are looked at closely enough", "[free]") {
+  // Peak and runs along bounds are pushed by measures spread over stretches: at a few places in
+  // each piece the conditions hold to a few ten-millionths only. The bounds are a linear program's.
+  const auto certified = [](const std::string& text, double bound) {
+    const BoundProblem problem(read_problem(text, "test"));
+    const Optimum optimum = optim::optimise(problem.space());
+    const auto& answer = optimum.found.assessment;
+    INFO(answer.reason);
+    CHECK(answer.verdict == Verdict::Certified);
+    CHECK(answer.global);
+    CHECK(answer.objective.value == Approx(bound).epsilon(1e-5));
+  };
+  certified(R"(mechanism = "law"
+[law]
+name = "free"
+[free]
+degree = 5
+knots = [0.082176287107675938, 0.21569992507168775, 0.29838815160281723, 0.41030520753555472,
+         0.49174498239436387, 0.72312366079203749]
+continuity = 2
+[objective]
+minimize = "C"
+[[constraints]]
+response = "B"
+upper = 1.7109375
+[[constraints]]
+response = "velocity"
+lower = 0
+)",
+            4.79577012622);
+  certified(R"(mechanism = "law"
+[law]
+name = "free"
+[free]
+degree = 4
+knots = [0.11020059132347744, 0.15778866641626355, 0.24346594317665321, 0.3542643277141404,
+         0.39247551831572652, 0.43580831116528174, 0.53066909722699918, 0.60421863600600323,
+         0.62558356734334153, 0.64545573892701347, 0.72915972465423462, 0.7835214912631534,
+         0.86747852416785087, 0.95575846476243909]
+continuity = 1
+begin = 2
+[objective]
+minimize = "highest acceleration"
+[[constraints]]
+response = "B"
+upper = 1.26953125
+[[constraints]]
+response = "velocity"
+lower = 0
+)",
+            3.56874488562);
+}
+
 TEST_CASE("A free law is one of several to choose from", "[free]") {
   const Solved best = solved(
       "mechanism = 'law'\n[law]\nname = ['modified-trapezoid', 'free']\n"
