@@ -15,6 +15,7 @@
 #include "cli/terminal.h"
 #include "cli/workers.h"
 #include "optim/study/workers.h"
+#include "problems/fronts/study_worker.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -114,7 +115,8 @@ optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>
   ProgressLine line(!options.json);
   study.options().solve.stop = interruptible.flag();
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
-  optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options));
+  optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options),
+                                 problems::worker_program(study));
   if (!record) return study.run(workers);
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
   return study.run(recorded);

@@ -78,6 +78,7 @@ Warnings warnings_of(const FrontAnswer& answer) {
     }
   }
   Warnings warnings;
+  if (!answer.front.remark.empty()) warnings.push_back(answer.front.remark);
   for (const auto& [what, shared] : all) {
     warnings.push_back(fmt::format("at {} {}: {}{}", points_text(shared.points), what,
                                    shared.points.size() > 1 ? "at the first " : "", shared.detail));

@@ -37,6 +37,8 @@ install(FILES ${PROJECT_BINARY_DIR}/camlaw.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(TARGETS camlaw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS camlaw_worker
+  RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
 set(pages ${PROJECT_BINARY_DIR}/pages)
 install(FILES ${pages}/camlaw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/camlaw.bash RENAME camlaw COMPONENT program

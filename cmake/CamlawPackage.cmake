@@ -27,4 +27,7 @@ string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   coinor-libipopt-dev libpagmo-dev libsqlitecpp-dev libsqlite3-dev libtomlplusplus-dev
   libudunits2-dev)
 
+# Whose worker program a program with several threads starts.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "camlaw (= ${PROJECT_VERSION})")
+
 include(CPack)

@@ -9,8 +9,10 @@
 #include <cctype>
 #include <charconv>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
+#include "optim/library_mutex.h"
 #include "problems/unit_spelling.h"
 
 namespace camlaw::problems {
@@ -151,7 +153,13 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
+optim::LibraryMutex& unit_mutex() {
+  static optim::LibraryMutex mutex;
+  return mutex;
+}
+
 double convert_unit(double value, const std::string& from, const std::string& to) {
+  const std::lock_guard lock(unit_mutex());
   const Unit source = find_unit(from), target = find_unit(to);
   if (!source || !target || !same_kind(source, target)) {
     throw std::invalid_argument(fmt::format("units: '{}' cannot be converted to '{}'", from, to));
@@ -162,6 +170,7 @@ double convert_unit(double value, const std::string& from, const std::string& to
 
 double unit_as_written(std::string_view written, const std::string& unit) {
   if (const auto why = ambiguous(written)) throw std::invalid_argument(*why);
+  const std::lock_guard lock(unit_mutex());
   const Unit target = find_unit(unit), source = read_unit(written, target);
   if (!source || !same_kind(source, target)) {
     throw std::invalid_argument(
@@ -189,6 +198,7 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   if (const auto why = ambiguous(given)) {
     throw std::invalid_argument(fmt::format("{}: {}", what, *why));
   }
+  const std::lock_guard lock(unit_mutex());
   const Unit target = find_unit(unit), source = read_unit(given, target);
   if (!source) {
     throw std::invalid_argument(fmt::format("{}: '{}' is not a unit; {} is wanted{}", what, given,

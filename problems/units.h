@@ -4,7 +4,12 @@
 #include <string>
 #include <string_view>
 
-/// Numbers as people write them, with units, through udunits: "40 mm", "30deg", "300 rpm".
+namespace camlaw::optim {
+class LibraryMutex;
+}
+
+/// Numbers as people write them, with units, through udunits: "40 mm", "30deg", "300 rpm". From any
+/// thread: udunits, whose reader of texts is not made for threads, takes one at a time.
 namespace camlaw::problems {
 
 /// The value of `text` in `unit` (udunits spelling, also deg and rpm; "1" for a plain number).
@@ -22,5 +27,9 @@ double unit_as_written(std::string_view written, const std::string& unit);
 
 /// A value in one unit, converted to another of the same kind.
 double convert_unit(double value, const std::string& from, const std::string& to);
+
+/// Held while udunits works (optim/library_mutex.h). A program that calls udunits itself holds it
+/// meanwhile, where other threads may read quantities.
+optim::LibraryMutex& unit_mutex();
 
 }  // namespace camlaw::problems

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <exception>
+#include <mutex>
 
 namespace camlaw::optim {
 namespace {
@@ -74,16 +75,26 @@ ceres::Solver::Options settings(int max_iterations, double tolerance, Pace pace)
 }
 
 /// Ceres tells the terminal of each search that ends where there are no numbers: that is ours to
-/// tell.
+/// tell. The level is the process's own: the first of several threads sets it, the last gives it
+/// back.
 class Silence {
  public:
-  Silence() : before_(FLAGS_minloglevel) { FLAGS_minloglevel = google::GLOG_FATAL; }
+  Silence() {
+    const std::lock_guard lock(guard_);
+    if (searches_++ > 0) return;
+    before_ = FLAGS_minloglevel;
+    FLAGS_minloglevel = google::GLOG_FATAL;
+  }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
-  ~Silence() { FLAGS_minloglevel = before_; }
+  ~Silence() {
+    const std::lock_guard lock(guard_);
+    if (--searches_ == 0) FLAGS_minloglevel = before_;
+  }
 
  private:
-  int before_;
+  static inline std::mutex guard_;
+  static inline int searches_ = 0, before_ = 0;
 };
 
 }  // namespace

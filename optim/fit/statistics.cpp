@@ -18,10 +18,20 @@ double aicc(std::size_t n, std::size_t p, double sum_of_squares) {
   return points * std::log(sum_of_squares / points) + 2 * points * k / (points - k - 1);
 }
 
+namespace {
+
+/// ln Gamma(x) for x > 0. std::lgamma tells the sign through a variable of the whole process.
+double log_gamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
+}
+
+}  // namespace
+
 double evidence(std::size_t n, std::size_t p, std::size_t m, double sum_of_squares, double occam) {
   if (n < p + 3) return std::numeric_limits<double>::infinity();
   const auto nu = static_cast<double>(n - p);
-  return nu * std::log(sum_of_squares / 2) - 2 * std::lgamma(nu / 2) +
+  return nu * std::log(sum_of_squares / 2) - 2 * log_gamma(nu / 2) +
          static_cast<double>(m) * std::log(sum_of_squares / nu) + occam;
 }
 

@@ -15,6 +15,9 @@ class Executor {
   /// The outcomes in the order of the tasks; of as many as were done, from the first on: fewer only
   /// where the study is to stop.
   virtual std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) = 0;
+  /// What a user should know of how tasks were carried out, such as that they were not carried out
+  /// side by side; empty: nothing. The outcomes are the same.
+  virtual std::string remark() const { return {}; }
 };
 
 /// One after the other, in this process.

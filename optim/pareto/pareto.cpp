@@ -394,7 +394,9 @@ std::size_t Front::certified() const {
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
-  return Study(space, options, executor).run();
+  Front front = Study(space, options, executor).run();
+  front.remark = executor.remark();
+  return front;
 }
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options) {

@@ -69,6 +69,8 @@ struct Front {
   std::optional<double> largest_gap;
   /// It was not stopped, and there is no larger gap than kLargestGap.
   bool complete = false;
+  /// What a user should know of how the tasks were carried out (Executor::remark); empty: nothing.
+  std::string remark;
 
   /// How many of the points are certified.
   std::size_t certified() const;

@@ -21,7 +21,7 @@ struct Place {
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// A curve for one design: a function of the angle alone.
+/// A curve for one design: a function of the angle alone. One thread at a time asks it.
 class Trace {
  public:
   virtual ~Trace() = default;

@@ -44,8 +44,8 @@ struct BoxRange {
   std::vector<Bounds> slopes;
 };
 
-/// A formula in a few inputs u with its exact derivatives. Pure: equal u, equal bits, from any
-/// thread. Undefined inputs give NaN.
+/// A formula in a few inputs u with its exact derivatives. Pure: equal u, equal bits, also where
+/// threads that share a problem ask at once. Undefined inputs give NaN.
 class Kernel {
  public:
   virtual ~Kernel() = default;

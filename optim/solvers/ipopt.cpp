@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 
+#include "optim/library_mutex.h"
+#include "optim/solvers/exit_guard.h"
 #include "optim/solvers/solver.h"
 
-/// Ipopt: interior point with exact sparse second derivatives.
+/// Ipopt: interior point with exact sparse second derivatives. Its linear solver, MUMPS, has its
+/// state in static variables: one thread at a time searches, in the whole process.
 namespace camlaw::optim {
 namespace {
 
@@ -130,10 +134,15 @@ class Adapter final : public Ipopt::TNLP {
         return true;
       });
     }
+    return !must_end() && !solution.error;
+  }
+
+  /// Whether the user or the clock ends the search; keeps which of them.
+  bool must_end() {
     stopped = options_.stop != nullptr && options_.stop->load();
     const std::chrono::duration<double> spent = Clock::now() - began_;
     out_of_time = options_.time_limit && spent.count() > *options_.time_limit;
-    return !stopped && !out_of_time && !solution.error;
+    return stopped || out_of_time;
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* y, const Number* z_lower,
@@ -150,6 +159,7 @@ class Adapter final : public Ipopt::TNLP {
   template <class Work>
   bool guarded(Work work) {
     if (solution.error) return false;
+    const ExitGuard model(nullptr);
     try {
       return work();
     } catch (...) {
@@ -266,11 +276,23 @@ class IpoptSolver final : public Solver {
       solution.message = "nothing varies";
       return solution;
     }
-    run(adapter, options, with_multipliers);
+    if (ipopt_mutex().lock_unless([&] { return adapter->must_end(); })) {
+      const std::lock_guard lock(ipopt_mutex(), std::adopt_lock);
+      const ExitGuard guard("the linear solver of Ipopt");
+      run(adapter, options, with_multipliers);
+    }
+    name_end(*adapter);
     return solution;
   }
 
  private:
+  static void name_end(Adapter& adapter) {
+    Solution& solution = adapter.solution;
+    if (adapter.stopped) solution.status = Status::Stopped, solution.message = "stopped";
+    if (adapter.out_of_time) solution.status = Status::TimeLimit, solution.message = "time limit";
+    if (solution.error) solution.status = Status::Failed, solution.message = "the model threw";
+  }
+
   static void run(const Ipopt::SmartPtr<Adapter>& adapter, const SolverOptions& options,
                   bool warm) {
     Solution& solution = adapter->solution;
@@ -280,13 +302,15 @@ class IpoptSolver final : public Solver {
     const auto result = outcome(application.OptimizeTNLP(GetRawPtr(adapter)));
     solution.status = result.status;
     solution.message = result.message;
-    if (adapter->stopped) solution.status = Status::Stopped, solution.message = "stopped";
-    if (adapter->out_of_time) solution.status = Status::TimeLimit, solution.message = "time limit";
-    if (solution.error) solution.status = Status::Failed, solution.message = "the model threw";
   }
 };
 
 }  // namespace
+
+LibraryMutex& ipopt_mutex() {
+  static LibraryMutex mutex;
+  return mutex;
+}
 
 const Solver& ipopt_solver() {
   static const IpoptSolver solver;

@@ -16,6 +16,8 @@
 /// .cpp files alone.
 namespace camlaw::optim {
 
+class LibraryMutex;
+
 /// How a back end ended. It is a hint: whether a design is good the verdict says.
 enum class Status {
   Solved,          ///< its own tests of optimality hold
@@ -68,7 +70,9 @@ struct Solution {
   std::exception_ptr error = {};  ///< what the model threw, if it did
 };
 
-/// A method. Const and without state: safe to share.
+/// A method. Const and without state: one method may solve in many threads at once. Ipopt takes one
+/// of them at a time; the others wait (ipopt_mutex), unless stop or their time limit ends that.
+/// What a model does that is called by Ipopt must not wait for another thread that searches.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -93,6 +97,9 @@ std::vector<std::string> solver_versions();
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
 std::string ipopt_version();
+/// Held while Ipopt searches (optim/library_mutex.h). A program that calls Ipopt or MUMPS itself
+/// holds it meanwhile, where other threads may search.
+LibraryMutex& ipopt_mutex();
 std::string nlopt_version();
 
 }  // namespace camlaw::optim

@@ -73,6 +73,12 @@ class Reader {
     good_ = good_ && number >= 0 && number <= static_cast<int>(Verdict::Failed);
     verdict = good_ ? static_cast<Verdict>(number) : Verdict::Failed;
   }
+  void operator()(Task::Kind& kind) {
+    int number = 0;
+    (*this)(number);
+    good_ = good_ && number >= 0 && number <= static_cast<int>(Task::Kind::Scout);
+    kind = good_ ? static_cast<Task::Kind>(number) : Task::Kind::Bounded;
+  }
   /// Item by item: what is no list of ours may claim to be longer than there is memory.
   template <class T>
   void operator()(std::vector<T>& list) {
@@ -123,20 +129,56 @@ void visit(Archive& archive, O& o) {
   archive(o.died), archive(o.is_global);
 }
 
-}  // namespace
+/// Names every member, so that one which is added is not forgotten.
+template <class Archive, class T>
+requires std::is_same_v<std::remove_const_t<T>, Task>
+void visit(Archive& archive, T& task) {
+  auto& [kind, part, sought, bounds, origin, direction, starts, population, generations, seed] =
+      task;
+  archive(kind), archive(part), archive(sought), archive(bounds), archive(origin);
+  archive(direction), archive(starts), archive(population), archive(generations), archive(seed);
+}
 
-std::string encoded(const Outcome& outcome) {
+template <class Archive, class O>
+requires std::is_same_v<std::remove_const_t<O>, OptimiseOptions>
+void visit(Archive& archive, O& options) {
+  auto& [solver, starts, seed, time_limit, iterations, evaluations, divides, stop, progress] =
+      options;
+  archive(solver), archive(starts), archive(seed), archive(time_limit);
+  archive(iterations), archive(evaluations), archive(divides);
+}
+
+template <class Archive, class O>
+requires std::is_same_v<std::remove_const_t<O>, Order>
+void visit(Archive& archive, O& order) { archive(order.task), archive(order.options); }
+
+template <class T>
+std::string bytes_of(const T& value) {
   Writer writer;
-  writer(outcome);
+  writer(value);
   return writer.take();
 }
 
-std::optional<Outcome> decoded(std::string_view bytes) {
+/// None where the bytes are not those of one such value.
+template <class T>
+std::optional<T> value_of_bytes(std::string_view bytes) {
   Reader reader(bytes);
-  Outcome outcome;
-  reader(outcome);
+  T value;
+  reader(value);
   if (!reader.ended_well()) return {};
-  return outcome;
+  return value;
+}
+
+}  // namespace
+
+std::string encoded(const Outcome& outcome) { return bytes_of(outcome); }
+std::string encoded(const Order& order) { return bytes_of(order); }
+std::string encoded(const std::vector<std::string>& texts) { return bytes_of(texts); }
+
+std::optional<Outcome> decoded(std::string_view bytes) { return value_of_bytes<Outcome>(bytes); }
+std::optional<Order> decoded_order(std::string_view bytes) { return value_of_bytes<Order>(bytes); }
+std::optional<std::vector<std::string>> decoded_texts(std::string_view bytes) {
+  return value_of_bytes<std::vector<std::string>>(bytes);
 }
 
 }  // namespace camlaw::optim

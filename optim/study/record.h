@@ -53,6 +53,7 @@ class RecordedExecutor final : public Executor {
   RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others)
       : space_(space), record_(record), others_(others) {}
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
 
  private:
   const MultiSpace& space_;

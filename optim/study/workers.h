@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/pareto/executor.h"
+#include "optim/study/worker_process.h"
 
 namespace camlaw::optim {
 
 /// Carries tasks out in processes of their own, `workers` at a time. A process that dies takes its
 /// task with it and nothing else: the outcome is a failure that says how it died. The outcomes are
-/// those of DirectExecutor to the last bit. To be used from a process without other threads.
+/// those of DirectExecutor to the last bit.
+///
+/// Where this process has one thread, workers are copies of it (fork). Where it has several they
+/// are started afresh from `program`; without one, or where it cannot be started, tasks are carried
+/// out here, one after the other, and remark() says so. An executor is one thread's at a time;
+/// several threads may have one each.
 class ProcessExecutor final : public Executor {
  public:
   /// Throws std::invalid_argument for no workers at all.
-  ProcessExecutor(const MultiSpace& space, const OptimiseOptions& options, int workers);
+  ProcessExecutor(const MultiSpace& space, const OptimiseOptions& options, int workers,
+                  std::optional<WorkerProgram> program = {});
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  std::string remark() const override { return remark_; }
 
  private:
+  class Run;
+  /// One that waits for a task; null where none can be had, and remark_ says why.
+  WorkerProcess* hire();
+  void stay_here(const std::string& why);
+
   const MultiSpace& space_;
   const OptimiseOptions& options_;
-  int workers_;
+  std::size_t workers_;
+  std::optional<WorkerProgram> program_;
+  std::string remark_;
+  std::vector<WorkerProcess> crew_;  ///< those started afresh stay from run to run
 };
 
 }  // namespace camlaw::optim

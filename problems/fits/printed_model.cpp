@@ -166,11 +166,13 @@ std::vector<double> PrintedModel::place_of(std::size_t number) const {
 
 const std::vector<PrintedModel::Place>& PrintedModel::places() const {
   constexpr std::size_t kPlaces = 24;
-  while (places_.size() < kPlaces && !unknowns_.empty()) {
-    Place place{place_of(places_.size()), {}};
-    place.at = evaluated(place.x);
-    places_.push_back(std::move(place));
-  }
+  std::call_once(places_made_, [this] {
+    while (places_.size() < kPlaces && !unknowns_.empty()) {
+      Place place{place_of(places_.size()), {}};
+      place.at = evaluated(place.x);
+      places_.push_back(std::move(place));
+    }
+  });
   return places_;
 }
 

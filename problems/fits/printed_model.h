@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,6 +66,7 @@ class PrintedModel {
   std::vector<std::optional<LawConstant>> of_law_;  ///< where a constant is the law's own peak
   std::vector<optim::Function> functions_;          ///< of the others
   mutable Recent<ConstantsAt> recent_;
+  mutable std::once_flag places_made_;
   mutable std::vector<Place> places_;
 };
 

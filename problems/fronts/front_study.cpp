@@ -130,15 +130,19 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   options_.solve.time_limit = solver.time_limit;
 }
 
-FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
-  const optim::StudySettings settings = record.settings();
-  FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(record));
+FrontStudy FrontStudy::of(const optim::StudyRecord& record) { return of(record.settings()); }
+
+FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
+  FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(settings));
   check_laws(find(settings, "laws"), study.settings().at("laws"));
   return study;
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
-  const optim::StudySettings settings = record.settings();
+  return settings_of(record.settings());
+}
+
+FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
   return {points_of(find(settings, "points")), parse_method(find(settings, "method")),
           set_of(settings)};
 }

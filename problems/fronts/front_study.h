@@ -28,8 +28,11 @@ class FrontStudy {
   /// As a record has it; to be looked at, or gone on with. Throws std::invalid_argument where a law
   /// file of the problem is not what it was.
   static FrontStudy of(const optim::StudyRecord& record);
+  /// As settings() of a study has it.
+  static FrontStudy of(const optim::StudySettings& settings);
   /// What a record says of how its front is looked for.
   static FrontSettings settings_of(const optim::StudyRecord& record);
+  static FrontSettings settings_of(const optim::StudySettings& settings);
 
   const BoundProblem& bound() const { return bound_; }
   const optim::MultiSpace& space() const { return space_; }

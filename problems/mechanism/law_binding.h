@@ -34,7 +34,7 @@ struct PieceEnd {
 
 /// A law whose parameters are design variables. Where the law is linear in all that vary, its
 /// derivatives are worked out once; else by dual numbers at each design, the laws of the last few
-/// designs kept. Safe from any thread.
+/// designs kept. Const functions may be called in several threads at once.
 class LawBinding {
  public:
   /// Throws std::invalid_argument where a parameter has no such element or no derivatives, and

@@ -11,7 +11,8 @@
 namespace camlaw::problems {
 
 /// Keeps what was made for the last few keys: many rows of a problem are evaluated at one design.
-/// Safe from any thread; things are made outside the lock, so two threads may both make one.
+/// Several threads may ask at once; things are made outside the lock, so two threads may both make
+/// one, and what makes them must be safe in both.
 template <class Value>
 class Recent {
  public:

@@ -10,6 +10,7 @@
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
+#include "problems/fronts/study_worker.h"
 
 namespace camlaw::problems {
 namespace {
@@ -94,22 +95,22 @@ optim::ParetoOptions with_progress(optim::ParetoOptions options, const std::stri
 ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers,
                               const FrontsProgress& progress) {
   std::vector<FrontStudy> studies;
-  std::vector<optim::MultiSpace> spaces;
   std::vector<std::string> names;
   for (const VaryingFamily& family : kFamilies) {
     if (smooth_only && !family.smooth) continue;
     const std::string law = fmt::format("name = \"{}\"\n{}", family.name, family.variables);
     studies.push_back(study_of(front_text(cutter, law)));
-    spaces.push_back(studies.back().space());
     names.emplace_back(family.name);
   }
-  const optim::MultiSpace joined = optim::joined("law", names, spaces);
-  optim::ProcessExecutor executor(joined, studies.front().options().solve, workers);
+  const JoinedStudies joined{"law", names, studies};
+  const optim::MultiSpace space = joined.space();
+  optim::ProcessExecutor executor(space, studies.front().options().solve, workers,
+                                  worker_program(joined));
   ProvedFront result;
   result.name = smooth_only ? "families of continuous acceleration" : "all families";
   const auto options =
       with_progress(studies.front().options(), result.name, smooth_only ? 1 : 0, progress);
-  result.front = optim::pareto(joined, options, executor);
+  result.front = optim::pareto(space, options, executor);
   for (const optim::FrontPoint& point : result.front.points) {
     optim::FrontPoint of_study = point;
     of_study.part = 0;
@@ -123,7 +124,8 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
                               const FrontsProgress& progress) {
   FrontStudy study = study_of(front_text(cutter, kFreeLaw));
   study.options() = with_progress(study.options(), "free law", 2, progress);
-  optim::ProcessExecutor executor(study.space(), study.options().solve, workers);
+  optim::ProcessExecutor executor(study.space(), study.options().solve, workers,
+                                  worker_program(study));
   ProvedFront result{"free law (degree 2, 64 even knots)", study.run(executor), {}, 0};
   result.laws.assign(result.front.points.size(), "free law");
   result.share_of_limit = share_of(study, result.front);

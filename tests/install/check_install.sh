@@ -22,7 +22,8 @@ step() {
 
 step cmake --install "$build" --prefix "$prefix"
 for file in bin/camlaw share/man/man1/camlaw.1 share/bash-completion/completions/camlaw \
-  share/zsh/site-functions/_camlaw share/fish/vendor_completions.d/camlaw.fish; do
+  share/zsh/site-functions/_camlaw share/fish/vendor_completions.d/camlaw.fish \
+  libexec/camlaw/camlaw-worker; do
   [ -s "$prefix/$file" ] || fail "no $file"
 done
 (cd / && "$prefix/bin/camlaw" law cubic | grep '^cubic') >/dev/null || fail "the installed program fails"

@@ -101,4 +101,45 @@ TEST_CASE("a list that is said to be longer than the bytes is not made", "[study
   CHECK_FALSE(decoded(many));
 }
 
+TEST_CASE("an order comes back from its bytes to the last bit", "[study]") {
+  Order order;
+  order.task = {Task::Kind::Toward, 3,  1,  {kInfinity, -0.0},    {1, 2}, {0.1, 1e-300},
+                {{1}, {}, {2, 3}},  40, 50, 0xffff'ffff'ffff'fff1};
+  order.options = {.solver = "slsqp",
+                   .starts = 3,
+                   .seed = 12,
+                   .time_limit = 0.25,
+                   .max_iterations = 17,
+                   .max_evaluations = 1'234'567'890'123,
+                   .divides = false};
+  const std::string bytes = encoded(order);
+  const auto back = decoded_order(bytes);
+  REQUIRE(back);
+  CHECK(back->task.text() == order.task.text());
+  CHECK(back->task.population == 40);
+  CHECK(back->task.generations == 50);
+  CHECK(back->options.solver == "slsqp");
+  CHECK(back->options.starts == 3);
+  CHECK(back->options.seed == 12);
+  CHECK(back->options.time_limit == 0.25);
+  CHECK(back->options.max_iterations == 17);
+  CHECK(back->options.max_evaluations == 1'234'567'890'123);
+  CHECK_FALSE(back->options.divides);
+  CHECK(encoded(*back) == bytes);
+  CHECK(encoded(*decoded_order(encoded(Order{}))) == encoded(Order{}));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    CHECK_FALSE(decoded_order(std::string_view(bytes).substr(0, size)));
+  }
+  std::string no_kind = bytes;
+  no_kind[0] = 9;
+  CHECK_FALSE(decoded_order(no_kind));
+}
+
+TEST_CASE("texts come back from their bytes", "[study]") {
+  const std::vector<std::string> texts{"", "two", std::string("a\0b", 3)};
+  CHECK(decoded_texts(encoded(texts)) == texts);
+  CHECK_FALSE(decoded_texts(encoded(texts) + "x"));
+  CHECK_FALSE(decoded_texts("nonsense"));
+}
+
 }  // namespace camlaw::optim

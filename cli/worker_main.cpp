@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "optim/study/serve.h"
+#include "problems/fronts/study_worker.h"
+
+/// A process that works on a study: started by the library, with a socket as its standard input,
+/// where the calling process has several threads and cannot be forked.
+int main() {
+  struct stat file {};
+  if (fstat(STDIN_FILENO, &file) != 0 || !S_ISSOCK(file.st_mode)) {
+    std::fputs("camlaw-worker: camlaw starts this program by itself; it takes no commands\n",
+               stderr);
+    return 2;
+  }
+  return camlaw::optim::serve_as_program(STDIN_FILENO, camlaw::problems::space_of_worker);
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/worker_process.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "optim/study/encoding.h"
+#include "optim/study/serve.h"
+
+namespace camlaw::optim {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, int error) {
+  throw std::runtime_error(
+      fmt::format("a worker cannot be started: {}: {}", what, std::strerror(error)));
+}
+
+struct Ends {
+  int mine, its;
+};
+
+Ends new_socket() {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("no socket", errno);
+  return {ends[0], ends[1]};
+}
+
+/// The standard input of the program is the socket; no other file of this process goes to it but
+/// standard output and error.
+pid_t spawned(const std::string& path, int socket) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
+  posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+  std::string name = path;
+  char* arguments[] = {name.data(), nullptr};
+  pid_t process = -1;
+  const int error = posix_spawn(&process, path.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == 0) return process;
+  errno = error;
+  return -1;
+}
+
+std::string how_it_died(const char* process, int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("{} was killed by signal {} ({})", process, WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("{} ended by itself with status {}", process, WEXITSTATUS(status));
+}
+
+int status_of(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+bool has_one_thread() {
+  std::error_code error;
+  std::size_t count = 0;
+  for (std::filesystem::directory_iterator at("/proc/self/task", error), end;
+       !error && at != end && count < 2; at.increment(error)) {
+    ++count;
+  }
+  return !error && count == 1;
+}
+
+WorkerProcess::WorkerProcess(pid_t process, int socket, bool forked)
+    : process_(process), socket_(socket), forked_(forked), ready_(forked) {}
+
+WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      socket_(std::exchange(other.socket_, -1)),
+      forked_(other.forked_),
+      ready_(other.ready_),
+      inbox_(std::move(other.inbox_)),
+      task_(other.task_) {}
+
+WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
+  std::swap(process_, other.process_);
+  std::swap(socket_, other.socket_);
+  std::swap(forked_, other.forked_);
+  std::swap(ready_, other.ready_);
+  std::swap(inbox_, other.inbox_);
+  std::swap(task_, other.task_);
+  return *this;
+}
+
+WorkerProcess::~WorkerProcess() { end(); }
+
+void WorkerProcess::end() {
+  if (socket_ >= 0) close(std::exchange(socket_, -1));
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
+  status_of(std::exchange(process_, -1));
+}
+
+WorkerProcess WorkerProcess::forked(const MultiSpace& space,
+                                    const std::vector<WorkerProcess>& others) {
+  const Ends ends = new_socket();
+  const pid_t parent = getpid(), process = fork();
+  if (process < 0) {
+    const int error = errno;
+    close(ends.mine), close(ends.its);
+    fail("no process", error);
+  }
+  if (process == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);   // it does not outlive its parent
+    if (getppid() != parent) _exit(1);  // which was gone before that
+    for (const WorkerProcess& other : others) close(other.socket_);
+    close(ends.mine);
+    serve(ends.its, space);
+    _exit(0);  // not exit: what the parent has buffered is its own to write
+  }
+  close(ends.its);
+  return {process, ends.mine, true};
+}
+
+WorkerProcess WorkerProcess::started(const WorkerProgram& program) {
+  const Ends ends = new_socket();
+  const pid_t process = spawned(program.path, ends.its);
+  const int error = errno;
+  close(ends.its);
+  if (process < 0) {
+    close(ends.mine);
+    fail(program.path, error);
+  }
+  WorkerProcess worker(process, ends.mine, false);
+  send_message(worker.socket_, program.problem);  // where it is gone, read() tells
+  return worker;
+}
+
+bool WorkerProcess::is_idle() const {
+  if (task_) return false;
+  pollfd file{socket_, POLLIN, 0};  // between tasks it has nothing to say
+  return !ready_ || poll(&file, 1, 0) == 0;
+}
+
+bool WorkerProcess::give(std::size_t number, const Task& task, const OptimiseOptions& options) {
+  Order order{task, options};
+  order.options.stop = nullptr;
+  order.options.progress = {};
+  if (!send_message(socket_, encoded(order)) && ready_) return false;
+  task_ = number;
+  return true;
+}
+
+WorkerProcess::News WorkerProcess::read() {
+  const bool open = inbox_.read_some(socket_);
+  std::string message;
+  if (!ready_ && inbox_.take(message)) {
+    if (!message.empty()) {
+      end();
+      return {.failed_to_start = message};
+    }
+    ready_ = true;
+  }
+  if (ready_ && inbox_.take(message)) {
+    if (auto outcome = decoded(message)) {
+      task_.reset();
+      return {.outcome = std::move(outcome)};
+    }
+    kill(process_, SIGKILL);
+    return died();
+  }
+  return open ? News{} : died();
+}
+
+WorkerProcess::News WorkerProcess::died() {
+  close(std::exchange(socket_, -1));
+  const int status = status_of(std::exchange(process_, -1));
+  if (!ready_) return {.failed_to_start = how_it_died("a worker that was being started", status)};
+  Outcome failed;
+  failed.failure = how_it_died("the process of this search", status);
+  failed.died = true;
+  return {.outcome = std::move(failed)};
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/pareto/executor.h"
+#include "optim/study/messages.h"
+
+namespace camlaw::optim {
+
+/// How a program is started that works on a study.
+struct WorkerProgram {
+  std::string path;     ///< of the program, which calls serve_as_program on its standard input
+  std::string problem;  ///< the study's problem, as the program takes it
+};
+
+/// Whether this process has one thread: only then may it be forked. What another thread has locked
+/// (of the allocator, of a library) would stay locked in the child for ever.
+bool has_one_thread();
+
+/// A process that carries tasks out, one at a time. It ends with this object.
+class WorkerProcess {
+ public:
+  /// A copy of this process, which must have one thread. `others` are closed in it. Throws
+  /// std::runtime_error where there is no process to be had.
+  static WorkerProcess forked(const MultiSpace& space, const std::vector<WorkerProcess>& others);
+  /// A program; the process may have any number of threads. Throws as forked() does, and where the
+  /// program cannot be executed.
+  static WorkerProcess started(const WorkerProgram& program);
+
+  WorkerProcess(WorkerProcess&& other) noexcept;
+  WorkerProcess& operator=(WorkerProcess&& other) noexcept;
+  ~WorkerProcess();
+
+  bool is_forked() const { return forked_; }
+  int socket() const { return socket_; }
+  /// Whether it waits for a task; not so where it has ended meanwhile.
+  bool is_idle() const;
+  bool is_busy() const { return task_.has_value(); }
+  bool has_ended() const { return process_ < 0; }
+  std::size_t task() const { return *task_; }
+
+  /// Gives it a task, by its number in the study's list. False where the process is gone.
+  bool give(std::size_t number, const Task& task, const OptimiseOptions& options);
+
+  /// What has come of the task, after some bytes have arrived.
+  struct News {
+    std::optional<Outcome> outcome = {};  ///< also of a task that its process died of
+    std::string failed_to_start = {};     ///< why; the task was not looked at
+  };
+  News read();
+
+ private:
+  WorkerProcess(pid_t process, int socket, bool forked);
+  void end();
+  News died();
+
+  pid_t process_;
+  int socket_;
+  bool forked_, ready_;
+  Inbox inbox_;
+  std::optional<std::size_t> task_;
+};
+
+}  // namespace camlaw::optim
