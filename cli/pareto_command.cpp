@@ -108,16 +108,22 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string
   return files;
 }
 
-optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
-                  const ParetoCommand& options) {
+/// The front, and what of the record was not believed and has been solved again.
+problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
+                           const ParetoCommand& options) {
   const Interruptible interruptible;
   ProgressLine line(!options.json);
   study.options().solve.stop = interruptible.flag();
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
   optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options));
-  if (!record) return study.run(workers);
+  if (!record) return {study.run(workers), {}, {}};
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
-  return study.run(recorded);
+  problems::StoredFront found{study.run(recorded), recorded.faults(), {}};
+  for (const optim::RecordFault& fault : found.faults) {
+    found.notes.push_back(problems::fault_words(
+        fault, found.front.stopped ? "--resume solves it again" : "it was solved again"));
+  }
+  return found;
 }
 
 void run_pareto(const ParetoCommand& options, int& status) {
@@ -133,8 +139,9 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (options.out) check_writable(possible);
   auto record = record_of(path, study, options.resume);
-  const optim::Front front = look(study, record, options);
-  const FrontAnswer answer{study, front};
+  const problems::StoredFront found = look(study, record, options);
+  const optim::Front& front = found.front;
+  const FrontAnswer answer{study, found};
   const std::string json = front_json(answer).dump(2) + "\n";
   fmt::print("{}", options.json ? json : front_text(answer));
   status = status_of(front);
