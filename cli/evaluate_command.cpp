@@ -194,7 +194,9 @@ void add_evaluate_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Compute every response of a problem file's design");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("FILE", options->file, "a problem file, or a result of optimize")
+  command
+      ->add_option("FILE", options->file,
+                   "a problem file, or a result of optimize, whose numbers are compared")
       ->required()
       ->type_name(takes::kFile);
   add_set_option(*command, options->settings);

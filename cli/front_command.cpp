@@ -157,7 +157,10 @@ void run_front(const FrontCommand& options, int& status) {
 void add_front_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("front", "Look at the front that a study has found");
   const auto options = std::make_shared<FrontCommand>();
-  command->add_option("FILE", options->file, "the study's file, of 'camlaw pareto'")
+  command
+      ->add_option("FILE", options->file,
+                   "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
+                   "named and does not count")
       ->required()
       ->type_name(takes::kFile);
   add_switch(*command, "--knee", options->knee, "the point where the front bends most");

@@ -174,7 +174,8 @@ void add_pareto_command(CLI::App& app, int& status) {
       ->type_name("N");
   command->add_option("--db", options->db, "record the study in this file")
       ->type_name(takes::kFile);
-  add_switch(*command, "--resume", options->resume, "go on with the study of --db");
+  add_switch(*command, "--resume", options->resume,
+             "go on with the study of --db; what is damaged or wrong in it is solved again");
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option("--out", options->out,

@@ -97,8 +97,8 @@ void run_verify(const VerifyOptions& options, int& status) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("verify", "Judge the design of a result and its claim again");
+  CLI::App* command = app.add_subcommand(
+      "verify", "Judge the design of a result and its claim again: verdict, bound, margins");
   const auto options = std::make_shared<VerifyOptions>();
   command->add_option("FILE", options->file, "the result.json of a search, or what --json prints")
       ->required()

@@ -69,7 +69,7 @@ bool stands_so(const Standing& stated, const Constraint& constraint, Design x, L
   const auto rounding = [&] {
     return kRounding * std::max(std::abs(report.value), std::abs(report.bound));
   };
-  const bool met = report.margin >= -tolerance;
+  const bool met = report.margin >= -std::max(tolerance, rounding());
   if (stated.met != met) return false;
   if (agree(stated.margin, report.margin, std::max(tolerance, rounding()))) return true;
   if (!constraint.lower || !constraint.upper) return false;

@@ -139,6 +139,7 @@ FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
 
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
   const optim::StudySettings settings = record.settings();
+  if (record.has_checksums()) find(settings, "set");  // only earlier programs left it out
   return {points_of(find(settings, "points")), parse_method(find(settings, "method")),
           set_of(settings)};
 }
