@@ -414,6 +414,54 @@ TEST_CASE("a study of the version before is read, and not gone on with", "[study
   CHECK_THAT(recorded.faults().front().why, Contains("evaluated again"));
 }
 
+namespace {
+
+/// Says of the design of its third task that it costs less than it does.
+class Lying final : public Executor {
+ public:
+  explicit Lying(Executor& executor) : executor_(executor) {}
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    std::vector<Outcome> outcomes = executor_.run(tasks, {});
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (++count_ == 3 && !outcomes[i].points.empty()) {
+        FrontPoint& point = outcomes[i].points.front();
+        point.objectives[1] *= 0.99;
+        point.costs[1] *= 0.99;
+      }
+      on_outcome(tasks[i], outcomes[i]);
+    }
+    return outcomes;
+  }
+
+ private:
+  Executor& executor_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("what was written wrong is found though its checksum fits, and is solved again",
+          "[study]") {
+  const Folder folder;
+  const std::string whole = made_study(folder / "s.db", 8);
+  const MultiSpace space = two_rooms();
+  const ParetoOptions options = with_points(8);
+  DirectExecutor direct(space, options.solve);
+  {
+    StudyRecord record = StudyRecord::create(folder / "t.db", kSettings);
+    Lying lying(direct);
+    RecordedExecutor recorded(space, record, &lying);
+    pareto(space, options, recorded);
+  }
+  StudyRecord record = StudyRecord::open(folder / "t.db");
+  CHECK(record.damaged().empty());
+  RecordedExecutor recorded(space, record, &direct);
+  CHECK(bits(pareto(space, options, recorded)) == whole);
+  REQUIRE(recorded.faults().size() == 1);
+  CHECK_FALSE(recorded.faults().front().is_damaged);
+  CHECK(read_study(folder / "t.db", 8) == whole);
+}
+
 TEST_CASE("a study whose number of version does not fit its tables is damaged", "[study]") {
   const Folder folder;
   made_study(folder / "s.db", 4);
