@@ -10,6 +10,7 @@
 
 #include "optim/study/record.h"
 
+/// For record.cpp alone, and not installed: it needs SQLiteCpp.
 /// The rows of a study's file (docs/design.md, "Studies"): how outcomes become rows and rows become
 /// outcomes, and the checksums that tell whether a row is as it was written.
 namespace camlaw::optim {
