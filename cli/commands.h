@@ -24,16 +24,16 @@ void add_fit_command(CLI::App& app);
 void add_completion_command(CLI::App& app);
 /// Prints the manual page; for the build, and not listed by --help.
 void add_man_command(CLI::App& app);
-void add_report_command(CLI::App& app);
 /// These set `status` where they end in another way than done.
 void add_reproduce_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
-void add_evaluate_command(CLI::App& app);
-void add_export_command(CLI::App& app);
 void add_optimize_command(CLI::App& app, int& status);
 void add_pareto_command(CLI::App& app, int& status);
 void add_front_command(CLI::App& app, int& status);
 void add_synthesize_command(CLI::App& app, int& status);
+void add_report_command(CLI::App& app, int& status);
+void add_evaluate_command(CLI::App& app, int& status);
+void add_export_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 
 /// An option that is there or not, and takes no value: "--json=3" is an error.

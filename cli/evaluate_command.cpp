@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/chart.h"
+#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/cycle_figure.h"
 #include "cli/files.h"
@@ -95,7 +96,8 @@ void print_text(const ProblemStatement& statement, const std::vector<EvaluatedRe
 }
 
 Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
-             const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
+             const std::vector<optim::LimitReport>& limits, const Warnings& warnings,
+             const ClaimReview& review) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -137,7 +139,8 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
           {"constants", std::move(constants)},
           {"responses", std::move(values)},
           {"constraints", std::move(constraints)},
-          {"warnings", warnings}};
+          {"warnings", warnings},
+          {"record", review_json(review)}};
 }
 
 /// Tables and pictures of the curves that were asked for.
@@ -158,11 +161,13 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
   return files;
 }
 
-void run_evaluate(const EvaluateOptions& options) {
+void run_evaluate(const EvaluateOptions& options, int& status) {
   keep_standard_output({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read);
+  const ClaimReview review = reviewed(read);
+  if (!review.differences.empty()) status = kNotSolved;
   ProblemStatement statement = read.statement;
   problems::set_values(statement, options.settings);
   const auto responses = problems::evaluate(statement);
@@ -171,9 +176,10 @@ void run_evaluate(const EvaluateOptions& options) {
   const auto limits = problems::standing(statement);
   const Warnings warnings = warnings_of(statement);
   if (options.json) {
-    fmt::print("{}\n", to_json(statement, responses, limits, warnings).dump(2));
+    fmt::print("{}\n", to_json(statement, responses, limits, warnings, review).dump(2));
   } else {
     print_text(statement, responses, limits, warnings);
+    fmt::print("{}", review_text(review));
   }
   write_files(files);
   if (options.json) return;
@@ -184,11 +190,13 @@ void run_evaluate(const EvaluateOptions& options) {
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& app) {
+void add_evaluate_command(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Compute every response of a problem file's design");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("FILE", options->file, "a problem file, or a result of optimize")
+  command
+      ->add_option("FILE", options->file,
+                   "a problem file, or a result of optimize, whose numbers are compared")
       ->required()
       ->type_name(takes::kFile);
   add_set_option(*command, options->settings);
@@ -210,7 +218,7 @@ void add_evaluate_command(CLI::App& app) {
         "another roller, and the cam drawn"},
        {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg curves.svg",
         "every curve over the cycle, with the profile's coordinates"}});
-  command->callback([options] { run_evaluate(*options); });
+  command->callback([options, &status] { run_evaluate(*options, status); });
 }
 
 }  // namespace camlaw::cli

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/export_options.h"
 #include "cli/export_output.h"
@@ -182,7 +183,7 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
       file));
 }
 
-void run_export(const ExportOptions& options) {
+void run_export(const ExportOptions& options, int& status) {
   keep_standard_output({options.out});
   const FormatRow& format = format_of(options);
   check_options(options, format);
@@ -190,12 +191,17 @@ void run_export(const ExportOptions& options) {
   keep_input(options.file);
   problems::ReadDesign design = problems::read_design_file(options.file);
   keep_inputs(design);
+  const ClaimReview review = reviewed(design);
+  if (!review.differences.empty()) status = kNotSolved;
+  say_review(options.file, review);
   problems::set_values(design.statement, options.settings);
   Exported e{.design = design,
              .file = std::filesystem::path(options.file).filename().string(),
              .settings = options.settings,
              .accuracy = accuracy_of(options, format),
              .notes = notes_on(design, options.settings)};
+  for (std::string& words : review.words()) e.notes.push_back(std::move(words));
+  if (!review.is_believed()) design.verdict.reset();  // it is not to be told as one
   const std::string text = content(options, format, e);
   if (!options.out) {
     std::fputs(text.c_str(), stdout);
@@ -209,7 +215,7 @@ void run_export(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export_command(CLI::App& app) {
+void add_export_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "export", "Write a cam's curves, its motion or its law for drawing, cutting and control");
   const auto options = std::make_shared<ExportOptions>();
@@ -220,7 +226,7 @@ void add_export_command(CLI::App& app) {
                 {"camlaw export problems/cams/roller_least_base.toml --format table --step '1 deg' "
                  "--out table.csv",
                  "a table, degree by degree"}});
-  command->callback([options] { run_export(*options); });
+  command->callback([options, &status] { run_export(*options, status); });
 }
 
 }  // namespace camlaw::cli

@@ -18,6 +18,12 @@ FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const optim::Front& fou
       ruler(problems::front_ruler(of.bound().statement())),
       warnings(warnings_of(*this)) {}
 
+FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredFront& stored)
+    : FrontAnswer(of, stored.front) {
+  faults = stored.faults;
+  notes = stored.notes;
+}
+
 double FrontAnswer::value(std::size_t i, double cost) const {
   return front.objectives[i].sense == optim::Sense::Minimize ? cost : -cost;
 }

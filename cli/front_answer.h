@@ -3,6 +3,7 @@
 
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
+#include "problems/fronts/stored_front.h"
 
 namespace camlaw::cli {
 
@@ -11,9 +12,13 @@ struct FrontAnswer {
   const problems::FrontStudy& study;
   const optim::Front& front;
   std::optional<problems::FrontRuler> ruler;
-  std::vector<std::string> warnings;  ///< what stands beside the verdicts, warnings_of(*this)
+  std::vector<std::string> warnings;       ///< what stands beside the verdicts, warnings_of(*this)
+  std::vector<optim::RecordFault> faults;  ///< of the record that it was read from
+  std::vector<std::string> notes;          ///< what is to be said of that record
 
   FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
+  /// Of a record.
+  FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
 
   /// A point's option of each choice and the values of its variables, with units.
   struct Value {

@@ -13,6 +13,7 @@
 #include "cli/next_step.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_output.h"
+#include "cli/version_text.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 
@@ -66,9 +67,11 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
 /// A point as a result that stands alone, for report and export.
 Json point_result(const FrontAnswer& answer, std::size_t k) {
   const optim::FrontPoint& point = answer.front.points[k];
-  Json object = point_json(answer, k);
+  Json object = {{"program", short_version()}};
+  object.update(point_json(answer, k));
   object["design"] = problems::recorded_design(answer.study.bound(),
                                                answer.study.space().options(point.part), point.x);
+  problems::seal(object);
   return object;
 }
 
@@ -90,9 +93,10 @@ void run_front(const FrontCommand& options, int& status) {
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   keep_inputs(study.bound().statement());
-  optim::RecordedExecutor recorded(study.space(), record, nullptr);
-  const optim::Front front = study.run(recorded);
-  const FrontAnswer answer{study, front};
+  const problems::StoredFront stored = problems::stored_front(study, record);
+  const optim::Front& front = stored.front;
+  const FrontAnswer answer{study, stored};
+  status = stored.faults.empty() ? kDone : kNotSolved;
   if (front.points.empty()) {
     fmt::print("{}", options.json ? front_json(answer).dump(2) + "\n" : front_text(answer));
     status = status_of(front);
@@ -153,7 +157,10 @@ void run_front(const FrontCommand& options, int& status) {
 void add_front_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("front", "Look at the front that a study has found");
   const auto options = std::make_shared<FrontCommand>();
-  command->add_option("FILE", options->file, "the study's file, of 'camlaw pareto'")
+  command
+      ->add_option("FILE", options->file,
+                   "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
+                   "named and does not count")
       ->required()
       ->type_name(takes::kFile);
   add_switch(*command, "--knee", options->knee, "the point where the front bends most");

@@ -71,6 +71,16 @@ Json next_json(const FrontAnswer& answer, std::size_t point) {
   return next;
 }
 
+Json record_json(const FrontAnswer& answer) {
+  Json faults = Json::array();
+  for (const optim::RecordFault& fault : answer.faults) {
+    faults.push_back({{"task", fault.task},
+                      {"what", fault.is_damaged ? "damaged" : "wrong"},
+                      {"why", fault.is_damaged ? Json(nullptr) : Json(fault.why)}});
+  }
+  return {{"faults", std::move(faults)}, {"notes", answer.notes}};
+}
+
 }  // namespace
 
 Json front_json(const FrontAnswer& answer) {
@@ -118,6 +128,7 @@ Json front_json(const FrontAnswer& answer) {
           {"finished", !front.stopped},
           {"largest_gap", front.largest_gap ? to_json(*front.largest_gap) : Json(nullptr)},
           {"warnings", answer.warnings},
+          {"record", record_json(answer)},
           {"searches", front.tasks},
           {"evaluations", front.evaluations},
           {"combinations", front.parts},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/front_output.h"
+#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "cli/warnings.h"
 
@@ -156,6 +157,15 @@ std::string measures_text(const FrontAnswer& answer) {
   return text;
 }
 
+/// What is to be said of the record that a front was read from.
+std::string notes_text(const FrontAnswer& answer) {
+  std::string text;
+  for (const std::string& note : answer.notes) {
+    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
+  }
+  return text;
+}
+
 std::string work_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text =
@@ -175,6 +185,7 @@ std::string work_text(const FrontAnswer& answer) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
   }
   text += warnings_text(answer.warnings);
+  text += notes_text(answer);
   if (front.stopped) {
     text += "the study is not finished; --resume goes on with it\n";
   } else if (!front.complete) {
@@ -203,6 +214,7 @@ std::string point_text(const FrontAnswer& answer, std::size_t k) {
   const FrontPoint& point = answer.front.points[k];
   std::string text = fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
                                  verdict_text(point), point.reason);
+  text += notes_text(answer);
   text += warnings_text(warnings_of(answer.study.design(point)));
   if (const std::string law = answer.law(point); !law.empty()) text += "  law " + law + "\n";
   const auto values = answer.values(point);

@@ -10,6 +10,7 @@
 #include "cli/limit_text.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "cli/version_text.h"
 #include "cli/warnings.h"
 #include "problems/results/recorded_design.h"
 
@@ -264,6 +265,7 @@ Json answer_json(const Answer& answer) {
                       {"multiplier", to_json(v.multiplier)}});
   }
   return {
+      {"program", short_version()},
       {"title", answer.bound.statement().title},
       {"status", optim::to_string(found.status)},
       {"verdict", optim::to_string(a.verdict)},

@@ -109,17 +109,23 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string
   return files;
 }
 
-optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
-                  const ParetoCommand& options) {
+/// The front, and what of the record was not believed and has been solved again.
+problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
+                           const ParetoCommand& options) {
   const Interruptible interruptible;
   ProgressLine line(!options.json);
   study.options().solve.stop = interruptible.flag();
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
   optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options),
                                  problems::worker_program(study));
-  if (!record) return study.run(workers);
+  if (!record) return {study.run(workers), {}, {}};
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
-  return study.run(recorded);
+  problems::StoredFront found{study.run(recorded), recorded.faults(), {}};
+  for (const optim::RecordFault& fault : found.faults) {
+    found.notes.push_back(problems::fault_words(
+        fault, found.front.stopped ? "--resume solves it again" : "it was solved again"));
+  }
+  return found;
 }
 
 void run_pareto(const ParetoCommand& options, int& status) {
@@ -135,8 +141,9 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (options.out) check_writable(possible);
   auto record = record_of(path, study, options.resume);
-  const optim::Front front = look(study, record, options);
-  const FrontAnswer answer{study, front};
+  const problems::StoredFront found = look(study, record, options);
+  const optim::Front& front = found.front;
+  const FrontAnswer answer{study, found};
   const std::string json = front_json(answer).dump(2) + "\n";
   fmt::print("{}", options.json ? json : front_text(answer));
   status = status_of(front);
@@ -169,7 +176,8 @@ void add_pareto_command(CLI::App& app, int& status) {
       ->type_name("N");
   command->add_option("--db", options->db, "record the study in this file")
       ->type_name(takes::kFile);
-  add_switch(*command, "--resume", options->resume, "go on with the study of --db");
+  add_switch(*command, "--resume", options->resume,
+             "go on with the study of --db; what is damaged or wrong in it is solved again");
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option("--out", options->out,

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/report/report.h"
-#include "problems/fronts/front_study.h"
+#include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/file_text.h"
 
@@ -47,37 +49,44 @@ problems::ReadDesign with_settings(const problems::ReadDesign& read,
   return changed;
 }
 
-ReportPage design_page(const std::string& input, const std::vector<std::string>& settings) {
+ReportPage design_page(const std::string& input, const std::vector<std::string>& settings,
+                       int& status) {
   problems::ReadDesign read = problems::read_design_file(input);
   keep_inputs(read);
+  const ClaimReview review = reviewed(read);
+  if (!review.differences.empty()) status = kNotSolved;
+  say_review(input, review);
   if (!settings.empty()) read = with_settings(read, settings);
   Facts facts = read.verdict ? facts_of(input) : Facts{};
-  return design_report({.read = std::move(read), .file = input, .facts = std::move(facts)});
+  return design_report(
+      {.read = std::move(read), .file = input, .facts = std::move(facts), .review = review});
 }
 
-ReportPage study_page(const std::string& file) {
+ReportPage study_page(const std::string& file, int& status) {
   optim::StudyRecord record = optim::StudyRecord::read(file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   keep_inputs(study.bound().statement());
-  optim::RecordedExecutor recorded(study.space(), record, nullptr);
-  const optim::Front front = study.run(recorded);
-  if (front.points.empty()) {
+  const problems::StoredFront stored = problems::stored_front(study, record);
+  if (!stored.faults.empty()) status = kNotSolved;
+  for (const std::string& note : stored.notes) fmt::print(stderr, "camlaw: {}: {}\n", file, note);
+  if (stored.front.points.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));
   }
-  return front_report(FrontAnswer{study, front}, file);
+  return front_report(FrontAnswer{study, stored}, file);
 }
 
-ReportPage page_of(const std::string& input, const std::vector<std::string>& settings) {
+ReportPage page_of(const std::string& input, const std::vector<std::string>& settings,
+                   int& status) {
   const std::string extension = ending_of(input);
   if (extension == ".db" && !settings.empty()) {
     throw std::invalid_argument(
         "--set: a study's designs are what they are; pareto takes --set, and report with a problem "
         "file or a result");
   }
-  if (extension == ".db") return study_page(input);
+  if (extension == ".db") return study_page(input, status);
   if (extension == ".toml" || extension == ".json" || input == kStandardStream)
-    return design_page(input, settings);
+    return design_page(input, settings, status);
   throw std::invalid_argument(fmt::format(
       "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
 }
@@ -91,7 +100,7 @@ void check_ending(const std::filesystem::path& output) {
       output.string()));
 }
 
-void run_report(const ReportOptions& options) {
+void run_report(const ReportOptions& options, int& status) {
   keep_standard_output({options.output});
   if (options.input == kStandardStream && !options.output) {
     throw std::invalid_argument("a report of standard input needs the page's name, --out FILE");
@@ -103,14 +112,14 @@ void run_report(const ReportOptions& options) {
   check_writable({output});
   check_ending(output);
   const std::vector<OutputFile> files{
-      {output, page_html(page_of(options.input, options.settings))}};
+      {output, page_html(page_of(options.input, options.settings, status))}};
   write_files(files);
   say_written(files);
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& app) {
+void add_report_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "report", "Write a page for the browser about a design or a front: one HTML file");
   const auto options = std::make_shared<ReportOptions>();
@@ -130,7 +139,7 @@ void add_report_command(CLI::App& app) {
                            "the design at the file's own values, on one page"},
                           {"camlaw report results/front/study.db -o front.html",
                            "the front of a study, after 'camlaw pareto'"}});
-  command->callback([options] { run_report(*options); });
+  command->callback([options, &status] { run_report(*options, status); });
 }
 
 }  // namespace camlaw::cli

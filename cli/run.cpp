@@ -112,15 +112,15 @@ int run(int argc, const char* const* argv) {
   int status = kDone;
   add_reproduce_command(app, status);
   add_check_command(app, status);
-  add_evaluate_command(app);
+  add_evaluate_command(app, status);
   add_verify_command(app, status);
-  add_export_command(app);
+  add_export_command(app, status);
   add_optimize_command(app, status);
   add_pareto_command(app, status);
   add_front_command(app, status);
   add_synthesize_command(app, status);
   add_fit_command(app);
-  add_report_command(app);
+  add_report_command(app, status);
   add_completion_command(app);
   add_man_command(app);
   add_quiet(app);

@@ -14,6 +14,7 @@
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
 #include "cli/warnings.h"
+#include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -109,6 +110,7 @@ std::string show(const SearchCommand& command, const Answer& answer,
     const std::string more = command.measure(answer, rest, report.json);
     if (!json) fmt::print("{}", more);
   }
+  problems::seal(report.json);
   std::string text = report.json.dump(2) + "\n";
   if (json) fmt::print("{}", text);
   std::fflush(stdout);

@@ -9,6 +9,7 @@
 #include "cli/limit_text.h"
 #include "cli/terminal.h"
 #include "cli/text_table.h"
+#include "cli/version_text.h"
 #include "cli/warnings.h"
 #include "problems/results/judged_design.h"
 
@@ -32,8 +33,11 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
   if (!verified.whole) {
     text += "judged with the choices and whole variables held at what the search chose\n";
   }
-  text += fmt::format("\n{} = {}\n", objective.name,
-                      with_unit(fmt::format("{:.10g}", found.objective.value), objective.unit));
+  const bool alone = read.statement.objectives.size() == 1;
+  if (alone) {
+    text += fmt::format("\n{} = {}\n", objective.name,
+                        with_unit(fmt::format("{:.10g}", found.objective.value), objective.unit));
+  }
   for (std::size_t i = 0; i < verified.limits.size(); ++i) {
     const optim::LimitReport& limit = verified.limits[i];
     const LimitText words = limit_text(limit, read.statement.constraints[i]);
@@ -43,6 +47,9 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
                         limit.proved ? "" : "  (not proved)");
   }
   text += warnings_text(warnings_of(read.statement)) + "\n";
+  for (const std::string& note : problems::record_notes(read, short_version())) {
+    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
+  }
   for (const std::string& what : verified.not_judged) text += fmt::format("not judged: {}\n", what);
   if (verified.disagreements.empty()) return text + "the claim holds\n";
   text += "the claim does not hold\n";
@@ -66,6 +73,7 @@ Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
           {"choices_held", !verified.whole},
           {"disagreements", verified.disagreements},
           {"not_judged", verified.not_judged},
+          {"record", problems::record_notes(read, short_version())},
           {"holds", verified.disagreements.empty()}};
 }
 
@@ -89,8 +97,8 @@ void run_verify(const VerifyOptions& options, int& status) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("verify", "Judge the design of a result and its claim again");
+  CLI::App* command = app.add_subcommand(
+      "verify", "Judge the design of a result and its claim again: verdict, bound, margins");
   const auto options = std::make_shared<VerifyOptions>();
   command->add_option("FILE", options->file, "the result.json of a search, or what --json prints")
       ->required()

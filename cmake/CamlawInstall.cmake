@@ -8,10 +8,11 @@ include(GNUInstallDirs)
 set(CAMLAW_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/camlaw)
 set(CAMLAW_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/camlaw)
 
-# Headers that name a solver belong to the back ends.
+# Headers that name a solver, or SQLite, belong to what is behind them.
 install(DIRECTORY kinematics optim problems
   DESTINATION ${CAMLAW_HEADER_DIR} COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN "nlopt_*.h" EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "nlopt_*.h" EXCLUDE
+  PATTERN "study_tables.h" EXCLUDE)
 
 # Each library is a part of the package of its own, so that who asks for kinematics needs no solver.
 foreach(part kinematics optim problems)

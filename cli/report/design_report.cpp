@@ -101,9 +101,16 @@ std::string said_of(const problems::ReadDesign& read) {
 std::string lead(const ReportedDesign& reported, const Review& review) {
   const ProblemStatement& design = reported.read.statement;
   const auto& verdict = reported.read.verdict;
-  std::string html = "<p>" + verdict_badge(verdict, review) + "</p>\n" +
-                     warnings_html(warnings_of(design)) + objective_text(design, review) +
-                     reasons(review);
+  const bool believed = reported.review.is_believed();
+  std::string notes;
+  for (const std::string& words : reported.review.words()) {
+    notes += fmt::format("<p>{} {}</p>\n", badge("bad", "record"), escaped(words));
+  }
+  const std::string shown = reported.review.differences.empty()
+                                ? verdict_badge(believed ? verdict : std::nullopt, review)
+                                : badge("bad", "the result is wrong");
+  std::string html = "<p>" + shown + "</p>\n" + notes + warnings_html(warnings_of(design)) +
+                     objective_text(design, review) + reasons(review);
   if (verdict) {
     const bool chosen = !review.held || !review.held->whole;
     return html +

@@ -90,7 +90,11 @@ std::string lead(const FrontAnswer& answer) {
   } else if (!front.complete) {
     badges += badge("plain", "not complete");
   }
-  return fmt::format("<p>{}</p>\n", badges) + warnings_html(answer.warnings) +
+  std::string notes;
+  for (const std::string& note : answer.notes) {
+    notes += fmt::format("<p>{} {}</p>\n", badge("bad", "record"), escaped(note));
+  }
+  return fmt::format("<p>{}</p>\n", badges) + notes + warnings_html(answer.warnings) +
          paragraph(fmt::format("{}.", fmt::join(ranges, "; ")));
 }
 

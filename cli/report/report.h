@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "cli/claim_output.h"
 #include "cli/front_answer.h"
 #include "cli/report/page.h"
 #include "cli/report/provenance.h"
@@ -17,6 +18,7 @@ struct ReportedDesign {
   problems::ReadDesign read;  ///< its verdict is the search's, of all combinations of its choices
   std::string file;           ///< as it was named
   Facts facts = {};           ///< of the search that found it
+  ClaimReview review = {};    ///< of the result as a record
 };
 
 /// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.

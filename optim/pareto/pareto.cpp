@@ -63,7 +63,29 @@ class Study {
   Front run() {
     const bool done = scout() && begin() && refine() && look_again();
     front_.stopped = !done;
-    settle();
+    settle(so_far());
+    settle_bounds();
+    return std::move(front_);
+  }
+
+  /// Of designs that were found before, without a search.
+  Front of(const std::vector<FrontPoint>& designs) {
+    front_.stopped = true;
+    front_.each_is_global = false;
+    std::vector<FrontPoint> numbers;
+    for (const FrontPoint& point : designs) {
+      const bool finite = std::all_of(point.costs.begin(), point.costs.end(),
+                                      [](double c) { return std::isfinite(c); });
+      if (finite) numbers.push_back(point);
+    }
+    settle_tolerances([&](std::size_t objective) {
+      const auto best = std::min_element(numbers.begin(), numbers.end(),
+                                         [&](const FrontPoint& a, const FrontPoint& b) {
+                                           return a.costs[objective] < b.costs[objective];
+                                         });
+      return best == numbers.end() ? nullptr : &*best;
+    });
+    settle(front_of(numbers, front_.tolerances));
     return std::move(front_);
   }
 
@@ -135,21 +157,23 @@ class Study {
 
   bool begin() {
     const bool done = look_for_ends();
-    settle_tolerances();
+    settle_tolerances([this](std::size_t objective) { return best_end(objective); });
+    for (const auto& part : parts_) part->know(front_.tolerances);
     return done && set_up();
   }
 
-  /// As stated, else the standard ones where each objective is best (docs/optimisation.md, (Z3)).
-  void settle_tolerances() {
+  /// As stated, else the standard ones where each objective is best (docs/optimisation.md, (Z3)):
+  /// at `best(objective)`, nullptr where no design is known.
+  template <class Best>
+  void settle_tolerances(Best best) {
     const MultiProblem first = space_.problem(space_.options(0));
     for (std::size_t i = 0; i < objectives(); ++i) {
       const auto& stated = first.objectives[i].tolerance;
-      front_.tolerances.push_back(stated ? *stated : standard_tolerance(i));
+      front_.tolerances.push_back(stated ? *stated : standard_tolerance(i, best(i)));
     }
-    for (const auto& part : parts_) part->know(front_.tolerances);
   }
 
-  double standard_tolerance(std::size_t objective) const {
+  const FrontPoint* best_end(std::size_t objective) const {
     const FrontPoint* best = nullptr;
     for (const auto& part : parts_) {
       const auto* end = part->end(objective);
@@ -157,6 +181,10 @@ class Study {
         best = end;
       }
     }
+    return best;
+  }
+
+  double standard_tolerance(std::size_t objective, const FrontPoint* best) const {
     if (best == nullptr) return 0;
     try {
       const Problem problem = space_.problem(space_.options(best->part)).alone(objective);
@@ -310,8 +338,7 @@ class Study {
     if (options_.progress) options_.progress(progress_);
   }
 
-  void settle() {
-    FrontSoFar found = so_far();
+  void settle(FrontSoFar found) {
     front_.complete = !front_.stopped;
     if (objectives() > 2 && options_.method != ParetoMethod::Nsga2) {
       found = spread(std::move(found), options_.points);
@@ -319,12 +346,18 @@ class Study {
       front_.complete = front_.complete && *front_.largest_gap <= kLargestGap;
     }
     front_.points = std::move(found.points);
-    std::vector<Costs> all = costs_of(front_.points);
+    const std::vector<Costs> all = costs_of(front_.points);
     if (all.empty()) return;
     front_.ideal = ideal(all);
     front_.nadir = nadir(all);
     front_.reference = reference(all);
     front_.hypervolume = hypervolume(all, front_.reference);
+  }
+
+  /// What no front exceeds, where searches have told enough.
+  void settle_bounds() {
+    std::vector<Costs> all = costs_of(front_.points);
+    if (all.empty()) return;
     // A search that failed tells nothing of what it left out.
     const bool bounded = objectives() == 2 && front_.failures.empty();
     if (!bounded || options_.method == ParetoMethod::Nsga2) return;
@@ -397,6 +430,12 @@ Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& ex
   Front front = Study(space, options, executor).run();
   front.remark = executor.remark();
   return front;
+}
+
+Front front_of_designs(const MultiSpace& space, const ParetoOptions& options,
+                       const std::vector<FrontPoint>& designs) {
+  DirectExecutor none(space, options.solve);
+  return Study(space, options, none).of(designs);
 }
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options) {

@@ -95,4 +95,9 @@ Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& ex
 Front pareto(const MultiSpace& space, const ParetoOptions& options = {});
 Front pareto(const MultiProblem& problem, const ParetoOptions& options = {});
 
+/// The front of designs that were found before, without a search: of a study that cannot be read
+/// whole. It counts as stopped, and nothing bounds what it lacks.
+Front front_of_designs(const MultiSpace& space, const ParetoOptions& options,
+                       const std::vector<FrontPoint>& designs);
+
 }  // namespace camlaw::optim

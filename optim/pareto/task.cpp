@@ -225,8 +225,15 @@ FrontPoint looked_at(const MultiProblem& multi, std::size_t part, Design x) {
   return point;
 }
 
+namespace {
+constexpr std::string_view kKinds[] = {"bounded", "toward", "scout"};
+}
+
+bool is_scout(std::string_view text) {
+  return text.starts_with(kKinds[static_cast<int>(Task::Kind::Scout)]);
+}
+
 std::string Task::text() const {
-  constexpr const char* kKinds[] = {"bounded", "toward", "scout"};
   const auto numbers = [](const std::vector<double>& values) {
     std::string text;
     for (const double v : values) text += fmt::format(" {:a}", v);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "optim/pareto/multi_problem.h"
 #include "optim/search/optimise.h"
@@ -30,6 +31,9 @@ struct Task {
   /// All of it in words, numbers to the last bit: tasks of one text are the same.
   std::string text() const;
 };
+
+/// Whether Task::text() is that of a scout.
+bool is_scout(std::string_view text);
 
 /// Where a design stands against one limit of the problem.
 struct Standing {

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "optim/pareto/executor.h"
+#include "optim/pareto/task.h"
 
 /// A study on disk: every search with all that came of it, written as it is done, so that a study
 /// which was cut short goes on where it stood. One SQLite file; its tables: docs/design.md,
@@ -15,13 +15,21 @@ namespace camlaw::optim {
 /// the same settings give the same outcomes for the same tasks.
 using StudySettings = std::map<std::string, std::string>;
 
+/// A task of a study with what came of it.
+struct RecordedTask {
+  std::int64_t number = 0;  ///< of its row
+  std::size_t part = 0;
+  std::string text;  ///< Task::text()
+  Outcome outcome;
+};
+
 class StudyRecord {
  public:
   /// Makes a new file. Throws std::invalid_argument where there is one already, std::runtime_error
   /// where it cannot be written.
   static StudyRecord create(const std::string& path, const StudySettings& settings);
   /// Opens a study to go on with it. Throws std::invalid_argument for what is no study of this
-  /// kind, or is damaged, and leaves that as it is.
+  /// kind, is damaged as a whole, or is of an earlier version, and leaves that as it is.
   static StudyRecord open(const std::string& path);
   /// Opens it to be read alone.
   static StudyRecord read(const std::string& path);
@@ -29,36 +37,40 @@ class StudyRecord {
   StudyRecord(StudyRecord&&) noexcept;
   ~StudyRecord();
 
+  /// Throws std::invalid_argument naming a setting that is not as it was written.
   StudySettings settings() const;
   /// Sets these, whatever they were. Throws std::runtime_error where it cannot be written.
   void put(const StudySettings& settings);
-  /// Throws std::invalid_argument where what is found is damaged. `problem` is that of the task's
-  /// part.
+  /// Whether each row has a checksum. Studies of earlier programs have none: what they say of their
+  /// designs is as good as a look at the designs finds it.
+  bool has_checksums() const;
+
+  /// None where there is no such task, or its rows are not as they were written (`damaged`).
+  /// `problem` is that of the task's part. Throws std::invalid_argument where the file cannot be
+  /// read.
   std::optional<Outcome> find(const Task& task, const MultiProblem& problem) const;
+  /// The number of the task's row, by which it is named.
+  std::optional<std::int64_t> number(const Task& task) const;
+  /// Tasks whose rows are not as they were written, as far as was looked, by number.
+  std::vector<std::int64_t> damaged() const;
+  /// All that are, by number.
+  std::vector<RecordedTask> whole() const;
+
   /// Throws std::runtime_error where it cannot be written, such as on a full disk; then nothing of
   /// the outcome is on it. `problem` is that of the task's part, for the names.
   void add(const Task& task, const Outcome& outcome, const MultiProblem& problem);
+  /// Removes tasks, so that they are carried out again.
+  void forget(const std::vector<std::int64_t>& numbers);
   std::size_t size() const;
 
  private:
   class File;
   explicit StudyRecord(std::unique_ptr<File> file);
+  template <class Does>
+  auto reading(Does does) const;
+  template <class Does>
+  void writing(Does does);
   std::unique_ptr<File> file_;
-};
-
-/// What a record has is taken from it; the rest another executor carries out, and the record takes
-/// it down. Without one the study stops at the first task that is not there.
-class RecordedExecutor final : public Executor {
- public:
-  RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others)
-      : space_(space), record_(record), others_(others) {}
-  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
-  std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
-
- private:
-  const MultiSpace& space_;
-  StudyRecord& record_;
-  Executor* others_;
 };
 
 /// "sqlite 3.40.1".

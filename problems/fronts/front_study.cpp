@@ -139,7 +139,9 @@ FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
-  return settings_of(record.settings());
+  const optim::StudySettings settings = record.settings();
+  if (record.has_checksums()) find(settings, "set");  // only earlier programs left it out
+  return settings_of(settings);
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {

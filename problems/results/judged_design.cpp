@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/pareto/judged_again.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -62,11 +63,148 @@ optim::Assessment judged(const HeldProblem& held) {
 
 namespace {
 
+/// A limit's stated value against its stated margin and bound, and the bound against the problem's.
+void compare_bound(const StatedLimit& stated, const optim::Constraint& constraint,
+                   std::vector<std::string>& words) {
+  constexpr double kDigits = 1e-9;
+  const double size = std::max(std::abs(stated.value), std::abs(stated.bound));
+  const double margin = stated.is_upper ? stated.bound - stated.value : stated.value - stated.bound;
+  if (std::isfinite(margin) && !(std::abs(margin - stated.margin) <= kDigits * size)) {
+    words.push_back(
+        fmt::format("the value of {} is stated as {:.9g}, by its margin and bound it is {:.9g}",
+                    stated.name, stated.value,
+                    stated.is_upper ? stated.bound - stated.margin : stated.bound + stated.margin));
+  }
+  if (!std::isfinite(stated.bound)) return;
+  const auto is_its = [&](const std::optional<double>& bound) {
+    return bound && std::abs(std::abs(*bound) - std::abs(stated.bound)) <= kDigits * size;
+  };
+  if (is_its(constraint.lower) || is_its(constraint.upper)) return;
+  words.push_back(fmt::format("the bound of {} is stated as {:.9g}, in its problem it is {:.9g}",
+                              stated.name, stated.bound,
+                              constraint.upper ? *constraint.upper : *constraint.lower));
+}
+
+void compare_shown_variables(const ReadDesign& read, std::vector<std::string>& words) {
+  constexpr double kDigits = 1e-9;
+  for (const VariableStatement& v : read.statement.variables) {
+    const auto shown = read.stated.variables.find(v.name);
+    if (shown == read.stated.variables.end()) continue;
+    const double slack = kDigits * std::max(std::abs(v.start), std::abs(shown->second));
+    if (std::abs(shown->second - v.start) <= slack) continue;
+    words.push_back(fmt::format("{} is shown as {:.9g}, in the design it is {:.9g}", v.name,
+                                shown->second, v.start));
+  }
+}
+
+/// The stated value of an objective; NaN where there is none.
+double stated_value(const ReadDesign& read, const std::string& name, bool alone) {
+  if (alone && read.objective) return *read.objective;
+  const auto at = read.stated.objectives.find(name);
+  return at == read.stated.objectives.end() ? std::nan("") : at->second;
+}
+
+/// Keeps of the problem what the result states a number of.
+optim::FrontPoint stated_point(const ReadDesign& read, const std::vector<double>& x,
+                               optim::MultiProblem& problem, std::vector<std::string>& words) {
+  optim::FrontPoint point;
+  point.x = x;
+  const bool alone = problem.objectives.size() == 1;
+  std::erase_if(problem.objectives, [&](const optim::Objective& o) {
+    const double value = stated_value(read, o.response.name, alone);
+    if (std::isnan(value)) return true;
+    point.objectives.push_back(value);
+    point.costs.push_back(optim::as_cost(o, value));
+    return false;
+  });
+  const auto& limits = read.stated.limits;
+  std::erase_if(problem.constraints, [&](const optim::Constraint& c) {
+    if (!limits) return true;
+    const auto at = std::find_if(limits->begin(), limits->end(), [&](const StatedLimit& limit) {
+      return limit.name == c.response.name;
+    });
+    if (at == limits->end()) {
+      // Where laws were chosen from, limits of the laws' own are called otherwise.
+      if (read.problem.laws.size() <= 1) {
+        words.push_back(fmt::format("nothing is stated of the limit on {}", c.response.name));
+      }
+      return true;
+    }
+    compare_bound(*at, c, words);
+    point.limits.push_back({at->name, c.response.unit, at->margin, {}, at->met, false, 0});
+    return false;
+  });
+  return point;
+}
+
+}  // namespace
+
+std::vector<std::string> differences(const ReadDesign& read) {
+  if (!read.verdict) return {};
+  std::vector<std::string> words;
+  compare_shown_variables(read, words);
+  const auto held = held_problem(read);
+  if (!held) return words;
+  optim::MultiProblem problem = held->problem;
+  const optim::FrontPoint point = stated_point(read, held->x, problem, words);
+  if (problem.objectives.empty()) {
+    words.emplace_back("nothing is stated of what is sought");
+    return words;
+  }
+  const std::vector<std::string> more = optim::differences(problem, point);
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+std::vector<std::string> record_notes(const ReadDesign& read, const std::string& program) {
+  if (!read.verdict) return {};
+  if (read.stated.seal == Seal::Broken) {
+    return {
+        "the result is not as it was written, its checksum does not fit: what it says is not "
+        "believed, what stands here is evaluated from its design"};
+  }
+  if (read.stated.seal == Seal::None) {
+    return {
+        "the result has no checksum, as those of earlier versions: what it says is not believed, "
+        "what stands here is evaluated from its design"};
+  }
+  if (read.stated.program == program) return {};
+  return {fmt::format("the result was written by {}: what it says is judged anew",
+                      read.stated.program.empty() ? "an unknown version" : read.stated.program)};
+}
+
+namespace {
+
 /// Whether what was found says at least as much as what was claimed.
 bool supports(optim::Verdict found, const std::string& claimed) {
   using optim::Verdict;
   if (claimed == to_string(found)) return true;
   return claimed == to_string(Verdict::Feasible) && found == Verdict::Certified;
+}
+
+/// A bound that a result states against the one that is found. One that is weaker, and none that
+/// "global" rests on, is true as well.
+void compare_best_possible(const ReadDesign& read, const optim::Assessment& found,
+                           const std::string& unit, std::vector<std::string>& words) {
+  if (!read.stated.best_possible) return;
+  const double stated = *read.stated.best_possible;
+  const std::string in_unit = unit == "1" ? "" : " " + unit;
+  if (!found.best_possible) {
+    words.push_back(
+        fmt::format("the result says that no design is better than {:.9g}{}; no lower "
+                    "bound shows it",
+                    stated, in_unit));
+    return;
+  }
+  const double sense = read.statement.objectives.front().sense == optim::Sense::Minimize ? 1 : -1;
+  const double slack =
+      std::max(found.objective.tolerance, optim::kBoundTolerance * found.objective_measure);
+  const double tighter = sense * (stated - *found.best_possible);
+  const bool differs = found.global ? std::abs(tighter) > slack : tighter > slack;
+  if (!differs) return;
+  words.push_back(fmt::format(
+      "the result says that no design is better than {:.9g}{}; judged again the bound is {:.9g}{}",
+      stated, in_unit, *found.best_possible, in_unit));
 }
 
 std::vector<std::string> disagreements(const ReadDesign& read, const optim::Assessment& found,
@@ -79,14 +217,25 @@ std::vector<std::string> disagreements(const ReadDesign& read, const optim::Asse
   if (read.global && whole && !found.global) {
     result.push_back("the result says that no better design exists; no lower bound shows it");
   }
-  const double value = found.objective.value;
-  constexpr double kDigits = 1e-9;  // results print every digit; what remains is rounding
-  const double slack = std::max(kDigits * std::abs(value), found.objective.tolerance);
-  if (read.objective && !(std::abs(*read.objective - value) <= slack)) {
-    result.push_back(fmt::format("the result says {:.10g}; the objective is {:.10g}{}",
-                                 *read.objective, value, unit == "1" ? "" : " " + unit));
-  }
+  if (whole && read.statement.objectives.size() == 1)
+    compare_best_possible(read, found, unit, result);
+  for (const std::string& words : differences(read)) result.push_back(words);
   return result;
+}
+
+}  // namespace
+
+namespace {
+
+/// The verdict of a point of a front: the best that one of the objectives gives, the others held.
+optim::Assessment judged_on_front(const HeldProblem& held) {
+  optim::Assessment best;
+  for (std::size_t sought = 0; sought < held.problem.objectives.size(); ++sought) {
+    optim::Assessment found = optim::assessed_on_front(held.problem, held.x, sought);
+    if (sought == 0 || found.verdict == optim::Verdict::Certified) best = std::move(found);
+    if (best.verdict == optim::Verdict::Certified) break;
+  }
+  return best;
 }
 
 }  // namespace
@@ -97,14 +246,12 @@ VerifiedDesign verified(const ReadDesign& read) {
         "a problem file claims nothing; verify takes the result.json of a search, or what --json "
         "prints");
   }
-  if (read.statement.objectives.size() != 1) {
-    throw std::invalid_argument("only a result with one objective can be verified");
-  }
   const auto held = held_problem(read);
   if (!held) throw std::invalid_argument("nothing varies in this result, so it claims nothing");
   VerifiedDesign result;
-  result.found = judged(*held);
+  result.found = held->problem.objectives.size() == 1 ? judged(*held) : judged_on_front(*held);
   result.whole = held->whole;
+  result.found.limits.resize(held->problem.constraints.size());  // without those on objectives
   result.limits = as_stated(read.statement, result.found.limits);
   result.disagreements = disagreements(read, result.found, held->whole,
                                        held->problem.objectives.front().response.unit);

@@ -25,6 +25,17 @@ std::optional<HeldProblem> held_problem(const ReadDesign& read);
 /// none does.
 optim::Assessment judged(const HeldProblem& held);
 
+/// In words, with both numbers, where a result states other numbers than its design has when it is
+/// evaluated again: objectives, margins, values and bounds of limits beyond the tolerances
+/// (optim::differences), variables as they are shown. Empty where all agrees, and where the result
+/// states none. Without proofs of optimality: it costs what an evaluation does.
+std::vector<std::string> differences(const ReadDesign& read);
+
+/// What is to be said of a result as a record, in sentences: that it was changed, that it has no
+/// checksum, that another program wrote it than `program`. Empty where it is this program's own and
+/// as it was written, and for a problem file.
+std::vector<std::string> record_notes(const ReadDesign& read, const std::string& program);
+
 /// What a result claims of its design against what is found of it.
 struct VerifiedDesign {
   optim::Assessment found;
@@ -35,8 +46,9 @@ struct VerifiedDesign {
   std::vector<std::string> not_judged;
 };
 
-/// Throws std::invalid_argument where there is nothing to judge: no objective, several of them,
-/// nothing that varies, or a design without a claim.
+/// Of a point of a front: as the least of one objective, no other worse than its own. Throws
+/// std::invalid_argument where there is nothing to judge: no objective, nothing that varies, or a
+/// design without a claim.
 VerifiedDesign verified(const ReadDesign& read);
 
 }  // namespace camlaw::problems

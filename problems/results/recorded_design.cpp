@@ -166,7 +166,9 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     read_reason(result, design);
     const auto value = result.find("objective"), global = result.find("global");
     if (value != result.end() && value->is_number()) design.objective = value->get<double>();
-    design.global = global != result.end() && global->is_string();
+    const bool is_said = global != result.end() && global->is_boolean() && global->get<bool>();
+    design.global = is_said || (global != result.end() && global->is_string());
+    design.stated = stated_numbers(result);
     return design;
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", source, error.what()));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/law_files/pieces_json.h"
+#include "problems/results/stated_numbers.h"
 #include "problems/statement/bind.h"
 
 /// A design as a result keeps it, so that the result stands alone: the text of the problem, the law
@@ -29,6 +30,7 @@ struct ReadDesign {
   std::vector<std::string> blamed = {};     ///< limits that cannot be met, or not together
   std::optional<double> objective = {};     ///< of a result: its value, in the listed unit
   bool global = false;                      ///< of a result: no better design exists, it says
+  StatedNumbers stated = {};                ///< of a result: what else it says of its design
 };
 
 /// The design of a result, the text of a result.json or what --json prints; `source` names it in

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "optim/study/record.h"
+#include "optim/study/recorded_executor.h"
 #include "tests/optim/pareto/evenness.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "optim/study/record.h"
-
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -11,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "optim/study/checksum.h"
+#include "optim/study/recorded_executor.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/temporary_folder.h"
@@ -267,7 +267,8 @@ TEST_CASE("a study of another version is refused with both versions", "[study]")
   made_study(folder / "s.db", 4);
   { SQLite::Database(folder / "s.db", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7"); }
   const std::string bytes = read(folder / "s.db");
-  CHECK_THAT(complaint(folder / "s.db"), Contains("version 7") && Contains("version 2"));
+  CHECK_THAT(complaint(folder / "s.db"),
+             Contains("version 7") && Contains("version 3") && Contains("version 2"));
   CHECK(read(folder / "s.db") == bytes);
 }
 
@@ -316,7 +317,22 @@ TEST_CASE("a damaged study is refused, or read as far as it goes", "[study]") {
   CHECK(taken > 10);
 }
 
-TEST_CASE("rows that do not belong to the problem are damage", "[study]") {
+TEST_CASE("the checksum is the CRC-64/XZ of the catalogues", "[study]") {
+  Checksum checksum;
+  checksum.add(std::string_view("123456789"));
+  CHECK(checksum.value() == 0x995dc9bbdf1939fa);
+  // The same step by step, without a table.
+  std::uint64_t crc = ~std::uint64_t{0};
+  for (const char c : std::string("caml\0w", 6)) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xc96c5795d7870f42 : 0);
+  }
+  Checksum other;
+  other.add(std::string_view("caml\0w", 6));
+  CHECK(other.value() == ~crc);
+}
+
+TEST_CASE("rows that are not as they were written are damage, and named", "[study]") {
   const Folder folder;
   const std::string whole = made_study(folder / "s.db", 8);
   const std::string bytes = read(folder / "s.db");
@@ -326,14 +342,131 @@ TEST_CASE("rows that do not belong to the problem are damage", "[study]") {
         "INSERT INTO objective SELECT id, 2, 'f', 'N', 0, 0, 1 FROM design",
         "INSERT INTO variable SELECT id, 2, 'z', '1', 0 FROM design",
         "UPDATE objective SET weight = NULL WHERE place = 0",
-        "UPDATE design SET verdict = 'splendid'"}) {
+        "UPDATE objective SET name = 'other' WHERE design = 3",
+        "UPDATE variable SET value = value + 1e-15 WHERE design = 3 AND place = 0",
+        "UPDATE task SET text = text || ' ' WHERE id = 4",
+        "UPDATE task SET is_global = 2 WHERE id = 5", "UPDATE design SET task = 2 WHERE task = 3",
+        "DELETE FROM design WHERE task = 3", "UPDATE design SET verdict = 'splendid'"}) {
     INFO(change);
     write(folder / "t.db", bytes);
     { SQLite::Database(folder / "t.db", SQLite::OPEN_READWRITE).exec(change); }
-    CHECK_THROWS_WITH(read_study(folder / "t.db", 8), Contains("damaged"));
+    CHECK_FALSE(StudyRecord::read(folder / "t.db").damaged().empty());
+    CHECK(read_study(folder / "t.db", 8) != whole);
+    // Solved again it is what it was.
+    const MultiSpace space = two_rooms();
+    const ParetoOptions options = with_points(8);
+    DirectExecutor direct(space, options.solve);
+    {
+      StudyRecord record = StudyRecord::open(folder / "t.db");
+      RecordedExecutor recorded(space, record, &direct);
+      CHECK(bits(pareto(space, options, recorded)) == whole);
+      CHECK_FALSE(recorded.faults().empty());
+    }
+    CHECK(StudyRecord::read(folder / "t.db").damaged().empty());
+    CHECK(read_study(folder / "t.db", 8) == whole);
   }
   write(folder / "t.db", bytes);
   CHECK(read_study(folder / "t.db", 8) == whole);
+}
+
+TEST_CASE("a setting that is not as it was written is named", "[study]") {
+  const Folder folder;
+  made_study(folder / "s.db", 4);
+  {
+    SQLite::Database base(folder / "s.db", SQLite::OPEN_READWRITE);
+    base.exec("UPDATE setting SET value = '13' WHERE name = 'points'");
+  }
+  CHECK_THROWS_AS(StudyRecord::read(folder / "s.db").settings(), std::invalid_argument);
+  CHECK_THROWS_WITH(StudyRecord::read(folder / "s.db").settings(), Contains("'points'"));
+}
+
+namespace {
+
+/// Makes of a study one of version 2, as earlier programs wrote it.
+void make_older(const std::string& path) {
+  SQLite::Database base(path, SQLite::OPEN_READWRITE);
+  base.exec(
+      "ALTER TABLE task DROP COLUMN checksum; ALTER TABLE setting DROP COLUMN checksum; "
+      "PRAGMA user_version = 2");
+}
+
+}  // namespace
+
+TEST_CASE("a study of the version before is read, and not gone on with", "[study]") {
+  const Folder folder;
+  const std::string whole = made_study(folder / "s.db", 8);
+  make_older(folder / "s.db");
+  CHECK_FALSE(StudyRecord::read(folder / "s.db").has_checksums());
+  CHECK(read_study(folder / "s.db", 8) == whole);
+  CHECK_THROWS_WITH(StudyRecord::open(folder / "s.db"), Contains("earlier version"));
+  // What its designs are not is found without a checksum.
+  {
+    SQLite::Database base(folder / "s.db", SQLite::OPEN_READWRITE);
+    base.exec("UPDATE objective SET value = 0.99 * value, cost = 0.99 * cost WHERE design = 2");
+  }
+  const MultiSpace space = two_rooms();
+  StudyRecord record = StudyRecord::read(folder / "s.db");
+  RecordedExecutor recorded(space, record, nullptr);
+  pareto(space, with_points(8), recorded);
+  recorded.believed();
+  REQUIRE(recorded.faults().size() == 1);
+  CHECK_FALSE(recorded.faults().front().is_damaged);
+  CHECK_THAT(recorded.faults().front().why, Contains("evaluated again"));
+}
+
+namespace {
+
+/// Says of the design of its third task that it costs less than it does.
+class Lying final : public Executor {
+ public:
+  explicit Lying(Executor& executor) : executor_(executor) {}
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
+    std::vector<Outcome> outcomes = executor_.run(tasks, {});
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (++count_ == 3 && !outcomes[i].points.empty()) {
+        FrontPoint& point = outcomes[i].points.front();
+        point.objectives[1] *= 0.99;
+        point.costs[1] *= 0.99;
+      }
+      on_outcome(tasks[i], outcomes[i]);
+    }
+    return outcomes;
+  }
+
+ private:
+  Executor& executor_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("what was written wrong is found though its checksum fits, and is solved again",
+          "[study]") {
+  const Folder folder;
+  const std::string whole = made_study(folder / "s.db", 8);
+  const MultiSpace space = two_rooms();
+  const ParetoOptions options = with_points(8);
+  DirectExecutor direct(space, options.solve);
+  {
+    StudyRecord record = StudyRecord::create(folder / "t.db", kSettings);
+    Lying lying(direct);
+    RecordedExecutor recorded(space, record, &lying);
+    pareto(space, options, recorded);
+  }
+  StudyRecord record = StudyRecord::open(folder / "t.db");
+  CHECK(record.damaged().empty());
+  RecordedExecutor recorded(space, record, &direct);
+  CHECK(bits(pareto(space, options, recorded)) == whole);
+  REQUIRE(recorded.faults().size() == 1);
+  CHECK_FALSE(recorded.faults().front().is_damaged);
+  CHECK(read_study(folder / "t.db", 8) == whole);
+}
+
+TEST_CASE("a study whose number of version does not fit its tables is damaged", "[study]") {
+  const Folder folder;
+  made_study(folder / "s.db", 4);
+  { SQLite::Database(folder / "s.db", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2"); }
+  CHECK_THAT(complaint(folder / "s.db"), Contains("does not fit its tables"));
 }
 
 TEST_CASE("a study that was interrupted after any task goes on to the same front", "[study]") {
@@ -434,7 +567,7 @@ void leave_hot_journal(const std::string& path) {
     base.exec("PRAGMA journal_mode = DELETE; PRAGMA cache_size = 1; BEGIN; DELETE FROM setting");
     for (int i = 0; i < 200; ++i) {
       base.exec("INSERT INTO setting VALUES ('" + std::to_string(i) + "', '" +
-                std::string(1000, 'x') + "')");
+                std::string(1000, 'x') + "', 0)");
     }
     _exit(0);  // without an end of the transaction
   }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "cli/claim_output.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cli/terminal.h"
+#include "cli/version_text.h"
+#include "problems/results/judged_design.h"
+
+namespace camlaw::cli {
+
+std::vector<std::string> ClaimReview::words() const {
+  std::vector<std::string> all = notes;
+  for (const std::string& difference : differences) {
+    all.push_back("the result is wrong: " + difference);
+  }
+  return all;
+}
+
+ClaimReview reviewed(const problems::ReadDesign& read) {
+  return {problems::record_notes(read, short_version()), problems::differences(read)};
+}
+
+std::string review_text(const ClaimReview& review) {
+  std::string text;
+  for (const std::string& words : review.words()) {
+    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), words);
+  }
+  return text;
+}
+
+Json review_json(const ClaimReview& review) {
+  return {{"notes", review.notes}, {"differences", review.differences}};
+}
+
+void say_review(const std::string& file, const ClaimReview& review) {
+  for (const std::string& words : review.words()) {
+    fmt::print(stderr, "camlaw: {}: {}\n", file, words);
+  }
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/recorded_executor.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "optim/pareto/judged_again.h"
+
+namespace camlaw::optim {
+
+RecordedExecutor::RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others)
+    : space_(space), record_(record), others_(others) {
+  const std::vector<std::int64_t> damaged = record.damaged();
+  for (const std::int64_t task : damaged) faults_[task] = {task, true, ""};
+  if (others != nullptr) record.forget(damaged);
+}
+
+const MultiProblem& RecordedExecutor::problem(std::size_t part) {
+  const auto known = problems_.find(part);
+  if (known != problems_.end()) return known->second;
+  return problems_.emplace(part, space_.problem(space_.options(part))).first->second;
+}
+
+std::string RecordedExecutor::why_wrong(const Outcome& outcome, std::size_t part) {
+  for (const FrontPoint& point : outcome.points) {
+    const std::vector<std::string> all = differences(problem(part), point);
+    if (!all.empty()) return fmt::format("{}", fmt::join(all, "; "));
+  }
+  return {};
+}
+
+/// What a scout found is where to look, not an answer: it is taken as it is.
+std::optional<Outcome> RecordedExecutor::find(const Task& task) {
+  std::optional<Outcome> outcome = record_.find(task, problem(task.part));
+  if (!outcome) {
+    for (const std::int64_t number : record_.damaged()) {
+      faults_.try_emplace(number, RecordFault{number, true, ""});
+    }
+    return {};
+  }
+  // A process that died may have been killed: it is not the task's outcome for good.
+  if (outcome->died && others_ != nullptr) return {};
+  if (task.kind == Task::Kind::Scout) return outcome;
+  const std::string why = why_wrong(*outcome, task.part);
+  if (why.empty()) return outcome;
+  const std::int64_t number = record_.number(task).value_or(0);
+  faults_[number] = {number, false, why};
+  if (others_ != nullptr) record_.forget({number});
+  return {};
+}
+
+std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
+                                           const OnOutcome& on_outcome) {
+  std::vector<std::optional<Outcome>> outcomes;
+  std::vector<Task> missing;
+  for (const Task& task : tasks) {
+    outcomes.push_back(find(task));
+    if (!outcomes.back()) {
+      missing.push_back(task);
+    } else if (on_outcome) {
+      on_outcome(task, *outcomes.back());
+    }
+  }
+  std::vector<Outcome> fresh;
+  if (others_ != nullptr && !missing.empty()) {
+    fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
+      record_.add(task, outcome, problem(task.part));
+      if (on_outcome) on_outcome(task, outcome);
+    });
+  }
+  std::vector<Outcome> in_order;
+  auto next = fresh.begin();
+  for (auto& outcome : outcomes) {
+    if (!outcome && next == fresh.end()) break;
+    in_order.push_back(outcome ? std::move(*outcome) : std::move(*next++));
+  }
+  return in_order;
+}
+
+std::vector<RecordFault> RecordedExecutor::faults() const {
+  std::vector<RecordFault> result;
+  for (const auto& [number, fault] : faults_) result.push_back(fault);
+  return result;
+}
+
+std::vector<Outcome> RecordedExecutor::believed() {
+  std::vector<Outcome> result;
+  const std::size_t parts = space_.parts();
+  for (RecordedTask& task : record_.whole()) {
+    if (is_scout(task.text) || faults_.contains(task.number)) continue;
+    const std::string why = task.part < parts ? why_wrong(task.outcome, task.part)
+                                              : "there is no such combination of choices";
+    if (why.empty()) {
+      result.push_back(std::move(task.outcome));
+    } else {
+      faults_[task.number] = {task.number, false, why};
+    }
+  }
+  return result;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "optim/pareto/executor.h"
+#include "optim/study/record.h"
+
+namespace camlaw::optim {
+
+/// A task of a record that is not believed.
+struct RecordFault {
+  std::int64_t task = 0;   ///< the number of its row
+  bool is_damaged = true;  ///< its rows are not as they were written; else what they say is wrong
+  std::string why;         ///< of what is wrong, with what is stated and what is found
+};
+
+/// What a record has is taken from it; the rest another executor carries out, and the record takes
+/// it down. Nothing in the record is believed that does not hold when its designs are evaluated
+/// again (differences()): such a task, like one whose rows are damaged, counts as not there, and is
+/// named. Without another executor the study stops at the first task that is not there.
+class RecordedExecutor final : public Executor {
+ public:
+  RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others);
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+  std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
+
+  /// What was not believed so far, by number; with another executor it is carried out again.
+  std::vector<RecordFault> faults() const;
+  /// The outcomes of all searches that are believed, whether the study came to ask for them or not.
+  std::vector<Outcome> believed();
+
+ private:
+  const MultiProblem& problem(std::size_t part);
+  /// Why an outcome is not believed; empty where it is.
+  std::string why_wrong(const Outcome& outcome, std::size_t part);
+  std::optional<Outcome> find(const Task& task);
+
+  const MultiSpace& space_;
+  StudyRecord& record_;
+  Executor* others_;
+  std::map<std::size_t, MultiProblem> problems_;  ///< of each part that was met
+  std::map<std::int64_t, RecordFault> faults_;
+};
+
+}  // namespace camlaw::optim

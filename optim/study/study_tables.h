@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/study/record.h"
+
+/// For record.cpp alone, and not installed: it needs SQLiteCpp.
+/// The rows of a study's file (docs/design.md, "Studies"): how outcomes become rows and rows become
+/// outcomes, and the checksums that tell whether a row is as it was written.
+namespace camlaw::optim {
+
+/// Marks the file as ours: "caml" as four bytes, and the version of the tables.
+inline constexpr int kStudyApplication = 0x63616d6c;
+inline constexpr int kStudyVersion = 3;
+/// The earliest version that is read; its rows have no checksums.
+inline constexpr int kOldestStudy = 2;
+/// The first version whose rows have checksums.
+inline constexpr int kWithChecksums = 3;
+
+/// Errors of SQLite pass as SQLite::Exception. Statements are made when they are needed: a study
+/// has few searches a second.
+class StudyTables {
+ public:
+  explicit StudyTables(SQLite::Database& base) : base_(base) {}
+
+  /// The tables of a new file.
+  void make(const StudySettings& settings);
+  /// Reads which tasks there are, and whether each is as it was written.
+  void look();
+  bool has_checksums() const { return version_ >= kWithChecksums; }
+
+  void put(const StudySettings& settings);
+  /// Throws std::runtime_error naming a setting that is not as it was written.
+  StudySettings settings();
+
+  /// None where there is no such task, or it is damaged.
+  std::optional<Outcome> find(const std::string& text, std::size_t part);
+  /// The row's number of a task that find() gives.
+  std::optional<std::int64_t> number(const std::string& text);
+  void add(const Task& task, const Outcome& outcome, const MultiProblem& problem);
+  void forget(const std::vector<std::int64_t>& numbers);
+  /// Counts the task as damaged: it cannot be what was written.
+  void doubt(const std::string& text);
+
+  std::vector<std::int64_t> damaged() const;
+  std::vector<RecordedTask> whole();
+
+ private:
+  struct Entry {
+    std::int64_t id = 0;
+    std::string text;
+    std::vector<std::int64_t> designs;
+    bool is_whole = true;
+  };
+
+  Entry* entry(const std::string& text);
+  void look_within();
+  void place();
+  bool has_died(const Entry& entry);
+  void look_again_if_changed();
+  std::int64_t data_version();
+  std::uint64_t checksum_of(const Entry& entry);
+  Outcome outcome_of(const Entry& entry, std::size_t part);
+  void insert(const StudySettings& settings);
+  void remove(const Entry& entry);
+  FrontPoint design_of(std::int64_t id, std::size_t part);
+  std::int64_t add_design(std::int64_t task, const FrontPoint& point, const MultiProblem& problem);
+  void add_variables(std::int64_t design, const FrontPoint& point, const MultiProblem& problem);
+  void add_objectives(std::int64_t design, const FrontPoint& point, const MultiProblem& problem);
+  void add_margins(std::int64_t design, const FrontPoint& point);
+
+  SQLite::Database& base_;
+  int version_ = kStudyVersion;
+  std::int64_t data_version_ = 0;
+  std::vector<Entry> entries_;                 ///< by id
+  std::map<std::string, std::size_t> places_;  ///< of those that are whole, by text
+};
+
+}  // namespace camlaw::optim

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fronts/stored_front.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "optim/pareto/judged_again.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::FrontPoint, optim::Verdict;
+
+bool is_good(const FrontPoint& point) {
+  return point.verdict == Verdict::Certified || point.verdict == Verdict::Feasible;
+}
+
+/// Whose verdicts a record's are: empty where they are this program's own.
+std::string other_version(const FrontStudy& study, const optim::StudyRecord& record) {
+  const std::string mine = study.settings().at("versions");
+  const optim::StudySettings settings = record.settings();
+  const auto its = settings.find("versions");
+  if (!record.has_checksums()) return "an earlier version, whose rows have no checksums";
+  if (its == settings.end()) return "an unknown version";
+  return its->second == mine ? "" : its->second;
+}
+
+/// The designs with their verdicts as this program finds them; those that it finds to be none are
+/// left out.
+std::vector<FrontPoint> judged(const FrontStudy& study, const std::vector<FrontPoint>& designs) {
+  const optim::MultiSpace& space = study.space();
+  std::vector<FrontPoint> result;
+  for (const FrontPoint& point : designs) {
+    FrontPoint now = optim::judged_again(space.problem(space.options(point.part)), point);
+    if (is_good(now)) result.push_back(std::move(now));
+  }
+  return result;
+}
+
+std::size_t certified(const std::vector<FrontPoint>& points) {
+  return static_cast<std::size_t>(std::count_if(
+      points.begin(), points.end(), [](const auto& p) { return p.verdict == Verdict::Certified; }));
+}
+
+/// Of all that is believed, whether the study came to ask for it or not.
+optim::Front front_of_believed(const FrontStudy& study, const std::vector<optim::Outcome>& all) {
+  std::vector<FrontPoint> designs;
+  long evaluations = 0;
+  for (const optim::Outcome& outcome : all) {
+    designs.insert(designs.end(), outcome.points.begin(), outcome.points.end());
+    evaluations += outcome.evaluations;
+  }
+  optim::Front front = optim::front_of_designs(study.space(), study.options(), designs);
+  front.tasks = all.size();
+  front.evaluations = evaluations;
+  return front;
+}
+
+/// Puts the verdicts of this program in the place of those that are stored.
+void judge_anew(const FrontStudy& study, const std::string& version, StoredFront& stored) {
+  optim::Front& front = stored.front;
+  std::vector<FrontPoint> points = judged(study, front.points);
+  std::string found;
+  if (certified(points) != certified(front.points)) {
+    found = fmt::format(": {} of its points are certified, where it says {}", certified(points),
+                        certified(front.points));
+  }
+  stored.notes.push_back(
+      fmt::format("the study was made by {}; its designs are judged anew{}", version, found));
+  if (points.size() < front.points.size()) {
+    stored.notes.push_back(fmt::format("{} of its points do not meet their limits and are left out",
+                                       front.points.size() - points.size()));
+    const auto [tasks, evaluations] = std::pair(front.tasks, front.evaluations);
+    front = optim::front_of_designs(study.space(), study.options(), points);
+    front.tasks = tasks, front.evaluations = evaluations;
+    return;
+  }
+  front.points = std::move(points);
+  front.each_is_global = false;  // of searches that found nothing there is nothing to judge
+}
+
+}  // namespace
+
+std::string fault_words(const optim::RecordFault& fault, const std::string& then) {
+  return fault.is_damaged
+             ? fmt::format("task {} is damaged: its rows are not as they were written; {}",
+                           fault.task, then)
+             : fmt::format("task {} is wrong: {}; {}", fault.task, fault.why, then);
+}
+
+StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
+  optim::RecordedExecutor recorded(study.space(), record, nullptr);
+  StoredFront stored{study.run(recorded), {}, {}};
+  const std::string version = other_version(study, record);
+  if (!recorded.faults().empty()) stored.front = front_of_believed(study, recorded.believed());
+  stored.faults = recorded.faults();
+  if (!version.empty()) judge_anew(study, version, stored);
+  const std::string then =
+      record.has_checksums() && version.empty() ? "--resume solves it again" : "it does not count";
+  for (const optim::RecordFault& fault : stored.faults) {
+    stored.notes.push_back(fault_words(fault, then));
+  }
+  return stored;
+}
+
+}  // namespace camlaw::problems

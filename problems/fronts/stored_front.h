@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/fronts/front_study.h"
+
+namespace camlaw::problems {
+
+/// The front that a record holds, as far as it is believed (docs/problem-files.md, "What a record
+/// is worth").
+struct StoredFront {
+  optim::Front front;
+  std::vector<optim::RecordFault> faults;  ///< tasks that do not count
+  std::vector<std::string> notes;          ///< what is to be said of the record, in sentences
+};
+
+/// Without a search. Tasks that are damaged or wrong do not count; where there are any, the front
+/// is that of all other designs of the record, and counts as not finished. The designs of another
+/// version of the program are judged anew.
+StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record);
+
+/// What to say of a task that is not believed; `then`: what becomes of it.
+std::string fault_words(const optim::RecordFault& fault, const std::string& then);
+
+}  // namespace camlaw::problems
