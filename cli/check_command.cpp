@@ -8,6 +8,7 @@
 #include "cli/help.h"
 #include "cli/next_step.h"
 #include "cli/optimum_output.h"
+#include "cli/printing.h"
 #include "cli/warnings.h"
 #include "optim/problem/check_derivatives.h"
 #include "problems/statement/bind.h"
@@ -32,11 +33,11 @@ std::string entry_text(const optim::DerivativeEntry& entry) {
 /// Prints what the differences say of one combination of options; whether they agree.
 bool check_problem(const optim::Problem& problem, const std::string& label) {
   const auto result = optim::check_derivatives(problem, problem.start());
-  if (!label.empty()) fmt::print("{}\n", label);
-  fmt::print("{} derivatives compared with differences: {}\n", result.entries,
-             result.agrees ? "all agree" : "they do not agree");
-  if (result.entries > 0) fmt::print("worst: {}\n", entry_text(result.worst));
-  for (const std::string& shape : result.shapes) fmt::print("{}\n", shape);
+  if (!label.empty()) say("{}\n", label);
+  say("{} derivatives compared with differences: {}\n", result.entries,
+      result.agrees ? "all agree" : "they do not agree");
+  if (result.entries > 0) say("worst: {}\n", entry_text(result.worst));
+  for (const std::string& shape : result.shapes) say("{}\n", shape);
   return result.agrees && result.shapes.empty();
 }
 
@@ -83,11 +84,11 @@ void run_check(const CheckOptions& options, int& status) {
     variants.emplace(problems::BoundProblem(statement));  // or says why not
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
-  fmt::print("{}", problems::in_words(statement));
-  fmt::print("{}", warnings_text(doubts_of(statement)));
-  if (options.scaling) fmt::print("\n{}", scaling_text(variants->problem(0)));
+  print_text(problems::in_words(statement));
+  print_text(warnings_text(doubts_of(statement)));
+  if (options.scaling) say("\n{}", scaling_text(variants->problem(0)));
   if (!options.derivatives) return say_next(search_command(statement, options.file));
-  fmt::print("\n");
+  say("\n");
   bool agrees = true;
   for (std::size_t i = 0; i < variants->size(); ++i) {
     agrees = check_problem(variants->problem(i), variants->label(i)) && agrees;

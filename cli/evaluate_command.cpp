@@ -18,8 +18,8 @@
 #include "cli/limit_text.h"
 #include "cli/next_step.h"
 #include "cli/possible.h"
+#include "cli/printing.h"
 #include "cli/profile_figure.h"
-#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "cli/warnings.h"
 #include "problems/results/recorded_design.h"
@@ -75,24 +75,25 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
   return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
-void print_text(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
-                const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
-  if (!statement.title.empty()) fmt::print("{}\n", statement.title);
+void print_evaluation(const ProblemStatement& statement,
+                      const std::vector<EvaluatedResponse>& responses,
+                      const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
+  if (!statement.title.empty()) say("{}\n", statement.title);
   if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
-    fmt::print("law {}\n", statement.laws.front().label());
+    say("law {}\n", statement.laws.front().label());
   }
-  fmt::print("\n");
-  fmt::print("{}", response_table(responses).text());
-  fmt::print("{}", sampled_text(responses));
-  if (!limits.empty()) fmt::print("\n");
+  say("\n");
+  print_text(response_table(responses).text());
+  print_text(sampled_text(responses));
+  if (!limits.empty()) say("\n");
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitText text = limit_text(limits[i], statement.constraints[i]);
-    fmt::print("{} {} = {} {}{}\n",
-               limits[i].met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
-               limits[i].name, text.value, with_unit(text.bound, limits[i].unit),
-               text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
+    say("{} {} = {} {}{}\n",
+        limits[i].met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad), limits[i].name,
+        text.value, with_unit(text.bound, limits[i].unit),
+        text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
   }
-  fmt::print("{}", warnings_text(warnings));
+  print_text(warnings_text(warnings));
 }
 
 Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
@@ -176,10 +177,11 @@ void run_evaluate(const EvaluateOptions& options, int& status) {
   const auto limits = problems::standing(statement);
   const Warnings warnings = warnings_of(statement);
   if (options.json) {
-    fmt::print("{}\n", to_json(statement, responses, limits, warnings, review).dump(2));
+    print_data(to_json(statement, responses, limits, warnings, review).dump(2) + "
+");
   } else {
-    print_text(statement, responses, limits, warnings);
-    fmt::print("{}", review_text(review));
+    print_evaluation(statement, responses, limits, warnings);
+    print_text(review_text(review));
   }
   write_files(files);
   if (options.json) return;

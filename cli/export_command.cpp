@@ -14,6 +14,7 @@
 #include "cli/files.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
+#include "cli/printing.h"
 #include "cli/terminal.h"
 #include "optim/verdict/verdict.h"
 #include "problems/exports/curve_svg.h"
@@ -209,7 +210,7 @@ void run_export(const ExportOptions& options, int& status) {
   }
   write_out({}, {{*options.out, text}}, false);
   if (is_quiet()) return;
-  for (const std::string& line : curve_lines(e)) fmt::print("{}\n", line);
+  for (const std::string& line : curve_lines(e)) say("{}\n", line);
   say_written({{*options.out, ""}});
 }
 

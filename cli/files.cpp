@@ -16,6 +16,8 @@
 #include <string_view>
 
 #include "cli/inputs.h"
+#include "cli/printing.h"
+#include "cli/replacing.h"
 #include "cli/terminal.h"
 
 namespace camlaw::cli {
@@ -23,61 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
-  throw std::runtime_error(fmt::format("cannot write '{}': {}", path.string(), reason));
-}
-
 /// A file on its way to its place.
 struct Pending {
   const OutputFile* file;
-  fs::path target;     ///< links followed
-  fs::path temporary;  ///< empty for what is no regular file
+  fs::path target;        ///< links followed
+  bool in_place = false;  ///< written to as it is: it is not a regular file
 };
-
-/// The temporary file being written, for the signal handler: it must be gone if the user
-/// interrupts.
-std::array<char, 4096> temporary_in_work{};
-
-extern "C" void remove_temporary(int signal_number) {
-  if (temporary_in_work[0] != 0) unlink(temporary_in_work.data());
-  std::signal(signal_number, SIG_DFL);
-  std::raise(signal_number);
-}
-
-void announce_temporary(const std::string& path) {
-  const std::size_t length = std::min(path.size(), temporary_in_work.size() - 1);
-  temporary_in_work[0] = 0;
-  std::copy_n(path.begin() + 1, length - 1, temporary_in_work.begin() + 1);
-  temporary_in_work[length] = 0;
-  temporary_in_work[0] = path[0];  // last, so that the handler never sees half a name
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, remove_temporary);
-}
-
-/// Undoes what was done for files that were not written after all.
-class Cleaner {
- public:
-  ~Cleaner() {
-    if (done_) return;
-    std::error_code ignored;
-    for (const auto& path : files_) fs::remove(path, ignored);
-    for (std::size_t i = folders_.size(); i-- > 0;) fs::remove(folders_[i], ignored);
-  }
-  void file(const fs::path& path) { files_.push_back(path); }
-  void folder(const fs::path& path) { folders_.push_back(path); }
-  void done() { done_ = true; }
-
- private:
-  std::vector<fs::path> files_, folders_;
-  bool done_ = false;
-};
-
-void make_folder(const fs::path& folder, const fs::path& wanted_for, Cleaner& cleaner) {
-  if (folder.empty() || fs::exists(folder)) return;
-  make_folder(folder.parent_path(), wanted_for, cleaner);
-  std::error_code error;
-  if (fs::create_directory(folder, error)) cleaner.folder(folder);
-  if (error) fail(wanted_for, error.message());
-}
 
 /// Standard output as the program was given it.
 int standard_output = STDOUT_FILENO;
@@ -88,7 +41,7 @@ void write_to_standard_output(const OutputFile& file) {
   while (!rest.empty()) {
     const ssize_t count = write(standard_output, rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(file.path, std::strerror(errno));
+    if (count < 0) fail_to_write(file.path, std::strerror(errno));
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -99,7 +52,8 @@ void write_stream(const fs::path& path, const OutputFile& file) {
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
   stream << file.content;
   stream.close();
-  if (!stream) fail(file.path, errno != 0 ? std::strerror(errno) : "the disk took not all of it");
+  if (!stream)
+    fail_to_write(file.path, errno != 0 ? std::strerror(errno) : "the disk took not all of it");
 }
 
 /// Pipes, terminals, sockets and what the system offers as files: no renaming there.
@@ -111,28 +65,28 @@ bool is_written_in_place(const fs::path& path) {
   return special || text.starts_with("/dev/") || text.starts_with("/proc/");
 }
 
-Pending locate(const OutputFile& file, std::size_t number) {
+Pending locate(const OutputFile& file) {
   if (file.path.empty()) throw std::invalid_argument("an output file has an empty name");
-  if (fs::is_directory(file.path)) fail(file.path, "it is a folder");
-  if (file.path == kStandardStream) return {&file, file.path, {}};
+  if (fs::is_directory(file.path)) fail_to_write(file.path, "it is a folder");
+  if (file.path == kStandardStream) return {&file, file.path, true};
   if (is_input(file.path)) {
     throw std::invalid_argument(fmt::format(
         "'{}' is an input of this run; the output needs another name", file.path.string()));
   }
-  if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), {}};
+  if (is_written_in_place(file.path)) return {&file, fs::absolute(file.path), true};
   std::error_code error;
   const fs::path target = fs::weakly_canonical(fs::absolute(file.path), error);
-  if (error) fail(file.path, error.message());
+  if (error) fail_to_write(file.path, error.message());
   if (fs::exists(target) && access(target.c_str(), W_OK) != 0) {
-    fail(file.path, std::strerror(errno));
+    fail_to_write(file.path, std::strerror(errno));
   }
-  return {&file, target, target.parent_path() / fmt::format(".camlaw-{}-{}.tmp", getpid(), number)};
+  return {&file, target};
 }
 
 std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
   std::vector<Pending> result;
   for (const OutputFile& file : files) {
-    result.push_back(locate(file, result.size()));
+    result.push_back(locate(file));
     for (std::size_t i = 0; i + 1 < result.size(); ++i) {
       if (result[i].target == result.back().target) {
         throw std::invalid_argument(
@@ -141,14 +95,6 @@ std::vector<Pending> locate_all(const std::vector<OutputFile>& files) {
     }
   }
   return result;
-}
-
-/// Writes a file beside its place; the cleaner takes it away again.
-void write_temporary(const Pending& p, Cleaner& cleaner) {
-  make_folder(p.target.parent_path(), p.file->path, cleaner);
-  cleaner.file(p.temporary);
-  announce_temporary(p.temporary.string());
-  write_stream(p.temporary, *p.file);
 }
 
 }  // namespace
@@ -165,46 +111,36 @@ void keep_standard_output(const std::vector<std::optional<std::string>>& outputs
   if (standard_output != STDOUT_FILENO) return;
   std::fflush(stdout);
   const int kept = dup(STDOUT_FILENO);
-  if (kept < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail("-", std::strerror(errno));
+  if (kept < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail_to_write("-", std::strerror(errno));
   standard_output = kept;
 }
 
 void write_files(const std::vector<OutputFile>& files) {
   const std::vector<Pending> pending = locate_all(files);
-  Cleaner cleaner;
-  for (const Pending& p : pending) {
-    if (p.temporary.empty()) continue;
-    write_temporary(p, cleaner);
-    std::error_code ignored;
-    const auto status = fs::status(p.target, ignored);
-    if (fs::exists(status)) fs::permissions(p.temporary, status.permissions(), ignored);
-  }
-  for (const Pending& p : pending) {
-    if (p.temporary.empty()) {
-      write_stream(p.target, *p.file);
-      continue;
+  {
+    Replacing replacing;
+    for (const Pending& p : pending) {
+      if (!p.in_place) replacing.add(p.target, p.file->content, p.file->path);
     }
-    std::error_code error;
-    fs::rename(p.temporary, p.target, error);
-    if (error) fail(p.file->path, error.message());
+    replacing.commit();
   }
-  temporary_in_work[0] = 0;
-  cleaner.done();
+  for (const Pending& p : pending) {
+    if (p.in_place) write_stream(p.target, *p.file);
+  }
 }
 
 void check_writable(const std::vector<fs::path>& paths) {
   std::vector<OutputFile> files;
   for (const fs::path& path : paths) files.push_back({path, ""});
-  Cleaner cleaner;
+  Replacing tried;  // and not committed
   for (const Pending& p : locate_all(files)) {
-    if (!p.temporary.empty()) {
-      write_temporary(p, cleaner);
+    if (!p.in_place) {
+      tried.add(p.target, "", p.file->path);
     } else if (p.target != kStandardStream && !fs::exists(p.target) &&
                !fs::is_directory(p.target.parent_path())) {
-      fail(p.file->path, std::strerror(ENOTDIR));
+      fail_to_write(p.file->path, std::strerror(ENOTDIR));
     }
   }
-  temporary_in_work[0] = 0;
 }
 
 std::string ending_of(const fs::path& path) {
@@ -241,7 +177,7 @@ std::vector<fs::path> remove_files(const std::vector<fs::path>& paths) {
 void say_written(const std::vector<OutputFile>& files) {
   if (is_quiet()) return;
   for (const OutputFile& file : files) {
-    if (file.path != kStandardStream) fmt::print("wrote {}\n", file.path.string());
+    if (file.path != kStandardStream) say("wrote {}\n", file.path.string());
   }
 }
 
@@ -253,7 +189,7 @@ void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& fi
   const auto removed = remove_files(possible);
   if (!says || is_quiet()) return;
   say_written(files);
-  for (const auto& path : removed) fmt::print("removed {}, of an earlier run\n", path.string());
+  for (const auto& path : removed) say("removed {}, of an earlier run\n", path.string());
 }
 
 }  // namespace camlaw::cli

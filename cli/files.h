@@ -22,14 +22,12 @@ inline constexpr const char* kStandardStream = "-";
 void keep_standard_output(const std::vector<std::optional<std::string>>& outputs,
                           bool prints_json = false);
 
-/// Writes files whole or not at all: each goes to a temporary file beside its place, and only when
-/// all are on the disk are they renamed into place. Missing folders are made, links followed,
-/// permissions kept; what is not a regular file, and all below /dev and /proc, is written to as it
-/// is, and "-" is standard output.
+/// Writes files whole or not at all, together (cli/replacing.h). Missing folders are made, links
+/// followed, permissions kept; what is not a regular file, and all below /dev and /proc, is written
+/// to as it is when the others are in place, and "-" is standard output.
 /// Throws std::invalid_argument where two outputs are one file, an output is an input
 /// (cli/inputs.h) or a name is empty, std::runtime_error naming the file and the reason where one
-/// cannot be written; no temporary file and no new folder is left behind then, nor when the program
-/// is interrupted.
+/// cannot be written; no temporary file and no new folder is left behind then.
 void write_files(const std::vector<OutputFile>& files);
 
 /// That write_files can begin to write these files, before long work is done for them: throws as it

@@ -13,6 +13,7 @@
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/next_step.h"
+#include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "problems/fits/assumed_units.h"
 #include "problems/fits/found_program.h"
@@ -95,7 +96,11 @@ void fit_constants(const FitCommand& options) {
           "--constants: no law of the catalogue explains them in fewer digits than are printed");
     }
   }
-  fmt::print("{}", options.json ? constants_json(fits).dump(2) + "\n" : constants_text(fits));
+  if (options.json) {
+    print_data(constants_json(fits).dump(2) + "\n");
+  } else {
+    print_text(constants_text(fits));
+  }
 }
 
 std::filesystem::path in_out(const FitCommand& options, const char* file) {
@@ -113,7 +118,7 @@ std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
 void give(const FitCommand& options, const std::string& text, const std::string& json,
           std::vector<OutputFile> files) {
   if (options.out) files.push_back({in_out(options, "fit.json"), json});
-  fmt::print("{}", options.json ? json : text);
+  options.json ? print_data(json) : print_text(text);
   if (options.out) write_out(left_behind(options), files, !options.json);
 }
 

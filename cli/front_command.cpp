@@ -11,6 +11,7 @@
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/next_step.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_output.h"
 #include "cli/version_text.h"
@@ -98,7 +99,11 @@ void run_front(const FrontCommand& options, int& status) {
   const FrontAnswer answer{study, stored};
   status = stored.faults.empty() ? kDone : kNotSolved;
   if (front.points.empty()) {
-    fmt::print("{}", options.json ? front_json(answer).dump(2) + "\n" : front_text(answer));
+    if (options.json) {
+      print_data(front_json(answer).dump(2) + "\n");
+    } else {
+      print_text(front_text(answer));
+    }
     status = status_of(front);
     return;
   }
@@ -137,16 +142,16 @@ void run_front(const FrontCommand& options, int& status) {
         chosen["sensitivity"] = tolerance_json(spreads[i].tolerances, spreads[i].report);
       }
     }
-    fmt::print("{}\n", object.dump(2));
+    print_data(object.dump(2) + "\n");
     return;
   }
-  if (points.empty()) fmt::print("{}", front_text(answer));
+  if (points.empty()) print_text(front_text(answer));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [name, point] = points[i];
-    fmt::print("{}: {}", name, point_text(answer, point));
+    say("{}: {}", name, point_text(answer, point));
     if (!spread) continue;
-    fmt::print("{}", tolerance_text(answer, front.points[point], spreads[i].tolerances,
-                                    spreads[i].report));
+    print_text(
+        tolerance_text(answer, front.points[point], spreads[i].tolerances, spreads[i].report));
   }
   say_written(files);
   if (options.result) say_next("export " + shell_word(*options.result));

@@ -12,6 +12,7 @@
 #include "cli/inputs.h"
 #include "cli/law_figure.h"
 #include "cli/law_json.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
 #include "problems/law_files/law_file.h"
@@ -46,8 +47,8 @@ void print_parameters(const Member& member) {
   for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
     const Parameter& p = member.family->parameters[i];
     const std::string unit = p.unit == "1" ? "" : " " + p.unit;
-    fmt::print("  {} = {}{}  ({:g} .. {:g}; {})\n", p.name,
-               fmt::join(member.arguments.list(i), ","), unit, p.low, p.high, p.meaning);
+    say("  {} = {}{}  ({:g} .. {:g}; {})\n", p.name, fmt::join(member.arguments.list(i), ","), unit,
+        p.low, p.high, p.meaning);
   }
 }
 
@@ -57,26 +58,26 @@ void print_law(const Member& member) {
   const auto peak = peaks(law);
   const auto proof = peaks(member.law<Interval>());
   const auto lambda = limit_index(peak);
-  fmt::print("{}{}\n", member.name(),
-             family.aliases.empty() ? "" : fmt::format("  ({})", fmt::join(family.aliases, "; ")));
-  fmt::print("  {}\n  ends {}, continuity {}, {}; {}\n", family.formula, to_string(law.ends()),
-             class_name(continuity(law)), is_symmetric(law) ? "symmetric" : "not symmetric",
-             family.source);
-  if (!family.parameters.empty()) fmt::print("parameters\n");
+  say("{}{}\n", member.name(),
+      family.aliases.empty() ? "" : fmt::format("  ({})", fmt::join(family.aliases, "; ")));
+  say("  {}\n  ends {}, continuity {}, {}; {}\n", family.formula, to_string(law.ends()),
+      class_name(continuity(law)), is_symmetric(law) ? "symmetric" : "not symmetric",
+      family.source);
+  if (!family.parameters.empty()) say("parameters\n");
   print_parameters(member);
   const auto a = Quantity::Acceleration, j = Quantity::Jerk;
-  fmt::print("peaks\n{}{}{}{}{}{}", peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
-             peak_line("C+", peak.high(a), proof.high(a).value),
-             peak_line("C-", peak.low(a), proof.low(a).value),
-             peak_line("D+", peak.high(j), proof.high(j).value),
-             peak_line("D-", peak.low(j), proof.low(j).value),
-             peak_line("Cm", peak.absolute(Quantity::Moment), proof.Cm()));
+  say("peaks\n{}{}{}{}{}{}", peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
+      peak_line("C+", peak.high(a), proof.high(a).value),
+      peak_line("C-", peak.low(a), proof.low(a).value),
+      peak_line("D+", peak.high(j), proof.high(j).value),
+      peak_line("D-", peak.low(j), proof.low(j).value),
+      peak_line("Cm", peak.absolute(Quantity::Moment), proof.Cm()));
   if (std::isinf(peak.D()) && std::isfinite(peak.jerk_inside_highest.value) &&
       std::isfinite(peak.jerk_inside_lowest.value)) {
-    fmt::print("  acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
-               peak.jerk_inside_lowest.value, peak.jerk_inside_highest.value);
+    say("  acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
+        peak.jerk_inside_lowest.value, peak.jerk_inside_highest.value);
   }
-  if (lambda) fmt::print("  lambda = {:.6f}\n", *lambda);
+  if (lambda) say("  lambda = {:.6f}\n", *lambda);
 }
 
 Json samples_to_json(const std::vector<MotionSample>& samples) {
@@ -98,7 +99,7 @@ void print_json(const Member& member, const LawOptions& options) {
   object["pieces"] = pieces_to_json(law);
   if (options.samples > 0)
     object["samples"] = samples_to_json(motion_samples(law, options.samples));
-  fmt::print("{}\n", object.dump(2));
+  print_data(object.dump(2) + "\n");
 }
 
 void show_law(const LawOptions& options) {
@@ -124,7 +125,7 @@ void show_law(const LawOptions& options) {
   }
   print_law(member);
   if (options.samples > 0 && !options.csv) {
-    fmt::print("samples\n{}", motion_csv(law, samples));
+    print_data("samples\n" + motion_csv(law, samples));
   }
   say_written(files);
 }

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/law_json.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
 #include "problems/law_files/law_file.h"
@@ -48,8 +49,7 @@ void print_catalogue() {
   };
   for (const Family& family : catalogue()) add(family);
   for (const Member& law : problems::own_laws()) add(*law.family);
-  fmt::print(
-      "{}\nConstants are those of the standard parameters. Every R-R law also takes crossover=c.\n"
+  say("{}\nConstants are those of the standard parameters. Every R-R law also takes crossover=c.\n"
       "'camlaw law NAME' tells more of one law. Law files in the folder that {} names are laws "
       "too.\n",
       table.text(), problems::kOwnLaws);
@@ -68,8 +68,7 @@ std::string ranges(const Family& family) {
 
 /// The page docs/laws.md.
 void print_markdown() {
-  fmt::print(
-      "# Motion laws\n\nPrinted by `camlaw laws --markdown` from the catalogue in the code. "
+  say("# Motion laws\n\nPrinted by `camlaw laws --markdown` from the catalogue in the code. "
       "Constants "
       "are those of the standard\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
       "where its acceleration changes sign.\n\n"
@@ -78,13 +77,13 @@ void print_markdown() {
   for (const Family& family : catalogue()) {
     const Law<double> law = family.make(family.standard());
     const auto peak = peaks(law);
-    fmt::print("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
-               fmt::join(family.aliases, ", "), markdown_cell(family.formula), ranges(family),
-               to_string(law.ends()), class_name(continuity(law)), shown(peak.B(), 6),
-               shown(peak.high(Quantity::Acceleration).value, 6),
-               shown(peak.low(Quantity::Acceleration).value, 6),
-               shown(peak.high(Quantity::Jerk).value, 5), shown(peak.low(Quantity::Jerk).value, 5),
-               shown(peak.Cm(), 6), markdown_cell(family.source));
+    say("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
+        fmt::join(family.aliases, ", "), markdown_cell(family.formula), ranges(family),
+        to_string(law.ends()), class_name(continuity(law)), shown(peak.B(), 6),
+        shown(peak.high(Quantity::Acceleration).value, 6),
+        shown(peak.low(Quantity::Acceleration).value, 6), shown(peak.high(Quantity::Jerk).value, 5),
+        shown(peak.low(Quantity::Jerk).value, 5), shown(peak.Cm(), 6),
+        markdown_cell(family.source));
   }
 }
 
@@ -94,7 +93,7 @@ void print_json() {
     result.push_back(law_to_json({&family, family.standard()}));
   }
   for (const Member& law : problems::own_laws()) result.push_back(law_to_json(law));
-  fmt::print("{}\n", result.dump(2));
+  print_data(result.dump(2) + "\n");
 }
 
 }  // namespace

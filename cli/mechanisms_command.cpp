@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/law_json.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "problems/mechanism/mechanism.h"
 
@@ -43,8 +44,8 @@ const char* part_of(optim::Part part) {
 }
 
 void print_mechanism(const Mechanism& mechanism) {
-  fmt::print("{}: {}\nsource {}; moved by {}\n\n", mechanism.name, mechanism.title,
-             mechanism.source, words_of(mechanism.moved_by));
+  say("{}: {}\nsource {}; moved by {}\n\n", mechanism.name, mechanism.title, mechanism.source,
+      words_of(mechanism.moved_by));
   if (!mechanism.parameters.empty()) {
     TextTable parameters({{"parameter", TextTable::Align::Left},
                           {"symbol", TextTable::Align::Left},
@@ -56,7 +57,7 @@ void print_mechanism(const Mechanism& mechanism) {
       parameters.add({p.name, p.symbol, fmt::format("{:g}", p.standard),
                       fmt::format("{:g} .. {:g}", p.low, p.high), shown_unit(p.unit), p.meaning});
     }
-    fmt::print("{}\n", parameters.text());
+    say("{}\n", parameters.text());
   }
   TextTable responses({{"response", TextTable::Align::Left},
                        {"kind", TextTable::Align::Left},
@@ -68,7 +69,7 @@ void print_mechanism(const Mechanism& mechanism) {
   for (const auto& p : mechanism.peaks) {
     responses.add({p.name, fmt::format("{} {}", part_of(p.part), p.curve), "", p.meaning});
   }
-  fmt::print("{}", responses.text());
+  print_text(responses.text());
 }
 
 Json json_of(const Mechanism& mechanism) {
@@ -116,38 +117,35 @@ void print_all() {
     table.add({m.name, words_of(m.moved_by), fmt::format("{}", m.parameters.size()),
                fmt::format("{}", m.responses.size() + m.peaks.size()), m.title});
   }
-  fmt::print("{}\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n",
-             table.text());
+  say("{}\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n",
+      table.text());
 }
 
 void print_markdown(const Mechanism& mechanism) {
-  fmt::print("\n## {}\n\n{}. Moved by {}. Source: {}.\n", mechanism.name, mechanism.title,
-             words_of(mechanism.moved_by), mechanism.source);
+  say("\n## {}\n\n{}. Moved by {}. Source: {}.\n", mechanism.name, mechanism.title,
+      words_of(mechanism.moved_by), mechanism.source);
   if (!mechanism.parameters.empty()) {
-    fmt::print(
-        "\n| parameter | symbol | standard | accepted | unit | meaning |\n"
+    say("\n| parameter | symbol | standard | accepted | unit | meaning |\n"
         "|---|---|--:|---|---|---|\n");
   }
   for (const auto& p : mechanism.parameters) {
-    fmt::print("| `{}` | {} | {:g} | {:g} .. {:g}{} | {} | {} |\n", p.name, markdown_cell(p.symbol),
-               p.standard, p.low, p.high, p.whole ? ", whole" : "", shown_unit(p.unit),
-               markdown_cell(p.meaning));
+    say("| `{}` | {} | {:g} | {:g} .. {:g}{} | {} | {} |\n", p.name, markdown_cell(p.symbol),
+        p.standard, p.low, p.high, p.whole ? ", whole" : "", shown_unit(p.unit),
+        markdown_cell(p.meaning));
   }
-  fmt::print("\n| response | kind | unit | meaning |\n|---|---|---|---|\n");
+  say("\n| response | kind | unit | meaning |\n|---|---|---|---|\n");
   for (const auto& r : mechanism.responses) {
-    fmt::print("| `{}` | {} | {} | {} |\n", r.name, r.curve ? "curve" : "number",
-               shown_unit(r.unit), markdown_cell(r.meaning));
+    say("| `{}` | {} | {} | {} |\n", r.name, r.curve ? "curve" : "number", shown_unit(r.unit),
+        markdown_cell(r.meaning));
   }
   for (const auto& p : mechanism.peaks) {
-    fmt::print("| `{}` | {} `{}` | | {} |\n", p.name, part_of(p.part), p.curve,
-               markdown_cell(p.meaning));
+    say("| `{}` | {} `{}` | | {} |\n", p.name, part_of(p.part), p.curve, markdown_cell(p.meaning));
   }
 }
 
 /// The page docs/mechanisms.md.
 void print_markdown() {
-  fmt::print(
-      "# Mechanisms of problem files\n\nPrinted by `camlaw mechanisms --markdown` from the code. A "
+  say("# Mechanisms of problem files\n\nPrinted by `camlaw mechanisms --markdown` from the code. A "
       "file names one, sets or varies its\nparameters and asks about its responses "
       "([problem-files.md](problem-files.md)). A curve is asked about as\n`peak`, `highest` or "
       "`lowest` of it.\n");
@@ -179,7 +177,7 @@ void add_mechanisms_command(CLI::App& app) {
       Json all = Json::array();
       for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
       const Json wanted = name->empty() ? all : json_of(problems::find_mechanism(*name));
-      fmt::print("{}\n", wanted.dump(2));
+      print_data(wanted.dump(2) + "\n");
     } else if (name->empty()) {
       print_all();
     } else {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "cli/printing.h"
 #include "cli/terminal.h"
 
 namespace camlaw::cli {
@@ -29,7 +30,7 @@ std::string search_command(const problems::ProblemStatement& statement, const st
 }
 
 void say_next(const std::string& command) {
-  if (!is_quiet() && !command.empty()) fmt::print("next: camlaw {}\n", command);
+  if (!is_quiet() && !command.empty()) say("next: camlaw {}\n", command);
 }
 
 }  // namespace camlaw::cli

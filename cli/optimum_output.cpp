@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "cli/limit_text.h"
-#include "cli/terminal.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "cli/version_text.h"
 #include "cli/warnings.h"
@@ -293,7 +293,6 @@ Json answer_json(const Answer& answer) {
       {"evaluations", found.evaluations},
       {"iterations", found.iterations},
       {"solves", found.solves},
-      {"wall_s", answer.optimum.wall_s},
       {"solver", found.solver},
       {"solver_asked", answer.asked},
       {"why_solver", found.why_solver},

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/man_page.h"
+#include "cli/printing.h"
 #include "cli/version_text.h"
 
 namespace camlaw::cli {
@@ -30,13 +31,13 @@ void add_completion_command(CLI::App& app) {
       ->type_name("{bash,zsh,fish}");
   add_examples(*command, {{"camlaw completion bash > camlaw.bash",
                            "source that file, or put it where bash looks for completions"}});
-  command->callback([shell, &app] { fmt::print("{}", script(*shell, command_pages(app))); });
+  command->callback([shell, &app] { print_data(script(*shell, command_pages(app))); });
 }
 
 void add_man_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("man", "Print the manual page");
   command->group("");  // for the build, and not listed
-  command->callback([&app] { fmt::print("{}", man_page(command_pages(app), short_version())); });
+  command->callback([&app] { print_data(man_page(command_pages(app), short_version())); });
 }
 
 }  // namespace camlaw::cli

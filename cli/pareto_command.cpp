@@ -11,6 +11,7 @@
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/next_step.h"
+#include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/terminal.h"
 #include "cli/workers.h"
@@ -145,9 +146,9 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const optim::Front& front = found.front;
   const FrontAnswer answer{study, found};
   const std::string json = front_json(answer).dump(2) + "\n";
-  fmt::print("{}", options.json ? json : front_text(answer));
+  options.json ? print_data(json) : print_text(front_text(answer));
   status = status_of(front);
-  if (path && !options.json && !is_quiet()) fmt::print("study {}\n", *path);
+  if (path && !options.json && !is_quiet()) say("study {}\n", *path);
   if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
   if (!path || options.json || front.points.empty()) return;
   say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));

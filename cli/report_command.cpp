@@ -36,7 +36,7 @@ Facts facts_of(const std::string& result) {
   };
   add("solver", "solver"), add("why", "why_solver"), add("seed", "seed"), add("starts", "starts");
   add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
-  add("evaluations", "evaluations"), add("search time, s", "wall_s");
+  add("evaluations", "evaluations");
   return facts;
 }
 

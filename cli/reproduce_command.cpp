@@ -9,9 +9,9 @@
 #include "cli/files.h"
 #include "cli/help.h"
 #include "cli/law_json.h"
+#include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/report/report.h"
-#include "cli/terminal.h"
 #include "cli/text_table.h"
 #include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
@@ -26,8 +26,8 @@ std::string counts(const SystemReproduction& result) {
                      result.reproduced, result.explained, result.unexplained);
 }
 
-void print_text(const SystemReproduction& result) {
-  fmt::print("{}: {}\n{}\n\n", result.system, result.title, result.source);
+void print_system(const SystemReproduction& result) {
+  say("{}: {}\n{}\n\n", result.system, result.title, result.source);
   TextTable table({{"value", TextTable::Align::Left},
                    {"printed"},
                    {"unit", TextTable::Align::Left},
@@ -44,21 +44,20 @@ void print_text(const SystemReproduction& result) {
                std::string(problems::to_string(value.verdict)),
                fmt::format("{}", fmt::join(value.causes, "; "))});
   }
-  if (!result.values.empty()) fmt::print("{}\n", table.text());
+  if (!result.values.empty()) say("{}\n", table.text());
   if (!result.departures.empty()) {
-    fmt::print(
-        "the smallest set of departures that explains the most digits ({} sets looked at):\n",
+    say("the smallest set of departures that explains the most digits ({} sets looked at):\n",
         result.tried);
-    for (const std::string& departure : result.departures) fmt::print("  {}\n", departure);
+    for (const std::string& departure : result.departures) say("  {}\n", departure);
   }
   for (const auto& other : result.equals) {
-    fmt::print("another set explains as many: {}\n", fmt::join(other, "; "));
+    say("another set explains as many: {}\n", fmt::join(other, "; "));
   }
   if (!result.departures.empty() && result.equals.empty()) {
-    fmt::print("no other set as small explains as many\n");
+    say("no other set as small explains as many\n");
   }
-  for (const std::string& note : result.notes) fmt::print("{}\n", note);
-  fmt::print("{}\n", counts(result));
+  for (const std::string& note : result.notes) say("{}\n", note);
+  say("{}\n", counts(result));
 }
 
 /// One line for each of several systems.
@@ -73,7 +72,7 @@ void print_counts(const std::vector<SystemReproduction>& results) {
                fmt::format("{}", result.reproduced), fmt::format("{}", result.explained),
                fmt::format("{}", result.unexplained)});
   }
-  fmt::print("{}", table.text());
+  print_text(table.text());
 }
 
 Json to_json(const SystemReproduction& result) {
@@ -135,13 +134,12 @@ Json cam_shape_cases() {
 void run_cam_shape(int n, bool json) {
   const problems::CamShapeCase solved = problems::solve_cam_shape(n);
   if (json) {
-    fmt::print("{}\n", to_json(solved).dump(2));
+    print_data(to_json(solved).dump(2) + "\n");
     return;
   }
-  fmt::print("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason);
-  if (solved.printed) fmt::print("printed        {:.10g}\n", *solved.printed);
-  fmt::print(
-      "objective      {:.10f}\ntrue optimum   {:.10f}\nmax violation  {:.1e}\n"
+  say("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason);
+  if (solved.printed) say("printed        {:.10g}\n", *solved.printed);
+  say("objective      {:.10f}\ntrue optimum   {:.10f}\nmax violation  {:.1e}\n"
       "{} iterations, {:.3g} s\n",
       solved.objective, solved.true_optimum, solved.max_violation, solved.iterations,
       solved.wall_s);
@@ -196,12 +194,12 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
       all.push_back(to_json(results.back()));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
     } else {
-      print_text(results.back());
-      if (systems.size() > 1) fmt::print("\n");
+      print_system(results.back());
+      if (systems.size() > 1) say("\n");
     }
   }
   if (json) {
-    fmt::print("{}\n", all.dump(2));
+    print_data(all.dump(2) + "\n");
   } else if (systems.size() > 1) {
     print_counts(results);
   }

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <string_view>
 
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/printing.h"
 #include "cli/terminal.h"
 #include "cli/version_text.h"
 #include "kinematics/catalogue.h"
@@ -21,8 +23,8 @@ namespace {
 /// One line on standard error.
 int complain(std::string message, int status) {
   std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
-  const std::string line = fmt::format("camlaw: {}\n", message);
+      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  const std::string line = fmt::format("camlaw: {}\n", visible(message));
   std::fputs(line.c_str(), stderr);  // unlike fmt::print silent where there is nobody to read it
   return status;
 }
@@ -65,10 +67,16 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
   return complain(fmt::format("{}; 'camlaw --help' shows the usage", what), kBadInput);
 }
 
-/// What was printed must have arrived: a full disk behind standard output is a failure too.
+/// What was printed must have arrived: a full disk behind standard output is a failure too. Where
+/// its reader has gone, the program ends by the signal that would have ended it at once, now that
+/// its files are written.
 int finish(int status) {
-  const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  return arrived ? status : complain("cannot write to standard output", kFailed);
+  if (flush_printed()) return status;
+  if (is_reader_gone()) {
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
+  return complain("cannot write to standard output", kFailed);
 }
 
 /// --quiet, for the program and each command.
@@ -99,9 +107,10 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
       ->type_name("NAME=VALUE");
 }
 
-int run(int argc, const char* const* argv) {
-  reserve_standard_streams();
-  CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
+namespace {
+
+/// Every command of the program.
+void add_commands(CLI::App& app, int& status) {
   app.set_version_flag("--version", version_text,
                        "Print the versions of the program and of the libraries behind it");
   app.require_subcommand(1);
@@ -109,7 +118,6 @@ int run(int argc, const char* const* argv) {
   add_mechanisms_command(app);
   add_law_command(app);
   add_study_command(app);
-  int status = kDone;
   add_reproduce_command(app, status);
   add_check_command(app, status);
   add_evaluate_command(app, status);
@@ -129,6 +137,13 @@ int run(int argc, const char* const* argv) {
                      {"camlaw optimize problems/spine_cutter/least_radius.toml",
                       "the best design of a problem file, and a verdict on it"},
                      {"camlaw optimize --help", "what a command takes, with examples"}});
+}
+
+/// Parses and carries out a command; throws what the command throws.
+int carry_out(int argc, const char* const* argv) {
+  CLI::App app("camlaw: cam motion laws and mechanisms", "camlaw");
+  int status = kDone;
+  add_commands(app, status);
   try {
     app.parse(argc, argv);
     return finish(status);
@@ -136,8 +151,20 @@ int run(int argc, const char* const* argv) {
     return finish(app.exit(request));
   } catch (const CLI::ParseError& error) {
     return usage_error(app, error, argc, argv);
+  }
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  try {
+    reserve_standard_streams();
+    std::signal(SIGPIPE, SIG_IGN);  // finish() ends as it would
+    return carry_out(argc, argv);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), kBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory for this", kFailed);
   } catch (const std::exception& error) {
     return complain(error.what(), kFailed);
   }

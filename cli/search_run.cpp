@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/law_figure.h"
 #include "cli/next_step.h"
+#include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/warnings.h"
 #include "problems/results/seal.h"
@@ -104,15 +105,15 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
 std::string show(const SearchCommand& command, const Answer& answer,
                  const optim::OptimiseOptions& rest, bool json) {
   SearchReport report = command.report(answer);
-  if (!json) fmt::print("{}", report.text);
+  if (!json) print_text(report.text);
   std::fflush(stdout);
   if (command.measure) {
     const std::string more = command.measure(answer, rest, report.json);
-    if (!json) fmt::print("{}", more);
+    if (!json) print_text(more);
   }
   problems::seal(report.json);
   std::string text = report.json.dump(2) + "\n";
-  if (json) fmt::print("{}", text);
+  if (json) print_data(text);
   std::fflush(stdout);
   return text;
 }

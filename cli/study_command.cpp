@@ -8,6 +8,7 @@
 #include "cli/delivery_study.h"
 #include "cli/files.h"
 #include "cli/help.h"
+#include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/study_fronts.h"
 #include "cli/study_output.h"
@@ -81,7 +82,7 @@ void run_study(const StudyOptions& options) {
         "no study is called '{}'; there are spine-cutter, sheet-delivery", options.system));
   }
   if (options.out) write_files(study.files);
-  fmt::print("{}", options.json ? study.json : study.text);
+  options.json ? print_data(study.json) : print_text(study.text);
   if (!options.json && options.out) say_written(study.files);
 }
 

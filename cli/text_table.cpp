@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 namespace camlaw::cli {
 namespace {
@@ -15,7 +17,18 @@ std::size_t width_of(const std::string& text) {
   }));
 }
 
-std::string quoted(const std::string& cell) {
+/// Spreadsheets take a cell that begins like this for a formula and carry it out.
+bool looks_like_formula(const std::string& cell) {
+  if (cell.empty() || std::string_view("=+-@\t").find(cell.front()) == std::string_view::npos) {
+    return false;
+  }
+  char* end = nullptr;
+  std::strtod(cell.c_str(), &end);
+  return *end != 0 || end == cell.c_str();
+}
+
+std::string quoted(const std::string& text) {
+  const std::string cell = looks_like_formula(text) ? "'" + text : text;
   if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
   std::string result = "\"";
   for (const char c : cell) {
@@ -103,6 +116,7 @@ std::string significant(double value, double size, int digits) {
 }
 
 std::string in_digits(double value, int digits) {
+  if (!std::isfinite(value)) return shown(value, 0);
   return fmt::format("{:.{}g}", value + 0.0, digits);
 }
 
@@ -112,6 +126,6 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit == "1" || unit.empty() ? text : text + " " + unit;
 }
 
-std::string exact(double value) { return std::isnan(value) ? "nan" : fmt::format("{}", value); }
+std::string exact(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 }  // namespace camlaw::cli

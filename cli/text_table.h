@@ -26,7 +26,8 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Rows of values as CSV (RFC 4180 quoting, first row the header).
+/// Rows of values as CSV (RFC 4180 quoting, first row the header). Text that a spreadsheet would
+/// take for a formula, "=..." and the like, gets an apostrophe before it.
 std::string to_csv(const std::vector<std::vector<std::string>>& rows);
 
 /// Text for a cell of a Markdown table.
@@ -43,7 +44,8 @@ std::string in_digits(double value, int digits = 7);
 std::string shown_unit(const std::string& unit);
 /// "40 mm", of a plain number "40".
 std::string with_unit(const std::string& text, const std::string& unit);
-/// A number for programs: as many digits as bring the same double back; "inf", "-inf", "nan".
+/// A number for programs: as many digits as bring the same double back; "inf", "-inf", and nothing,
+/// an empty cell, for what is not a number.
 std::string exact(double value);
 
 }  // namespace camlaw::cli

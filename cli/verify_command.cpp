@@ -7,7 +7,7 @@
 #include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
-#include "cli/terminal.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "cli/version_text.h"
 #include "cli/warnings.h"
@@ -87,9 +87,9 @@ void run_verify(const VerifyOptions& options, int& status) {
     }
   }();
   if (options.json) {
-    fmt::print("{}\n", verdict_json(read, verified).dump(2));
+    print_data(verdict_json(read, verified).dump(2) + "\n");
   } else {
-    fmt::print("{}", verdict_text(read, verified));
+    print_text(verdict_text(read, verified));
   }
   status = verified.disagreements.empty() ? kDone : kNotSolved;
 }

@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "cli/printing.h"
 #include "cli/report/html.h"
-#include "cli/terminal.h"
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
 #include "problems/statement/parameters.h"

@@ -2,6 +2,7 @@
 #include "cli/files.h"
 
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <stdexcept>
 
 #include "cli/inputs.h"
+#include "cli/replacing.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::cli {
@@ -109,6 +111,49 @@ TEST_CASE("folders made for a file that is not written do not stay", "[files]") 
   write(folder / "plain", "");
   CHECK_THROWS(write_files({{folder / "new/deep/first", "1"}, {folder / "plain/second", "2"}}));
   CHECK(folder.content() == Names{"plain"});
+}
+
+TEST_CASE("where a rename fails, files that had their new content get the old one back",
+          "[files]") {
+  const Folder folder;
+  write(folder / "first", "old");
+  {
+    Replacing replacing;
+    replacing.add(folder / "first", "new", folder / "first");
+    replacing.add(folder / "made", "new", folder / "made");
+    const Names before = folder.content();
+    replacing.add(folder / "last", "new", folder / "last");
+    for (const auto& name : folder.content()) {
+      if (before.count(name) == 0) fs::remove(folder / name);  // somebody takes it away
+    }
+    CHECK_THROWS_WITH(replacing.commit(), Contains("last"));
+    CHECK(read(folder / "first") == "old");
+  }
+  CHECK(folder.content() == Names{"first"});
+}
+
+TEST_CASE("no link that stands where a file is prepared is followed", "[files]") {
+  const Folder folder;
+  write(folder / "victim", "precious");
+  // The names that used to be taken.
+  for (int i = 0; i < 3; ++i) {
+    fs::create_symlink("victim", folder / (".camlaw-" + std::to_string(getpid()) + "-" +
+                                           std::to_string(i) + ".tmp"));
+  }
+  write_files({{folder / "a", "1"}, {folder / "b", "2"}});
+  CHECK(read(folder / "victim") == "precious");
+  CHECK(read(folder / "b") == "2");
+}
+
+TEST_CASE("a file keeps its permissions, and a new one gets those of the mask", "[files]") {
+  const Folder folder;
+  write(folder / "old", "x");
+  fs::permissions(folder / "old", fs::perms(0640));
+  const mode_t mask = umask(0027);
+  write_files({{folder / "old", "1"}, {folder / "new", "2"}});
+  umask(mask);
+  CHECK(fs::status(folder / "old").permissions() == fs::perms(0640));
+  CHECK(fs::status(folder / "new").permissions() == fs::perms(0640));
 }
 
 TEST_CASE("one place for two files is refused before anything is written", "[files]") {

@@ -89,6 +89,13 @@ TEST_CASE("cells are quoted only where they must be", "[csv]") {
   CHECK(to_csv({}).empty());
 }
 
+TEST_CASE("text that a spreadsheet would carry out is text, numbers stay numbers", "[csv]") {
+  CHECK(to_csv({{"=cmd|'/c calc'!A0", "+1+1", "-x", "@SUM(A1)"}}) ==
+        "'=cmd|'/c calc'!A0,'+1+1,'-x,'@SUM(A1)\n");
+  CHECK(to_csv({{"-1.5e-7", "+2", "-inf", "-"}}) == "-1.5e-7,+2,-inf,'-\n");
+  CHECK(exact(std::nan("")).empty());
+}
+
 TEST_CASE("an RFC 4180 reader gets every cell back", "[csv]") {
   const Rows rows{{"fourier a=0.1,-0.05", "\"", "\"\"", ",", "\n", "a\"b,c\nd"},
                   {"", "", "Похила", " space ", "\r\n", "'"}};
