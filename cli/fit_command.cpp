@@ -14,6 +14,8 @@
 #include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
+#include "cli/run_limits.h"
+#include "cli/watched_run.h"
 #include "problems/fits/assumed_units.h"
 #include "problems/fits/found_program.h"
 #include "problems/law_files/law_file.h"
@@ -25,6 +27,7 @@ namespace {
 struct FitCommand {
   std::optional<std::string> data, constants, law, mechanism, response, out, loss;
   std::vector<std::string> set, shifts;
+  RunLimits limits;
   bool json = false;
 };
 
@@ -248,7 +251,16 @@ void run_fit(const FitCommand& options) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
   }
-  options.data ? fit_table(options) : fit_constants(options);
+  const auto work = [&] { options.data ? fit_table(options) : fit_constants(options); };
+  const auto limit = time_limit_of(options.limits);
+  if (!limit) return work();
+  const auto ended = watched({limit}, [&](const Teller&) {
+    work();
+    return int{kDone};
+  });
+  if (const auto* unfinished = std::get_if<Unfinished>(&ended)) {
+    throw NotSolved(unfinished->why + "; the fit has no answer before its end");
+  }
 }
 
 }  // namespace
@@ -290,6 +302,7 @@ void add_fit_command(CLI::App& app) {
       ->add_option("--loss", options->loss,
                    "how much far-off samples count: none (all alike), huber or cauchy")
       ->type_name("{none,huber,cauchy}");
+  add_time_limit(*command, options->limits);
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option(

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -12,8 +15,11 @@
 #include "cli/interrupt.h"
 #include "cli/next_step.h"
 #include "cli/progress_line.h"
+#include "cli/run_limits.h"
 #include "cli/terminal.h"
+#include "cli/watched_run.h"
 #include "cli/workers.h"
+#include "optim/search/memory.h"
 #include "optim/study/workers.h"
 #include "problems/statement/solver_settings.h"
 
@@ -25,6 +31,7 @@ namespace fs = std::filesystem;
 struct ParetoCommand {
   std::string file;
   std::optional<std::string> method, points, workers, db, out;
+  RunLimits limits;
   std::vector<std::string> settings;
   bool resume = false, json = false;
 };
@@ -108,19 +115,29 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string
   return files;
 }
 
+/// As many workers as are asked for and have room. Throws optim::MemoryRefusal where not one has.
+int workers_with_room(const ParetoCommand& options, const problems::FrontStudy& study) {
+  const double allowed = memory_of(options.limits);
+  const optim::MultiSpace& space = study.space();
+  const optim::Problem one = space.problem(space.options(0)).alone(0);
+  optim::check_memory(one, allowed);
+  const double room = std::floor(allowed / std::max(optim::memory_need(one).bytes, 1.0));
+  return static_cast<int>(std::min<double>(workers_of(options), room));
+}
+
 optim::Front look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
-                  const ParetoCommand& options) {
-  const Interruptible interruptible;
+                  const ParetoCommand& options, int count) {
   ProgressLine line(!options.json);
-  study.options().solve.stop = interruptible.flag();
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
-  optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options));
+  optim::ProcessExecutor workers(study.space(), study.options().solve, count);
   if (!record) return study.run(workers);
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
   return study.run(recorded);
 }
 
-void run_pareto(const ParetoCommand& options, int& status) {
+int run_pareto(const ParetoCommand& options) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   workers_of(options);  // refused before anything is written
   const auto path = study_file(options);
@@ -132,17 +149,31 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (options.out) check_writable(possible);
-  auto record = record_of(path, study, options.resume);
-  const optim::Front front = look(study, record, options);
-  const FrontAnswer answer{study, front};
-  const std::string json = front_json(answer).dump(2) + "\n";
-  fmt::print("{}", options.json ? json : front_text(answer));
-  status = status_of(front);
-  if (path && !options.json && !is_quiet()) fmt::print("study {}\n", *path);
-  if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
-  if (!path || options.json || front.points.empty()) return;
-  say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
-  say_next("report " + shell_word(*path));
+  const int workers = workers_with_room(options, study);
+  const Interruptible interruptible;
+  study.options().solve.stop = interruptible.flag();
+  const auto work = [&](const Teller* teller) {
+    auto record = record_of(path, study, options.resume);
+    const optim::Front front = look(study, record, options, workers);
+    const FrontAnswer answer{study, front};
+    if (teller != nullptr) teller->answers();
+    const std::string json = front_json(answer).dump(2) + "\n";
+    fmt::print("{}", options.json ? json : front_text(answer));
+    if (path && !options.json && !is_quiet()) fmt::print("study {}\n", *path);
+    if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
+    if (!path || options.json || front.points.empty()) return status_of(front);
+    say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
+    say_next("report " + shell_word(*path));
+    return status_of(front);
+  };
+  if (!limit) return work(nullptr);
+  // The searches of a study end where its process is asked to; what is recorded stays.
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+  const Watch watch{limit, spent.count(), interruptible.flag()};
+  const auto ended = watched(watch, [&](const Teller& teller) { return work(&teller); });
+  if (const int* status = std::get_if<int>(&ended)) return *status;
+  throw NotSolved(fmt::format("{}{}", std::get<Unfinished>(ended).why,
+                              path ? fmt::format("; --resume goes on with {}", *path) : ""));
 }
 
 }  // namespace
@@ -168,6 +199,8 @@ void add_pareto_command(CLI::App& app, int& status) {
   command->add_option("--db", options->db, "record the study in this file")
       ->type_name(takes::kFile);
   add_switch(*command, "--resume", options->resume, "go on with the study of --db");
+  add_time_limit(*command, options->limits);
+  add_memory_limit(*command, options->limits);
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option("--out", options->out,
@@ -179,7 +212,7 @@ void add_pareto_command(CLI::App& app, int& status) {
         "the front of cam radius and force, with pictures and the study's file"},
        {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front --resume",
         "more points of the same study: what it has is not searched again"}});
-  command->callback([options, &status] { run_pareto(*options, status); });
+  command->callback([options, &status] { status = run_pareto(*options); });
 }
 
 }  // namespace camlaw::cli

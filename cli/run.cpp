@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/run_limits.h"
 #include "cli/terminal.h"
 #include "cli/version_text.h"
 #include "kinematics/catalogue.h"
@@ -138,6 +139,8 @@ int run(int argc, const char* const* argv) {
     return usage_error(app, error, argc, argv);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), kBadInput);
+  } catch (const NotSolved& error) {
+    return complain(error.what(), kNotSolved);
   } catch (const std::exception& error) {
     return complain(error.what(), kFailed);
   }
