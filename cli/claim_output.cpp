@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "cli/printing.h"
 #include "cli/terminal.h"
 #include "cli/version_text.h"
 #include "problems/results/judged_design.h"
@@ -37,7 +38,7 @@ Json review_json(const ClaimReview& review) {
 
 void say_review(const std::string& file, const ClaimReview& review) {
   for (const std::string& words : review.words()) {
-    fmt::print(stderr, "camlaw: {}: {}\n", file, words);
+    warn(fmt::format("{}: {}", file, words));
   }
 }
 

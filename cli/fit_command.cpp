@@ -15,6 +15,8 @@
 #include "cli/next_step.h"
 #include "cli/printing.h"
 #include "cli/progress_line.h"
+#include "cli/run_limits.h"
+#include "cli/watched_run.h"
 #include "problems/fits/assumed_units.h"
 #include "problems/fits/found_program.h"
 #include "problems/law_files/law_file.h"
@@ -26,6 +28,7 @@ namespace {
 struct FitCommand {
   std::optional<std::string> data, constants, law, mechanism, response, out, loss;
   std::vector<std::string> set, shifts;
+  RunLimits limits;
   bool json = false;
 };
 
@@ -253,7 +256,16 @@ void run_fit(const FitCommand& options) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
   }
-  options.data ? fit_table(options) : fit_constants(options);
+  const auto work = [&] { options.data ? fit_table(options) : fit_constants(options); };
+  const auto limit = time_limit_of(options.limits);
+  if (!limit) return work();
+  const auto ended = watched({limit}, [&](const Teller&) {
+    work();
+    return int{kDone};
+  });
+  if (const auto* unfinished = std::get_if<Unfinished>(&ended)) {
+    throw NotSolved(unfinished->why + "; the fit has no answer before its end");
+  }
 }
 
 }  // namespace
@@ -295,6 +307,7 @@ void add_fit_command(CLI::App& app) {
       ->add_option("--loss", options->loss,
                    "how much far-off samples count: none (all alike), huber or cauchy")
       ->type_name("{none,huber,cauchy}");
+  add_time_limit(*command, options->limits);
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option(

@@ -80,16 +80,31 @@ void print_law(const Member& member) {
   if (lambda) say("  lambda = {:.6f}\n", *lambda);
 }
 
-Json samples_to_json(const std::vector<MotionSample>& samples) {
-  Json result = Json::array();
-  for (const auto& [x, m] : samples) {
-    result.push_back({{"x", x},
-                      {"s", to_json(m.s)},
-                      {"v", to_json(m.v)},
-                      {"a", to_json(m.a)},
-                      {"j", to_json(m.j)}});
+Json sample_to_json(const MotionSample& sample) {
+  const auto& [x, m] = sample;
+  return {
+      {"x", x}, {"s", to_json(m.s)}, {"v", to_json(m.v)}, {"a", to_json(m.a)}, {"j", to_json(m.j)}};
+}
+
+/// A text with each of its lines but the first moved in.
+std::string moved_in(const std::string& text, std::size_t spaces) {
+  std::string result;
+  for (const char c : text) {
+    result += c;
+    if (c == '\n') result.append(spaces, ' ');
   }
   return result;
+}
+
+/// Samples one by one: a million of them as one object take a gigabyte.
+void print_samples(const Law<double>& law, int count) {
+  print_data("  \"samples\": [");
+  const char* before = "\n    ";
+  for (const MotionSample& sample : motion_samples(law, count)) {
+    print_data(before + moved_in(sample_to_json(sample).dump(2), 4));
+    before = ",\n    ";
+  }
+  print_data("\n  ]\n}\n");
 }
 
 void print_json(const Member& member, const LawOptions& options) {
@@ -97,9 +112,14 @@ void print_json(const Member& member, const LawOptions& options) {
   Json object = law_to_json(member);
   object["enclosures"] = enclosures_to_json(peaks(member.law<Interval>()));
   object["pieces"] = pieces_to_json(law);
-  if (options.samples > 0)
-    object["samples"] = samples_to_json(motion_samples(law, options.samples));
-  print_data(object.dump(2) + "\n");
+  std::string text = object.dump(2);
+  if (options.samples == 0) {
+    print_data(text + "\n");
+    return;
+  }
+  text.erase(text.rfind('\n'));  // the samples are one more member
+  print_data(text + ",\n");
+  print_samples(law, options.samples);
 }
 
 void show_law(const LawOptions& options) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -13,8 +16,11 @@
 #include "cli/next_step.h"
 #include "cli/printing.h"
 #include "cli/progress_line.h"
+#include "cli/run_limits.h"
 #include "cli/terminal.h"
+#include "cli/watched_run.h"
 #include "cli/workers.h"
+#include "optim/search/memory.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/statement/solver_settings.h"
@@ -27,6 +33,7 @@ namespace fs = std::filesystem;
 struct ParetoCommand {
   std::string file;
   std::optional<std::string> method, points, workers, db, out;
+  RunLimits limits;
   std::vector<std::string> settings;
   bool resume = false, json = false;
 };
@@ -110,14 +117,22 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string
   return files;
 }
 
+/// As many workers as are asked for and have room. Throws optim::MemoryRefusal where not one has.
+int workers_with_room(const ParetoCommand& options, const problems::FrontStudy& study) {
+  const double allowed = memory_of(options.limits);
+  const optim::MultiSpace& space = study.space();
+  const optim::Problem one = space.problem(space.options(0)).alone(0);
+  optim::check_memory(one, allowed);
+  const double room = std::floor(allowed / std::max(optim::memory_need(one).bytes, 1.0));
+  return static_cast<int>(std::min<double>(workers_of(options), room));
+}
+
 /// The front, and what of the record was not believed and has been solved again.
 problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
-                           const ParetoCommand& options) {
-  const Interruptible interruptible;
+                           const ParetoCommand& options, int count) {
   ProgressLine line(!options.json);
-  study.options().solve.stop = interruptible.flag();
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
-  optim::ProcessExecutor workers(study.space(), study.options().solve, workers_of(options),
+  optim::ProcessExecutor workers(study.space(), study.options().solve, count,
                                  problems::worker_program(study));
   if (!record) return {study.run(workers), {}, {}};
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
@@ -129,7 +144,9 @@ problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::Stu
   return found;
 }
 
-void run_pareto(const ParetoCommand& options, int& status) {
+int run_pareto(const ParetoCommand& options) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   workers_of(options);  // refused before anything is written
   const auto path = study_file(options);
@@ -141,18 +158,32 @@ void run_pareto(const ParetoCommand& options, int& status) {
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (options.out) check_writable(possible);
-  auto record = record_of(path, study, options.resume);
-  const problems::StoredFront found = look(study, record, options);
-  const optim::Front& front = found.front;
-  const FrontAnswer answer{study, found};
-  const std::string json = front_json(answer).dump(2) + "\n";
-  options.json ? print_data(json) : print_text(front_text(answer));
-  status = status_of(front);
-  if (path && !options.json && !is_quiet()) say("study {}\n", *path);
-  if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
-  if (!path || options.json || front.points.empty()) return;
-  say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
-  say_next("report " + shell_word(*path));
+  const int workers = workers_with_room(options, study);
+  const Interruptible interruptible;
+  study.options().solve.stop = interruptible.flag();
+  const auto work = [&](const Teller* teller) {
+    auto record = record_of(path, study, options.resume);
+    const problems::StoredFront found = look(study, record, options, workers);
+    const optim::Front& front = found.front;
+    const FrontAnswer answer{study, found};
+    if (teller != nullptr) teller->answers();
+    const std::string json = front_json(answer).dump(2) + "\n";
+    options.json ? print_data(json) : print_text(front_text(answer));
+    if (path && !options.json && !is_quiet()) say("study {}\n", *path);
+    if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
+    if (!path || options.json || front.points.empty()) return status_of(front);
+    say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
+    say_next("report " + shell_word(*path));
+    return status_of(front);
+  };
+  if (!limit) return work(nullptr);
+  // The searches of a study end where its process is asked to; what is recorded stays.
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+  const Watch watch{limit, spent.count(), interruptible.flag()};
+  const auto ended = watched(watch, [&](const Teller& teller) { return work(&teller); });
+  if (const int* status = std::get_if<int>(&ended)) return *status;
+  throw NotSolved(fmt::format("{}{}", std::get<Unfinished>(ended).why,
+                              path ? fmt::format("; --resume goes on with {}", *path) : ""));
 }
 
 }  // namespace
@@ -179,6 +210,8 @@ void add_pareto_command(CLI::App& app, int& status) {
       ->type_name(takes::kFile);
   add_switch(*command, "--resume", options->resume,
              "go on with the study of --db; what is damaged or wrong in it is solved again");
+  add_time_limit(*command, options->limits);
+  add_memory_limit(*command, options->limits);
   add_switch(*command, "--json", options->json, "print JSON");
   command
       ->add_option("--out", options->out,
@@ -190,7 +223,7 @@ void add_pareto_command(CLI::App& app, int& status) {
         "the front of cam radius and force, with pictures and the study's file"},
        {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front --resume",
         "more points of the same study: what it has is not searched again"}});
-  command->callback([options, &status] { run_pareto(*options, status); });
+  command->callback([options, &status] { status = run_pareto(*options); });
 }
 
 }  // namespace camlaw::cli

@@ -4,6 +4,7 @@
 #include <fmt/color.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -118,6 +119,13 @@ void print_text(std::string_view text) {
     }
   }
   print_data(coloured);
+}
+
+void warn(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  const std::string line = fmt::format("camlaw: {}\n", visible(text));
+  std::fputs(line.c_str(), stderr);
 }
 
 void print_data(std::string_view data) {

@@ -24,6 +24,10 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   print_text(fmt::format(format, std::forward<Args>(args)...));
 }
 
+/// One line on standard error, "camlaw: ...": made visible, its line ends and tabs blanks. Silent
+/// where there is nobody to read it.
+void warn(std::string text);
+
 /// Data for programs, such as JSON and CSV: as they are.
 void print_data(std::string_view data);
 

@@ -11,6 +11,7 @@
 #include "cli/files.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
+#include "cli/printing.h"
 #include "cli/report/report.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
@@ -68,7 +69,7 @@ ReportPage study_page(const std::string& file, int& status) {
   keep_inputs(study.bound().statement());
   const problems::StoredFront stored = problems::stored_front(study, record);
   if (!stored.faults.empty()) status = kNotSolved;
-  for (const std::string& note : stored.notes) fmt::print(stderr, "camlaw: {}: {}\n", file, note);
+  for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
   if (stored.front.points.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));

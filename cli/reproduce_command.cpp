@@ -150,7 +150,7 @@ void print_worsened(const std::vector<SystemReproduction>& results, int& status)
   for (const SystemReproduction& result : results) {
     for (const std::string& text : problems::worsened(result)) {
       status = kFailed;
-      fmt::print(stderr, "camlaw: {}\n", text);
+      warn(text);
     }
   }
 }

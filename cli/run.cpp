@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/printing.h"
+#include "cli/run_limits.h"
 #include "cli/terminal.h"
 #include "cli/version_text.h"
 #include "kinematics/catalogue.h"
@@ -22,10 +23,7 @@ namespace {
 
 /// One line on standard error.
 int complain(std::string message, int status) {
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
-  const std::string line = fmt::format("camlaw: {}\n", visible(message));
-  std::fputs(line.c_str(), stderr);  // unlike fmt::print silent where there is nobody to read it
+  warn(std::move(message));
   return status;
 }
 
@@ -165,6 +163,8 @@ int run(int argc, const char* const* argv) {
     return complain(error.what(), kBadInput);
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory for this", kFailed);
+  } catch (const NotSolved& error) {
+    return complain(error.what(), kNotSolved);
   } catch (const std::exception& error) {
     return complain(error.what(), kFailed);
   }

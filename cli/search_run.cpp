@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "cli/cycle_figure.h"
@@ -15,6 +17,7 @@
 #include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/warnings.h"
+#include "cli/watched_run.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
@@ -33,9 +36,7 @@ problems::SolverStatement stated_options(const SearchOptions& options) {
     result.seed = static_cast<std::uint64_t>(
         problems::parse_whole(*options.seed, 0, problems::kMostSeed, "--seed"));
   }
-  if (options.time_limit) {
-    result.time_limit = problems::parse_time_limit(*options.time_limit, "--time-limit");
-  }
+  result.time_limit = time_limit_of(options.limits);
   return result;
 }
 
@@ -118,9 +119,51 @@ std::string show(const SearchCommand& command, const Answer& answer,
   return text;
 }
 
+/// Whether one step of a search may take so long that it is not left to itself.
+bool is_large(const problems::ProblemStatement& statement) {
+  constexpr std::size_t kLarge = 100;
+  std::size_t pieces = 0;
+  for (const Member& law : statement.laws) {
+    for (const auto& list : law.arguments.values()) pieces = std::max(pieces, list.size());
+  }
+  return statement.variables.size() + statement.constraints.size() + pieces >= kLarge;
+}
+
+/// The answer of a search that was ended from outside: the best design that it told of, else the
+/// start.
+optim::Optimum unfinished_optimum(const optim::ProblemSpace& space, const Unfinished& unfinished) {
+  std::vector<std::size_t> first;
+  for (const optim::Choice& choice : space.choices) first.push_back(choice.start);
+  optim::Optimum result{first, space.problem(first), {}};
+  result.found.assessment.reason = unfinished.why;
+  const auto look = [&](const std::vector<std::size_t>& options, const std::vector<double>& x) {
+    optim::Problem problem = options == result.options ? result.problem : space.problem(options);
+    optim::Found found = optim::cut_short(problem, x, unfinished.why);
+    const bool first_look = result.found.x.empty();
+    if (!first_look && !optim::better(problem, found.assessment, result.found.assessment)) return;
+    result = {options, std::move(problem), std::move(found)};
+  };
+  for (const auto* told : {&unfinished.best, &unfinished.last}) {
+    if (*told) look((*told)->options.empty() ? first : (*told)->options, (*told)->x);
+  }
+  if (result.found.x.empty()) look(first, result.problem.start());
+  return result;
+}
+
+class Seconds {
+ public:
+  double spent() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 int run_search(const SearchOptions& options, const SearchCommand& command) {
+  const Seconds clock;
   check_folder(options.out);
   const problems::SolverStatement stated = stated_options(options);
   keep_input(options.file);
@@ -136,24 +179,43 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   if (options.out) check_writable(possible);
   const Interruptible interruptible;
   search.stop = interruptible.flag();
-  optim::Optimum optimum;
-  {
+  search.memory = memory_of(options.limits);
+  search.spent = clock.spent();
+  const auto give = [&](const optim::Optimum& optimum) {
+    Answer answer{bound, space, optimum, search.solver, search.seed};
+    // The doubts of a large problem take time of their own.
+    const bool late = search.time_limit && clock.spent() >= *search.time_limit;
+    if (!late || !is_large(bound.statement())) answer.warnings = warnings_of(answer);
+    // Printed first: the search is not lost where a file cannot be written after all.
+    const std::string json = show(command, answer, rest_of(search, optimum), options.json);
+    if (options.out) {
+      std::vector<OutputFile> files = command.figures(answer, out);
+      files.insert(files.begin(), {possible.front(), json});
+      write_out(possible, files, !options.json);
+      if (!options.json) say_next("report " + shell_word(possible.front().string()));
+    }
+    return exit_status(optimum.found.assessment.verdict);
+  };
+  const auto look = [&](optim::OptimiseOptions how) {
     ProgressLine line(!options.json);
-    search.progress = [&line](const optim::Progress& p) { line.show(progress_text(p), p.done); };
-    optimum = optim::optimise(space, search);
-  }
-  search.progress = {};
-  Answer answer{bound, space, optimum, search.solver, search.seed};
-  answer.warnings = warnings_of(answer);
-  // Printed first: the search is not lost where a file cannot be written after all.
-  const std::string json = show(command, answer, rest_of(search, optimum), options.json);
-  if (options.out) {
-    std::vector<OutputFile> files = command.figures(answer, out);
-    files.insert(files.begin(), {possible.front(), json});
-    write_out(possible, files, !options.json);
-    if (!options.json) say_next("report " + shell_word(possible.front().string()));
-  }
-  return exit_status(optimum.found.assessment.verdict);
+    how.progress = [&line](const optim::Progress& p) { line.show(progress_text(p), p.done); };
+    return optim::optimise(space, how);
+  };
+  if (!is_large(bound.statement())) return give(look(search));
+  const Watch watch{search.time_limit, clock.spent(), search.stop};
+  const auto ended = watched(watch, [&](const Teller& teller) {
+    optim::OptimiseOptions how = search;
+    how.candidate = [&teller](const optim::Candidate& c) { teller.candidate(c); };
+    const optim::Optimum optimum = look(how);
+    teller.answers();
+    return give(optimum);
+  });
+  if (const int* status = std::get_if<int>(&ended)) return *status;
+  optim::Optimum optimum = unfinished_optimum(space, std::get<Unfinished>(ended));
+  optimum.wall_s = clock.spent();
+  optimum.found.solver = search.solver;
+  optimum.found.why_solver = "ended from outside";
+  return give(optimum);
 }
 
 void add_search_options(CLI::App& command, SearchOptions& options, const std::string& files) {
@@ -175,8 +237,8 @@ void add_search_options(CLI::App& command, SearchOptions& options, const std::st
       .add_option("--seed", options.seed,
                   "for starts and for methods that draw numbers; a whole number from 0")
       ->type_name("N");
-  command.add_option("--time-limit", options.time_limit, "such as 30, \"30 s\" or \"1 min\"")
-      ->type_name("TIME");
+  add_time_limit(command, options.limits);
+  add_memory_limit(command, options.limits);
   add_switch(command, "--json", options.json, "print JSON");
   command.add_option("--out", options.out, "folder for " + files)->type_name(takes::kFolder);
 }

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/optimum_output.h"
+#include "cli/run_limits.h"
 
 /// What the commands that search have in common: their options, the search itself, what is printed
 /// and written of it.
@@ -16,7 +17,8 @@ namespace camlaw::cli {
 
 struct SearchOptions {
   std::string file;
-  std::optional<std::string> solver, out, starts, seed, time_limit;
+  std::optional<std::string> solver, out, starts, seed;
+  RunLimits limits;
   std::vector<std::string> settings;
   bool json = false;
 };

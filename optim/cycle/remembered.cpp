@@ -95,8 +95,20 @@ Response remembered(const Response& response) {
 }
 
 Problem remembered(Problem problem) {
-  problem.objective.response = remembered(problem.objective.response);
-  for (Constraint& c : problem.constraints) c.response = remembered(c.response);
+  std::map<const Curve*, Response> known;
+  const auto make = [&](Response& response) {
+    if (!response.is_curve()) return;
+    const auto found = known.find(&response.curve());
+    if (found != known.end()) {
+      response.measure = found->second.measure;
+      return;
+    }
+    const Curve* curve = &response.curve();
+    response = remembered(response);
+    known.emplace(curve, response);
+  };
+  make(problem.objective.response);
+  for (Constraint& c : problem.constraints) make(c.response);
   return problem;
 }
 

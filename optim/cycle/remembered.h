@@ -10,7 +10,7 @@ namespace camlaw::optim {
 /// state of its own: one for each thread.
 Response remembered(const Response& response);
 
-/// With every response remembered.
+/// With every response remembered; responses of one curve share what is kept.
 Problem remembered(Problem problem);
 
 }  // namespace camlaw::optim

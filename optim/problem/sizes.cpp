@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "optim/cycle/extremes.h"
+#include "optim/cycle/maxima_at.h"
 #include "optim/problem/starts.h"
 
 namespace camlaw::optim {
@@ -35,9 +36,10 @@ Problem neighbourhood(const Problem& problem, Design about, const std::vector<do
 
 /// How large a response is at a design: of a curve its highest |value|, of a number what its
 /// variables contribute to it, to first order.
-double magnitude(const Response& response, Design x, const std::vector<double>& own) {
+double magnitude(const Response& response, MaximaAt& maxima, Design x,
+                 const std::vector<double>& own) {
   if (response.is_curve()) {
-    return std::abs(extreme_of(*response.curve().trace(x), Part::Magnitude).value);
+    return std::abs(maxima.extreme_of(response.curve(), Part::Magnitude).value);
   }
   const Function& f = response.function();
   std::vector<double> g(f.inputs().size());
@@ -78,10 +80,11 @@ class Changes {
 
   /// How large a curve is: its highest |value| at the design or, where that is more, the median of
   /// those about it (a curve may be brought to zero); zero where it is not a number.
-  double whole(const Response& curve, const std::vector<double>& own) const {
+  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
     std::vector<double> values;
     for (const auto& x : box_) {
-      const double value = magnitude(curve, x, own);
+      MaximaAt there(x);
+      const double value = magnitude(curve, there, x, own);
       if (std::isfinite(value)) values.push_back(value);
     }
     double usual = 0;
@@ -90,7 +93,7 @@ class Changes {
       std::nth_element(values.begin(), middle, values.end());
       usual = *middle;
     }
-    return std::max(usual, or_zero(magnitude(curve, about_, own)));
+    return std::max(usual, or_zero(magnitude(curve, here, about_, own)));
   }
 
   double at_design(const Response& response) const {
@@ -116,11 +119,11 @@ double larger_bound(const Constraint& c) {
   return std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
 }
 
-void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own,
+void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::vector<double>& own,
                    ConstraintSize& size) {
   constexpr double kShare = 1e-6;
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
-  const double bound = larger_bound(c), whole = magnitude(c.response, x, own);
+  const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
   const double usual =
       kShare *
       (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0) : or_one(whole));
@@ -128,15 +131,29 @@ void set_tolerance(const Constraint& c, Design x, const std::vector<double>& own
   size.default_tolerance = std::min(usual, size.tolerance);
 }
 
+/// What is known of each curve, which many limits may be on.
+struct CurveChange {
+  double at_design, whole;
+};
+using CurveChanges = std::map<const Curve*, CurveChange>;
+
 /// Of a curve no more than a hundred times what it is and may be: what changes by more stands
 /// beside a pole, and its slope is not the size of anything.
-double size_of(const Constraint& c, const Changes& changes, const std::vector<double>& own) {
+double size_of(const Constraint& c, const Changes& changes, MaximaAt& maxima,
+               const std::vector<double>& own, CurveChanges& known) {
   constexpr double kLeast = 1e-3, kMost = 100;  // of the bound; of bound and highest |value|
   if (c.scale) return *c.scale;
   const double bound = larger_bound(c);
-  const double change = std::max(changes.at_design(c.response), kLeast * bound);
-  if (!c.response.is_curve()) return or_one(change);
-  const double whole = std::max(bound, changes.whole(c.response, own));
+  if (!c.response.is_curve()) {
+    return or_one(std::max(changes.at_design(c.response), kLeast * bound));
+  }
+  auto curve = known.find(&c.response.curve());
+  if (curve == known.end()) {
+    const CurveChange fresh{changes.at_design(c.response), changes.whole(c.response, maxima, own)};
+    curve = known.emplace(&c.response.curve(), fresh).first;
+  }
+  const double change = std::max(curve->second.at_design, kLeast * bound);
+  const double whole = std::max(bound, curve->second.whole);
   return or_one(whole > 0 ? std::min(change, kMost * whole) : change);
 }
 
@@ -144,9 +161,9 @@ double size_of(const Constraint& c, const Changes& changes, const std::vector<do
 /// a curve no more than how large it is. Beside a pole, such as the acceleration of a phase that
 /// hardly lasts, a slope says nothing of that.
 double objective_typical(const Objective& objective, double typical, const Changes& changes,
-                         const std::vector<double>& own) {
+                         MaximaAt& maxima, const std::vector<double>& own) {
   if (!objective.response.is_curve()) return typical;
-  const double whole = changes.whole(objective.response, own);
+  const double whole = changes.whole(objective.response, maxima, own);
   return whole > 0 ? std::min(typical, whole) : typical;
 }
 
@@ -158,9 +175,9 @@ double objective_tolerance(const Objective& objective, double typical, Design x)
 }
 
 /// Highest value of sign * number or curve at a design.
-double peak_of(const Response& response, double sign, Design x) {
+double peak_of(const Response& response, double sign, MaximaAt& maxima, Design x) {
   if (!response.is_curve()) return sign * response.function().value(x);
-  return sign * highest(*response.curve().trace(x), sign).value;
+  return sign * maxima.highest(response.curve(), sign).value;
 }
 
 }  // namespace
@@ -200,12 +217,13 @@ double objective_value(const Objective& objective, Design x) {
 }
 
 double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {
+  MaximaAt maxima(x);
   double worst = -kInfinity;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     const double size = sizes.constraints[i].size;
-    if (c.upper) worst = std::max(worst, (peak_of(c.response, 1, x) - *c.upper) / size);
-    if (c.lower) worst = std::max(worst, (peak_of(c.response, -1, x) + *c.lower) / size);
+    if (c.upper) worst = std::max(worst, (peak_of(c.response, 1, maxima, x) - *c.upper) / size);
+    if (c.lower) worst = std::max(worst, (peak_of(c.response, -1, maxima, x) + *c.lower) / size);
   }
   return worst;
 }
@@ -231,6 +249,8 @@ std::vector<double> typical_scales(const Problem& problem, Design x) {
 
 Sizes sizes(const Problem& problem, Design about) {
   const Changes changes(problem, about);
+  MaximaAt maxima(about);
+  CurveChanges known;
   const Response& objective = problem.objective.response;
   Sizes result;
   result.variables = typical_scales(problem, about);
@@ -238,12 +258,12 @@ Sizes sizes(const Problem& problem, Design about) {
   result.objective = or_one(changes.at_design(objective));
   const double typical = changes.typical(objective);
   result.objective_typical = objective_typical(
-      problem.objective, typical > 0 ? typical : result.objective, changes, result.own);
+      problem.objective, typical > 0 ? typical : result.objective, changes, maxima, result.own);
   result.objective_tolerance =
       objective_tolerance(problem.objective, result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
-    result.constraints.push_back({size_of(c, changes, result.own), 0, 0});
-    set_tolerance(c, about, result.own, result.constraints.back());
+    result.constraints.push_back({size_of(c, changes, maxima, result.own, known), 0, 0});
+    set_tolerance(c, maxima, about, result.own, result.constraints.back());
   }
   return result;
 }
@@ -251,8 +271,9 @@ Sizes sizes(const Problem& problem, Design about) {
 Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
   sizes.own = own_magnitudes(problem, x);
   sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
+  MaximaAt maxima(x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    set_tolerance(problem.constraints[i], x, sizes.own, sizes.constraints[i]);
+    set_tolerance(problem.constraints[i], maxima, x, sizes.own, sizes.constraints[i]);
   }
   return sizes;
 }

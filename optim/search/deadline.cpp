@@ -15,8 +15,8 @@ double now() {
 
 }  // namespace
 
-Deadline::Deadline(std::optional<double> limit, const std::atomic<bool>* stop)
-    : limit_(limit), stop_(stop), began_(now()) {}
+Deadline::Deadline(std::optional<double> limit, const std::atomic<bool>* stop, double spent)
+    : limit_(limit), stop_(stop), began_(now() - spent) {}
 
 std::optional<double> Deadline::left() const {
   if (!limit_) return {};
@@ -28,7 +28,8 @@ bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
 bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }
 
 std::string Deadline::reason() const {
-  return stopped() ? "stopped" : fmt::format("the time limit of {:g} s was reached", *limit_);
+  const bool late = limit_ && now() - began_ >= *limit_;
+  return late ? fmt::format("the time limit of {:g} s was reached", *limit_) : "stopped";
 }
 
 }  // namespace camlaw::optim

@@ -10,11 +10,11 @@ namespace camlaw::optim {
 /// Clock and stop flag of a search.
 class Deadline {
  public:
-  /// `limit` in seconds from now; `stop` may be null.
-  Deadline(std::optional<double> limit, const std::atomic<bool>* stop);
+  /// `limit` in seconds, of which `spent` have passed; `stop` may be null.
+  Deadline(std::optional<double> limit, const std::atomic<bool>* stop, double spent = 0);
   std::optional<double> left() const;  ///< seconds; at least a millisecond
   bool passed() const;
-  /// "stopped by the user", "the time limit was reached".
+  /// "stopped", "the time limit of 2 s was reached".
   std::string reason() const;
   bool stopped() const;
 

@@ -119,11 +119,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     if (settled) return;
     const bool refined = share < 0.1 && aim == Aim::Optimum;
     if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
-    if (attempt.rounds >= kRounds) {
+    if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;
-      attempt.message = "limit of exchange rounds";
+      attempt.message =
+          attempt.rounds >= kRounds ? "limit of exchange rounds" : "limit of iterations";
       return;
     }
+    left.max_iterations = options.max_iterations - attempt.iterations;
     // Without multipliers the design alone is the start.
     if (!solution.rows.empty()) warm = carried_over(solution, groups, working.row_groups());
     if (options.time_limit) {

@@ -10,12 +10,23 @@
 #include "optim/cycle/watched.h"
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
+#include "optim/search/interruptible.h"
 #include "optim/search/plan.h"
 #include "optim/search/rescaling.h"
 #include "optim/search/with_numbers.h"
 
 namespace camlaw::optim {
 namespace {
+
+/// What a limit's tolerance hangs on, and nothing else: every size but those of the variables is 1.
+/// For a design that is looked at when there is no time left for more.
+Sizes hasty_sizes(const Problem& problem, Design about) {
+  Sizes result;
+  result.variables = typical_scales(problem, about);
+  result.objective = result.objective_typical = 1;
+  result.constraints.assign(problem.constraints.size(), {1, 0, 0});
+  return judged_at(problem, std::move(result), about);
+}
 
 std::string words_of(const std::exception_ptr& error) {
   try {
@@ -32,7 +43,8 @@ class Search {
   Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
          bool prove)
       : original_(problem),
-        problem_(remembered(problem)),
+        guarded_(interruptible(problem, deadline)),
+        problem_(remembered(guarded_)),
         options_(options),
         deadline_(deadline),
         prove_(prove),
@@ -54,6 +66,8 @@ class Search {
       if (judge_constants()) return std::move(found_);
       search_starts();
       finish();
+    } catch (const Interrupted&) {
+      return end_in_haste();
     } catch (...) {
       error_ = std::current_exception();
     }
@@ -129,12 +143,48 @@ class Search {
   }
 
   Attempt attempt(Design start, const Solver& solver, Aim aim = Aim::Optimum) {
-    Attempt result = exchange(problem_, sizes_, start, solver, solver_options(), aim);
+    // Where one start has used up its iterations in vain, there may be no design to be found.
+    constexpr int kShare = 4;
+    SolverOptions how = solver_options();
+    if (in_vain_ && aim == Aim::Optimum && !is_feasible(found_.assessment))
+      how.max_iterations = 1 + how.max_iterations / kShare;
+    Attempt result = exchange(problem_, sizes_, start, solver, how, aim);
     found_.iterations += result.iterations;
     found_.evaluations += result.evaluations;
     found_.solves += result.rounds;
+    if (!result.x.empty()) latest_design_ = result.x;
+    if (is_interruption(result.error)) throw Interrupted();
     if (result.error) error_ = result.error;
     return result;
+  }
+
+  void tell(const std::vector<double>& x, bool is_best) const {
+    if (options_.candidate) options_.candidate({{}, x, is_best});
+  }
+
+  /// The best design so far, where there is no time to look at it closely.
+  Found end_in_haste() {
+    try {
+      const Problem plain = remembered(original_);
+      const auto consider_in_haste = [&](const std::vector<double>& x) {
+        const bool sized = sizes_.constraints.size() == plain.constraints.size();
+        Assessment a = assess_in_haste(plain, sized ? sizes_ : hasty_sizes(plain, x), x);
+        if (!found_.x.empty() && !better(plain, a, found_.assessment)) return;
+        found_.x = x;
+        found_.assessment = std::move(a);
+      };
+      if (!latest_design_.empty() && latest_design_ != found_.x) consider_in_haste(latest_design_);
+      consider_in_haste(plain.start());
+    } catch (...) {
+      error_ = std::current_exception();
+      return fail(fmt::format("the model threw: {}", words_of(error_)));
+    }
+    if (found_.assessment.verdict == Verdict::Infeasible) return std::move(found_);
+    constexpr double kNothing = 1e-3;  // s, the least that a deadline says is left
+    const bool late = deadline_.left().value_or(kInfinity) <= kNothing;
+    found_.status = late ? Status::TimeLimit : Status::Stopped;
+    judge();
+    return std::move(found_);
   }
 
   /// Takes the design where it is better than what was found before.
@@ -142,6 +192,7 @@ class Search {
     latest_ = {};
     unbounded_ = unbounded_ || tried.status == Status::Unbounded;
     if (tried.x.empty()) return;
+    tell(tried.x, false);
     const Assessment assessment = assess(problem_, sizes_, tried.x, false);
     latest_ = assessment;
     if (improves(assessment, from_start_)) from_start_ = assessment;
@@ -151,6 +202,7 @@ class Search {
     found_.status = tried.status;
     found_.solver = solver.name();
     message_ = tried.message;
+    tell(found_.x, true);
   }
 
   /// Better, or as good to 1e-6 (by passing limits within their tolerance a design may look better
@@ -176,7 +228,11 @@ class Search {
         x = tried.x;  // polished by the next
         continue;
       }
-      const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded;
+      // Where all iterations led to no design within the limits, other sizes lead to none either.
+      const bool in_vain =
+          tried.status == Status::IterationLimit && !is_feasible(found_.assessment);
+      in_vain_ = in_vain_ || in_vain;
+      const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded && !in_vain;
       if (!is_settled(latest_) && goes_on) search_rescaled(tried.x, *solver);
       if (is_settled(latest_) || error_ || deadline_.passed()) return;
       look_for_emptiness();
@@ -259,12 +315,12 @@ class Search {
     watched_.resize(1 + a.limits.size());
     prove_number(problem_.objective.response);
     if (a.objective.angle && std::isinf(a.objective.proved.upper - a.objective.proved.lower)) {
-      watch(0, *a.objective.angle, original_.objective.response, problem_.objective.response);
+      watch(0, *a.objective.angle, guarded_.objective.response, problem_.objective.response);
     }
     for (std::size_t i = 0; i < a.limits.size(); ++i) {
       prove_number(problem_.constraints[i].response);
       if (a.limits[i].met || !a.limits[i].worst_angle) continue;
-      watch(i + 1, *a.limits[i].worst_angle, original_.constraints[i].response,
+      watch(i + 1, *a.limits[i].worst_angle, guarded_.constraints[i].response,
             problem_.constraints[i].response);
     }
     return any;
@@ -466,6 +522,7 @@ class Search {
   }
 
   const Problem& original_;
+  Problem guarded_;  ///< the same, which throws once the deadline has passed
   Problem problem_;  ///< its curves remembered, and watched where proofs found something
   const OptimiseOptions& options_;
   const Deadline& deadline_;
@@ -474,11 +531,13 @@ class Search {
   Sizes sizes_{};
   Found found_;
   std::string message_;
+  bool in_vain_ = false;    ///< all iterations of a start led to no design within the limits
   bool unbounded_ = false;  ///< some solve has found that the objective improves without end
   Assessment from_start_;   ///< the best since the last start
   Assessment latest_;       ///< of the last attempt
   std::vector<double> objectives_;            ///< where each start ended
   std::vector<std::vector<double>> watched_;  ///< angles of the objective and of each constraint
+  std::vector<double> latest_design_;         ///< where the last attempt ended
   std::exception_ptr error_;
 };
 
@@ -487,6 +546,15 @@ class Search {
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
                         const Deadline& deadline, bool prove) {
   return Search(problem, options, deadline, prove).run();
+}
+
+Found cut_short(const Problem& problem, const std::vector<double>& x, const std::string& why) {
+  const Problem plain = remembered(problem);
+  Found found;
+  found.x = x;
+  found.assessment = assess_in_haste(plain, hasty_sizes(plain, x), x);
+  found.assessment.reason = fmt::format("{}; {}", why, found.assessment.reason);
+  return found;
 }
 
 }  // namespace camlaw::optim

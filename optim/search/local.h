@@ -13,16 +13,28 @@
 /// Search in the continuous variables of one problem.
 namespace camlaw::optim {
 
+/// A design that a search came to, for whoever wants to keep it.
+struct Candidate {
+  std::vector<std::size_t> options;  ///< the option taken of each choice
+  std::vector<double> x;
+  bool is_best = false;  ///< else nothing is known of it yet
+};
+
 struct OptimiseOptions {
   std::string solver = "auto";            ///< a name of solver_names(), or auto
   std::optional<int> starts = {};         ///< by default 1 where the problem is convex, else 8
   std::uint64_t seed = 1;                 ///< of starts and of methods that draw numbers
   std::optional<double> time_limit = {};  ///< seconds, for everything
+  double spent = 0;                       ///< seconds of it that have passed before the search
   int max_iterations = 1000;              ///< of each local solve
   long max_evaluations = 20000;           ///< of each solve by a global or derivative-free method
+  std::optional<double> memory = {};      ///< bytes that a search may take (memory.h)
   bool divides = true;  ///< whether a lower bound is sought by dividing the box (subdivided)
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const Progress&)> progress = {};
+  /// Called with designs that a search came to: before it is known what one is worth, and again
+  /// where it proves better than all before it.
+  std::function<void(const Candidate&)> candidate = {};
 };
 
 /// What the search came to.
@@ -41,10 +53,14 @@ struct Found {
 };
 
 /// Searches from one or several starts, proves the best design over the cycle, and where no design
-/// meets the limits looks for the one of least violation. Integer variables count as continuous;
-/// fix them by equal bounds. Never throws what the model throws: that is a failed assessment.
-/// `prove`: as of assess(); without, the best design is not proved.
+/// meets the limits looks for the one of least violation. Once the deadline has passed, the best
+/// design of those that were found is judged in haste, and the reason says so. Integer variables
+/// count as continuous; fix them by equal bounds. Never throws what the model throws: that is a
+/// failed assessment. `prove`: as of assess(); without, the best design is not proved.
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
                         const Deadline& deadline, bool prove);
+
+/// What is said of a design on which a search was cut short.
+Found cut_short(const Problem& problem, const std::vector<double>& x, const std::string& why);
 
 }  // namespace camlaw::optim

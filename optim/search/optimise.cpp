@@ -9,6 +9,8 @@
 
 #include "optim/problem/combinations.h"
 #include "optim/search/discrete.h"
+#include "optim/search/interruptible.h"
+#include "optim/search/memory.h"
 
 namespace camlaw::optim {
 namespace {
@@ -55,7 +57,8 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   for (std::size_t k = 0; k < x.size(); ++k) again.variables[k].start = x[k];
   OptimiseOptions once = how;
   once.starts = 1;
-  const Assessment own = assess(problem, sizes(problem, x), x, true);
+  const Problem guarded = interruptible(problem, deadline);
+  const Assessment own = assess(guarded, sizes(guarded, x), x, true);
   // A long first step may lead into the valley that was found before: then another method tries.
   Found found = search_continuous(again, once, deadline, true);
   if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
@@ -70,21 +73,21 @@ Found search_from(const Problem& problem, const std::vector<double>& x, const Op
   return found;
 }
 
-/// A search, and where no lower bound speaks for its answer one by dividing the box. Where that
-/// comes upon a better design, another search from there.
-Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
-                        const Deadline& deadline) {
+/// Where no lower bound speaks for an answer, one by dividing the box. Where that comes upon a
+/// better design, another search from there. Throws Interrupted, with what was found by then.
+void look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
+                     Found& found) {
   constexpr int kTimes = 8;
-  Found found = search_continuous(problem, how, deadline, true);
+  const Problem guarded = interruptible(problem, deadline);
   for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
     const Assessment& a = found.assessment;
     const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
     if (!stands || a.global) break;
-    const Sizes there = sizes(problem, found.x);
-    const auto division = division_of(problem, there, found, deadline);
+    const Sizes there = sizes(guarded, found.x);
+    const auto division = division_of(guarded, there, found, deadline);
     if (!division) break;
     if (!division->better) {
-      take_subdivision(problem, there, *division, found.assessment);
+      take_subdivision(guarded, there, *division, found.assessment);
       break;
     }
     if (i == kTimes) break;
@@ -96,6 +99,16 @@ Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
     other.starts += found.starts;
     other.planned_starts += found.planned_starts;
     found = std::move(other);
+  }
+}
+
+/// A search, and a look at what it may have missed while there is time.
+Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
+                        const Deadline& deadline) {
+  Found found = search_continuous(problem, how, deadline, true);
+  try {
+    look_everywhere(problem, how, deadline, found);
+  } catch (const Interrupted&) {  // the answer stands without
   }
   return found;
 }
@@ -147,7 +160,9 @@ void judge_combinations(const Tally& tally, Assessment& a) {
 class Optimiser {
  public:
   Optimiser(const ProblemSpace& space, const OptimiseOptions& options)
-      : space_(space), options_(options), deadline_(options.time_limit, options.stop) {}
+      : space_(space),
+        options_(options),
+        deadline_(options.time_limit, options.stop, options.spent) {}
 
   Optimum run() {
     const std::size_t count = combinations_of(space_.choices);
@@ -158,7 +173,15 @@ class Optimiser {
         tally_.combinations += count - i;
         break;
       }
-      solve(options_at(space_.choices, i), part_of_progress(i, count));
+      std::vector<std::size_t> options = options_at(space_.choices, i);
+      OptimiseOptions how = part_of_progress(i, count);
+      if (options_.candidate) {
+        how.candidate = [this, options](Candidate c) {
+          c.options = options;
+          options_.candidate(c);
+        };
+      }
+      solve(std::move(options), how);
     }
     settle();
     return std::move(best_);
@@ -179,6 +202,7 @@ class Optimiser {
   void solve(std::vector<std::size_t> options, const OptimiseOptions& how) {
     Problem problem = space_.problem(options);
     problem.check();
+    if (options_.memory) check_memory(problem, *options_.memory);
     const bool alone = space_.choices.empty() && !has_whole(problem);
     if (alone) {
       tally_.combinations = tally_.solved = 1;
@@ -220,7 +244,7 @@ class Optimiser {
     best_.solved = tally_.solved;
     if (!started_) return;
     Found& found = best_.found;
-    if (is_feasible(found.assessment) && !found.x.empty()) {
+    if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
       Problem fixed = with_whole_fixed(best_.problem, found.x);
       for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
         fixed.variables[i].start = found.x[i];
@@ -239,6 +263,11 @@ class Optimiser {
     found.iterations = iterations_;
     found.solves = solves_;
     judge_combinations(tally_, found.assessment);
+    Assessment& a = found.assessment;
+    const bool told = tally_.stopped.empty() || a.reason.starts_with(tally_.stopped);
+    if (a.verdict == Verdict::Feasible && !told) {
+      a.reason = fmt::format("{}; {}", tally_.stopped, a.reason);
+    }
   }
 
   const ProblemSpace& space_;

@@ -19,6 +19,13 @@ bool is_known(const CurveSide& side, Place place, const std::vector<double>& bre
   });
 }
 
+/// Of each stretch. Few stretches get more places each: the first program should already be
+/// bounded.
+int steps_at_first(std::size_t breaks) {
+  constexpr std::size_t kFewStretches = 16;
+  return breaks <= kFewStretches ? 8 : 2;
+}
+
 /// Tells rows that say the same: where a linear curve is level, or joins smoothly, neighbouring
 /// places of it give one row.
 class Repeats {
@@ -84,6 +91,10 @@ class Repeats {
 
 }  // namespace
 
+std::size_t places_at_first(std::size_t breaks) {
+  return (breaks - 1) * static_cast<std::size_t>(steps_at_first(breaks) + 1);
+}
+
 WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
     : problem_(problem),
       sizes_(sizes),
@@ -98,15 +109,38 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
     if (objective.part != Part::Lowest) add(1);
     if (objective.part != Part::Highest) add(-1);
   }
+  std::map<std::pair<const Curve*, bool>, std::size_t> known;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const Constraint& c = problem.constraints[i];
     if (!c.response.is_curve()) continue;
     const ConstraintSize& size = sizes.constraints[i];
-    if (c.upper)
-      sides_.push_back({&c.response, 1, *c.upper, false, size.size, size.tolerance, {}, {}});
-    if (c.lower) {
-      sides_.push_back({&c.response, -1, *c.lower, false, size.size, size.tolerance, {}, {}});
-    }
+    const auto add = [&](double sign, double bound) {
+      add_side({&c.response, sign, bound, false, size.size, size.tolerance, {}, {}}, known);
+    };
+    if (c.upper) add(1, *c.upper);
+    if (c.lower) add(-1, *c.lower);
+  }
+}
+
+/// Of limits on one side of one curve the tightest holds the others too.
+void WorkingSet::add_side(CurveSide side,
+                          std::map<std::pair<const Curve*, bool>, std::size_t>& known) {
+  const auto holds = [](const CurveSide& one, const CurveSide& other) {
+    return one.sign * one.bound <= other.sign * other.bound && one.size <= other.size &&
+           one.tolerance <= other.tolerance;
+  };
+  const auto key = std::pair(&side.response->curve(), side.sign > 0);
+  const auto [at, fresh] = known.emplace(key, sides_.size());
+  if (fresh) {
+    sides_.push_back(std::move(side));
+    return;
+  }
+  CurveSide& tightest = sides_[at->second];
+  if (holds(tightest, side)) return;
+  if (holds(side, tightest)) {
+    tightest = std::move(side);
+  } else {
+    sides_.push_back(std::move(side));
   }
 }
 
@@ -121,8 +155,6 @@ void WorkingSet::begin_at(Design x) {
 }
 
 void WorkingSet::begin_side(CurveSide& side, Design x) {
-  // Few stretches get more places each: the first program should already be bounded.
-  constexpr std::size_t kFewStretches = 16;
   const Curve& curve = side.response->curve();
   const RestWeights weights = weights_of(side, x);
   for (const Rest& rest : weights.rests()) {
@@ -135,7 +167,7 @@ void WorkingSet::begin_side(CurveSide& side, Design x) {
     return !vanishes(slope / (side.size * weights.at(place)));
   };
   const auto breaks = curve.trace(x)->breaks();
-  const int steps = breaks.size() <= kFewStretches ? 8 : 2;
+  const int steps = steps_at_first(breaks.size());
   Repeats repeats(curve, x);
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     for (int i = 0; i <= steps; ++i) {

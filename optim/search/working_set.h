@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "optim/cycle/extremes.h"
@@ -25,6 +27,9 @@ struct CurveSide {
   std::vector<Place> places;
   std::vector<double> weights;  ///< of the places: what their rows' size is multiplied by
 };
+
+/// How many places of a curve with so many breaks are looked at first.
+std::size_t places_at_first(std::size_t breaks);
 
 /// The leading coefficient of a limit that vanishes at a rest: sign * leading <= 0.
 struct RestRow {
@@ -53,6 +58,7 @@ class WorkingSet {
   Program program(Design start) const;
 
  private:
+  void add_side(CurveSide side, std::map<std::pair<const Curve*, bool>, std::size_t>& known);
   void begin_side(CurveSide& side, Design x);
   RestWeights weights_of(const CurveSide& side, Design x) const;
   double auxiliary_start(Design x) const;

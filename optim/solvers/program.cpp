@@ -2,6 +2,8 @@
 #include "optim/solvers/program.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace camlaw::optim {
 namespace {
@@ -45,19 +47,11 @@ Program::Program(std::vector<Column> columns, Function objective, double sign,
 }
 
 void Program::lay_out() {
-  std::vector<std::pair<int, int>> entries;  // of the Hessian, row >= column
-  std::vector<std::vector<std::pair<int, int>>> of_function;
+  std::map<std::vector<std::size_t>, int> sets;  // of inputs
   const auto add = [&](const Function& function) {
-    of_function.emplace_back();
-    if (function.shape() == Shape::Linear) return;
-    const auto& inputs = function.inputs();
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        const int row = place_[inputs[i]], column = place_[inputs[j]];
-        of_function.back().emplace_back(row, column);
-        if (row >= 0 && column >= 0) entries.emplace_back(row, column);
-      }
-    }
+    const bool linear = function.shape() == Shape::Linear;
+    places_of_.push_back(
+        linear ? -1 : sets.emplace(function.inputs(), static_cast<int>(sets.size())).first->second);
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Row& row = rows_[r];
@@ -73,19 +67,47 @@ void Program::lay_out() {
     add(row.function);
   }
   add(objective_);
-  std::sort(entries.begin(), entries.end());
-  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-  for (const auto& [row, column] : entries) {
-    hessian_.rows.push_back(row);
-    hessian_.columns.push_back(column);
+  std::vector<std::vector<int>> columns(free_.size());  // of each row of the Hessian
+  for (const auto& [inputs, number] : sets) add_entries(inputs, columns);
+  std::vector<int> begins;
+  for (std::size_t row = 0; row < columns.size(); ++row) {
+    begins.push_back(static_cast<int>(hessian_.rows.size()));
+    hessian_.rows.insert(hessian_.rows.end(), columns[row].size(), static_cast<int>(row));
+    hessian_.columns.insert(hessian_.columns.end(), columns[row].begin(), columns[row].end());
   }
-  for (const auto& places : of_function) {
-    hessian_places_.emplace_back();
-    for (const auto& entry : places) {
-      const bool seen = entry.first >= 0 && entry.second >= 0;
-      const auto at = std::lower_bound(entries.begin(), entries.end(), entry);
-      hessian_places_.back().push_back(seen ? static_cast<int>(at - entries.begin()) : -1);
+  hessian_places_.resize(sets.size());
+  for (const auto& [inputs, number] : sets) {
+    std::vector<int>& places = hessian_places_[static_cast<std::size_t>(number)];
+    places.reserve(packed_size(inputs.size()));
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        const int row = place_[inputs[i]], column = place_[inputs[j]];
+        if (row < 0 || column < 0) {
+          places.push_back(-1);
+          continue;
+        }
+        const auto& known = columns[static_cast<std::size_t>(row)];
+        const auto at = std::lower_bound(known.begin(), known.end(), column);
+        places.push_back(begins[static_cast<std::size_t>(row)] +
+                         static_cast<int>(at - known.begin()));
+      }
     }
+  }
+}
+
+/// The columns, increasing, in which a function of these inputs has second derivatives, added to
+/// those known of each row of the lower triangle.
+void Program::add_entries(const std::vector<std::size_t>& inputs,
+                          std::vector<std::vector<int>>& columns) const {
+  std::vector<int> places, both;
+  for (const std::size_t input : inputs) {
+    if (place_[input] < 0) continue;
+    places.push_back(place_[input]);  // increasing, as inputs are
+    auto& known = columns[static_cast<std::size_t>(place_[input])];
+    both.clear();
+    std::set_union(known.begin(), known.end(), places.begin(), places.end(),
+                   std::back_inserter(both));
+    if (both.size() > known.size()) known = both;
   }
 }
 
@@ -200,8 +222,9 @@ void Program::hessian(std::span<const double> y, double weight, std::span<const 
   const std::vector<double> x = design(y);
   std::fill(entries.begin(), entries.end(), 0.0);
   Derivatives d;
-  const auto add = [&](const Function& function, const std::vector<int>& places, double factor) {
-    if (places.empty() || factor == 0) return;
+  const auto add = [&](const Function& function, int list, double factor) {
+    if (list < 0 || factor == 0) return;
+    const std::vector<int>& places = hessian_places_[static_cast<std::size_t>(list)];
     const auto& inputs = function.inputs();
     d.fit_second(inputs.size());
     function.hessian(x, d.g, d.h);
@@ -215,9 +238,9 @@ void Program::hessian(std::span<const double> y, double weight, std::span<const 
     }
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    add(rows_[r].function, hessian_places_[r], multipliers[r] / rows_[r].size);
+    add(rows_[r].function, places_of_[r], multipliers[r] / rows_[r].size);
   }
-  add(objective_, hessian_places_.back(), weight * sign_ / objective_size_);
+  add(objective_, places_of_.back(), weight * sign_ / objective_size_);
 }
 
 }  // namespace camlaw::optim

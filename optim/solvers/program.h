@@ -80,6 +80,8 @@ class Program {
 
  private:
   void lay_out();
+  void add_entries(const std::vector<std::size_t>& inputs,
+                   std::vector<std::vector<int>>& columns) const;
 
   std::vector<Column> columns_;
   Function objective_;
@@ -89,9 +91,11 @@ class Program {
   std::vector<int> place_;         // column -> y index, -1 where fixed
   std::vector<double> lower_, upper_, start_, row_lower_, row_upper_;
   Pattern jacobian_, hessian_;
-  /// For each function (rows, then the objective) the entry of each packed second derivative; -1
-  /// where an input is fixed or the function is linear.
+  /// The entry of each packed second derivative, -1 where an input is fixed: one list for each set
+  /// of inputs, which many rows have in common; and for each function (rows, then the objective)
+  /// the number of its list, -1 where the function is linear.
   std::vector<std::vector<int>> hessian_places_;
+  std::vector<int> places_of_;
 };
 
 }  // namespace camlaw::optim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/cycle/extremes.h"
+#include "optim/cycle/maxima_at.h"
 #include "optim/cycle/rest_weights.h"
 
 namespace camlaw::optim {
@@ -14,7 +14,7 @@ namespace {
 class Collector {
  public:
   Collector(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality, Net net)
-      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), net_(net) {}
+      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), net_(net), maxima_(x) {}
 
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
@@ -32,17 +32,18 @@ class Collector {
 
   void add_objective() {
     const Objective& objective = problem_.objective;
-    const auto trace = objective.response.curve().trace(x_);
+    const Curve& curve = objective.response.curve();
+    const Trace& trace = maxima_.trace(curve);
     const double reach = std::max(net_.width * sizes_.objective, 2 * sizes_.objective_tolerance);
     std::vector<Extreme> up, down;
-    if (objective.part != Part::Lowest) up = local_maxima(*trace, 1);
-    if (objective.part != Part::Highest) down = local_maxima(*trace, -1);
+    if (objective.part != Part::Lowest) up = maxima_.maxima(curve, 1);
+    if (objective.part != Part::Highest) down = maxima_.maxima(curve, -1);
     double peak = -kInfinity;
     for (const Extreme& e : up) peak = std::max(peak, e.value);
     for (const Extreme& e : down) peak = std::max(peak, -e.value);
     const auto add = [&](double sign, const std::vector<Extreme>& peaks) {
       const Level level{sign, sign * peak, sizes_.objective, reach};
-      add_places({objective.response, *trace, trace->breaks(), level, {}, {}}, peaks);
+      add_places({objective.response, trace, trace.breaks(), level, {}, {}}, peaks);
     };
     if (objective.part != Part::Lowest) add(1, up);
     if (objective.part != Part::Highest) add(-1, down);
@@ -79,14 +80,18 @@ class Collector {
   /// The bound is the limit's own, without what it is eased by.
   void add_curve(const Response& response, const Level& level, double bound,
                  std::size_t constraint) {
-    const auto trace = response.curve().trace(x_);
+    const Trace& trace = maxima_.trace(response.curve());
+    const auto& peaks = maxima_.maxima(response.curve(), level.sign);
+    // A limit that the curve is far from has no place that stands at it.
+    constexpr double kFar = 2;
+    const double room = level.sign * (level.bound - highest_of(peaks, level.sign).value);
+    if (room > kFar * level.reach) return;
     RestWeights weights;
     if (optimality_ == Optimality::Objective) {
       weights = RestWeights(response.curve(), bound, x_);
       add_rests(weights.rests(), level, constraint);
     }
-    add_places({response, *trace, trace->breaks(), level, constraint, std::move(weights)},
-               local_maxima(*trace, level.sign));
+    add_places({response, trace, trace.breaks(), level, constraint, std::move(weights)}, peaks);
   }
 
   /// The leading coefficients that stand near zero, or on the wrong side of it.
@@ -252,6 +257,7 @@ class Collector {
   Design x_;
   Optimality optimality_;
   Net net_;
+  MaximaAt maxima_;
   double violation_ = 0;
   std::vector<ActiveLimit> limits_;
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/cycle/maxima_at.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -15,21 +17,20 @@ struct Standing {
   std::optional<Place> place;
 };
 
-Standing standing(const Response& response, const Trace* trace, Design x, double sign,
-                  double bound) {
-  if (trace == nullptr) {
+Standing standing(const Response& response, MaximaAt& maxima, Design x, double sign, double bound) {
+  if (!response.is_curve()) {
     const double value = response.function().value(x);
     return {value, sign * (bound - value), {}};
   }
-  const Extreme worst = highest(*trace, sign);
+  const Extreme worst = maxima.highest(response.curve(), sign);
   return {worst.value, sign * (bound - worst.value), worst.place};
 }
 
 /// Whether intervals prove one side, with its tolerance. Where they come upon a worse place than
 /// the search did, the standing becomes that.
-bool prove_side(const Response& response, const Trace* trace, Design x, double sign, double bound,
+bool prove_side(const Response& response, MaximaAt& maxima, Design x, double sign, double bound,
                 double tolerance, Standing& side) {
-  if (trace == nullptr) {
+  if (!response.is_curve()) {
     const Function& f = response.function();
     if (f.is_searched()) {
       const double value = f.proved().value(x);
@@ -38,7 +39,8 @@ bool prove_side(const Response& response, const Trace* trace, Design x, double s
     const Bounds exact = f.enclose(x);
     return sign > 0 ? exact.upper <= bound + tolerance : exact.lower >= bound - tolerance;
   }
-  const CycleProof proof = prove_below(*trace, sign, sign * bound + tolerance);
+  const CycleProof proof =
+      prove_below(maxima.trace(response.curve()), sign, sign * bound + tolerance);
   if (sign * (bound - proof.worst.value) < side.margin) {
     side = {proof.worst.value, sign * (bound - proof.worst.value), proof.worst.place};
   }
@@ -55,7 +57,8 @@ void show(const Standing& side, double sign, double bound, LimitReport& report) 
   report.from_left = side.place->from_left;
 }
 
-LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bool prove) {
+LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& maxima, Design x,
+                   bool prove) {
   LimitReport result;
   result.name = c.response.name;
   result.unit = c.response.unit;
@@ -63,12 +66,11 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, Design x, bo
   result.tolerance = size.tolerance;
   result.margin = kInfinity;
   result.proved = prove;
-  const auto trace = c.response.is_curve() ? c.response.curve().trace(x) : nullptr;
   const auto look = [&](double sign, double bound) {
-    Standing side = standing(c.response, trace.get(), x, sign, bound);
+    Standing side = standing(c.response, maxima, x, sign, bound);
     if (prove) {
-      result.proved = prove_side(c.response, trace.get(), x, sign, bound, size.tolerance, side) &&
-                      result.proved;
+      result.proved =
+          prove_side(c.response, maxima, x, sign, bound, size.tolerance, side) && result.proved;
     }
     // What is not a number is worst of all, and stays.
     if (side.margin >= result.margin || std::isnan(result.margin)) return;
@@ -103,17 +105,18 @@ double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, doub
 
 std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& sizes, Design x,
                                        bool prove) {
+  MaximaAt maxima(x);
   std::vector<LimitReport> result;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    result.push_back(report(problem.constraints[i], sizes.constraints[i], x, prove));
+    result.push_back(report(problem.constraints[i], sizes.constraints[i], maxima, x, prove));
   }
   return result;
 }
 
 void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
-  const auto trace = c.response.is_curve() ? c.response.curve().trace(x) : nullptr;
+  MaximaAt maxima(x);
   const double sign = upper ? 1 : -1, bound = upper ? *c.upper : *c.lower;
-  show(standing(c.response, trace.get(), x, sign, bound), sign, bound, report);
+  show(standing(c.response, maxima, x, sign, bound), sign, bound, report);
 }
 
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {

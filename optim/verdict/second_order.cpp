@@ -9,10 +9,39 @@
 namespace camlaw::optim {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+/// Entries that are added up, in a list while they are few, and else in a matrix: limits that see
+/// every variable would make lists of far more entries than the matrix has.
+class Sum {
+ public:
+  explicit Sum(int rows) : rows_(rows) {}
+
+  void add(int row, int column, double value) {
+    if (dense_.size() > 0) {
+      dense_(row, column) += value;
+      return;
+    }
+    few_.emplace_back(row, column, value);
+    if (few_.size() > static_cast<std::size_t>(rows_) * static_cast<std::size_t>(rows_)) {
+      dense_ = matrix();
+      few_ = {};
+    }
+  }
+
+  Eigen::SparseMatrix<double> matrix() const {
+    if (dense_.size() > 0) return dense_.sparseView();
+    Eigen::SparseMatrix<double> sum(rows_, rows_);
+    sum.setFromTriplets(few_.begin(), few_.end());
+    return sum;
+  }
+
+ private:
+  int rows_;
+  std::vector<Eigen::Triplet<double>> few_;
+  Eigen::MatrixXd dense_;
+};
 
 /// Adds factor * second derivatives of a function, by typical changes.
-void add_hessian(const SecondOrderPoint& point, const Function& f, double factor, Triplets& H) {
+void add_hessian(const SecondOrderPoint& point, const Function& f, double factor, Sum& H) {
   if (factor == 0 || f.shape() == Shape::Linear) return;
   const auto& inputs = f.inputs();
   std::vector<double> g(inputs.size()), h(packed_size(inputs.size()));
@@ -22,9 +51,8 @@ void add_hessian(const SecondOrderPoint& point, const Function& f, double factor
       const int row = point.layout.row[inputs[i]], column = point.layout.row[inputs[j]];
       const double second = h[packed(std::max(i, j), std::min(i, j))];
       if (row < 0 || column < 0 || second == 0) continue;
-      H.emplace_back(
-          row, column,
-          factor * second * point.sizes.variables[inputs[i]] * point.sizes.variables[inputs[j]]);
+      H.add(row, column,
+            factor * second * point.sizes.variables[inputs[i]] * point.sizes.variables[inputs[j]]);
     }
   }
 }
@@ -32,7 +60,7 @@ void add_hessian(const SecondOrderPoint& point, const Function& f, double factor
 /// A peak's place moves with the design: d(place)/dx = -g_xa / g_aa, which adds
 /// g_xa g_xa^T / |g_aa| to the peak's second derivatives.
 void add_peak_motion(const SecondOrderPoint& point, const ActiveLimit& limit, double multiplier,
-                     Triplets& H) {
+                     Sum& H) {
   const double curvature = limit.sign * limit.curvature;
   if (limit.slope_gradient.empty() || multiplier == 0 || !(curvature < 0)) return;
   std::vector<std::pair<int, double>> slopes;
@@ -42,7 +70,7 @@ void add_peak_motion(const SecondOrderPoint& point, const ActiveLimit& limit, do
   }
   for (const auto& [row, a] : slopes) {
     for (const auto& [column, b] : slopes) {
-      H.emplace_back(row, column, multiplier * a * b / (-curvature * limit.size));
+      H.add(row, column, multiplier * a * b / (-curvature * limit.size));
     }
   }
 }
@@ -55,7 +83,7 @@ struct Held {
 
 Eigen::SparseMatrix<double> gradients(const Layout& layout,
                                       const std::vector<const ActiveLimit*>& limits) {
-  Triplets entries;
+  std::vector<Eigen::Triplet<double>> entries;
   int column = 0;
   for (const ActiveLimit* limit : limits) {
     for (const auto& [variable, slope] : limit->gradient) {
@@ -195,7 +223,7 @@ bool sparse_test(const Eigen::SparseMatrix<double>& H, const Eigen::SparseMatrix
 Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
                                                const std::vector<ActiveLimit>& limits,
                                                const std::vector<double>& multipliers) {
-  Triplets entries;
+  Sum entries(point.layout.rows);
   const Objective& objective = point.problem.objective;
   if (point.layout.auxiliary < 0) {
     const double sign = objective.sense == Sense::Minimize ? 1 : -1;
@@ -207,9 +235,7 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
     add_hessian(point, *limits[j].function, factor, entries);
     add_peak_motion(point, limits[j], multipliers[j], entries);
   }
-  Eigen::SparseMatrix<double> H(point.layout.rows, point.layout.rows);
-  H.setFromTriplets(entries.begin(), entries.end());
-  return H;
+  return entries.matrix();
 }
 
 SecondOrder second_order(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,

@@ -230,31 +230,41 @@ std::string_view to_string(Verdict verdict) {
   return "?";
 }
 
-Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove) {
-  const Sizes sizes = judged_at(problem, about, x);
+namespace {
+
+/// Where a design stands: Feasible, or Failed with the reason.
+Assessment where_it_stands(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
   Assessment result;
   result.variables = variable_reports(problem, x);
   result.objective = objective_report(problem, sizes, x, prove);
   result.limits = limit_reports(problem, sizes, x, prove);
   if (!std::isfinite(result.objective.value) || std::isinf(worst_violation(result.limits))) {
     result.reason = undefined_at(problem, x, "the answer");
-    return result;
-  }
-  if (!is_feasible(result)) {
+  } else if (!is_feasible(result)) {
     result.reason = fmt::format("the design does not meet {}", violated_names(result));
-    return result;
+  } else {
+    result.verdict = Verdict::Feasible;
+    result.reason = "not proved yet";
   }
+  return result;
+}
+
+}  // namespace
+
+Assessment assess_in_haste(const Problem& problem, const Sizes& about, Design x) {
+  return where_it_stands(problem, judged_at(problem, about, x), x, false);
+}
+
+Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove) {
+  const Sizes sizes = judged_at(problem, about, x);
+  Assessment result = where_it_stands(problem, sizes, x, prove);
+  if (result.verdict == Verdict::Failed) return result;
   const Kkt conditions = kkt(problem, sizes, x);
   take_conditions(problem, sizes, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
   drop_prices_of_room(result);
-  if (prove) {
-    conclude(problem, sizes, "", result);
-  } else {
-    result.verdict = Verdict::Feasible;
-    result.reason = "not proved yet";
-  }
+  if (prove) conclude(problem, sizes, "", result);
   return result;
 }
 

@@ -61,6 +61,10 @@ inline constexpr double kKktTolerance = 1e-7;
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
 Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove);
 
+/// The same without proofs and without the conditions of optimality, for a design on which no more
+/// time is to be spent: Feasible where every limit is met as far as was looked.
+Assessment assess_in_haste(const Problem& problem, const Sizes& sizes, Design x);
+
 /// What a lower bound from dividing the box adds to the assessment of a design within the limits,
 /// which was asked for with proofs. The bound that is tighter counts.
 void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivision& division,

@@ -46,7 +46,12 @@ std::string text_at(const Json& object, const char* name) {
 
 /// One line of text for people; what moves a terminal's cursor stays out.
 std::string title_of(const Json& object) {
+  constexpr std::size_t kMostBytes = 4096;
   std::string title = text_at(object, "title");
+  if (title.size() > kMostBytes) {
+    throw std::invalid_argument(
+        fmt::format("title is {} bytes long; at most {} are read", title.size(), kMostBytes));
+  }
   const bool plain = std::none_of(title.begin(), title.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
   });

@@ -12,7 +12,7 @@ enum class Seal {
   Broken,  ///< it was changed since, by someone or by accident
 };
 
-/// Gives an object `checksum`, over all else that it holds but `wall_s`: 16 digits of optim::Checksum. The order
+/// Gives an object `checksum`, over all else that it holds: 16 digits of optim::Checksum. The order
 /// of keys, the layout and how a number is written do not matter.
 void seal(Json& object);
 

@@ -294,8 +294,13 @@ std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
                                               const Binding& binding) {
   std::vector<optim::Constraint> result;
   std::map<std::string, int> seen;
+  std::map<const MechanismResponse*, optim::Response> curves;  // which many limits may be on
   for (const ConstraintStatement& c : statement.constraints) {
     result.push_back(limit_on(*statement.mechanism, c, binding));
+    if (result.back().response.is_curve()) {
+      const auto known = curves.emplace(c.response.response, result.back().response).first;
+      result.back().response.measure = known->second.measure;
+    }
     const int number = ++seen[c.response.name];
     if (number > 1) result.back().response.name += fmt::format(" ({})", number);
   }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/cycle/extremes.h"
+#include "optim/cycle/maxima_at.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -70,15 +70,14 @@ struct Found {
   }
 };
 
-void look_at(const optim::Response& response, optim::Design x, const ConstraintStatement& c,
-             Found& found) {
+void look_at(const optim::Response& response, optim::MaximaAt& maxima, optim::Design x,
+             const ConstraintStatement& c, Found& found) {
   if (!response.is_curve()) {
     const double value = response.function().value(x);
     return found.add(value, value, c);
   }
-  const auto trace = response.curve().trace(x);
-  found.add(optim::extreme_of(*trace, optim::Part::Lowest).value,
-            optim::extreme_of(*trace, optim::Part::Highest).value, c);
+  found.add(maxima.highest(response.curve(), -1).value, maxima.highest(response.curve(), 1).value,
+            c);
 }
 
 std::vector<Found> looked_at(const BoundProblem& bound) {
@@ -88,8 +87,9 @@ std::vector<Found> looked_at(const BoundProblem& bound) {
     try {
       const optim::MultiProblem problem = bound.problem(options_at(bound, place));
       const std::vector<double> x = design_at(problem.variables, place);
+      optim::MaximaAt maxima(x);
       for (std::size_t i = 0; i < stated.size(); ++i) {
-        look_at(problem.constraints[i].response, x, stated[i], found[i]);
+        look_at(problem.constraints[i].response, maxima, x, stated[i], found[i]);
       }
     } catch (const std::invalid_argument&) {  // no law is possible there
     }

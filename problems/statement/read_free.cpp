@@ -62,6 +62,10 @@ std::vector<double> read_knots(const Entry& table) {
   expect(*entry, Kind::List,
          "how many even knots, such as 64, or a list of places, such as [0.2, 0.5]");
   if (entry->items.empty()) return {};
+  if (entry->items.size() > static_cast<std::size_t>(kMostKnots)) {
+    refuse(*entry,
+           fmt::format("{} knots; at most {} are accepted", entry->items.size(), kMostKnots));
+  }
   return quantities_of(*entry, "1");
 }
 

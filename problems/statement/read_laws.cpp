@@ -51,7 +51,7 @@ void add_fixed(const Entry& entry, const NamedParameter& parameter, FixedNames& 
 std::vector<double> fixed_values(const Entry& entry, const NamedParameter& parameter) {
   std::vector<double> values;
   if (parameter.list && entry.kind == Kind::List) {
-    for (const Entry& item : entry.items) values.push_back(quantity_of(item, parameter.unit));
+    if (!entry.items.empty()) values = quantities_of(entry, parameter.unit);
   } else {
     values.push_back(quantity_of(entry, parameter.unit));
   }

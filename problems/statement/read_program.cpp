@@ -15,6 +15,7 @@ namespace {
 using Kind = Entry::Kind;
 
 constexpr double kCycle = 360;  // deg
+constexpr std::size_t kMostSegments = 1000;
 constexpr const char* kJoining = "joining";
 
 /// A segment as the file states it, with a choice of laws.
@@ -142,6 +143,10 @@ std::vector<Member> read_program(const Entry& file, const Entry& program,
   const Entry* list = find(program, "segments");
   if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
   expect(*list, Kind::List, "a list of tables, [[program.segments]]");
+  if (list->items.size() > kMostSegments) {
+    refuse(*list,
+           fmt::format("{} segments; at most {} are accepted", list->items.size(), kMostSegments));
+  }
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : list->items) {

@@ -19,6 +19,9 @@ namespace {
 
 using Kind = Entry::Kind;
 
+/// What a file may have at most of each, so that reading it takes neither all memory nor all day.
+constexpr std::size_t kMostKeyBytes = 256, kMostTextBytes = 4096, kMostItems = 10000;
+
 /// Turns toml++'s nodes into entries.
 class EntryBuilder {
  public:
@@ -51,15 +54,29 @@ class EntryBuilder {
       const auto &p = a.first->source().begin, &q = b.first->source().begin;
       return std::tie(p.line, p.column) < std::tie(q.line, q.column);
     });
+    check_count(entry, members.size());
     for (const auto& [key, node] : members) {
       const std::string name(key->str());
+      if (name.size() > kMostKeyBytes) {
+        throw std::invalid_argument(fmt::format("{}:{}: a key of {} bytes; at most {} are read",
+                                                source_, key->source().begin.line, name.size(),
+                                                kMostKeyBytes));
+      }
       entry.items.push_back(this->entry(*node, key->source().begin, name,
                                         entry.path.empty() ? name : entry.path + "." + name));
     }
   }
 
+  /// Of a list or a table.
+  static void check_count(const Entry& entry, std::size_t count) {
+    if (count <= kMostItems) return;
+    refuse(entry, fmt::format("{} of {} entries; at most {} are read", to_string(entry.kind), count,
+                              kMostItems));
+  }
+
   void fill(Entry& entry, const toml::array& array) const {
     entry.kind = Kind::List;
+    check_count(entry, array.size());
     for (const toml::node& node : array) {
       entry.items.push_back(this->entry(node, node.source().begin, entry.key,
                                         fmt::format("{}[{}]", entry.path, entry.items.size() + 1)));
@@ -68,6 +85,10 @@ class EntryBuilder {
 
   void fill(Entry& entry, const toml::value<std::string>& value) const {
     entry.kind = Kind::Text;
+    if (value.get().size() > kMostTextBytes) {
+      refuse(entry, fmt::format("a text of {} bytes; at most {} are read", value.get().size(),
+                                kMostTextBytes));
+    }
     entry.text = value.get();
   }
 

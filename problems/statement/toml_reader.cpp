@@ -15,6 +15,9 @@ namespace camlaw::problems {
 
 using Kind = Entry::Kind;
 
+/// Of a parameter that is a list: what is made of its elements takes their square at least.
+constexpr std::size_t kMostNumbers = 1000;
+
 std::string suggestion(std::string_view typed, const std::vector<std::string>& known) {
   const auto near = near_names(typed, known);
   return near.empty() ? fmt::format("accepted are {}", fmt::join(known, ", "))
@@ -89,6 +92,10 @@ std::optional<double> find_positive(const Entry& table, std::string_view key,
 std::vector<double> quantities_of(const Entry& list, const std::string& unit) {
   expect(list, Kind::List, "a list of numbers, such as [1, 2]");
   if (list.items.empty()) refuse(list, "the list is empty");
+  if (list.items.size() > kMostNumbers) {
+    refuse(list, fmt::format("a list of {} numbers; at most {} are accepted", list.items.size(),
+                             kMostNumbers));
+  }
   std::vector<double> values;
   for (const Entry& item : list.items) values.push_back(quantity_of(item, unit));
   return values;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "cli/run_limits.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "problems/statement/solver_settings.h"
+
+namespace camlaw::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+/// The first number of a file; unknown where there is none, as where it says "max".
+double number_in(const fs::path& path) {
+  std::ifstream file(path);
+  double value = 0;
+  return file >> value ? value : kUnknown;
+}
+
+/// What the kernel could give without taking from others.
+double free_of_machine() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string name;
+    double kibibytes = 0;
+    if (words >> name >> kibibytes && name == "MemAvailable:") return 1024 * kibibytes;
+  }
+  return kUnknown;
+}
+
+/// What is left in a control group and in those around it.
+double free_of_group(const fs::path& root, fs::path group, const char* most, const char* used) {
+  double result = kUnknown;
+  while (true) {
+    const fs::path folder = root / group.relative_path();
+    const double limit = number_in(folder / most), taken = number_in(folder / used);
+    if (std::isfinite(limit) && std::isfinite(taken)) result = std::min(result, limit - taken);
+    if (!group.has_relative_path()) return result;
+    group = group.parent_path();
+  }
+}
+
+double free_of_groups() {
+  double result = kUnknown;
+  std::ifstream file("/proc/self/cgroup");
+  for (std::string line; std::getline(file, line);) {  // "0::/path" or "4:memory:/path"
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string kinds = line.substr(first + 1, second - first - 1);
+    const fs::path group = line.substr(second + 1);
+    if (kinds.empty()) {
+      result =
+          std::min(result, free_of_group("/sys/fs/cgroup", group, "memory.max", "memory.current"));
+    } else if (("," + kinds + ",").find(",memory,") != std::string::npos) {
+      result = std::min(result, free_of_group("/sys/fs/cgroup/memory", group,
+                                              "memory.limit_in_bytes", "memory.usage_in_bytes"));
+    }
+  }
+  return result;
+}
+
+/// What is left of the address space (ulimit -v).
+double free_of_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnknown;
+  const double pages = number_in("/proc/self/statm");
+  const double used = std::isfinite(pages) ? pages * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0;
+  return static_cast<double>(limit.rlim_cur) - used;
+}
+
+}  // namespace
+
+void add_time_limit(CLI::App& command, RunLimits& limits) {
+  command
+      .add_option("--time-limit", limits.time_limit,
+                  "such as 30, \"30 s\" or \"1 min\": the best so far is the answer then")
+      ->type_name("TIME");
+}
+
+void add_memory_limit(CLI::App& command, RunLimits& limits) {
+  command
+      .add_option("--memory", limits.memory,
+                  "what the search may take, such as \"4 GB\"; by default what the machine has "
+                  "free. A problem that needs more is refused")
+      ->type_name("SIZE");
+}
+
+std::optional<double> time_limit_of(const RunLimits& limits) {
+  if (!limits.time_limit) return {};
+  return problems::parse_time_limit(*limits.time_limit, "--time-limit");
+}
+
+double memory_of(const RunLimits& limits) {
+  return limits.memory ? parse_memory(*limits.memory, "--memory") : free_memory();
+}
+
+double parse_memory(const std::string& text, const std::string& what) {
+  constexpr std::pair<const char*, double> kUnits[] = {
+      {"kB", 1e3},     {"MB", 1e6},     {"GB", 1e9},     {"TB", 1e12},
+      {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}, {"TiB", 0x1p40}};
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  auto [rest, error] = std::from_chars(text.data(), end, number);
+  while (rest != end && *rest == ' ') ++rest;
+  for (const auto& [unit, bytes] : kUnits) {
+    const bool known = std::string_view(rest, static_cast<std::size_t>(end - rest)) == unit;
+    if (known && error == std::errc() && number > 0 && std::isfinite(number * bytes)) {
+      return number * bytes;
+    }
+  }
+  throw std::invalid_argument(fmt::format(
+      "{}: '{}' is not a size above zero with a unit from kB to TB or KiB to TiB, such as \"4 GB\"",
+      what, text));
+}
+
+double free_memory() {
+  const double free = std::min({free_of_machine(), free_of_groups(), free_of_address_space()});
+  return std::max(0.0, free);
+}
+
+}  // namespace camlaw::cli

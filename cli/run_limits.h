@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "cli/commands.h"
+
+/// What a command that searches may take: time and memory.
+namespace camlaw::cli {
+
+/// As they are written on the command line.
+struct RunLimits {
+  std::optional<std::string> time_limit, memory;
+};
+
+/// No answer in time: exit status kNotSolved.
+struct NotSolved : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void add_time_limit(CLI::App& command, RunLimits& limits);
+void add_memory_limit(CLI::App& command, RunLimits& limits);
+
+/// Seconds of --time-limit; none where it is not given. Throws std::invalid_argument.
+std::optional<double> time_limit_of(const RunLimits& limits);
+/// Bytes of --memory, else what the machine has free. Throws std::invalid_argument.
+double memory_of(const RunLimits& limits);
+
+/// Bytes of "4 GB", "500 MB", "2 GiB"; `what` names it in errors. Throws std::invalid_argument.
+double parse_memory(const std::string& text, const std::string& what);
+
+/// Bytes that this process may still take: of the machine, of its control groups and of its limit
+/// of address space the least. Infinite where nothing is known.
+double free_memory();
+
+}  // namespace camlaw::cli

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/interruptible.h"
+
+#include <map>
+#include <utility>
+
+#include "optim/cycle/forwarding_curve.h"
+
+namespace camlaw::optim {
+namespace {
+
+void check(const Deadline& deadline) {
+  if (deadline.passed()) throw Interrupted();
+}
+
+/// A function of all variables up to its last input as a formula in its inputs.
+class InterruptibleKernel final : public Kernel {
+ public:
+  InterruptibleKernel(Function function, const Deadline& deadline)
+      : function_(std::move(function)), deadline_(deadline) {}
+
+  double value(std::span<const double> u) const override { return function_.value(design(u)); }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    return function_.gradient(design(u), g);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    return function_.hessian(design(u), g, h);
+  }
+  Bounds enclose(std::span<const double> u) const override { return function_.enclose(design(u)); }
+  BoxRange range(std::span<const Bounds> box) const override {
+    check(deadline_);
+    return function_.range(spread(box));
+  }
+  bool is_searched() const override { return function_.is_searched(); }
+  std::shared_ptr<const Kernel> proved() const override {
+    if (!is_searched()) return nullptr;
+    return std::make_shared<InterruptibleKernel>(function_.proved(), deadline_);
+  }
+  bool is_enclosed() const override { return function_.is_enclosed(); }
+  std::string why_undefined(std::span<const double> u) const override {
+    return function_.why_undefined(spread(u));
+  }
+
+ private:
+  std::vector<double> design(std::span<const double> u) const {
+    check(deadline_);
+    return spread(u);
+  }
+
+  template <class T>
+  std::vector<std::remove_const_t<T>> spread(std::span<T> of_inputs) const {
+    const auto& inputs = function_.inputs();
+    std::vector<std::remove_const_t<T>> all(inputs.empty() ? 0 : inputs.back() + 1);
+    for (std::size_t k = 0; k < inputs.size(); ++k) all[inputs[k]] = of_inputs[k];
+    return all;
+  }
+
+  Function function_;
+  const Deadline& deadline_;
+};
+
+Function interruptible(const Function& f, const Deadline& deadline) {
+  return {f.inputs(), std::make_shared<InterruptibleKernel>(f, deadline), f.shape()};
+}
+
+class InterruptibleTrace final : public Trace {
+ public:
+  InterruptibleTrace(std::unique_ptr<Trace> trace, const Deadline& deadline)
+      : trace_(std::move(trace)), deadline_(deadline) {}
+
+  std::vector<double> breaks() const override { return trace_->breaks(); }
+  std::array<double, 3> at(Place place) const override { return checked().at(place); }
+  std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
+    return checked().even(from, to, count);
+  }
+  Bounds enclose(double from, double to) const override { return checked().enclose(from, to); }
+  std::string why_unbounded() const override { return trace_->why_unbounded(); }
+
+ private:
+  const Trace& checked() const {
+    check(deadline_);
+    return *trace_;
+  }
+
+  std::unique_ptr<Trace> trace_;
+  const Deadline& deadline_;
+};
+
+class InterruptibleCurve final : public ForwardingCurve {
+ public:
+  InterruptibleCurve(std::shared_ptr<const Curve> curve, const Deadline& deadline)
+      : ForwardingCurve(std::move(curve)), deadline_(deadline) {}
+
+  Function at(Place place) const override {
+    check(deadline_);
+    return interruptible(curve().at(place), deadline_);
+  }
+  std::vector<double> slope_gradient(Place place, Design x) const override {
+    check(deadline_);
+    return curve().slope_gradient(place, x);
+  }
+  std::vector<Rest> rests(double bound, Design x) const override {
+    check(deadline_);
+    std::vector<Rest> rests = curve().rests(bound, x);
+    for (Rest& rest : rests) rest.leading = interruptible(rest.leading, deadline_);
+    return rests;
+  }
+  std::unique_ptr<Trace> trace(Design x) const override {
+    check(deadline_);
+    return std::make_unique<InterruptibleTrace>(curve().trace(x), deadline_);
+  }
+
+ private:
+  const Deadline& deadline_;
+};
+
+}  // namespace
+
+bool is_interruption(const std::exception_ptr& error) {
+  if (!error) return false;
+  try {
+    std::rethrow_exception(error);
+  } catch (const Interrupted&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
+Problem interruptible(Problem problem, const Deadline& deadline) {
+  std::map<const Curve*, std::shared_ptr<const Curve>> known;  // limits may share a curve
+  const auto make = [&](Response& response) {
+    if (!response.is_curve()) {
+      response.measure = interruptible(response.function(), deadline);
+      return;
+    }
+    auto& curve = std::get<std::shared_ptr<const Curve>>(response.measure);
+    auto& own = known[curve.get()];
+    if (!own) own = std::make_shared<InterruptibleCurve>(curve, deadline);
+    curve = own;
+  };
+  make(problem.objective.response);
+  for (Constraint& c : problem.constraints) make(c.response);
+  return problem;
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "cli/run_limits.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+#include "tests/cli/program_runner.h"
+
+// Models that are larger than a search can finish, inputs that are larger than anybody means: both
+// end in bounded time and memory.
+namespace camlaw::cli {
+namespace {
+
+/// A free law whose knots move, or do not.
+std::string free_law(int knots, bool moving) {
+  return fmt::format(
+      "mechanism = \"law\"\n[law]\nname = \"free\"\n[free]\nknots = {}\nmoving_knots = {}\n"
+      "[objective]\nminimize = \"C\"\n[[constraints]]\nresponse = \"B\"\nupper = 1.6\n"
+      "[[constraints]]\nresponse = \"D\"\nupper = 60\n",
+      knots, moving);
+}
+
+/// A disc cam that goes to and fro by segments whose angles vary.
+std::string segments(int count) {
+  std::string text =
+      "mechanism = \"disc-cam-roller\"\n[constants]\nstroke = \"20 mm\"\nroller_radius = \"3 "
+      "mm\"\n";
+  const double angle = 360.0 / count;
+  for (int i = 0; i < count; ++i) {
+    text += fmt::format("[[program.segments]]\nname = \"s{}\"\nlaw = \"cycloidal\"\nto = {}\n", i,
+                        1 - i % 2);
+    if (i + 1 < count) text += fmt::format("angle = {}\n", angle);
+  }
+  for (int i = 0; i + 1 < count; ++i) {
+    text +=
+        fmt::format("[variables.s{}_angle]\nlower = {}\nupper = {}\n", i, 0.8 * angle, 1.2 * angle);
+  }
+  return text +
+         "[variables.base_radius]\nlower = 5\nupper = 5000\nstart = 1000\n[objective]\n"
+         "minimize = \"base_radius\"\n[[constraints]]\nresponse = \"pressure_angle\"\n"
+         "lower = -35\nupper = 30\n[[constraints]]\nresponse = \"undercut\"\nupper = 0.9\n";
+}
+
+/// A disc cam with many limits on one response.
+std::string limits(int count, bool front = false) {
+  std::string text =
+      "mechanism = \"disc-cam-roller\"\n[constants]\nstroke = \"20 mm\"\nroller_radius = \"3 mm\"\n"
+      "[[program.segments]]\nname = \"rise\"\nangle = 120\nlaw = \"modified-sine\"\n"
+      "[[program.segments]]\nname = \"high\"\nangle = 40\n"
+      "[[program.segments]]\nname = \"return\"\nangle = 120\nlaw = \"modified-sine\"\n"
+      "[[program.segments]]\nname = \"low\"\n"
+      "[variables.rise_angle]\nlower = 90\nupper = 150\n"
+      "[variables.base_radius]\nlower = 5\nupper = 200\nstart = 60\n";
+  text += front ? "[[objectives]]\nminimize = \"base_radius\"\n[[objectives]]\n"
+                  "minimize = \"peak acceleration\"\n"
+                : "[objective]\nminimize = \"base_radius\"\n";
+  for (int i = 0; i < count; ++i) {
+    text +=
+        fmt::format("[[constraints]]\nresponse = \"pressure_angle\"\nupper = {}\n", 30 + 1e-3 * i);
+  }
+  return text;
+}
+
+std::string written(const Folder& folder, const std::string& text) {
+  const std::string path = folder / "large.toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto began = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+/// Processes, but for this one, that have a word in their command line.
+int processes_with(const std::string& word) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "cmdline");
+    std::string words;
+    std::getline(file, words);
+    count += words.find(word) != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("large models keep a time limit, and leave no process behind", "[program][heavy]") {
+  const auto [name, text] = GENERATE(table<std::string, std::string>({
+      {"moving knots", free_law(200, true)},
+      {"segments", segments(150)},
+      {"limits", limits(2000)},
+  }));
+  INFO(name);
+  const Folder folder;
+  const std::string path = written(folder, text);
+  // What it takes to read the file and look at its start once, on this machine as busy as it is.
+  const double unit = seconds_of([&] { run({"evaluate", path}); });
+  constexpr double kLimit = 1;
+  Outcome outcome;
+  const double spent = seconds_of([&] {
+    outcome = run({"optimize", path, "--time-limit", std::to_string(kLimit), "--starts", "1000"});
+  });
+  CHECK(spent < kLimit + 1 + 10 * unit);
+  CHECK((outcome.status == 0 || outcome.status == 4));
+  CHECK_THAT(outcome.out, Contains("the time limit of 1 s was reached"));
+  CHECK(processes_with(folder / "") == 0);
+}
+
+TEST_CASE("a large search ends on a request, and with its parent", "[program][heavy]") {
+  const Folder folder;
+  const std::string path = written(folder, free_law(200, true));
+  const double unit = seconds_of([&] { run({"evaluate", path}); });
+  SECTION("a request to end: the best so far") {
+    const Running program({"optimize", path, "--starts", "1000"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    kill(program.id(), SIGTERM);
+    Outcome outcome;
+    const double spent = seconds_of([&] { outcome = program.wait(); });
+    CHECK(spent < 1 + 10 * unit);
+    CHECK((outcome.status == 0 || outcome.status == 4));
+    CHECK_THAT(outcome.out, Contains("stopped"));
+  }
+  SECTION("the parent is killed") {
+    const Running program({"optimize", path, "--starts", "1000"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    kill(program.id(), SIGKILL);
+    CHECK(program.wait().status != 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  CHECK(processes_with(folder / "") == 0);
+}
+
+TEST_CASE("a watched search has the answer of the library, to the bit", "[program]") {
+  const Folder folder;
+  const std::string path = written(folder, free_law(100, false));
+  const Json answer = json_of({"optimize", path, "--json", "--time-limit", "10 min"});
+  const problems::BoundProblem bound(problems::read_problem_file(path));
+  const optim::Optimum own = optim::optimise(bound.space());
+  CHECK(answer["verdict"] == "certified optimum");
+  CHECK(answer["objective"].get<double>() == own.found.assessment.objective.value);
+}
+
+TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
+  const Folder folder;
+  SECTION("pareto: what is recorded stays") {
+    const std::string path = written(folder, limits(1000, true)), db = folder / "study.db";
+    const double unit = seconds_of([&] { run({"evaluate", path}); });
+    Outcome outcome;
+    const double spent = seconds_of([&] {
+      outcome = run(
+          {"pareto", path, "--time-limit", "1", "--points", "2000", "--db", db, "--workers", "1"});
+    });
+    CHECK(spent < 2 + 10 * unit);
+    CHECK(outcome.status == 4);
+    CHECK_THAT(outcome.out + outcome.err, Contains("--resume goes on with"));
+    CHECK(processes_with(folder / "") == 0);
+  }
+  SECTION("synthesize") {
+    const std::string path = written(folder, free_law(200, true));
+    const double unit = seconds_of([&] { run({"evaluate", path}); });
+    Outcome outcome;
+    const double spent = seconds_of([&] {
+      outcome = run({"synthesize", path, "--time-limit", "1", "--starts", "1000"});
+    });
+    CHECK(spent < 2 + 10 * unit);
+    CHECK_THAT(outcome.out, Contains("the time limit of 1 s was reached"));
+  }
+  SECTION("fit") {
+    const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+    const Words words{"fit", cam, "--mechanism", "disc-cam-roller", "--set", "roller_radius=8 mm"};
+    Words timed = words;
+    timed.insert(timed.end(), {"--time-limit", "0.01"});
+    CHECK_THAT(failed(timed, 4), Contains("the time limit of 0.01 s was reached"));
+    timed.back() = "10 min";
+    CHECK(run(timed).out == run(words).out);
+  }
+}
+
+TEST_CASE("memory that a problem would take is refused by name", "[program]") {
+  const Folder folder;
+  const std::string path = written(folder, free_law(500, true));
+  for (const char* command : {"optimize", "synthesize"}) {
+    const std::string line = failed({command, path, "--memory", "20 MB"}, 2);
+    CHECK_THAT(line, Contains("500 knots") && Contains("--memory allows 20 MB"));
+  }
+  const auto refused = [&](const char* size) {
+    return failed({"optimize", path, "--memory", size}, 2);
+  };
+  for (const char* size : {"4", "4 mm", "-1 GB", "0 GB", "nan GB", "GB", "", "4 GBB"}) {
+    INFO(size);
+    CHECK_THAT(refused(size), Contains("--memory") && Contains("\"4 GB\""));
+  }
+  CHECK(parse_memory("4 GB", "m") == 4e9);
+  CHECK(parse_memory("2GiB", "m") == 2147483648.0);
+  CHECK(parse_memory("0.5 MB", "m") == 5e5);
+  CHECK(free_memory() > 1e6);
+}
+
+TEST_CASE("what is too large to be meant is refused in little time and memory", "[program]") {
+  const std::string cam =
+      "mechanism = \"spine-cutter\"\n[law]\nname = \"{}\"\n[variables.{}]\nlower = \"20 "
+      "{}\"\nupper "
+      "= 100\n[objective]\nminimize = \"{}\"\n{}";
+  const auto problem = [&](const std::string& law, const std::string& variable,
+                           const std::string& unit, const std::string& sought,
+                           const std::string& more) {
+    return fmt::format(fmt::runtime(cam), law, variable, unit, sought, more);
+  };
+  const auto plain = [&](const std::string& more) {
+    return problem("cosine", "cam_radius", "mm", "cam_radius", more);
+  };
+  const std::string megabyte(1'000'000, 'x');
+  std::string numbers = "0";
+  for (int i = 1; i < 100'000; ++i) numbers += fmt::format(", {}", i * 1e-5);
+  std::string same;
+  for (int i = 0; i < 100'000; ++i) {
+    same += "[[constraints]]\nresponse = \"peak_inertia_force\"\nupper = 30\n";
+  }
+  const auto [name, text] = GENERATE_COPY(table<std::string, std::string>({
+      {"a law's name", problem(megabyte, "cam_radius", "mm", "cam_radius", "")},
+      {"a variable's name", problem("cosine", megabyte, "mm", "cam_radius", "")},
+      {"a unit", problem("cosine", "cam_radius", megabyte, "cam_radius", "")},
+      {"a response", problem("cosine", "cam_radius", "mm", megabyte, "")},
+      {"a key", plain("[solver]\n" + megabyte + " = 1\n")},
+      {"a solver", plain("[solver]\nname = \"" + megabyte + "\"\n")},
+      {"a title", "title = \"" + megabyte + "\"\n" + plain("")},
+      {"a mechanism", "mechanism = \"" + megabyte + "\"\n"},
+      {"limits", plain(same)},
+      {"segments", segments(10'000)},
+      {"knots", "mechanism = \"law\"\n[law]\nname = \"free\"\n[free]\nknots = [" + numbers +
+                    "]\n[objective]\nminimize = \"C\"\n"},
+      {"coefficients", "mechanism = \"law\"\n[law]\nname = \"legendre\"\nc = [" + numbers +
+                           "]\n[objective]\nminimize = \"C\"\n"},
+      {"values",
+       "mechanism = \"spine-cutter\"\n[law]\nname = \"cosine\"\n[variables.cam_radius]\n"
+       "values = [" +
+           numbers + "]\n[objective]\nminimize = \"cam_radius\"\n"},
+  }));
+  INFO(name);
+  const Folder folder;
+  const std::string path = written(folder, text);
+  const Outcome least = run({"laws"});
+  const double unit = seconds_of([&] { run({"laws"}); });
+  Outcome outcome;
+  const double spent = seconds_of([&] { outcome = run({"check", path}); });
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.size() < 1000 + path.size());
+  CHECK_THAT(outcome.err, Contains("at most"));
+  CHECK(spent < 2 + 20 * unit);
+  CHECK(outcome.memory < least.memory + 40.0 * static_cast<double>(text.size()) + 5e7);
+}
+
+TEST_CASE("a law's samples as JSON are told one by one", "[program][heavy]") {
+  const Json few = json_of({"law", "modified-sine", "--json", "--samples", "3"});
+  REQUIRE(few["samples"].size() == 3);
+  CHECK(few["samples"][1]["x"] == 0.5);
+  CHECK(few["samples"][2]["s"] == 1);
+  CHECK(few.contains("pieces"));
+  const Outcome least = run({"law", "modified-sine", "--json"});
+  const Outcome many = run({"law", "modified-sine", "--json", "--samples", "200000"});
+  CHECK(many.status == 0);
+  CHECK(many.out.size() > 20'000'000);
+  CHECK(many.memory < least.memory + 4e7);
+}
+
+}  // namespace camlaw::cli
