@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "cli/printing.h"
-#include "cli/terminal.h"
 #include "cli/version_text.h"
 #include "problems/results/judged_design.h"
 

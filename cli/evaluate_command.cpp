@@ -177,8 +177,7 @@ void run_evaluate(const EvaluateOptions& options, int& status) {
   const auto limits = problems::standing(statement);
   const Warnings warnings = warnings_of(statement);
   if (options.json) {
-    print_data(to_json(statement, responses, limits, warnings, review).dump(2) + "
-");
+    print_data(to_json(statement, responses, limits, warnings, review).dump(2) + "\n");
   } else {
     print_evaluation(statement, responses, limits, warnings);
     print_text(review_text(review));

@@ -205,7 +205,7 @@ void run_export(const ExportOptions& options, int& status) {
   if (!review.is_believed()) design.verdict.reset();  // it is not to be told as one
   const std::string text = content(options, format, e);
   if (!options.out) {
-    std::fputs(text.c_str(), stdout);
+    print_data(text);
     return;
   }
   write_out({}, {{*options.out, text}}, false);

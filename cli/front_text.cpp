@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/front_output.h"
-#include "cli/terminal.h"
+#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "cli/warnings.h"
 

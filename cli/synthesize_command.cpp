@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/help.h"
+#include "cli/printing.h"
 #include "cli/rulers.h"
 #include "cli/search_run.h"
 #include "problems/law_files/law_file.h"
@@ -70,10 +71,7 @@ std::vector<OutputFile> figures(const Answer& answer, const std::filesystem::pat
   try {
     files.push_back(law_json(answer, *law, out));
   } catch (const std::invalid_argument& error) {
-    std::fputs(
-        fmt::format("law.json is not written: the law could not be read back: {}\n", error.what())
-            .c_str(),
-        stderr);
+    warn(fmt::format("law.json is not written: the law could not be read back: {}", error.what()));
   }
   return files;
 }

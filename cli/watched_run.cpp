@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/printing.h"
 
 namespace camlaw::cli {
 namespace {
@@ -77,8 +78,11 @@ std::vector<T> taken(std::string_view bytes) {
   } catch (const std::exception& error) {
     tell(pipe, Kind::Failure, 0, error.what());
   }
-  const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (!arrived) tell(pipe, Kind::Failure, 0, "cannot write to standard output");
+  const bool arrived = flush_printed();
+  if (!arrived && is_reader_gone()) status = 128 + SIGPIPE;  // as a shell says it
+  if (!arrived && !is_reader_gone()) {
+    tell(pipe, Kind::Failure, 0, "cannot write to standard output");
+  }
   std::fflush(stderr);
   _exit(status);  // not exit: what else there is to tidy is the parent's
 }

@@ -142,10 +142,10 @@ void visit(Archive& archive, T& task) {
 template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, OptimiseOptions>
 void visit(Archive& archive, O& options) {
-  auto& [solver, starts, seed, time_limit, iterations, evaluations, divides, stop, progress] =
-      options;
-  archive(solver), archive(starts), archive(seed), archive(time_limit);
-  archive(iterations), archive(evaluations), archive(divides);
+  auto& [solver, starts, seed, time_limit, spent, iterations, evaluations, memory, divides, stop,
+         progress, candidate] = options;
+  archive(solver), archive(starts), archive(seed), archive(time_limit), archive(spent);
+  archive(iterations), archive(evaluations), archive(memory), archive(divides);
 }
 
 template <class Archive, class O>
