@@ -36,11 +36,12 @@ struct Pending {
 int standard_output = STDOUT_FILENO;
 
 void write_to_standard_output(const OutputFile& file) {
-  std::fflush(stdout);
+  flush_printed();
   std::string_view rest = file.content;
   while (!rest.empty()) {
     const ssize_t count = write(standard_output, rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EPIPE) return note_reader_gone();
     if (count < 0) fail_to_write(file.path, std::strerror(errno));
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -109,7 +110,7 @@ void keep_standard_output(const std::vector<std::optional<std::string>>& outputs
     throw std::invalid_argument("standard output takes one thing: --json, or an output named '-'");
   }
   if (standard_output != STDOUT_FILENO) return;
-  std::fflush(stdout);
+  flush_printed();
   const int kept = dup(STDOUT_FILENO);
   if (kept < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) fail_to_write("-", std::strerror(errno));
   standard_output = kept;
@@ -182,7 +183,7 @@ void say_written(const std::vector<OutputFile>& files) {
 }
 
 void write_out(std::vector<fs::path> possible, const std::vector<OutputFile>& files, bool says) {
-  std::fflush(stdout);
+  flush_printed();
   if (possible.empty() || !fs::exists(possible.front())) possible.clear();
   write_files(files);
   for (const OutputFile& file : files) std::erase(possible, file.path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -30,6 +31,7 @@ struct FitCommand {
   std::vector<std::string> set, shifts;
   RunLimits limits;
   bool json = false;
+  std::function<void()> answers = [] {};  ///< called when the answer is about to be given
 };
 
 optim::Loss loss_of(const FitCommand& options) {
@@ -99,6 +101,7 @@ void fit_constants(const FitCommand& options) {
           "--constants: no law of the catalogue explains them in fewer digits than are printed");
     }
   }
+  options.answers();
   if (options.json) {
     print_data(constants_json(fits).dump(2) + "\n");
   } else {
@@ -120,6 +123,7 @@ std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
 /// Prints an answer; of a folder the files that an earlier run left and this one has not go.
 void give(const FitCommand& options, const std::string& text, const std::string& json,
           std::vector<OutputFile> files) {
+  options.answers();
   if (options.out) files.push_back({in_out(options, "fit.json"), json});
   options.json ? print_data(json) : print_text(text);
   if (options.out) write_out(left_behind(options), files, !options.json);
@@ -256,11 +260,13 @@ void run_fit(const FitCommand& options) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
   }
-  const auto work = [&] { options.data ? fit_table(options) : fit_constants(options); };
+  const auto work = [](const FitCommand& own) { own.data ? fit_table(own) : fit_constants(own); };
   const auto limit = time_limit_of(options.limits);
-  if (!limit) return work();
-  const auto ended = watched({limit}, [&](const Teller&) {
-    work();
+  if (!limit) return work(options);
+  const auto ended = watched({limit}, [&](const Teller& teller) {
+    FitCommand own = options;
+    own.answers = [&teller] { teller.answers(); };
+    work(own);
     return int{kDone};
   });
   if (const auto* unfinished = std::get_if<Unfinished>(&ended)) {

@@ -145,7 +145,7 @@ void run_front(const FrontCommand& options, int& status) {
     print_data(object.dump(2) + "\n");
     return;
   }
-  if (points.empty()) print_text(front_text(answer));
+  print_text(points.empty() ? front_text(answer) : notes_text(answer));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [name, point] = points[i];
     say("{}: {}", name, point_text(answer, point));

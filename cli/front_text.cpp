@@ -157,15 +157,6 @@ std::string measures_text(const FrontAnswer& answer) {
   return text;
 }
 
-/// What is to be said of the record that a front was read from.
-std::string notes_text(const FrontAnswer& answer) {
-  std::string text;
-  for (const std::string& note : answer.notes) {
-    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
-  }
-  return text;
-}
-
 std::string work_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text =
@@ -197,6 +188,14 @@ std::string work_text(const FrontAnswer& answer) {
 
 }  // namespace
 
+std::string notes_text(const FrontAnswer& answer) {
+  std::string text;
+  for (const std::string& note : answer.notes) {
+    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
+  }
+  return text;
+}
+
 std::string front_summary(const FrontAnswer& answer) {
   return measures_text(answer) + knee_text(answer) + "\n" + work_text(answer);
 }
@@ -214,7 +213,6 @@ std::string point_text(const FrontAnswer& answer, std::size_t k) {
   const FrontPoint& point = answer.front.points[k];
   std::string text = fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
                                  verdict_text(point), point.reason);
-  text += notes_text(answer);
   text += warnings_text(warnings_of(answer.study.design(point)));
   if (const std::string law = answer.law(point); !law.empty()) text += "  law " + law + "\n";
   const auto values = answer.values(point);

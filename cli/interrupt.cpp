@@ -14,7 +14,11 @@ extern "C" void ask_to_stop(int signal_number) {
   std::signal(signal_number, SIG_DFL);
 }
 
+extern "C" void ask_again(int) { asked = true; }
+
 }  // namespace
+
+void only_ask_to_stop() { std::signal(SIGTERM, ask_again); }
 
 Interruptible::Interruptible() {
   asked = false;

@@ -16,4 +16,8 @@ class Interruptible {
   const std::atomic<bool>* flag() const;
 };
 
+/// From now on a request to end sets the flag, however often it comes: of a process whose parent
+/// ends it where it does not come to an end.
+void only_ask_to_stop();
+
 }  // namespace camlaw::cli

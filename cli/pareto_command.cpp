@@ -107,6 +107,16 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
             done);
 }
 
+/// A study that is also one of the files of --out would be written over when it is done.
+void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
+  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  for (const fs::path& output : outputs) {
+    if (place(output) != place(study)) continue;
+    throw std::invalid_argument(
+        fmt::format("--db and --out both write '{}'; the study needs another name", study));
+  }
+}
+
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string& json,
                                     const fs::path& out) {
   std::vector<OutputFile> files{{out / "front.json", json}};
@@ -157,6 +167,7 @@ int run_pareto(const ParetoCommand& options) {
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
+  if (path) keep_apart(*path, options.out ? possible : std::vector<fs::path>{});
   if (options.out) check_writable(possible);
   const int workers = workers_with_room(options, study);
   const Interruptible interruptible;
@@ -165,8 +176,8 @@ int run_pareto(const ParetoCommand& options) {
     auto record = record_of(path, study, options.resume);
     const problems::StoredFront found = look(study, record, options, workers);
     const optim::Front& front = found.front;
-    const FrontAnswer answer{study, found};
     if (teller != nullptr) teller->answers();
+    const FrontAnswer answer{study, found};
     const std::string json = front_json(answer).dump(2) + "\n";
     options.json ? print_data(json) : print_text(front_text(answer));
     if (path && !options.json && !is_quiet()) say("study {}\n", *path);

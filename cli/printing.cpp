@@ -139,6 +139,7 @@ bool flush_printed() {
   return std::ferror(stdout) == 0;
 }
 
+void note_reader_gone() { reader_gone = true; }
 bool is_reader_gone() { return reader_gone; }
 
 std::string shaded(const std::string& text, Shade shade) {

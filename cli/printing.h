@@ -34,6 +34,8 @@ void print_data(std::string_view data);
 /// Hands on what was printed; whether all of it arrived.
 bool flush_printed();
 
+/// Says that it has gone, where that was found otherwise.
+void note_reader_gone();
 /// Whether what reads standard output has gone, as `head` does when it has seen enough.
 bool is_reader_gone();
 

@@ -186,6 +186,7 @@ void Replacing::put_back() {
   for (File& file : files_) {
     if (!file.old.empty()) {
       fs::rename(file.old, file.target, ignored);
+      fs::remove(file.old, ignored);  // where both are names of one file a rename does nothing
       file.old.clear();
     } else if (file.in_place) {
       fs::remove(file.target, ignored);

@@ -112,8 +112,8 @@ void try_rivals(const Answer& answer, std::vector<Member> rivals,
                                                  : std::move(free));
   result.reoptimised = !bound.statement().variables.empty();
   const optim::Optimum best = optim::optimise(bound.space(), search);
-  result.finished =
-      !is_stopped(search) && !(search.time_limit && best.wall_s >= *search.time_limit);
+  result.finished = !is_stopped(search) &&
+                    !(search.time_limit && search.spent + best.wall_s >= *search.time_limit);
   if (optim::is_feasible(best.found.assessment)) {
     result.best = {bound.statement().laws[best.options.front()].label(),
                    best.found.assessment.objective.value};

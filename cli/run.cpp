@@ -69,7 +69,8 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc,
 /// its reader has gone, the program ends by the signal that would have ended it at once, now that
 /// its files are written.
 int finish(int status) {
-  if (flush_printed()) return status;
+  const bool arrived = flush_printed();
+  if (arrived && !is_reader_gone()) return status;
   if (is_reader_gone()) {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);

@@ -42,13 +42,28 @@ double free_of_machine() {
   return kUnknown;
 }
 
-/// What is left in a control group and in those around it.
-double free_of_group(const fs::path& root, fs::path group, const char* most, const char* used) {
+/// Of what a group has taken, the pages of files that it would give back.
+double cached(const fs::path& folder, const std::string& prefix) {
+  double result = 0;
+  std::ifstream file(folder / "memory.stat");
+  std::string name;
+  for (double bytes = 0; file >> name >> bytes;) {
+    if (name == prefix + "inactive_file" || name == prefix + "active_file") result += bytes;
+  }
+  return result;
+}
+
+/// What is left in a control group and in those around it; the names of its files, and what those
+/// in memory.stat begin with.
+double free_of_group(const fs::path& root, fs::path group, const char* most, const char* used,
+                     const char* prefix) {
   double result = kUnknown;
   while (true) {
     const fs::path folder = root / group.relative_path();
     const double limit = number_in(folder / most), taken = number_in(folder / used);
-    if (std::isfinite(limit) && std::isfinite(taken)) result = std::min(result, limit - taken);
+    if (std::isfinite(limit) && std::isfinite(taken)) {
+      result = std::min(result, limit - std::max(0.0, taken - cached(folder, prefix)));
+    }
     if (!group.has_relative_path()) return result;
     group = group.parent_path();
   }
@@ -63,11 +78,12 @@ double free_of_groups() {
     const std::string kinds = line.substr(first + 1, second - first - 1);
     const fs::path group = line.substr(second + 1);
     if (kinds.empty()) {
-      result =
-          std::min(result, free_of_group("/sys/fs/cgroup", group, "memory.max", "memory.current"));
+      result = std::min(result,
+                        free_of_group("/sys/fs/cgroup", group, "memory.max", "memory.current", ""));
     } else if (("," + kinds + ",").find(",memory,") != std::string::npos) {
-      result = std::min(result, free_of_group("/sys/fs/cgroup/memory", group,
-                                              "memory.limit_in_bytes", "memory.usage_in_bytes"));
+      result =
+          std::min(result, free_of_group("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes",
+                                         "memory.usage_in_bytes", "total_"));
     }
   }
   return result;

@@ -107,7 +107,7 @@ std::string show(const SearchCommand& command, const Answer& answer,
                  const optim::OptimiseOptions& rest, bool json) {
   SearchReport report = command.report(answer);
   if (!json) print_text(report.text);
-  std::fflush(stdout);
+  flush_printed();
   if (command.measure) {
     const std::string more = command.measure(answer, rest, report.json);
     if (!json) print_text(more);
@@ -115,7 +115,7 @@ std::string show(const SearchCommand& command, const Answer& answer,
   problems::seal(report.json);
   std::string text = report.json.dump(2) + "\n";
   if (json) print_data(text);
-  std::fflush(stdout);
+  flush_printed();
   return text;
 }
 
@@ -144,7 +144,12 @@ optim::Optimum unfinished_optimum(const optim::ProblemSpace& space, const Unfini
     result = {options, std::move(problem), std::move(found)};
   };
   for (const auto* told : {&unfinished.best, &unfinished.last}) {
-    if (*told) look((*told)->options.empty() ? first : (*told)->options, (*told)->x);
+    if (!*told) continue;
+    try {
+      look((*told)->options.empty() ? first : (*told)->options, (*told)->x);
+    } catch (const std::exception&) {
+      // At a design that was not worked out yet the model may throw: the other one counts.
+    }
   }
   if (result.found.x.empty()) look(first, result.problem.start());
   return result;

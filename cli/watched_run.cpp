@@ -18,7 +18,9 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/printing.h"
+#include "optim/study/worker_process.h"
 
 namespace camlaw::cli {
 namespace {
@@ -69,7 +71,7 @@ std::vector<T> taken(std::string_view bytes) {
   if (getppid() != parent) _exit(kFailed);  // it was gone before that
   // An interrupt goes to all processes of a terminal: it is the parent's to pass on.
   std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
+  only_ask_to_stop();  // a request to all processes of a group comes twice
   int status = kFailed;
   try {
     status = work(Teller(pipe));
@@ -103,7 +105,7 @@ class Parent {
 
   std::variant<int, Unfinished> wait() {
     while (read_more()) {
-      if (!answers_) look_at_clock();
+      answers_ ? pass_on_stop() : look_at_clock();
       if (ended_) break;
     }
     int status = 0;
@@ -113,17 +115,26 @@ class Parent {
     if (bad_input_) throw std::invalid_argument(*bad_input_);
     if (failure_) throw std::runtime_error(*failure_);
     if (WIFEXITED(status) && !ended_) return WEXITSTATUS(status);
-    Unfinished result{why_, std::move(best_), std::move(last_)};
-    if (why_.empty()) {
-      result.why = fmt::format("the process of the search was ended by signal {} ({})",
-                               WTERMSIG(status), strsignal(WTERMSIG(status)));
+    if (why_.empty() || answers_) {
+      why_ = fmt::format("the process of the search was ended by signal {} ({})", WTERMSIG(status),
+                         strsignal(WTERMSIG(status)));
     }
-    return result;
+    // Part of the answer is out: another beside it would contradict it.
+    if (answers_) throw std::runtime_error(why_ + " while it gave its answer");
+    return Unfinished{why_, std::move(best_), std::move(last_)};
   }
 
  private:
   double spent() const {
     return watch_.spent + std::chrono::duration<double>(Clock::now() - began_).count();
+  }
+
+  /// What is measured of an answer ends on a stop too, but in its own time.
+  void pass_on_stop() {
+    const bool stopped = watch_.stop != nullptr && *watch_.stop;
+    if (asked_at_ || !stopped) return;
+    asked_at_ = spent();
+    kill(child_, SIGTERM);
   }
 
   /// Asks the child to end, and ends it where it does not.
@@ -217,7 +228,9 @@ void Teller::answers() const { tell(pipe_, Kind::Answers, 0, {}); }
 
 std::variant<int, Unfinished> watched(const Watch& watch,
                                       const std::function<int(const Teller&)>& work) {
-  std::fflush(stdout);
+  constexpr int kNobody = -1;
+  if (!optim::has_one_thread()) return work(Teller(kNobody));
+  flush_printed();
   std::fflush(stderr);
   int ends[2];
   const auto fail = [] {

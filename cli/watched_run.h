@@ -44,7 +44,8 @@ struct Unfinished {
 /// status comes back. Throws what the work throws, as std::invalid_argument or std::runtime_error.
 /// At the limit, and on a stop, the child is asked to end (SIGTERM, which sets the stop flag where
 /// an Interruptible lives) and has half of what it may be late to do so. It does not outlive the
-/// parent. To be called while the process has one thread.
+/// parent. Where the process has several threads, which a child would lack, the work is done here,
+/// and ends when it looks at the clock itself.
 std::variant<int, Unfinished> watched(const Watch& watch,
                                       const std::function<int(const Teller&)>& work);
 

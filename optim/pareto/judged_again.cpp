@@ -117,7 +117,7 @@ std::vector<std::string> differences(const MultiProblem& multi, const FrontPoint
   const std::size_t objectives = multi.objectives.size();
   if (point.x.size() != multi.variables.size() || point.objectives.size() != objectives ||
       point.costs.size() != objectives) {
-    return {"the design has not the numbers that its problem asks for"};
+    return {"the design does not have the numbers that its problem asks for"};
   }
   compare_variables(multi, point.x, found);
   if (!found.empty()) return found;  // of a design beyond its bounds the model may know nothing

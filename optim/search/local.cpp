@@ -31,6 +31,8 @@ Sizes hasty_sizes(const Problem& problem, Design about) {
 std::string words_of(const std::exception_ptr& error) {
   try {
     std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory";
   } catch (const std::exception& e) {
     return e.what();
   } catch (...) {

@@ -106,7 +106,7 @@ MemoryNeed memory_need(const Problem& problem) {
 void check_memory(const Problem& problem, double allowed) {
   const MemoryNeed need = memory_need(problem);
   if (need.bytes <= allowed) return;
-  throw MemoryRefusal(fmt::format("the search needs about {} for {}; --memory allows {}",
+  throw MemoryRefusal(fmt::format("the search needs about {} for {}; {} may be taken",
                                   memory_text(need.bytes), need.of, memory_text(allowed)));
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPatience = 2000;  // ms, for another who reads or writes
+constexpr int kPatience = 60000;  // ms, for another who reads or writes
 
 /// Whether every design has the numbers that the problem asks for.
 bool fits(const Outcome& outcome, const MultiProblem& problem) {

@@ -76,7 +76,8 @@ class ProcessExecutor::Run {
     constexpr int kMilliseconds = 100;  // after which an interrupt is looked for
     std::vector<pollfd> files;
     for (const WorkerProcess& worker : executor_.crew_) {
-      files.push_back({worker.socket(), static_cast<short>(worker.is_busy() ? POLLIN : 0), 0});
+      // Of one that is not busy nothing is to be heard, not even that it has ended.
+      files.push_back({worker.is_busy() ? worker.socket() : -1, POLLIN, 0});
     }
     if (poll(files.data(), files.size(), kMilliseconds) <= 0) return;
     std::vector<std::pair<std::size_t, Outcome>> ended;

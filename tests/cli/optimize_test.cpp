@@ -297,8 +297,8 @@ TEST_CASE("a bad problem file is one line with its place and what is accepted", 
 
 TEST_CASE("the cam shape of any size is certified at the true optimum", "[program]") {
   const Json shape = json_of({"reproduce", "cam-shape", "--n", "400", "--json"});
-  for (const char* key : {"n", "printed", "objective", "true_optimum", "max_violation", "verdict",
-                          "iterations"}) {
+  for (const char* key :
+       {"n", "printed", "objective", "true_optimum", "max_violation", "verdict", "iterations"}) {
     INFO(key);
     CHECK(shape.contains(key));
   }

@@ -88,7 +88,7 @@ void check_memory(long step) {
   const std::string command =
       "camlaw optimize problems/spine_cutter/least_radius.toml --out found >said";
   const long calls = calls_of(folder, "memory", command);
-  const std::string result = read(folder / "found/result.json");
+  const Json whole = Json::parse(read(folder / "found/result.json"));
   const long before_main = calls_of(folder, "memory", "camlaw --version >said");
   REQUIRE(calls > 2 * before_main);
   for (long at = before_main; at <= calls; at += step) {
@@ -99,7 +99,10 @@ void check_memory(long step) {
     if (ended.status != 0 && ended.status != kAborted) check_complaint(ended);
     const bool written = fs::exists(folder / "found/result.json");
     CHECK((ended.status != 0 || written));
-    if (written) CHECK(read(folder / "found/result.json") == result);
+    if (!written) continue;
+    const Json said = Json::parse(read(folder / "found/result.json"));
+    if (said.at("verdict") == whole.at("verdict")) CHECK(said == whole);
+    if (ended.status == 0) CHECK(said == whole);
   }
 }
 
