@@ -59,7 +59,7 @@ std::string limits(int count, bool front = false) {
       "[variables.rise_angle]\nlower = 90\nupper = 150\n"
       "[variables.base_radius]\nlower = 5\nupper = 200\nstart = 60\n";
   text += front ? "[[objectives]]\nminimize = \"base_radius\"\n[[objectives]]\n"
-                  "minimize = \"rise_angle\"\n"
+                  "minimize = \"highest undercut\"\n"
                 : "[objective]\nminimize = \"base_radius\"\n";
   for (int i = 0; i < count; ++i) {
     text +=
