@@ -70,7 +70,7 @@ TEST_CASE("a search whose proof or sizes would go on is ended there too", "[opti
   CHECK(is_feasible(free.assessment));
   const int whole = count;
   REQUIRE(whole > 10);
-  for (most = 1; most < whole; most += std::max(1, whole / 40)) {
+  for (most = 1; most < whole; most += std::max(1, whole / 10)) {
     INFO(most << " of " << whole);
     const Found found = search();
     REQUIRE(found.x.size() == 4);
