@@ -51,7 +51,7 @@ TEST_CASE("an interruptible problem is the same to the bit until it throws", "[o
   CHECK_THROWS_AS(sizes(problem, problem.start()), Interrupted);
 }
 
-TEST_CASE("a search whose proof or sizes would go on is ended there too", "[optimise]") {
+TEST_CASE("a search whose proof or sizes would go on is ended there too", "[optimise][heavy]") {
   // The flag is set at every number of evaluations in turn: wherever the search is, it comes back
   // with a design, and asks no more of the model than a look at what it has.
   std::atomic<bool> stop = false;
@@ -70,7 +70,7 @@ TEST_CASE("a search whose proof or sizes would go on is ended there too", "[opti
   CHECK(is_feasible(free.assessment));
   const int whole = count;
   REQUIRE(whole > 10);
-  for (most = 1; most < whole; most += std::max(1, whole / 10)) {
+  for (most = 1; most < whole; most += std::max(1, whole / 4)) {
     INFO(most << " of " << whole);
     const Found found = search();
     REQUIRE(found.x.size() == 4);
