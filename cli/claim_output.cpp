@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "cli/printing.h"
 #include "cli/version_text.h"
 #include "problems/results/judged_design.h"
@@ -23,10 +21,10 @@ ClaimReview reviewed(const problems::ReadDesign& read) {
   return {problems::record_notes(read, short_version()), problems::differences(read)};
 }
 
-std::string review_text(const ClaimReview& review) {
+std::string record_text(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& words : review.words()) {
-    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), words);
+  for (const std::string& sentence : words) {
+    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), sentence);
   }
   return text;
 }

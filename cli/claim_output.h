@@ -24,8 +24,8 @@ struct ClaimReview {
 /// Of a problem file nothing.
 ClaimReview reviewed(const problems::ReadDesign& read);
 
-/// A line each; empty where there is nothing to say.
-std::string review_text(const ClaimReview& review);
+/// What is to be said of a record, a line each; empty where there is nothing to say.
+std::string record_text(const std::vector<std::string>& words);
 Json review_json(const ClaimReview& review);
 /// The same on standard error, for commands whose output is for other programs.
 void say_review(const std::string& file, const ClaimReview& review);

@@ -180,7 +180,7 @@ void run_evaluate(const EvaluateOptions& options, int& status) {
     print_data(to_json(statement, responses, limits, warnings, review).dump(2) + "\n");
   } else {
     print_evaluation(statement, responses, limits, warnings);
-    print_text(review_text(review));
+    print_text(record_text(review.words()));
   }
   write_files(files);
   if (options.json) return;

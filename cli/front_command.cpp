@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
@@ -145,7 +146,7 @@ void run_front(const FrontCommand& options, int& status) {
     print_data(object.dump(2) + "\n");
     return;
   }
-  print_text(points.empty() ? front_text(answer) : notes_text(answer));
+  print_text(points.empty() ? front_text(answer) : record_text(answer.notes));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [name, point] = points[i];
     say("{}: {}", name, point_text(answer, point));

@@ -17,8 +17,6 @@ std::string front_csv(const FrontAnswer& answer);
 /// Empty of panels unless there are two or three objectives.
 Figure front_figure(const FrontAnswer& answer);
 
-/// What is to be said of the record that a front was read from: a line for each note.
-std::string notes_text(const FrontAnswer& answer);
 /// One design of the front in full, and what the next tenth of each objective costs.
 std::string point_text(const FrontAnswer& answer, std::size_t point);
 Json point_json(const FrontAnswer& answer, std::size_t point);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/claim_output.h"
 #include "cli/front_output.h"
-#include "cli/printing.h"
 #include "cli/text_table.h"
 #include "cli/warnings.h"
 
@@ -176,7 +176,7 @@ std::string work_text(const FrontAnswer& answer) {
     text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
   }
   text += warnings_text(answer.warnings);
-  text += notes_text(answer);
+  text += record_text(answer.notes);
   if (front.stopped) {
     text += "the study is not finished; --resume goes on with it\n";
   } else if (!front.complete) {
@@ -187,14 +187,6 @@ std::string work_text(const FrontAnswer& answer) {
 }
 
 }  // namespace
-
-std::string notes_text(const FrontAnswer& answer) {
-  std::string text;
-  for (const std::string& note : answer.notes) {
-    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
-  }
-  return text;
-}
 
 std::string front_summary(const FrontAnswer& answer) {
   return measures_text(answer) + knee_text(answer) + "\n" + work_text(answer);

@@ -132,8 +132,8 @@ int workers_with_room(const ParetoCommand& options, const problems::FrontStudy& 
   const double allowed = memory_of(options.limits);
   const optim::MultiSpace& space = study.space();
   const optim::Problem one = space.problem(space.options(0)).alone(0);
-  optim::check_memory(one, allowed);
-  const double room = std::floor(allowed / std::max(optim::memory_need(one).bytes, 1.0));
+  const optim::MemoryNeed need = optim::check_memory(one, allowed);
+  const double room = std::floor(allowed / std::max(need.bytes, 1.0));
   return static_cast<int>(std::min<double>(workers_of(options), room));
 }
 
@@ -167,7 +167,7 @@ int run_pareto(const ParetoCommand& options) {
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
-  if (path) keep_apart(*path, options.out ? possible : std::vector<fs::path>{});
+  if (path && options.out) keep_apart(*path, possible);
   if (options.out) check_writable(possible);
   const int workers = workers_with_room(options, study);
   const Interruptible interruptible;

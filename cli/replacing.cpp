@@ -95,12 +95,8 @@ void remove_folders(const std::vector<fs::path>& outermost_first) {
   for (std::size_t i = outermost_first.size(); i-- > 0;) fs::remove(outermost_first[i], ignored);
 }
 
-}  // namespace
-
-void fail_to_write(const fs::path& path, const std::string& reason) {
-  throw std::runtime_error(fmt::format("cannot write '{}': {}", path.string(), reason));
-}
-
+/// Makes a folder with those above it; returns those that were not there, outermost first. Where
+/// one cannot be made it throws std::runtime_error naming `wanted_for`, and makes none.
 std::vector<fs::path> make_folders(const fs::path& folder, const fs::path& wanted_for) {
   std::vector<fs::path> made;
   try {
@@ -110,6 +106,12 @@ std::vector<fs::path> make_folders(const fs::path& folder, const fs::path& wante
     throw;
   }
   return made;
+}
+
+}  // namespace
+
+void fail_to_write(const fs::path& path, const std::string& reason) {
+  throw std::runtime_error(fmt::format("cannot write '{}': {}", path.string(), reason));
 }
 
 Replacing::Replacing() {

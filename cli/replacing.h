@@ -13,11 +13,6 @@ namespace camlaw::cli {
 /// Throws std::runtime_error: "cannot write 'PATH': REASON".
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, const std::string& reason);
 
-/// Makes a folder with those above it; returns those that were not there, outermost first. Where
-/// one cannot be made it throws std::runtime_error naming `wanted_for`, and makes none.
-std::vector<std::filesystem::path> make_folders(const std::filesystem::path& folder,
-                                                const std::filesystem::path& wanted_for);
-
 /// New contents of files. Each is written to a file of its own beside its place, under a name that
 /// nobody can foresee (it is opened only where there is none, and no link is followed), and flushed
 /// to the disk. commit() then renames all of them into place; where that fails for one, those

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/law_json.h"
@@ -47,9 +48,7 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
                         limit.proved ? "" : "  (not proved)");
   }
   text += warnings_text(warnings_of(read.statement)) + "\n";
-  for (const std::string& note : problems::record_notes(read, short_version())) {
-    text += fmt::format("{}: {}\n", shaded("record", Shade::Bad), note);
-  }
+  text += record_text(problems::record_notes(read, short_version()));
   for (const std::string& what : verified.not_judged) text += fmt::format("not judged: {}\n", what);
   if (verified.disagreements.empty()) return text + "the claim holds\n";
   text += "the claim does not hold\n";

@@ -49,4 +49,9 @@ inline std::string read(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// Makes them a file.
+inline void write(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
 }  // namespace camlaw::testing

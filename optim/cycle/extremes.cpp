@@ -149,19 +149,26 @@ std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) 
   return found;
 }
 
-Extreme highest(const Trace& trace, double sign) {
-  const auto found = local_maxima(trace, sign);
-  return *std::max_element(found.begin(), found.end(), [&](const Extreme& a, const Extreme& b) {
+Extreme highest_of(const std::vector<Extreme>& maxima, double sign) {
+  return *std::max_element(maxima.begin(), maxima.end(), [&](const Extreme& a, const Extreme& b) {
     return sign * a.value < sign * b.value;
   });
 }
 
-Extreme extreme_of(const Trace& trace, Part part) {
-  if (part == Part::Lowest) return highest(trace, -1);
-  const Extreme high = highest(trace, 1);
+Extreme highest(const Trace& trace, double sign) {
+  return highest_of(local_maxima(trace, sign), sign);
+}
+
+Extreme extreme_of(Part part, const std::function<Extreme(double sign)>& highest) {
+  if (part == Part::Lowest) return highest(-1);
+  const Extreme high = highest(1);
   if (part != Part::Magnitude || std::isnan(high.value)) return high;
-  const Extreme low = highest(trace, -1);
+  const Extreme low = highest(-1);
   return -low.value > high.value ? low : high;
+}
+
+Extreme extreme_of(const Trace& trace, Part part) {
+  return extreme_of(part, [&](double sign) { return highest(trace, sign); });
 }
 
 namespace {

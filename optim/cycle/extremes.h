@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "optim/problem/problem.h"
@@ -21,12 +22,17 @@ struct Extreme {
 /// first is returned alone.
 std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples = 256);
 
+/// The first of the highest of sign * value.
+Extreme highest_of(const std::vector<Extreme>& maxima, double sign);
+
 /// The highest of sign * curve among local_maxima.
 Extreme highest(const Trace& trace, double sign);
 
 /// What a part of a curve is taken at: its highest place, its lowest, or of the two that of the
 /// larger |value| (Magnitude; the value keeps its sign).
 Extreme extreme_of(const Trace& trace, Part part);
+/// The same, of what is known to be highest(sign).
+Extreme extreme_of(Part part, const std::function<Extreme(double sign)>& highest);
 
 /// A peak and whether intervals prove it.
 struct ProvedExtreme {

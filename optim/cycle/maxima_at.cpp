@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/cycle/maxima_at.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camlaw::optim {
-
-Extreme highest_of(const std::vector<Extreme>& maxima, double sign) {
-  return *std::max_element(maxima.begin(), maxima.end(), [&](const Extreme& a, const Extreme& b) {
-    return sign * a.value < sign * b.value;
-  });
-}
 
 const Trace& MaximaAt::trace(const Curve& curve) {
   auto& trace = traces_[&curve];
@@ -30,11 +21,7 @@ Extreme MaximaAt::highest(const Curve& curve, double sign) {
 }
 
 Extreme MaximaAt::extreme_of(const Curve& curve, Part part) {
-  if (part == Part::Lowest) return highest(curve, -1);
-  const Extreme high = highest(curve, 1);
-  if (part != Part::Magnitude || std::isnan(high.value)) return high;
-  const Extreme low = highest(curve, -1);
-  return -low.value > high.value ? low : high;
+  return optim::extreme_of(part, [&](double sign) { return highest(curve, sign); });
 }
 
 }  // namespace camlaw::optim

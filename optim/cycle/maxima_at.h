@@ -10,9 +10,6 @@
 
 namespace camlaw::optim {
 
-/// The first of the highest of sign * value.
-Extreme highest_of(const std::vector<Extreme>& maxima, double sign);
-
 /// Where curves are highest at one design, each looked at once: many limits may be on one curve.
 class MaximaAt {
  public:

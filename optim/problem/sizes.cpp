@@ -49,6 +49,14 @@ double magnitude(const Response& response, MaximaAt& maxima, Design x,
   return sum;
 }
 
+/// Zero where there are no values.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// What typical changes make of responses at one design and about it.
 class Changes {
  public:
@@ -72,10 +80,7 @@ class Changes {
       const double change = typical_change(response, x, scales_);
       if (change > 0 && std::isfinite(change)) changes.push_back(change);
     }
-    if (changes.empty()) return 0;
-    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
-    std::nth_element(changes.begin(), middle, changes.end());
-    return *middle;
+    return median(std::move(changes));
   }
 
   /// How large a curve is: its highest |value| at the design or, where that is more, the median of
@@ -87,13 +92,7 @@ class Changes {
       const double value = magnitude(curve, there, x, own);
       if (std::isfinite(value)) values.push_back(value);
     }
-    double usual = 0;
-    if (!values.empty()) {
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-      std::nth_element(values.begin(), middle, values.end());
-      usual = *middle;
-    }
-    return std::max(usual, or_zero(magnitude(curve, here, about_, own)));
+    return std::max(median(std::move(values)), or_zero(magnitude(curve, here, about_, own)));
   }
 
   double at_design(const Response& response) const {

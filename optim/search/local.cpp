@@ -18,8 +18,8 @@
 namespace camlaw::optim {
 namespace {
 
-/// What a limit's tolerance hangs on, and nothing else: every size but those of the variables is 1.
-/// For a design that is looked at when there is no time left for more.
+/// What a limit's tolerance depends on, and nothing else: every size but those of the variables
+/// is 1. For a design that is looked at when there is no time left for more.
 Sizes hasty_sizes(const Problem& problem, Design about) {
   Sizes result;
   result.variables = typical_scales(problem, about);
@@ -398,10 +398,11 @@ class Search {
     prove_best();
   }
 
-  bool has_numbers() const {
-    return !found_.x.empty() && std::isfinite(found_.assessment.objective.value) &&
-           !std::isinf(worst_violation(found_.assessment.limits));
+  static bool are_numbers(const Assessment& a) {
+    return std::isfinite(a.objective.value) && !std::isinf(worst_violation(a.limits));
   }
+
+  bool has_numbers() const { return !found_.x.empty() && are_numbers(found_.assessment); }
 
   /// Where the model gives no number at any start: a design within the limits that are numbers
   /// everywhere, such as those of validity, and a search from there. Where there is none, the
@@ -428,11 +429,6 @@ class Search {
                                            undefined_at(original_, valid.x, "the nearest design"));
   }
 
-  bool has_numbers_at(Design x) const {
-    const Assessment there = assess(problem_, sizes(problem_, x), x, false);
-    return std::isfinite(there.objective.value) && !std::isinf(worst_violation(there.limits));
-  }
-
   /// Where no limit tells where the model gives numbers: from the first places of the box at which
   /// it does, evenly spread or by orders of magnitude.
   void seek_numbers_all_over() {
@@ -443,9 +439,10 @@ class Search {
     for (std::size_t i = 1; i < even.size(); ++i) {
       for (const auto* places : {&by_magnitude, &even}) {
         if (searched == kEnough || deadline_.passed()) return;
-        if (!has_numbers_at((*places)[i])) continue;
+        const std::vector<double>& x = (*places)[i];
+        if (!are_numbers(assess_in_haste(problem_, hasty_sizes(problem_, x), x))) continue;
         ++searched;
-        search_from((*places)[i]);
+        search_from(x);
       }
     }
   }

@@ -103,9 +103,9 @@ MemoryNeed memory_need(const Problem& problem) {
           fmt::format("{} and {:.0f} rows of limits", variables_text(problem), extent.rows)};
 }
 
-void check_memory(const Problem& problem, double allowed) {
-  const MemoryNeed need = memory_need(problem);
-  if (need.bytes <= allowed) return;
+MemoryNeed check_memory(const Problem& problem, double allowed) {
+  MemoryNeed need = memory_need(problem);
+  if (need.bytes <= allowed) return need;
   throw MemoryRefusal(fmt::format("the search needs about {} for {}; {} may be taken",
                                   memory_text(need.bytes), need.of, memory_text(allowed)));
 }

@@ -24,8 +24,8 @@ struct MemoryNeed {
 /// (docs/optimisation.md, "Memory"). Beside the program's own.
 MemoryNeed memory_need(const Problem& problem);
 
-/// Throws MemoryRefusal where a search needs more than is allowed, in bytes.
-void check_memory(const Problem& problem, double allowed);
+/// The same. Throws MemoryRefusal where that is more than is allowed, in bytes.
+MemoryNeed check_memory(const Problem& problem, double allowed);
 
 /// "6.2 GB"
 std::string memory_text(double bytes);

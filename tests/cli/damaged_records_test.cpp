@@ -7,9 +7,12 @@
 
 #include "problems/results/judged_design.h"
 #include "tests/cli/program_runner.h"
+#include "tests/flipped.h"
 
 namespace camlaw::cli {
 namespace {
+
+using testing::flipped, testing::write;
 
 const std::string kProblems = std::string(CAMLAW_SOURCE_DIR) + "/problems/";
 const std::string kCam = kProblems + "cams/roller_least_base.toml";
@@ -19,17 +22,6 @@ constexpr int kFlips = 100;
 #else
 constexpr int kFlips = 1000;
 #endif
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-std::string flipped(std::string bytes, std::mt19937_64& random) {
-  const std::uint64_t bit = random() % (8 * bytes.size());
-  char& byte = bytes[bit / 8];
-  byte = static_cast<char>(byte ^ (1 << bit % 8));
-  return bytes;
-}
 
 /// What came of a file with a flipped bit.
 struct Tally {

@@ -23,9 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-using testing::Folder, testing::read;
-
-void write(const fs::path& path, const std::string& content) { std::ofstream(path) << content; }
+using testing::Folder, testing::read, testing::write;
 
 using Names = std::set<std::string>;
 

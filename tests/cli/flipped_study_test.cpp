@@ -7,23 +7,15 @@
 
 #include "cli/front_output.h"
 #include "problems/statement/file_text.h"
+#include "tests/flipped.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::cli {
 namespace {
 
+using testing::flipped, testing::write;
+
 constexpr int kFlips = 1000;
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
-std::string flipped(std::string bytes, std::mt19937_64& random) {
-  const std::uint64_t bit = random() % (8 * bytes.size());
-  char& byte = bytes[bit / 8];
-  byte = static_cast<char>(byte ^ (1 << bit % 8));
-  return bytes;
-}
 
 void make_study(const std::string& path) {
   const std::string file = std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml";

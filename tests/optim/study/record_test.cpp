@@ -25,11 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using testing::Folder, testing::read;
-
-void write(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
+using testing::Folder, testing::read, testing::write;
 
 const StudySettings kSettings{{"problem", "a = 1\n\"ü\"\n"}, {"points", "12"}, {"empty", ""}};
 
