@@ -110,8 +110,8 @@ std::string motion_text(const MotionFit& fit) {
   if (!fit.distrust.empty()) {
     text += fmt::format("not to be trusted: {}\n", fit.distrust);
   } else if (!fit.as_good.empty()) {
-    text +=
-        fmt::format("as good for all that the samples tell: {}\n", fmt::join(fit.as_good, ", "));
+    text += fmt::format("as good for all that the samples tell: {}\n",
+                        problems::first_laws(fit.as_good));
   }
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);

@@ -56,20 +56,17 @@ bool is_hardly_skewed(const LawFit& a, const LawFit& b) {
 
 AsGood as_good(const std::vector<LawFit>& ranking) {
   constexpr double kEnough = 0.9995, kTold = 0.99;
-  constexpr std::size_t kMost = 12;
   AsGood result;
   double sum = ranking.front().weight;
   for (std::size_t i = 1; i < ranking.size() && sum < kEnough; ++i) {
+    const double before = sum;
     sum += ranking[i].weight;
     const auto is_same = [&](std::size_t k) {
       const LawFit &known = ranking[k], &other = ranking[i];
       return same_motion(known.law, other.law) || is_hardly_skewed(known, other);
     };
     if (is_same(0) || std::any_of(result.fits.begin(), result.fits.end(), is_same)) continue;
-    if (result.fits.size() == kMost) {
-      result.is_cut = sum - ranking[i].weight < kTold;
-      break;
-    }
+    if (result.fits.size() == kFewLaws) result.is_told = before >= kTold;
     result.fits.push_back(i);
   }
   return result;

@@ -16,12 +16,14 @@ void weigh(std::vector<LawFit>& fits);
 void put_in_order(std::vector<LawFit>& fits);
 
 /// Other motions that may be behind the samples too, the likeliest first: of the fits in order, the
-/// first left out, as few as hold all but a two-thousandth of the weight with it,
-/// twelve at the most. `is_cut`: those leave a hundredth and more to others.
+/// first left out, as few as hold all but a two-thousandth of the weight with it.
+/// `is_told`: the first kFewLaws of them leave less than a hundredth to the rest.
 struct AsGood {
   std::vector<std::size_t> fits;
-  bool is_cut = false;
+  bool is_told = true;
 };
+/// With more laws than these the samples do not tell the law; a line of text names no more.
+inline constexpr std::size_t kFewLaws = 12;
 AsGood as_good(const std::vector<LawFit>& ranking);
 
 /// Intervals of begin, end, stroke and zero of the first fit as they are after the choice: of the

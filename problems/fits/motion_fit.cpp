@@ -79,11 +79,10 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   const bool is_drawn =
       options.loss == optim::Loss::None && draws(far_off_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
-  if (fit.is_cut) {
-    return fmt::format(
-        "noise of {} does not tell the law: {}, {} and more may be behind the samples",
-        quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
-        fmt::join(fit.as_good, ", "));
+  if (!fit.is_told) {
+    return fmt::format("noise of {} does not tell the law: {}, {} may be behind the samples",
+                       quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
+                       first_laws(fit.as_good));
   }
   return "";
 }
@@ -116,6 +115,12 @@ void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
 
 }  // namespace
 
+std::string first_laws(const std::vector<std::string>& names) {
+  const std::size_t shown = std::min(names.size(), kFewLaws);
+  const std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  return shown == names.size() ? text : fmt::format("{} and {} more", text, names.size() - shown);
+}
+
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options) {
   MotionFit result{motion, rank_fits(motion.samples, laws, motion.guess, options)};
@@ -128,7 +133,7 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   result.far_off = far_off_of(result, kListed);
   const AsGood others = as_good(result.ranking);
   for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
-  result.is_cut = others.is_cut;
+  result.is_told = others.is_told;
   profile_likely(motion, options, result.ranking);
   widen(result.ranking, options.confidence);
   result.distrust = distrust_of(result, options);

@@ -17,7 +17,7 @@ struct MotionFit {
   FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
   /// Other motions that may be behind the samples, the likeliest first.
   std::vector<std::string> as_good = {};
-  bool is_cut = false;  ///< those that are listed leave much to others
+  bool is_told = true;  ///< the first kFewLaws of these leave hardly anything to the rest
   /// Why the first should not be taken for the law behind the samples; empty where it may.
   std::string distrust = {};
   /// Where no law follows the samples: a smoothing spline through them, as a law of the stretch
@@ -30,5 +30,8 @@ struct MotionFit {
 /// Throws std::invalid_argument where none of the laws can be fitted.
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options = {});
+
+/// The first kFewLaws names for a line of text, and how many more there are.
+std::string first_laws(const std::vector<std::string>& names);
 
 }  // namespace camlaw::problems
