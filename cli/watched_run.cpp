@@ -15,57 +15,57 @@
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/printing.h"
-#include "optim/study/worker_process.h"
+#include "optim/study/child_process.h"
+#include "optim/study/messages.h"
 
 namespace camlaw::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Messages are a head and its bytes.
-enum class Kind : std::uint32_t { Best, Last, Answers, BadInput, Failure };
-struct Head {
-  Kind kind;
-  std::uint32_t options;  ///< of a candidate: how many choices
-  std::uint64_t bytes;
-};
+/// A message is its kind and what it says.
+enum class Kind : char { Best, Last, Answers, BadInput, Failure };
 
-void tell(int pipe, Kind kind, std::uint32_t options, std::string_view bytes) {
-  const Head head{kind, options, bytes.size()};
-  std::string text(sizeof head, '\0');
-  std::memcpy(text.data(), &head, sizeof head);
-  text += bytes;
-  for (std::string_view left = text; !left.empty();) {
-    const ssize_t written = write(pipe, left.data(), left.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return;  // nobody listens
-    left.remove_prefix(static_cast<std::size_t>(written));
-  }
+/// Where nobody listens nothing is said.
+void tell(int socket, Kind kind, std::string_view says) {
+  optim::send_message(socket, std::string(1, static_cast<char>(kind)).append(says));
 }
 
-template <class T>
-void append(std::string& bytes, const std::vector<T>& values) {
-  for (const T& value : values) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    bytes.append(raw, sizeof(T));
-  }
+/// A number of choices, the choices and the variables.
+std::string encoded(const optim::Candidate& candidate) {
+  std::string bytes;
+  const auto append = [&](const auto* values, std::size_t count) {
+    bytes.append(reinterpret_cast<const char*>(values), count * sizeof *values);
+  };
+  const std::size_t choices = candidate.options.size();
+  append(&choices, 1);
+  append(candidate.options.data(), choices);
+  append(candidate.x.data(), candidate.x.size());
+  return bytes;
 }
 
-template <class T>
-std::vector<T> taken(std::string_view bytes) {
-  std::vector<T> values(bytes.size() / sizeof(T));
-  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
-  return values;
+optim::Candidate decoded(std::string_view bytes, bool is_best) {
+  const auto take = [&](auto* values, std::size_t count) {
+    if (count > 0) std::memcpy(values, bytes.data(), count * sizeof *values);
+    bytes.remove_prefix(count * sizeof *values);
+  };
+  std::size_t choices = 0;
+  take(&choices, 1);
+  optim::Candidate candidate{std::vector<std::size_t>(choices), {}, is_best};
+  take(candidate.options.data(), choices);
+  candidate.x.resize(bytes.size() / sizeof(double));
+  take(candidate.x.data(), candidate.x.size());
+  return candidate;
 }
 
 /// The child's part.
-[[noreturn]] void work_and_exit(const std::function<int(const Teller&)>& work, int pipe,
+[[noreturn]] void work_and_exit(const std::function<int(const Teller&)>& work, int socket,
                                 pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kFailed);  // it was gone before that
@@ -74,16 +74,16 @@ std::vector<T> taken(std::string_view bytes) {
   only_ask_to_stop();  // a request to all processes of a group comes twice
   int status = kFailed;
   try {
-    status = work(Teller(pipe));
+    status = work(Teller(socket));
   } catch (const std::invalid_argument& error) {
-    tell(pipe, Kind::BadInput, 0, error.what());
+    tell(socket, Kind::BadInput, error.what());
   } catch (const std::exception& error) {
-    tell(pipe, Kind::Failure, 0, error.what());
+    tell(socket, Kind::Failure, error.what());
   }
   const bool arrived = flush_printed();
   if (!arrived && is_reader_gone()) status = 128 + SIGPIPE;  // as a shell says it
   if (!arrived && !is_reader_gone()) {
-    tell(pipe, Kind::Failure, 0, "cannot write to standard output");
+    tell(socket, Kind::Failure, "cannot write to standard output");
   }
   std::fflush(stderr);
   _exit(status);  // not exit: what else there is to tidy is the parent's
@@ -92,15 +92,15 @@ std::vector<T> taken(std::string_view bytes) {
 /// The parent's part.
 class Parent {
  public:
-  Parent(const Watch& watch, pid_t child, int pipe)
-      : watch_(watch), child_(child), pipe_(pipe), began_(Clock::now()) {}
+  Parent(const Watch& watch, pid_t child, int socket)
+      : watch_(watch), child_(child), socket_(socket), began_(Clock::now()) {}
   Parent(const Parent&) = delete;
   Parent& operator=(const Parent&) = delete;
   ~Parent() {
-    close(pipe_);
+    close(socket_);
     if (child_ <= 0) return;
     kill(child_, SIGKILL);
-    waitpid(child_, nullptr, 0);
+    optim::status_of(child_);
   }
 
   std::variant<int, Unfinished> wait() {
@@ -108,16 +108,12 @@ class Parent {
       answers_ ? pass_on_stop() : look_at_clock();
       if (ended_) break;
     }
-    int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
-    child_ = 0;
+    const int status = optim::status_of(std::exchange(child_, 0));
     if (bad_input_) throw std::invalid_argument(*bad_input_);
     if (failure_) throw std::runtime_error(*failure_);
     if (WIFEXITED(status) && !ended_) return WEXITSTATUS(status);
     if (why_.empty() || answers_) {
-      why_ = fmt::format("the process of the search was ended by signal {} ({})", WTERMSIG(status),
-                         strsignal(WTERMSIG(status)));
+      why_ = optim::how_it_died("the process of the search", status);
     }
     // Part of the answer is out: another beside it would contradict it.
     if (answers_) throw std::runtime_error(why_ + " while it gave its answer");
@@ -156,56 +152,41 @@ class Parent {
   /// Waits a little for what the child tells; false after the last.
   bool read_more() {
     constexpr int kMilliseconds = 20;
-    pollfd file{pipe_, POLLIN, 0};
+    pollfd file{socket_, POLLIN, 0};
     if (poll(&file, 1, kMilliseconds) <= 0) return true;
-    char block[1U << 16U];
-    const ssize_t count = read(pipe_, block, sizeof block);
-    if (count < 0) return errno == EINTR || errno == EAGAIN;
-    bytes_.append(block, static_cast<std::size_t>(count));
-    while (take_message()) {
+    const bool is_open = inbox_.read_some(socket_);
+    for (std::string message; inbox_.take(message);) {
+      take(static_cast<Kind>(message.front()), std::string_view(message).substr(1));
     }
-    return count > 0;
+    return is_open;
   }
 
-  bool take_message() {
-    Head head{};
-    if (bytes_.size() < sizeof head) return false;
-    std::memcpy(&head, bytes_.data(), sizeof head);
-    if (bytes_.size() < sizeof head + head.bytes) return false;
-    const std::string body = bytes_.substr(sizeof head, head.bytes);
-    bytes_.erase(0, sizeof head + head.bytes);
-    take(head, body);
-    return true;
-  }
-
-  void take(const Head& head, const std::string& body) {
-    switch (head.kind) {
+  void take(Kind kind, std::string_view says) {
+    switch (kind) {
       case Kind::Best:
-      case Kind::Last: {
-        const std::size_t options = head.options * sizeof(std::size_t);
-        const std::string_view all = body;
-        optim::Candidate candidate{taken<std::size_t>(all.substr(0, options)),
-                                   taken<double>(all.substr(options)), head.kind == Kind::Best};
-        (candidate.is_best ? best_ : last_) = std::move(candidate);
+        best_ = decoded(says, true);
         break;
-      }
+      case Kind::Last:
+        last_ = decoded(says, false);
+        break;
       case Kind::Answers:
         answers_ = true;
         break;
       case Kind::BadInput:
-        bad_input_ = body;
+        bad_input_ = says;
         break;
       case Kind::Failure:
-        failure_ = body;
+        failure_ = says;
         break;
     }
   }
 
   const Watch& watch_;
   pid_t child_;
-  int pipe_;
+  int socket_;
   Clock::time_point began_;
-  std::string bytes_, why_;
+  optim::Inbox inbox_;
+  std::string why_;
   bool answers_ = false, ended_ = false;
   std::optional<double> asked_at_;
   std::optional<std::string> bad_input_, failure_;
@@ -217,14 +198,10 @@ class Parent {
 double most_late(double limit) { return std::max(1.0, 0.1 * limit); }
 
 void Teller::candidate(const optim::Candidate& candidate) const {
-  std::string bytes;
-  append(bytes, candidate.options);
-  append(bytes, candidate.x);
-  tell(pipe_, candidate.is_best ? Kind::Best : Kind::Last,
-       static_cast<std::uint32_t>(candidate.options.size()), bytes);
+  tell(socket_, candidate.is_best ? Kind::Best : Kind::Last, encoded(candidate));
 }
 
-void Teller::answers() const { tell(pipe_, Kind::Answers, 0, {}); }
+void Teller::answers() const { tell(socket_, Kind::Answers, {}); }
 
 std::variant<int, Unfinished> watched(const Watch& watch,
                                       const std::function<int(const Teller&)>& work) {
@@ -232,23 +209,23 @@ std::variant<int, Unfinished> watched(const Watch& watch,
   if (!optim::has_one_thread()) return work(Teller(kNobody));
   flush_printed();
   std::fflush(stderr);
-  int ends[2];
   const auto fail = [] {
     throw std::runtime_error(
         fmt::format("a process for the search cannot be started: {}", std::strerror(errno)));
   };
-  if (pipe(ends) != 0) fail();
+  const optim::SocketEnds ends = optim::new_socket();
+  if (ends.mine < 0) fail();
   const pid_t self = getpid(), child = fork();
   if (child < 0) {
-    close(ends[0]), close(ends[1]);
+    close(ends.mine), close(ends.its);
     fail();
   }
   if (child == 0) {
-    close(ends[0]);
-    work_and_exit(work, ends[1], self);
+    close(ends.mine);
+    work_and_exit(work, ends.its, self);
   }
-  close(ends[1]);
-  return Parent(watch, child, ends[0]).wait();
+  close(ends.its);
+  return Parent(watch, child, ends.mine).wait();
 }
 
 }  // namespace camlaw::cli

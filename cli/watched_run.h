@@ -25,13 +25,13 @@ struct Watch {
 /// What the child tells its parent.
 class Teller {
  public:
-  explicit Teller(int pipe) : pipe_(pipe) {}
+  explicit Teller(int socket) : socket_(socket) {}
   void candidate(const optim::Candidate& candidate) const;
   /// The answer is about to be printed: from now on the child is not ended.
   void answers() const;
 
  private:
-  int pipe_;
+  int socket_;
 };
 
 /// The child was ended, or died.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -35,6 +36,21 @@ Response with_curve(const Response& response, More&&... more) {
   auto curve = std::get<std::shared_ptr<const Curve>>(response.measure);
   return {response.name, response.unit,
           std::make_shared<C>(std::move(curve), std::forward<More>(more)...)};
+}
+
+/// Each curve of a problem once made into make(curve): limits on one curve go on sharing it.
+template <class Make>
+void replace_curves(Problem& problem, const Make& make) {
+  std::map<const Curve*, std::shared_ptr<const Curve>> made;
+  const auto replace = [&](Response& response) {
+    if (!response.is_curve()) return;
+    auto& curve = std::get<std::shared_ptr<const Curve>>(response.measure);
+    auto& its = made[curve.get()];
+    if (!its) its = make(curve);
+    curve = its;
+  };
+  replace(problem.objective.response);
+  for (Constraint& c : problem.constraints) replace(c.response);
 }
 
 }  // namespace camlaw::optim

@@ -95,20 +95,9 @@ Response remembered(const Response& response) {
 }
 
 Problem remembered(Problem problem) {
-  std::map<const Curve*, Response> known;
-  const auto make = [&](Response& response) {
-    if (!response.is_curve()) return;
-    const auto found = known.find(&response.curve());
-    if (found != known.end()) {
-      response.measure = found->second.measure;
-      return;
-    }
-    const Curve* curve = &response.curve();
-    response = remembered(response);
-    known.emplace(curve, response);
-  };
-  make(problem.objective.response);
-  for (Constraint& c : problem.constraints) make(c.response);
+  replace_curves(problem, [](const std::shared_ptr<const Curve>& curve) {
+    return std::make_shared<RememberedCurve>(curve);
+  });
   return problem;
 }
 

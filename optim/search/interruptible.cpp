@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/interruptible.h"
 
-#include <map>
 #include <utility>
 
 #include "optim/cycle/forwarding_curve.h"
@@ -129,16 +128,11 @@ bool is_interruption(const std::exception_ptr& error) {
 }
 
 Problem interruptible(Problem problem, const Deadline& deadline) {
-  std::map<const Curve*, std::shared_ptr<const Curve>> known;  // limits may share a curve
+  replace_curves(problem, [&](const std::shared_ptr<const Curve>& curve) {
+    return std::make_shared<InterruptibleCurve>(curve, deadline);
+  });
   const auto make = [&](Response& response) {
-    if (!response.is_curve()) {
-      response.measure = interruptible(response.function(), deadline);
-      return;
-    }
-    auto& curve = std::get<std::shared_ptr<const Curve>>(response.measure);
-    auto& own = known[curve.get()];
-    if (!own) own = std::make_shared<InterruptibleCurve>(curve, deadline);
-    curve = own;
+    if (!response.is_curve()) response.measure = interruptible(response.function(), deadline);
   };
   make(problem.objective.response);
   for (Constraint& c : problem.constraints) make(c.response);

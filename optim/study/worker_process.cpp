@@ -5,17 +5,15 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
+#include "optim/study/child_process.h"
 #include "optim/study/encoding.h"
 #include "optim/study/serve.h"
 
@@ -27,14 +25,10 @@ namespace {
       fmt::format("a worker cannot be started: {}: {}", what, std::strerror(error)));
 }
 
-struct Ends {
-  int mine, its;
-};
-
-Ends new_socket() {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("no socket", errno);
-  return {ends[0], ends[1]};
+SocketEnds new_ends() {
+  const SocketEnds ends = new_socket();
+  if (ends.mine < 0) fail("no socket", errno);
+  return ends;
 }
 
 /// The standard input of the program is the socket; no other file of this process goes to it but
@@ -54,32 +48,7 @@ pid_t spawned(const std::string& path, int socket) {
   return -1;
 }
 
-std::string how_it_died(const char* process, int status) {
-  if (WIFSIGNALED(status)) {
-    return fmt::format("{} was killed by signal {} ({})", process, WTERMSIG(status),
-                       strsignal(WTERMSIG(status)));
-  }
-  return fmt::format("{} ended by itself with status {}", process, WEXITSTATUS(status));
-}
-
-int status_of(pid_t process) {
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
 }  // namespace
-
-bool has_one_thread() {
-  std::error_code error;
-  std::size_t count = 0;
-  for (std::filesystem::directory_iterator at("/proc/self/task", error), end;
-       !error && at != end && count < 2; at.increment(error)) {
-    ++count;
-  }
-  return !error && count == 1;
-}
 
 WorkerProcess::WorkerProcess(pid_t process, int socket, bool forked)
     : process_(process), socket_(socket), forked_(forked), ready_(forked) {}
@@ -113,7 +82,7 @@ void WorkerProcess::end() {
 
 WorkerProcess WorkerProcess::forked(const MultiSpace& space,
                                     const std::vector<WorkerProcess>& others) {
-  const Ends ends = new_socket();
+  const SocketEnds ends = new_ends();
   const pid_t parent = getpid(), process = fork();
   if (process < 0) {
     const int error = errno;
@@ -133,7 +102,7 @@ WorkerProcess WorkerProcess::forked(const MultiSpace& space,
 }
 
 WorkerProcess WorkerProcess::started(const WorkerProgram& program) {
-  const Ends ends = new_socket();
+  const SocketEnds ends = new_ends();
   const pid_t process = spawned(program.path, ends.its);
   const int error = errno;
   close(ends.its);

@@ -18,10 +18,6 @@ struct WorkerProgram {
   std::string problem;  ///< the study's problem, as the program takes it
 };
 
-/// Whether this process has one thread: only then may it be forked. What another thread has locked
-/// (of the allocator, of a library) would stay locked in the child for ever.
-bool has_one_thread();
-
 /// A process that carries tasks out, one at a time. It ends with this object.
 class WorkerProcess {
  public:

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "optim/study/child_process.h"
+
 namespace camlaw::optim {
 
 /// The tasks of one run: which wait, which are done.

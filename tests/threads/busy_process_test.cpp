@@ -12,6 +12,7 @@
 
 #include "optim/library_mutex.h"
 #include "optim/solvers/exit_guard.h"
+#include "optim/study/child_process.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/units.h"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "optim/study/child_process.h"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace camlaw::optim {
+
+bool has_one_thread() {
+  std::error_code error;
+  std::size_t count = 0;
+  for (std::filesystem::directory_iterator at("/proc/self/task", error), end;
+       !error && at != end && count < 2; at.increment(error)) {
+    ++count;
+  }
+  return !error && count == 1;
+}
+
+SocketEnds new_socket() {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return {};
+  return {ends[0], ends[1]};
+}
+
+int status_of(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+std::string how_it_died(std::string_view process, int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("{} was killed by signal {} ({})", process, WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("{} ended by itself with status {}", process, WEXITSTATUS(status));
+}
+
+}  // namespace camlaw::optim
