@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/next_step.h"
 #include "cli/optimum_output.h"
 #include "cli/printing.h"
@@ -72,7 +71,7 @@ class Variants {
   problems::BoundProblem bound_;
 };
 
-void run_check(const CheckOptions& options, int& status) {
+int run_check(const CheckOptions& options) {
   const auto statement = problems::read_problem_file(options.file);
   std::optional<Variants> variants;
   if (statement.objectives.empty() && (options.derivatives || options.scaling)) {
@@ -87,32 +86,38 @@ void run_check(const CheckOptions& options, int& status) {
   print_text(problems::in_words(statement));
   print_text(warnings_text(doubts_of(statement)));
   if (options.scaling) say("\n{}", scaling_text(variants->problem(0)));
-  if (!options.derivatives) return say_next(search_command(statement, options.file));
+  if (!options.derivatives) {
+    say_next(search_command(statement, options.file));
+    return kDone;
+  }
   say("\n");
   bool agrees = true;
   for (std::size_t i = 0; i < variants->size(); ++i) {
     agrees = check_problem(variants->problem(i), variants->label(i)) && agrees;
   }
-  if (!agrees) status = kFailed;
+  return agrees ? kDone : kFailed;
 }
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("check", "Check a problem file and say it in words");
+Command check_command() {
   const auto options = std::make_shared<CheckOptions>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")
-      ->required()
-      ->type_name(takes::kFile);
-  add_switch(*command, "--derivatives", options->derivatives,
-             "compare every derivative with differences");
-  add_switch(*command, "--scaling", options->scaling,
-             "show what variables and limits are divided by");
-  add_examples(*command, {{"camlaw check problems/cams/roller_least_base.toml",
-                           "the file said back in words, every name and unit checked"},
-                          {"camlaw check problems/spine_cutter/least_force.toml --derivatives",
-                           "and its derivatives against differences"}});
-  command->callback([options, &status] { run_check(*options, status); });
+  return {.name = "check",
+          .help = "Check a problem file and say it in words",
+          .options = {problem_file(options->file),
+                      {"--derivatives",
+                       &options->derivatives,
+                       {},
+                       "compare every derivative with differences"},
+                      {"--scaling",
+                       &options->scaling,
+                       {},
+                       "show what variables and limits are divided by"}},
+          .examples = {{"camlaw check problems/cams/roller_least_base.toml",
+                        "the file said back in words, every name and unit checked"},
+                       {"camlaw check problems/spine_cutter/least_force.toml --derivatives",
+                        "and its derivatives against differences"}},
+          .run = [options] { return run_check(*options); }};
 }
 
 }  // namespace camlaw::cli

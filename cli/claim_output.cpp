@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/command.h"
 #include "cli/printing.h"
 #include "cli/version_text.h"
 #include "problems/results/judged_design.h"
@@ -20,6 +21,8 @@ std::vector<std::string> ClaimReview::words() const {
 ClaimReview reviewed(const problems::ReadDesign& read) {
   return {problems::record_notes(read, short_version()), problems::differences(read)};
 }
+
+int status_of(const ClaimReview& review) { return review.differences.empty() ? kDone : kNotSolved; }
 
 std::string record_text(const std::vector<std::string>& words) {
   std::string text;

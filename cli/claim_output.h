@@ -24,6 +24,9 @@ struct ClaimReview {
 /// Of a problem file nothing.
 ClaimReview reviewed(const problems::ReadDesign& read);
 
+/// An ExitStatus: kNotSolved where numbers are not the design's.
+int status_of(const ClaimReview& review);
+
 /// What is to be said of a record, a line each; empty where there is nothing to say.
 std::string record_text(const std::vector<std::string>& words);
 Json review_json(const ClaimReview& review);

@@ -12,7 +12,6 @@
 #include "cli/commands.h"
 #include "cli/cycle_figure.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
@@ -162,13 +161,13 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
   return files;
 }
 
-void run_evaluate(const EvaluateOptions& options, int& status) {
+int run_evaluate(const EvaluateOptions& options) {
   keep_standard_output({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
   keep_inputs(read);
   const ClaimReview review = reviewed(read);
-  if (!review.differences.empty()) status = kNotSolved;
+  const int status = status_of(review);
   ProblemStatement statement = read.statement;
   problems::set_values(statement, options.settings);
   const auto responses = problems::evaluate(statement);
@@ -183,43 +182,43 @@ void run_evaluate(const EvaluateOptions& options, int& status) {
     print_text(record_text(review.words()));
   }
   write_files(files);
-  if (options.json) return;
+  if (options.json) return status;
   say_written(files);
   const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
   if (!met && !read.verdict) say_next(search_command(statement, options.file));
+  return status;
 }
 
 }  // namespace
 
-void add_evaluate_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("evaluate", "Compute every response of a problem file's design");
+Command evaluate_command() {
   const auto options = std::make_shared<EvaluateOptions>();
-  command
-      ->add_option("FILE", options->file,
-                   "a problem file, or a result of optimize, whose numbers are compared")
-      ->required()
-      ->type_name(takes::kFile);
-  add_set_option(*command, options->settings);
-  command->add_option("--curves", options->curves, "write every curve over the cycle to this CSV")
-      ->type_name(takes::kFile);
-  command->add_option("--svg", options->svg, "draw every curve over the cycle to this SVG")
-      ->type_name(takes::kFile);
-  command
-      ->add_option("--profile", options->profile,
-                   "draw the cam's profile, pitch curve and way of the tool to this SVG")
-      ->type_name(takes::kFile);
-  add_switch(*command, "--json", options->json, "print JSON");
-  add_examples(
-      *command,
-      {{"camlaw evaluate problems/cams/roller_least_base.toml",
-        "every response at the file's own values, and how the limits stand"},
-       {"camlaw evaluate problems/cams/roller_least_base.toml --set 'roller_radius=12 mm' "
-        "--profile profile.svg",
-        "another roller, and the cam drawn"},
-       {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg curves.svg",
-        "every curve over the cycle, with the profile's coordinates"}});
-  command->callback([options, &status] { run_evaluate(*options, status); });
+  return {
+      .name = "evaluate",
+      .help = "Compute every response of a problem file's design",
+      .options = {{.names = "FILE",
+                   .target = &options->file,
+                   .takes = takes::kFile,
+                   .help = "a problem file, or a result of optimize, whose numbers are compared",
+                   .required = true},
+                  set_option(options->settings),
+                  {"--curves", &options->curves, takes::kFile,
+                   "write every curve over the cycle to this CSV"},
+                  {"--svg", &options->svg, takes::kFile,
+                   "draw every curve over the cycle to this SVG"},
+                  {"--profile", &options->profile, takes::kFile,
+                   "draw the cam's profile, pitch curve and path of the tool to this SVG"},
+                  json_switch(options->json)},
+      .examples =
+          {{"camlaw evaluate problems/cams/roller_least_base.toml",
+            "every response at the file's own values, and how the limits stand"},
+           {"camlaw evaluate problems/cams/roller_least_base.toml --set 'roller_radius=12 mm' "
+            "--profile profile.svg",
+            "another roller, and the cam drawn"},
+           {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg "
+            "curves.svg",
+            "every curve over the cycle, with the profile's coordinates"}},
+      .run = [options] { return run_evaluate(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -12,7 +12,6 @@
 #include "cli/export_options.h"
 #include "cli/export_output.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/printing.h"
 #include "cli/terminal.h"
@@ -184,7 +183,7 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
       file));
 }
 
-void run_export(const ExportOptions& options, int& status) {
+int run_export(const ExportOptions& options) {
   keep_standard_output({options.out});
   const FormatRow& format = format_of(options);
   check_options(options, format);
@@ -193,7 +192,6 @@ void run_export(const ExportOptions& options, int& status) {
   problems::ReadDesign design = problems::read_design_file(options.file);
   keep_inputs(design);
   const ClaimReview review = reviewed(design);
-  if (!review.differences.empty()) status = kNotSolved;
   say_review(options.file, review);
   problems::set_values(design.statement, options.settings);
   Exported e{.design = design,
@@ -206,28 +204,30 @@ void run_export(const ExportOptions& options, int& status) {
   const std::string text = content(options, format, e);
   if (!options.out) {
     print_data(text);
-    return;
+    return status_of(review);
   }
   write_out({}, {{*options.out, text}}, false);
-  if (is_quiet()) return;
-  for (const std::string& line : curve_lines(e)) say("{}\n", line);
-  say_written({{*options.out, ""}});
+  if (!is_quiet()) {
+    for (const std::string& line : curve_lines(e)) say("{}\n", line);
+    say_written({{*options.out, ""}});
+  }
+  return status_of(review);
 }
 
 }  // namespace
 
-void add_export_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "export", "Write a cam's curves, its motion or its law for drawing, cutting and control");
+Command export_command() {
   const auto options = std::make_shared<ExportOptions>();
-  add_export_options(*command, *options);
-  add_examples(*command,
-               {{"camlaw export problems/cams/roller_least_base.toml --format dxf --out cam.dxf",
-                 "the profile as a drawing for CAD"},
-                {"camlaw export problems/cams/roller_least_base.toml --format table --step '1 deg' "
-                 "--out table.csv",
-                 "a table, degree by degree"}});
-  command->callback([options, &status] { run_export(*options, status); });
+  return {.name = "export",
+          .help = "Write a cam's curves, its motion or its law for drawing, cutting and control",
+          .options = export_options(*options),
+          .examples =
+              {{"camlaw export problems/cams/roller_least_base.toml --format dxf --out cam.dxf",
+                "the profile as a drawing for CAD"},
+               {"camlaw export problems/cams/roller_least_base.toml --format table --step '1 deg' "
+                "--out table.csv",
+                "a table, degree by degree"}},
+          .run = [options] { return run_export(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/commands.h"
 #include "cli/files.h"
 #include "problems/exports/plane_curve.h"
 #include "problems/statement/solver_settings.h"
@@ -155,45 +154,41 @@ std::optional<double> tool_radius(const ExportOptions& o) {
   return quantity(o.tool, "--tool", "mm", 0, 1e-3, 1e6);
 }
 
-void add_export_options(CLI::App& command, ExportOptions& o) {
-  command
-      .add_option("FILE", o.file,
-                  "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'")
-      ->required();
-  command
-      .add_option("--format", o.format,
-                  "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, "
-                  "motion and law), gcode (way of the tool), table (master and slave for a "
-                  "controller, PLC or servo drive); without it the ending of --out decides")
-      ->type_name(format_words());
-  command.add_option("--out", o.out, "write to this file; else to standard output");
-  command
-      .add_option("--curve", o.curve,
-                  "profile, second-profile (of conjugate cams), pitch, cutter (middle of the "
-                  "tool) or all; by default all, for gcode cutter")
-      ->type_name(curve_words());
-  command.add_option("--tolerance", o.tolerance,
-                     "how far the exact curve may be from what is written; by default 0.01 mm");
-  command.add_option("--step", o.step,
-                     "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a "
-                     "table the master's step, by default a 360th of the cycle");
-  command
-      .add_option("--as", o.form,
-                  "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by "
-                  "default spline for dxf, arcs for gcode, else lines")
-      ->type_name(one_of(
-          {name_of(CurveForm::Lines), name_of(CurveForm::Arcs), name_of(CurveForm::Spline)}));
-  command.add_option("--decimals", o.decimals,
-                     "of coordinates and table values, 1 to 9; by default 6, for gcode 4");
-  command.add_option("--tool", o.tool,
-                     "radius of a tool, for cams without a cutter_radius of their own");
-  command.add_option("--feed", o.feed, "gcode: by default '100 mm/min'");
-  command.add_option("--clearance", o.clearance, "gcode: Z of free moves, by default '5 mm'");
-  command.add_option("--depth", o.depth, "gcode: the cut is so far below Z = 0, by default '0 mm'");
-  command.add_option("--slave", o.slave,
-                     "table: the curve that the slave follows; by default displacement, else the "
-                     "law");
-  add_set_option(command, o.settings);
+std::vector<Option> export_options(ExportOptions& o) {
+  return {
+      {.names = "FILE",
+       .target = &o.file,
+       .takes = takes::kFile,
+       .help = "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'",
+       .required = true},
+      {"--format", &o.format, format_words(),
+       "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, motion and "
+       "law), gcode (path of the tool), table (master and slave for a controller, PLC or servo "
+       "drive); without it the ending of --out decides"},
+      {"--out", &o.out, takes::kFile, "write to this file; else to standard output"},
+      {"--curve", &o.curve, curve_words(),
+       "profile, second-profile (of conjugate cams), pitch, cutter (middle of the tool) or all; by "
+       "default all, for gcode cutter"},
+      {"--tolerance", &o.tolerance, takes::kText,
+       "how far the exact curve may be from what is written; by default 0.01 mm"},
+      {"--step", &o.step, takes::kText,
+       "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a table the "
+       "master's step, by default a 360th of the cycle"},
+      {"--as", &o.form,
+       one_of({name_of(CurveForm::Lines), name_of(CurveForm::Arcs), name_of(CurveForm::Spline)}),
+       "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by default "
+       "spline for dxf, arcs for gcode, else lines"},
+      {"--decimals", &o.decimals, takes::kNumber,
+       "of coordinates and table values, 1 to 9; by default 6, for gcode 4"},
+      {"--tool", &o.tool, takes::kText,
+       "radius of a tool, for cams without a cutter_radius of their own"},
+      {"--feed", &o.feed, takes::kText, "gcode: by default '100 mm/min'"},
+      {"--clearance", &o.clearance, takes::kText, "gcode: Z of free moves, by default '5 mm'"},
+      {"--depth", &o.depth, takes::kText,
+       "gcode: the cut is so far below Z = 0, by default '0 mm'"},
+      {"--slave", &o.slave, takes::kText,
+       "table: the curve that the slave follows; by default displacement, else the law"},
+      set_option(o.settings)};
 }
 
 }  // namespace camlaw::cli

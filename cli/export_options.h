@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
 #include "problems/exports/exported_curve.h"
 #include "problems/exports/gcode.h"
 
@@ -41,6 +41,6 @@ problems::GcodeSettings gcode_settings(const ExportOptions& options, int decimal
 /// The radius of --tool, mm; none where it is not given.
 std::optional<double> tool_radius(const ExportOptions& options);
 
-void add_export_options(CLI::App& command, ExportOptions& options);
+std::vector<Option> export_options(ExportOptions& options);
 
 }  // namespace camlaw::cli

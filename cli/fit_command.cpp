@@ -11,7 +11,6 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/fit_output.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/printing.h"
@@ -255,81 +254,74 @@ void fit_table(const FitCommand& options) {
   }
 }
 
-void run_fit(const FitCommand& options) {
+int run_fit(const FitCommand& options) {
   if (options.constants.has_value() == options.data.has_value()) {
     throw std::invalid_argument(
         "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
   }
-  const auto work = [](const FitCommand& own) { own.data ? fit_table(own) : fit_constants(own); };
+  const auto work = [](const FitCommand& own) {
+    own.data ? fit_table(own) : fit_constants(own);
+    return int{kDone};
+  };
   const auto limit = time_limit_of(options.limits);
   if (!limit) return work(options);
   const auto ended = watched({limit}, [&](const Teller& teller) {
     FitCommand own = options;
     own.answers = [&teller] { teller.answers(); };
-    work(own);
-    return int{kDone};
+    return work(own);
   });
   if (const auto* unfinished = std::get_if<Unfinished>(&ended)) {
     throw NotSolved(unfinished->why + "; the fit has no answer before its end");
   }
+  return std::get<int>(ended);
 }
 
 }  // namespace
 
-void add_fit_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("fit", "Find the law behind measured samples or printed constants");
+Command fit_command() {
   const auto options = std::make_shared<FitCommand>();
-  command
-      ->add_option("DATA", options->data,
-                   "table with a header: \"angle [deg], lift [mm]\" of a motion, \"angle [deg], "
-                   "radius [mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as "
-                   "\"angle [deg], drive_torque [N m]\"")
-      ->type_name(takes::kFile);
-  command
-      ->add_option("--constants", options->constants,
-                   "what is printed, with its digits: \"B=1.6125, C=4.66\"")
-      ->type_name("NAME=VALUE,...");
-  command->add_option("--law", options->law, "a law whose coefficients are wanted; auto: every law")
-      ->type_name(takes::kLaw);
-  command
-      ->add_option("--mechanism", options->mechanism,
-                   "a problem file, or a mechanism's name: whose curve was recorded, whose "
-                   "variables are unknown, or what runs on a measured cam")
-      ->type_name(takes::kMechanism);
-  command->add_option("--set", options->set, "a value of the machine, such as 'mass=1.2 kg'")
-      ->type_name("NAME=VALUE");
-  command
-      ->add_option("--response", options->response,
-                   "the recorded curve, where several columns could be one")
-      ->type_name("NAME");
-  command
-      ->add_option("--shift", options->shifts,
-                   "what of the record is unknown and fitted along: centre (of a motion or a cam's "
-                   "profile), the zeros of place and value (of a machine's curve)")
-      ->check(CLI::IsMember({"centre", "place", "value"}))
-      ->delimiter(',');
-  command
-      ->add_option("--loss", options->loss,
-                   "how much far-off samples count: none (all alike), huber or cauchy")
-      ->type_name("{none,huber,cauchy}");
-  add_time_limit(*command, options->limits);
-  add_switch(*command, "--json", options->json, "print JSON");
-  command
-      ->add_option(
-          "--out", options->out,
-          "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
-          "cam)")
-      ->type_name(takes::kFolder);
-  add_examples(*command, {{"camlaw fit problems/cams/worn_cam.csv --mechanism disc-cam-roller "
-                           "--set 'roller_radius=8 mm' --out results/worn",
-                           "the motion program behind a worn cam, dwells and laws, as files"},
-                          {"camlaw fit problems/cams/recorded_torque.csv --mechanism "
-                           "problems/cams/recorded_torque.toml",
-                           "a machine's unknown sizes, from the torque that was recorded"},
-                          {"camlaw fit --constants \"B=1.6125, C=4.66\" --law polynomial-5",
-                           "the coefficient behind printed constants"}});
-  command->callback([options] { run_fit(*options); });
+  return {
+      .name = "fit",
+      .help = "Find the law behind measured samples or printed constants",
+      .options =
+          {{"DATA", &options->data, takes::kFile,
+            "table with a header: \"angle [deg], lift [mm]\" of a motion, \"angle [deg], radius "
+            "[mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as \"angle [deg], "
+            "drive_torque [N m]\""},
+           {"--constants", &options->constants, "NAME=VALUE,...",
+            "what is printed, with its digits: \"B=1.6125, C=4.66\""},
+           {"--law", &options->law, takes::kLaw,
+            "a law whose coefficients are wanted; auto: every law"},
+           {"--mechanism", &options->mechanism, takes::kMechanism,
+            "a problem file, or a mechanism's name: whose curve was recorded, whose variables are "
+            "unknown, or what runs on a measured cam"},
+           {"--set", &options->set, takes::kSetting,
+            "a value of the machine, such as 'mass=1.2 kg'"},
+           {"--response", &options->response, "NAME",
+            "the recorded curve, where several columns could be one"},
+           {.names = "--shift",
+            .target = &options->shifts,
+            .takes = "{centre,place,value}",
+            .help =
+                "what of the record is unknown and fitted along: centre (of a motion or a cam's "
+                "profile), the zeros of place and value (of a machine's curve)",
+            .words = {"centre", "place", "value"}},
+           {"--loss", &options->loss, "{none,huber,cauchy}",
+            "how much far-off samples count: none (all alike), huber or cauchy"},
+           time_limit_option(options->limits),
+           json_switch(options->json),
+           {"--out", &options->out, takes::kFolder,
+            "folder for fit.json, fit.svg, law.json (the law's own file) and program.toml (of a "
+            "cam)"}},
+      .examples = {{"camlaw fit problems/cams/worn_cam.csv --mechanism disc-cam-roller "
+                    "--set 'roller_radius=8 mm' --out results/worn",
+                    "the motion program behind a worn cam, dwells and laws, as files"},
+                   {"camlaw fit problems/cams/recorded_torque.csv --mechanism "
+                    "problems/cams/recorded_torque.toml",
+                    "a machine's unknown sizes, from the torque that was recorded"},
+                   {"camlaw fit --constants \"B=1.6125, C=4.66\" --law polynomial-5",
+                    "the coefficient behind printed constants"}},
+      .run = [options] { return run_fit(*options); }};
 }
 
 }  // namespace camlaw::cli

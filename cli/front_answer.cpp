@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/warnings.h"
 
 namespace camlaw::cli {

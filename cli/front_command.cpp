@@ -9,7 +9,6 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/next_step.h"
 #include "cli/printing.h"
@@ -89,7 +88,7 @@ Spread spread_of(const FrontAnswer& answer, const optim::FrontPoint& point,
   return {std::move(tolerances), std::move(report)};
 }
 
-void run_front(const FrontCommand& options, int& status) {
+int run_front(const FrontCommand& options) {
   keep_standard_output({options.csv, options.svg, options.result}, options.json);
   keep_input(options.file);
   optim::StudyRecord record = optim::StudyRecord::read(options.file);
@@ -98,15 +97,14 @@ void run_front(const FrontCommand& options, int& status) {
   const problems::StoredFront stored = problems::stored_front(study, record);
   const optim::Front& front = stored.front;
   const FrontAnswer answer{study, stored};
-  status = stored.faults.empty() ? kDone : kNotSolved;
+  const int status = stored.faults.empty() ? kDone : kNotSolved;
   if (front.points.empty()) {
     if (options.json) {
       print_data(front_json(answer).dump(2) + "\n");
     } else {
       print_text(front_text(answer));
     }
-    status = status_of(front);
-    return;
+    return status_of(front);
   }
   std::vector<OutputFile> files;
   if (options.csv) files.push_back({*options.csv, front_csv(answer)});
@@ -144,7 +142,7 @@ void run_front(const FrontCommand& options, int& status) {
       }
     }
     print_data(object.dump(2) + "\n");
-    return;
+    return status;
   }
   print_text(points.empty() ? front_text(answer) : record_text(answer.notes));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -156,48 +154,47 @@ void run_front(const FrontCommand& options, int& status) {
   }
   say_written(files);
   if (options.result) say_next("export " + shell_word(*options.result));
+  return status;
 }
 
 }  // namespace
 
-void add_front_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("front", "Look at the front that a study has found");
+Command front_command() {
   const auto options = std::make_shared<FrontCommand>();
-  command
-      ->add_option("FILE", options->file,
-                   "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
-                   "named and does not count")
-      ->required()
-      ->type_name(takes::kFile);
-  add_switch(*command, "--knee", options->knee, "the point where the front bends most");
-  command
-      ->add_option("--weights", options->weights,
-                   "the compromise for these weights, one for each objective: 1,2")
-      ->type_name("A,B");
-  command->add_option("--point", options->point, "the point of this number")->type_name("N");
-  add_switch(*command, "--sensitivity", options->sensitivity,
-             "what becomes of the chosen design when it is made with tolerances");
-  command
-      ->add_option("--tolerance", options->tolerances,
-                   "of a variable, name=value; unless stated a hundredth of each value")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
-  command->add_option("--csv", options->csv, "write the front here")->type_name(takes::kFile);
-  command->add_option("--svg", options->svg, "draw it here")->type_name(takes::kFile);
-  command
-      ->add_option("--result", options->result,
+  return {
+      .name = "front",
+      .help = "Look at the front that a study has found",
+      .options = {{.names = "FILE",
+                   .target = &options->file,
+                   .takes = takes::kFile,
+                   .help =
+                       "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
+                       "named and does not count",
+                   .required = true},
+                  {"--knee", &options->knee, {}, "the point where the front bends most"},
+                  {"--weights", &options->weights, "A,B",
+                   "the compromise for these weights, one for each objective: 1,2"},
+                  {"--point", &options->point, takes::kNumber, "the point of this number"},
+                  {"--sensitivity",
+                   &options->sensitivity,
+                   {},
+                   "what becomes of the chosen design when it is made with tolerances"},
+                  {"--tolerance", &options->tolerances, takes::kSetting,
+                   "of a variable, name=value; unless stated a hundredth of each value"},
+                  {"--csv", &options->csv, takes::kFile, "write the front here"},
+                  {"--svg", &options->svg, takes::kFile, "draw it here"},
+                  {"--result", &options->result, takes::kFile,
                    "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
-                   "export'")
-      ->type_name(takes::kFile);
-  add_switch(*command, "--json", options->json, "print JSON");
-  add_examples(*command, {{"camlaw front results/front/study.db", "the points of a study's front"},
-                          {"camlaw front results/front/study.db --knee --sensitivity",
-                           "the design where the front bends most, and what tolerances do to it"},
-                          {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
-                           "a compromise, and the picture"},
-                          {"camlaw front results/front/study.db --knee --result knee.json",
-                           "the design where it bends most, to be drawn and exported"}});
-  command->callback([options, &status] { run_front(*options, status); });
+                   "export'"},
+                  json_switch(options->json)},
+      .examples = {{"camlaw front results/front/study.db", "the points of a study's front"},
+                   {"camlaw front results/front/study.db --knee --sensitivity",
+                    "the design where the front bends most, and what tolerances do to it"},
+                   {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
+                    "a compromise, and the picture"},
+                   {"camlaw front results/front/study.db --knee --result knee.json",
+                    "the design where it bends most, to be drawn and exported"}},
+      .run = [options] { return run_front(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -5,54 +5,38 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace camlaw::cli {
 namespace {
 
-/// What an option takes, without the ranges that CLI11 puts behind it: "INT:INT in [2 - 9]".
-/// Words to choose from are told by themselves: "TEXT:{place,value}".
-std::string takes_of(const CLI::Option& option) {
-  if (option.get_type_size() == 0) return {};
-  const std::string type = option.get_type_name();
-  const std::size_t brace = type.find('{');
-  return brace == std::string::npos ? type.substr(0, type.find(':')) : type.substr(brace);
-}
-
-OptionPage page_of(const CLI::Option& option) {
+OptionPage page_of(const Option& option) {
   OptionPage page{.names = {},
-                  .takes = takes_of(option),
-                  .help = option.get_description(),
-                  .positional = !option.nonpositional(),
-                  .required = option.get_required(),
-                  .repeats = option.get_items_expected_max() > 1};
-  for (const std::string& name : option.get_snames())
-    page.names.push_back(fmt::format("-{}", name));
-  for (const std::string& name : option.get_lnames())
-    page.names.push_back(fmt::format("--{}", name));
-  if (page.positional) page.names = {option.get_name(true)};
+                  .takes = option.takes,
+                  .help = option.help,
+                  .positional = option.is_positional(),
+                  .required = option.required,
+                  .repeats = option.repeats()};
+  std::istringstream names(option.names);
+  for (std::string name; std::getline(names, name, ',');) page.names.push_back(name);
   return page;
 }
 
-CommandPage page_of(const CLI::App& command) {
-  CommandPage page{command.get_name(), command.get_description(), command.get_footer(), {}};
-  for (const CLI::Option* option : command.get_options()) {
-    if (!option->get_group().empty()) page.options.push_back(page_of(*option));
-  }
+OptionPage switch_page(std::vector<std::string> names, const std::string& help) {
+  return {.names = std::move(names), .takes = {}, .help = help};
+}
+
+CommandPage page_of(const Command& command) {
+  CommandPage page{command.name, command.help, {}, command.examples};
+  page.options.push_back(switch_page({"-h", "--help"}, kHelpHelp));
+  for (const Option& option : command.options) page.options.push_back(page_of(option));
+  for (const Option& option : common_options(nullptr)) page.options.push_back(page_of(option));
   std::stable_partition(page.options.begin(), page.options.end(),
                         [](const OptionPage& option) { return option.positional; });
   return page;
 }
 
 }  // namespace
-
-void add_examples(CLI::App& command, const std::vector<Example>& examples) {
-  std::string text = "Examples:\n";
-  for (const Example& example : examples) {
-    text += fmt::format("  {}\n      {}\n", example.line, example.what);
-  }
-  text.pop_back();  // CLI11 ends it
-  command.footer(text);
-}
 
 std::string OptionPage::shown() const {
   const std::string text = positional || takes.empty()
@@ -61,10 +45,20 @@ std::string OptionPage::shown() const {
   return repeats ? text + " ..." : text;
 }
 
-std::vector<CommandPage> command_pages(const CLI::App& app) {
-  std::vector<CommandPage> pages{page_of(app)};
-  for (const CLI::App* command : app.get_subcommands({})) {
-    if (!command->get_group().empty()) pages.push_back(page_of(*command));
+std::string example_lines(const std::vector<Example>& examples) {
+  std::string text;
+  for (const Example& example : examples) {
+    text += fmt::format("  {}\n      {}\n", example.line, example.what);
+  }
+  return text;
+}
+
+std::vector<CommandPage> command_pages(const Program& program) {
+  CommandPage whole = page_of(Command{program.name, program.help, {}, program.examples, {}});
+  whole.options.insert(whole.options.begin() + 1, switch_page({kVersionOption}, kVersionHelp));
+  std::vector<CommandPage> pages{std::move(whole)};
+  for (const Command& command : program.commands) {
+    if (command.is_listed) pages.push_back(page_of(command));
   }
   return pages;
 }

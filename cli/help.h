@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-/// What the program tells of itself: --help, the man page and the shells' completions are all made
-/// from the one tree of commands.
+#include "cli/command_line.h"
+
+/// What the program tells of itself in its manual page and to shells that complete its commands.
 namespace camlaw::cli {
-
-/// A command line that works as it stands in the project's folder, and what it is for.
-struct Example {
-  std::string line, what;
-};
-
-/// Ends the command's --help with examples.
-void add_examples(CLI::App& command, const std::vector<Example>& examples);
-
-/// What an option takes, as --help shows it and as shells complete it; `type_name` of an option is
-/// one of these, or words in braces, "{auto,sweep}".
-namespace takes {
-inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kLaw = "LAW",
-                            *kMechanism = "MECHANISM", *kSolver = "SOLVER", *kSystem = "SYSTEM";
-}
 
 /// An option or a positional argument in words.
 struct OptionPage {
@@ -36,11 +21,15 @@ struct OptionPage {
 };
 
 struct CommandPage {
-  std::string name, help, examples;
+  std::string name, help;
   std::vector<OptionPage> options;  ///< positionals first
+  std::vector<Example> examples;
 };
 
+/// "  LINE\n      WHAT\n" of each.
+std::string example_lines(const std::vector<Example>& examples);
+
 /// The program's own page and, after it, one for each command that --help lists.
-std::vector<CommandPage> command_pages(const CLI::App& app);
+std::vector<CommandPage> command_pages(const Program& program);
 
 }  // namespace camlaw::cli

@@ -8,7 +8,6 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/law_figure.h"
 #include "cli/law_json.h"
@@ -16,6 +15,7 @@
 #include "cli/text_table.h"
 #include "kinematics/limits.h"
 #include "problems/law_files/law_file.h"
+#include "problems/statement/solver_settings.h"
 #include "problems/units.h"
 
 namespace camlaw::cli {
@@ -24,10 +24,16 @@ namespace {
 struct LawOptions {
   std::string name;
   std::vector<std::string> parameters;
-  int samples = 0;
-  std::optional<std::string> csv, svg;
+  std::optional<std::string> samples, csv, svg;
   bool json = false;
 };
+
+/// How many points are wanted; none where that is not said.
+std::optional<int> samples_of(const LawOptions& options) {
+  constexpr int kFewest = 2, kMost = 1000000;
+  if (!options.samples) return {};
+  return static_cast<int>(problems::parse_whole(*options.samples, kFewest, kMost, "--samples"));
+}
 
 /// Reads a parameter's value with its unit.
 double read_quantity(std::string_view text, const Parameter& parameter, const std::string& what) {
@@ -113,16 +119,16 @@ void print_json(const Member& member, const LawOptions& options) {
   object["enclosures"] = enclosures_to_json(peaks(member.law<Interval>()));
   object["pieces"] = pieces_to_json(law);
   std::string text = object.dump(2);
-  if (options.samples == 0) {
+  if (!options.samples) {
     print_data(text + "\n");
     return;
   }
   text.erase(text.rfind('\n'));  // the samples are one more member
   print_data(text + ",\n");
-  print_samples(law, options.samples);
+  print_samples(law, *samples_of(options));
 }
 
-void show_law(const LawOptions& options) {
+int show_law(const LawOptions& options) {
   keep_standard_output({options.csv, options.svg}, options.json);
   keep_input(options.name);
   Member member = problems::find_any_law(options.name, "", read_quantity);
@@ -131,7 +137,7 @@ void show_law(const LawOptions& options) {
   }
   const Law<double> law = member.law();
   constexpr int kStandardSamples = 361;
-  const int samples = options.samples > 0 ? options.samples : kStandardSamples;
+  const int samples = samples_of(options).value_or(kStandardSamples);
   std::vector<OutputFile> files;
   if (options.csv) files.push_back({*options.csv, motion_csv(law, samples)});
   if (options.svg) {
@@ -141,44 +147,42 @@ void show_law(const LawOptions& options) {
   write_files(files);
   if (options.json) {
     print_json(member, options);
-    return;
+    return kDone;
   }
   print_law(member);
-  if (options.samples > 0 && !options.csv) {
+  if (options.samples && !options.csv) {
     print_data("samples\n" + motion_csv(law, samples));
   }
   say_written(files);
+  return kDone;
 }
 
 }  // namespace
 
-void add_law_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("law", "Show one law: peaks, table, curves");
+Command law_command() {
   const auto options = std::make_shared<LawOptions>();
-  command
-      ->add_option("NAME", options->name,
-                   "a name of 'camlaw laws', an alias, NAME k=v ..., or a law's file")
-      ->required()
-      ->type_name(takes::kLaw);
-  command
-      ->add_option("--param", options->parameters,
-                   "set a parameter: k=v, with a unit if it has one")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
-  command->add_option("--samples", options->samples, "tabulate this many even points")
-      ->check(CLI::Range(2, 1000000))
-      ->type_name("N");
-  command->add_option("--csv", options->csv, "write the table (361 points unless --samples) here")
-      ->type_name(takes::kFile);
-  command->add_option("--svg", options->svg, "draw s, v, a, j here")->type_name(takes::kFile);
-  add_switch(*command, "--json", options->json, "print JSON");
-  add_examples(*command, {{"camlaw law modified-sine",
-                           "its peaks, where they are, and to what they are proved"},
-                          {"camlaw law inclined-sinusoid --param 'angle=75 deg' --svg inclined.svg",
-                           "a parameter with its unit; s, v, a and j as a picture"},
-                          {"camlaw law 'modified-sine crossover=0.4' --csv table.csv --samples 721",
-                           "a table for the control or the cam cutter"}});
-  command->callback([options] { show_law(*options); });
+  return {.name = "law",
+          .help = "Show one law: peaks, table, curves",
+          .options = {{.names = "NAME",
+                       .target = &options->name,
+                       .takes = takes::kLaw,
+                       .help = "a name of 'camlaw laws', an alias, NAME k=v ..., or a law's file",
+                       .required = true},
+                      {"--param", &options->parameters, takes::kSetting,
+                       "set a parameter: k=v, with a unit if it has one"},
+                      {"--samples", &options->samples, takes::kNumber,
+                       "tabulate this many even points, 2 to 1000000"},
+                      {"--csv", &options->csv, takes::kFile,
+                       "write the table (361 points unless --samples) here"},
+                      {"--svg", &options->svg, takes::kFile, "draw s, v, a, j here"},
+                      json_switch(options->json)},
+          .examples = {{"camlaw law modified-sine",
+                        "its peaks, where they are, and to what they are proved"},
+                       {"camlaw law inclined-sinusoid --param 'angle=75 deg' --svg inclined.svg",
+                        "a parameter with its unit; s, v, a and j as a picture"},
+                       {"camlaw law 'modified-sine crossover=0.4' --csv table.csv --samples 721",
+                        "a table for the control or the cam cutter"}},
+          .run = [options] { return show_law(*options); }};
 }
 
 }  // namespace camlaw::cli

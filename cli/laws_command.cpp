@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/printing.h"
 #include "cli/text_table.h"
@@ -98,16 +97,25 @@ void print_json() {
 
 }  // namespace
 
-void add_laws_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("laws", "List the motion laws with their constants");
-  const auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
-  CLI::Option* as_json = add_switch(*command, "--json", *json, "print JSON");
-  add_switch(*command, "--markdown", *markdown, "print the page docs/laws.md")->excludes(as_json);
-  add_examples(*command, {{"camlaw laws", "the table of laws and their constants"},
-                          {"camlaw laws --json", "with every digit, formula and source"}});
-  command->callback([json, markdown] {
-    *json ? print_json() : *markdown ? print_markdown() : print_catalogue();
-  });
+Command laws_command() {
+  struct Options {
+    bool json = false, markdown = false;
+  };
+  const auto options = std::make_shared<Options>();
+  return {.name = "laws",
+          .help = "List the motion laws with their constants",
+          .options = {json_switch(options->json),
+                      {.names = "--markdown",
+                       .target = &options->markdown,
+                       .takes = {},
+                       .help = "print the page docs/laws.md",
+                       .excludes = "--json"}},
+          .examples = {{"camlaw laws", "the table of laws and their constants"},
+                       {"camlaw laws --json", "with every digit, formula and source"}},
+          .run = [options] {
+            options->json ? print_json() : options->markdown ? print_markdown() : print_catalogue();
+            return kDone;
+          }};
 }
 
 }  // namespace camlaw::cli

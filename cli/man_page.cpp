@@ -50,7 +50,8 @@ std::string option_list(const CommandPage& page) {
 /// The examples as they stand in --help, without their heading.
 std::string example_list(const CommandPage& page) {
   if (page.examples.empty()) return {};
-  const std::string lines = page.examples.substr(page.examples.find('\n') + 1);
+  std::string lines = example_lines(page.examples);
+  lines.pop_back();  // the last end of a line
   return fmt::format(".PP\nExamples:\n.PP\n.EX\n{}\n.EE\n", roff(lines));
 }
 

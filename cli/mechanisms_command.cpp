@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/printing.h"
 #include "cli/text_table.h"
@@ -152,38 +151,49 @@ void print_markdown() {
   for (const Mechanism& m : problems::mechanisms()) print_markdown(m);
 }
 
+struct MechanismsOptions {
+  std::string name;
+  bool json = false, markdown = false;
+};
+
+int show_mechanisms(const MechanismsOptions& options) {
+  if (options.markdown && !options.name.empty()) {
+    throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
+  }
+  if (options.markdown) {
+    print_markdown();
+  } else if (options.json) {
+    Json all = Json::array();
+    for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
+    const Json wanted =
+        options.name.empty() ? all : json_of(problems::find_mechanism(options.name));
+    print_data(wanted.dump(2) + "\n");
+  } else if (options.name.empty()) {
+    print_all();
+  } else {
+    print_mechanism(problems::find_mechanism(options.name));
+  }
+  return kDone;
+}
+
 }  // namespace
 
-void add_mechanisms_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("mechanisms", "List the mechanisms of problem files");
-  const auto json = std::make_shared<bool>(false);
-  const auto name = std::make_shared<std::string>();
-  command->add_option("NAME", *name, "one mechanism, with its parameters and responses")
-      ->type_name(takes::kMechanism);
-  CLI::Option* as_json = add_switch(*command, "--json", *json, "print JSON");
-  const auto markdown = std::make_shared<bool>(false);
-  add_switch(*command, "--markdown", *markdown, "print the page docs/mechanisms.md")
-      ->excludes(as_json);
-  add_examples(*command, {{"camlaw mechanisms", "what a problem file may be about"},
-                          {"camlaw mechanisms disc-cam-roller",
-                           "its parameters and responses, with units and meanings"}});
-  command->callback([json, markdown, name] {
-    if (*markdown && !name->empty()) {
-      throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
-    }
-    if (*markdown) {
-      print_markdown();
-    } else if (*json) {
-      Json all = Json::array();
-      for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
-      const Json wanted = name->empty() ? all : json_of(problems::find_mechanism(*name));
-      print_data(wanted.dump(2) + "\n");
-    } else if (name->empty()) {
-      print_all();
-    } else {
-      print_mechanism(problems::find_mechanism(*name));
-    }
-  });
+Command mechanisms_command() {
+  const auto options = std::make_shared<MechanismsOptions>();
+  return {.name = "mechanisms",
+          .help = "List the mechanisms of problem files",
+          .options = {{"NAME", &options->name, takes::kMechanism,
+                       "one mechanism, with its parameters and responses"},
+                      json_switch(options->json),
+                      {.names = "--markdown",
+                       .target = &options->markdown,
+                       .takes = {},
+                       .help = "print the page docs/mechanisms.md",
+                       .excludes = "--json"}},
+          .examples = {{"camlaw mechanisms", "what a problem file may be about"},
+                       {"camlaw mechanisms disc-cam-roller",
+                        "its parameters and responses, with units and meanings"}},
+          .run = [options] { return show_mechanisms(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -22,22 +22,34 @@ std::string script(const std::string& shell, const std::vector<CommandPage>& pag
 
 }  // namespace
 
-void add_completion_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("completion", "Print the script with which a shell completes commands");
+Command completion_command() {
   const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "bash, zsh or fish")
-      ->required()
-      ->type_name("{bash,zsh,fish}");
-  add_examples(*command, {{"camlaw completion bash > camlaw.bash",
-                           "source that file, or put it where bash looks for completions"}});
-  command->callback([shell, &app] { print_data(script(*shell, command_pages(app))); });
+  return {.name = "completion",
+          .help = "Print the script with which a shell completes commands",
+          .options = {{.names = "SHELL",
+                       .target = shell.get(),
+                       .takes = "{bash,zsh,fish}",
+                       .help = "bash, zsh or fish",
+                       .required = true}},
+          .examples = {{"camlaw completion bash > camlaw.bash",
+                        "source that file, or put it where bash looks for completions"}},
+          .run = [shell] {
+            print_data(script(*shell, command_pages(camlaw_program())));
+            return kDone;
+          }};
 }
 
-void add_man_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("man", "Print the manual page");
-  command->group("");  // for the build, and not listed
-  command->callback([&app] { print_data(man_page(command_pages(app), short_version())); });
+Command man_command() {
+  return {.name = "man",
+          .help = "Print the manual page",
+          .options = {},
+          .examples = {},
+          .run =
+              [] {
+                print_data(man_page(command_pages(camlaw_program()), short_version()));
+                return kDone;
+              },
+          .is_listed = false};
 }
 
 }  // namespace camlaw::cli

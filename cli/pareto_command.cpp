@@ -10,7 +10,6 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/front_output.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/next_step.h"
@@ -199,42 +198,36 @@ int run_pareto(const ParetoCommand& options) {
 
 }  // namespace
 
-void add_pareto_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("pareto", "Find the front of a problem file with two objectives or more");
+Command pareto_command() {
   const auto options = std::make_shared<ParetoCommand>();
-  command->add_option("FILE", options->file, "the problem file (TOML)")
-      ->required()
-      ->type_name(takes::kFile);
-  add_set_option(*command, options->settings);
-  command->add_option("--points", options->points, "how many designs, 50 unless stated")
-      ->type_name("N");
-  command
-      ->add_option("--method", options->method,
-                   "auto, sweep (searches by gradients) or nsga2, polished by gradients")
-      ->type_name("{auto,sweep,nsga2}");
-  command
-      ->add_option("--workers", options->workers,
-                   "processes at work at a time; the answer does not depend on them")
-      ->type_name("N");
-  command->add_option("--db", options->db, "record the study in this file")
-      ->type_name(takes::kFile);
-  add_switch(*command, "--resume", options->resume,
-             "go on with the study of --db; what is damaged or wrong in it is solved again");
-  add_time_limit(*command, options->limits);
-  add_memory_limit(*command, options->limits);
-  add_switch(*command, "--json", options->json, "print JSON");
-  command
-      ->add_option("--out", options->out,
-                   "folder for front.json, front.csv, front.svg and, without --db, study.db")
-      ->type_name(takes::kFolder);
-  add_examples(
-      *command,
-      {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",
-        "the front of cam radius and force, with pictures and the study's file"},
-       {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front --resume",
-        "more points of the same study: what it has is not searched again"}});
-  command->callback([options, &status] { status = run_pareto(*options); });
+  return {
+      .name = "pareto",
+      .help = "Find the front of a problem file with two objectives or more",
+      .options = {problem_file(options->file),
+                  set_option(options->settings),
+                  {"--points", &options->points, takes::kNumber,
+                   "how many designs, 50 unless stated"},
+                  {"--method", &options->method, "{auto,sweep,nsga2}",
+                   "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
+                  {"--workers", &options->workers, takes::kNumber,
+                   "processes at work at a time; the answer does not depend on them"},
+                  {"--db", &options->db, takes::kFile, "record the study in this file"},
+                  {"--resume",
+                   &options->resume,
+                   {},
+                   "go on with the study of --db; what is damaged or wrong in it is solved again"},
+                  time_limit_option(options->limits),
+                  memory_option(options->limits),
+                  json_switch(options->json),
+                  {"--out", &options->out, takes::kFolder,
+                   "folder for front.json, front.csv, front.svg and, without --db, study.db"}},
+      .examples =
+          {{"camlaw pareto problems/spine_cutter/front.toml --points 12 --out results/front",
+            "the front of cam radius and force, with pictures and the study's file"},
+           {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front "
+            "--resume",
+            "more points of the same study: what it has is not searched again"}},
+      .run = [options] { return run_pareto(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -9,7 +9,6 @@
 #include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/printing.h"
 #include "cli/report/report.h"
@@ -50,44 +49,49 @@ problems::ReadDesign with_settings(const problems::ReadDesign& read,
   return changed;
 }
 
-ReportPage design_page(const std::string& input, const std::vector<std::string>& settings,
-                       int& status) {
+/// A page, and whether what it tells of a file was found as it is claimed there.
+struct JudgedPage {
+  ReportPage page;
+  int status;
+};
+
+JudgedPage design_page(const std::string& input, const std::vector<std::string>& settings) {
   problems::ReadDesign read = problems::read_design_file(input);
   keep_inputs(read);
   const ClaimReview review = reviewed(read);
-  if (!review.differences.empty()) status = kNotSolved;
   say_review(input, review);
   if (!settings.empty()) read = with_settings(read, settings);
   Facts facts = read.verdict ? facts_of(input) : Facts{};
-  return design_report(
-      {.read = std::move(read), .file = input, .facts = std::move(facts), .review = review});
+  return {
+      design_report(
+          {.read = std::move(read), .file = input, .facts = std::move(facts), .review = review}),
+      status_of(review)};
 }
 
-ReportPage study_page(const std::string& file, int& status) {
+JudgedPage study_page(const std::string& file) {
   optim::StudyRecord record = optim::StudyRecord::read(file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   keep_inputs(study.bound().statement());
   const problems::StoredFront stored = problems::stored_front(study, record);
-  if (!stored.faults.empty()) status = kNotSolved;
   for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
   if (stored.front.points.empty()) {
     throw std::invalid_argument(
         fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));
   }
-  return front_report(FrontAnswer{study, stored}, file);
+  return {front_report(FrontAnswer{study, stored}, file),
+          stored.faults.empty() ? kDone : kNotSolved};
 }
 
-ReportPage page_of(const std::string& input, const std::vector<std::string>& settings,
-                   int& status) {
+JudgedPage page_of(const std::string& input, const std::vector<std::string>& settings) {
   const std::string extension = ending_of(input);
   if (extension == ".db" && !settings.empty()) {
     throw std::invalid_argument(
         "--set: a study's designs are what they are; pareto takes --set, and report with a problem "
         "file or a result");
   }
-  if (extension == ".db") return study_page(input, status);
+  if (extension == ".db") return study_page(input);
   if (extension == ".toml" || extension == ".json" || input == kStandardStream)
-    return design_page(input, settings, status);
+    return design_page(input, settings);
   throw std::invalid_argument(fmt::format(
       "{}: a report is made of a problem file (.toml), a result (.json) or a study (.db)", input));
 }
@@ -101,7 +105,7 @@ void check_ending(const std::filesystem::path& output) {
       output.string()));
 }
 
-void run_report(const ReportOptions& options, int& status) {
+int run_report(const ReportOptions& options) {
   keep_standard_output({options.output});
   if (options.input == kStandardStream && !options.output) {
     throw std::invalid_argument("a report of standard input needs the page's name, --out FILE");
@@ -112,35 +116,33 @@ void run_report(const ReportOptions& options, int& status) {
   keep_input(options.input);
   check_writable({output});
   check_ending(output);
-  const std::vector<OutputFile> files{
-      {output, page_html(page_of(options.input, options.settings, status))}};
+  const JudgedPage judged = page_of(options.input, options.settings);
+  const std::vector<OutputFile> files{{output, page_html(judged.page)}};
   write_files(files);
   say_written(files);
+  return judged.status;
 }
 
 }  // namespace
 
-void add_report_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "report", "Write a page for the browser about a design or a front: one HTML file");
+Command report_command() {
   const auto options = std::make_shared<ReportOptions>();
-  command
-      ->add_option(
-          "INPUT", options->input,
-          "a problem file (.toml), at its own values, a result of 'camlaw optimize' (.json) or a "
-          "study of 'camlaw pareto' (.db)")
-      ->required()
-      ->type_name(takes::kFile);
-  add_set_option(*command, options->settings);
-  command
-      ->add_option("-o,--out", options->output,
-                   "the HTML file; else beside the input, under its name")
-      ->type_name(takes::kFile);
-  add_examples(*command, {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
-                           "the design at the file's own values, on one page"},
-                          {"camlaw report results/front/study.db -o front.html",
-                           "the front of a study, after 'camlaw pareto'"}});
-  command->callback([options, &status] { run_report(*options, status); });
+  return {.name = "report",
+          .help = "Write a page for the browser about a design or a front: one HTML file",
+          .options = {{.names = "INPUT",
+                       .target = &options->input,
+                       .takes = takes::kFile,
+                       .help = "a problem file (.toml), at its own values, a result of 'camlaw "
+                               "optimize' (.json) or a study of 'camlaw pareto' (.db)",
+                       .required = true},
+                      set_option(options->settings),
+                      {"-o,--out", &options->output, takes::kFile,
+                       "the HTML file; else beside the input, under its name"}},
+          .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
+                        "the design at the file's own values, on one page"},
+                       {"camlaw report results/front/study.db -o front.html",
+                        "the front of a study, after 'camlaw pareto'"}},
+          .run = [options] { return run_report(*options); }};
 }
 
 }  // namespace camlaw::cli

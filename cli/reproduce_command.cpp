@@ -7,7 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/printing.h"
 #include "cli/progress_line.h"
@@ -15,6 +14,7 @@
 #include "cli/text_table.h"
 #include "problems/cam_shape/solve.h"
 #include "problems/reproduction.h"
+#include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -145,33 +145,37 @@ void run_cam_shape(int n, bool json) {
       solved.wall_s);
 }
 
-/// What used to reproduce and no longer does.
-void print_worsened(const std::vector<SystemReproduction>& results, int& status) {
+/// What used to reproduce and no longer does; whether there is any of it.
+bool warn_of_worsened(const std::vector<SystemReproduction>& results) {
+  bool any = false;
   for (const SystemReproduction& result : results) {
     for (const std::string& text : problems::worsened(result)) {
-      status = kFailed;
+      any = true;
       warn(text);
     }
   }
+  return any;
 }
 
 struct ReproduceOptions {
   std::vector<std::string> names;
   bool json = false;
-  std::optional<int> n;
-  std::optional<std::string> report;
+  std::optional<std::string> n, report;
 };
 
 /// The one case that --n asks for.
-void run_size(const ReproduceOptions& options) {
+int run_size(const ReproduceOptions& options) {
   if (options.names.size() != 1 || options.names.front() != "cam-shape") {
     throw std::invalid_argument("--n is for cam-shape alone: camlaw reproduce cam-shape --n 1000");
   }
   if (options.report) throw std::invalid_argument("--report goes with tables, not with --n");
-  run_cam_shape(*options.n, options.json);
+  const auto n =
+      problems::parse_whole(*options.n, problems::kLeastCamShape, problems::kMostCamShape, "--n");
+  run_cam_shape(static_cast<int>(n), options.json);
+  return kDone;
 }
 
-void run_reproduce(const ReproduceOptions& options, int& status) {
+int run_reproduce(const ReproduceOptions& options) {
   if (options.n) return run_size(options);
   std::vector<std::string> names = options.names;
   const bool json = options.json;
@@ -207,29 +211,27 @@ void run_reproduce(const ReproduceOptions& options, int& status) {
     write_files({{*options.report, page_html(reproduction_report(results))}});
     if (!json) say_written({{*options.report, ""}});
   }
-  print_worsened(results, status);
+  return warn_of_worsened(results) ? kFailed : kDone;
 }
 
 }  // namespace
 
-void add_reproduce_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("reproduce", "Compute published tables again and explain the differences");
+Command reproduce_command() {
   const auto options = std::make_shared<ReproduceOptions>();
-  command->add_option("SYSTEM", options->names, "systems to reproduce (all, if none is named)")
-      ->type_name(takes::kSystem);
-  add_switch(*command, "--json", options->json, "print JSON");
-  command->add_option("--n", options->n, "cam-shape: solve it for this many radii instead")
-      ->type_name("N");
-  command
-      ->add_option("--report", options->report,
-                   "write the tables as a page for the browser to this HTML file")
-      ->type_name(takes::kFile);
-  add_examples(*command,
-               {{"camlaw reproduce spine-cutter",
-                 "the printed numbers, which agree, and what is behind those that do not"},
-                {"camlaw reproduce cam-shape --n 1000", "one case of the COPS cam, of any size"}});
-  command->callback([options, &status] { run_reproduce(*options, status); });
+  return {.name = "reproduce",
+          .help = "Compute published tables again and explain the differences",
+          .options = {{"SYSTEM", &options->names, takes::kSystem,
+                       "systems to reproduce (all, if none is named)"},
+                      json_switch(options->json),
+                      {"--n", &options->n, takes::kNumber,
+                       "cam-shape: solve it for this many radii instead"},
+                      {"--report", &options->report, takes::kFile,
+                       "write the tables as a page for the browser to this HTML file"}},
+          .examples = {{"camlaw reproduce spine-cutter",
+                        "the printed numbers, which agree, and what is behind those that do not"},
+                       {"camlaw reproduce cam-shape --n 1000",
+                        "one case of the COPS cam, of any size"}},
+          .run = [options] { return run_reproduce(*options); }};
 }
 
 }  // namespace camlaw::cli

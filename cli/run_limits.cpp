@@ -100,19 +100,15 @@ double free_of_address_space() {
 
 }  // namespace
 
-void add_time_limit(CLI::App& command, RunLimits& limits) {
-  command
-      .add_option("--time-limit", limits.time_limit,
-                  "such as 30, \"30 s\" or \"1 min\": the best so far is the answer then")
-      ->type_name("TIME");
+Option time_limit_option(RunLimits& limits) {
+  return {"--time-limit", &limits.time_limit, "TIME",
+          "such as 30, \"30 s\" or \"1 min\": the best so far is the answer then"};
 }
 
-void add_memory_limit(CLI::App& command, RunLimits& limits) {
-  command
-      .add_option("--memory", limits.memory,
-                  "what the search may take, such as \"4 GB\"; by default what the machine has "
-                  "free. A problem that needs more is refused")
-      ->type_name("SIZE");
+Option memory_option(RunLimits& limits) {
+  return {"--memory", &limits.memory, "SIZE",
+          "what the search may take, such as \"4 GB\"; by default what the machine has free. A "
+          "problem that needs more is refused"};
 }
 
 std::optional<double> time_limit_of(const RunLimits& limits) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 
 /// What a command that searches may take: time and memory.
 namespace camlaw::cli {
@@ -20,8 +20,9 @@ struct NotSolved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void add_time_limit(CLI::App& command, RunLimits& limits);
-void add_memory_limit(CLI::App& command, RunLimits& limits);
+/// --time-limit, --memory.
+Option time_limit_option(RunLimits& limits);
+Option memory_option(RunLimits& limits);
 
 /// Seconds of --time-limit; none where it is not given. Throws std::invalid_argument.
 std::optional<double> time_limit_of(const RunLimits& limits);

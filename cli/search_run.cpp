@@ -223,29 +223,21 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   return give(optimum);
 }
 
-void add_search_options(CLI::App& command, SearchOptions& options, const std::string& files) {
-  command.add_option("FILE", options.file, "the problem file (TOML)")
-      ->required()
-      ->type_name(takes::kFile);
-  add_set_option(command, options.settings);
-  command
-      .add_option("--solver", options.solver,
-                  fmt::format("auto, {}", fmt::join(optim::solver_names(), ", ")))
-      ->type_name(takes::kSolver);
-  command
-      .add_option("--starts", options.starts,
-                  fmt::format("how many places to search from, 1 to {}; by default 1 where "
-                              "the problem is convex or the solver global, else 8",
-                              problems::kMostStarts))
-      ->type_name("N");
-  command
-      .add_option("--seed", options.seed,
-                  "for starts and for methods that draw numbers; a whole number from 0")
-      ->type_name("N");
-  add_time_limit(command, options.limits);
-  add_memory_limit(command, options.limits);
-  add_switch(command, "--json", options.json, "print JSON");
-  command.add_option("--out", options.out, "folder for " + files)->type_name(takes::kFolder);
+std::vector<Option> search_options(SearchOptions& options, const std::string& files) {
+  return {problem_file(options.file),
+          set_option(options.settings),
+          {"--solver", &options.solver, takes::kSolver,
+           fmt::format("auto, {}", fmt::join(optim::solver_names(), ", "))},
+          {"--starts", &options.starts, takes::kNumber,
+           fmt::format("how many places to search from, 1 to {}; by default 1 where the problem is "
+                       "convex or the solver global, else 8",
+                       problems::kMostStarts)},
+          {"--seed", &options.seed, takes::kNumber,
+           "for starts and for methods that draw numbers; a whole number from 0"},
+          time_limit_option(options.limits),
+          memory_option(options.limits),
+          json_switch(options.json),
+          {"--out", &options.out, takes::kFolder, "folder for " + files}};
 }
 
 }  // namespace camlaw::cli

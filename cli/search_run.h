@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "cli/files.h"
 #include "cli/optimum_output.h"
 #include "cli/run_limits.h"
@@ -23,8 +23,8 @@ struct SearchOptions {
   bool json = false;
 };
 
-/// Adds FILE and the options; `files` names what --out writes.
-void add_search_options(CLI::App& command, SearchOptions& options, const std::string& files);
+/// FILE and the options; `files` names what --out writes.
+std::vector<Option> search_options(SearchOptions& options, const std::string& files);
 
 /// What a command makes of an answer.
 struct SearchReport {

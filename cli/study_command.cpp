@@ -7,7 +7,6 @@
 #include "cli/commands.h"
 #include "cli/delivery_study.h"
 #include "cli/files.h"
-#include "cli/help.h"
 #include "cli/printing.h"
 #include "cli/progress_line.h"
 #include "cli/study_fronts.h"
@@ -68,7 +67,7 @@ StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::p
            {out / "trade_off.svg", to_svg(delivery_figure(choices))}}};
 }
 
-void run_study(const StudyOptions& options) {
+int run_study(const StudyOptions& options) {
   check_folder(options.out);
   const std::filesystem::path out = options.out.value_or("");
   if (options.out) check_writable({out / "study.json"});
@@ -84,33 +83,36 @@ void run_study(const StudyOptions& options) {
   if (options.out) write_files(study.files);
   options.json ? print_data(study.json) : print_text(study.text);
   if (!options.json && options.out) say_written(study.files);
+  return kDone;
 }
 
 }  // namespace
 
-void add_study_command(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "study", "Compare laws on a machine, or what they cost: table and pictures");
+Command study_command() {
   const auto options = std::make_shared<StudyOptions>();
-  command->add_option("SYSTEM", options->system, "the machine: spine-cutter or sheet-delivery")
-      ->required()
-      ->type_name("{spine-cutter,sheet-delivery}");
-  command->add_option("--out", options->out, "folder for study.csv, study.json and the pictures")
-      ->type_name(takes::kFolder);
-  command
-      ->add_option("--set", options->settings, "set a given: name=value, such as --set 'h=0.8 mm'")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
-  add_switch(*command, "--table", options->table,
-             "of the spine cutter: the table of laws alone, without the proved fronts");
-  add_switch(*command, "--json", options->json, "print JSON");
-  add_examples(*command, {{"camlaw study spine-cutter --out results/spine-cutter",
-                           "laws compared on the spine cutter, with proved fronts and pictures"},
-                          {"camlaw study spine-cutter --table --set 'h=1.0 mm' --set 'V=1.2 m/s'",
-                           "the table alone, for another depth and speed"},
-                          {"camlaw study sheet-delivery --out results/delivery",
-                           "what a delivery's laws cost, and what they gain"}});
-  command->callback([options] { run_study(*options); });
+  return {.name = "study",
+          .help = "Compare laws on a machine, or what they cost: table and pictures",
+          .options = {{.names = "SYSTEM",
+                       .target = &options->system,
+                       .takes = "{spine-cutter,sheet-delivery}",
+                       .help = "the machine: spine-cutter or sheet-delivery",
+                       .required = true},
+                      {"--out", &options->out, takes::kFolder,
+                       "folder for study.csv, study.json and the pictures"},
+                      {"--set", &options->settings, takes::kSetting,
+                       "set a given: name=value, such as --set 'h=0.8 mm'"},
+                      {"--table",
+                       &options->table,
+                       {},
+                       "of the spine cutter: the table of laws alone, without the proved fronts"},
+                      json_switch(options->json)},
+          .examples = {{"camlaw study spine-cutter --out results/spine-cutter",
+                        "laws compared on the spine cutter, with proved fronts and pictures"},
+                       {"camlaw study spine-cutter --table --set 'h=1.0 mm' --set 'V=1.2 m/s'",
+                        "the table alone, for another depth and speed"},
+                       {"camlaw study sheet-delivery --out results/delivery",
+                        "what a delivery's laws cost, and what they gain"}},
+          .run = [options] { return run_study(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/help.h"
+#include "cli/commands.h"
 #include "cli/printing.h"
 #include "cli/rulers.h"
 #include "cli/search_run.h"
@@ -78,24 +78,24 @@ std::vector<OutputFile> figures(const Answer& answer, const std::filesystem::pat
 
 }  // namespace
 
-void add_synthesize_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("synthesize", "Find the best law there is for a problem file");
+Command synthesize_command() {
   const auto options = std::make_shared<SearchOptions>();
-  add_search_options(*command, *options,
-                     "result.json, law.json (the law's own file), law.csv, law.svg and cycle.svg");
   const SearchCommand synthesize{
       .files = {"result.json", "law.csv", "law.svg", "cycle.svg", "law.json"},
       .check = check_free,
       .report = report,
       .measure = measure,
       .figures = figures};
-  add_examples(
-      *command,
-      {{"camlaw synthesize problems/free_law/least_acceleration_at_jerk.toml --out results/free",
-        "the best law there is for a limit on jerk, measured, as a file"},
-       {"camlaw law results/free/law.json", "the law that was found, like any other"}});
-  command->callback([options, synthesize, &status] { status = run_search(*options, synthesize); });
+  return {
+      .name = "synthesize",
+      .help = "Find the best law there is for a problem file",
+      .options = search_options(
+          *options, "result.json, law.json (the law's own file), law.csv, law.svg and cycle.svg"),
+      .examples = {{"camlaw synthesize problems/free_law/least_acceleration_at_jerk.toml --out "
+                    "results/free",
+                    "the best law there is for a limit on jerk, measured, as a file"},
+                   {"camlaw law results/free/law.json", "the law that was found, like any other"}},
+      .run = [options, synthesize] { return run_search(*options, synthesize); }};
 }
 
 }  // namespace camlaw::cli

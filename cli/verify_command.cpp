@@ -5,7 +5,6 @@
 
 #include "cli/claim_output.h"
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/law_json.h"
 #include "cli/limit_text.h"
 #include "cli/printing.h"
@@ -76,7 +75,7 @@ Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
           {"holds", verified.disagreements.empty()}};
 }
 
-void run_verify(const VerifyOptions& options, int& status) {
+int run_verify(const VerifyOptions& options) {
   const ReadDesign read = problems::read_design_file(options.file);
   const VerifiedDesign verified = [&] {
     try {
@@ -90,24 +89,26 @@ void run_verify(const VerifyOptions& options, int& status) {
   } else {
     print_text(verdict_text(read, verified));
   }
-  status = verified.disagreements.empty() ? kDone : kNotSolved;
+  return verified.disagreements.empty() ? kDone : kNotSolved;
 }
 
 }  // namespace
 
-void add_verify_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "verify", "Judge the design of a result and its claim again: verdict, bound, margins");
+Command verify_command() {
   const auto options = std::make_shared<VerifyOptions>();
-  command->add_option("FILE", options->file, "the result.json of a search, or what --json prints")
-      ->required()
-      ->type_name(takes::kFile);
-  add_switch(*command, "--json", options->json, "print JSON");
-  add_examples(*command,
-               {{"camlaw optimize problems/cams/roller_least_base.toml --out results/disc_cam; "
-                 "camlaw verify results/disc_cam/result.json",
-                 "the verdict once more, from the design alone: no search, nothing believed"}});
-  command->callback([options, &status] { run_verify(*options, status); });
+  return {.name = "verify",
+          .help = "Judge the design of a result and its claim again: verdict, bound, margins",
+          .options = {{.names = "FILE",
+                       .target = &options->file,
+                       .takes = takes::kFile,
+                       .help = "the result.json of a search, or what --json prints",
+                       .required = true},
+                      json_switch(options->json)},
+          .examples = {{"camlaw optimize problems/cams/roller_least_base.toml --out "
+                        "results/disc_cam; camlaw verify results/disc_cam/result.json",
+                        "the verdict once more, from the design alone: no search, nothing "
+                        "believed"}},
+          .run = [options] { return run_verify(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command.h"
+
+namespace camlaw::cli {
+
+Option json_switch(bool& on) { return {"--json", &on, {}, "print JSON"}; }
+
+Option set_option(std::vector<std::string>& settings) {
+  return {"--set", &settings, takes::kSetting,
+          "set a variable or constant: name=value, such as --set 'stroke=30 mm'"};
+}
+
+Option problem_file(std::string& file) {
+  return {.names = "FILE",
+          .target = &file,
+          .takes = takes::kFile,
+          .help = "the problem file (TOML)",
+          .required = true};
+}
+
+}  // namespace camlaw::cli

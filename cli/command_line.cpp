@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The one file that knows the parser's library.
+#include "cli/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string_view>
+
+#include "cli/help.h"
+#include "cli/terminal.h"
+#include "kinematics/catalogue.h"
+
+namespace camlaw::cli {
+namespace {
+
+std::string examples_text(const std::vector<Example>& examples) {
+  std::string text = "Examples:\n" + example_lines(examples);
+  text.pop_back();  // CLI11 ends it
+  return text;
+}
+
+CLI::Option* added(CLI::App& app, const Option& option) {
+  if (option.is_switch()) {  // "--json=3" is an error
+    return app.add_flag(option.names, *std::get<bool*>(option.target), option.help)
+        ->disable_flag_override();
+  }
+  CLI::Option* result = nullptr;
+  if (const auto* list = std::get_if<std::vector<std::string>*>(&option.target)) {
+    result = app.add_option(option.names, **list, option.help);
+    if (!option.is_positional()) result->allow_extra_args(false);
+  } else if (const auto* text = std::get_if<std::string*>(&option.target)) {
+    result = app.add_option(option.names, **text, option.help);
+  } else {
+    result = app.add_option(option.names, *std::get<std::optional<std::string>*>(option.target),
+                            option.help);
+  }
+  result->type_name(option.takes)->required(option.required);
+  if (option.words.empty()) return result;
+  CLI::Validator is_known = CLI::IsMember(option.words);
+  return result->delimiter(',')->check(is_known.description(""));  // `takes` has the words
+}
+
+void add_options(CLI::App& app, const std::vector<Option>& options) {
+  for (const Option& option : options) {
+    CLI::Option* const its = added(app, option);
+    if (!option.excludes.empty()) its->excludes(app.get_option(option.excludes));
+  }
+}
+
+/// What to say of an unknown word: the commands that are near.
+std::string with_near_commands(const Program& program, const std::string& word) {
+  std::vector<std::string> known;
+  for (const Command& command : program.commands) {
+    if (command.is_listed) known.push_back(command.name);
+  }
+  const auto near = near_names(word, known);
+  return fmt::format("no command '{}'; {}", word,
+                     near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean {}?", fmt::join(near, ", ")));
+}
+
+std::string usage_error(const Program& program, const CLI::App& app, const CLI::ParseError& error,
+                        const std::string& word) {
+  if (app.get_subcommands().empty() && !word.empty()) {
+    return word.front() == '-'
+               ? fmt::format("no option '{}'; '{} --help' shows the usage", word, program.name)
+               : with_near_commands(program, word);
+  }
+  std::string what = error.what();
+  constexpr std::string_view kOverride = " was given a disallowed flag override";
+  if (what.ends_with(kOverride)) {
+    what = fmt::format("--{} takes no value", what.substr(0, what.size() - kOverride.size()));
+  }
+  return fmt::format("{}; '{} --help' shows the usage", what, program.name);
+}
+
+}  // namespace
+
+std::vector<Option> common_options(bool* quiet) {
+  return {{"-q,--quiet",
+           quiet,
+           {},
+           "print nothing but what was asked for: no progress, no word of files written"}};
+}
+
+const Command* parsed(const Program& program, int argc, const char* const* argv) {
+  CLI::App app(program.help, program.name);
+  app.set_version_flag(kVersionOption, program.version, kVersionHelp);
+  app.require_subcommand(1);
+  bool quiet = false;
+  const Command* called = nullptr;
+  for (const Command& command : program.commands) {
+    CLI::App* const its = app.add_subcommand(command.name, command.help);
+    add_options(*its, command.options);
+    add_options(*its, common_options(&quiet));
+    if (!command.examples.empty()) its->footer(examples_text(command.examples));
+    if (!command.is_listed) its->group("");
+    its->callback([&called, &command] { called = &command; });
+  }
+  add_options(app, common_options(&quiet));
+  app.footer(examples_text(program.examples));  // commands would take it over
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    app.exit(request);
+    return nullptr;
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(usage_error(program, app, error, argc > 1 ? argv[1] : ""));
+  }
+  if (quiet) set_quiet(true);
+  return called;
+}
+
+}  // namespace camlaw::cli
