@@ -33,7 +33,7 @@ double written_rounding(ExportFormat format, CurveForm form, int decimals) {
   return format == ExportFormat::Svg ? 2e-6 : 1e-9;
 }
 
-/// With --tool the way of a tool of that radius on the profile.
+/// With --tool the path of a tool of that radius on the profile.
 void add_tool_way(const ExportOptions& o, const problems::ProblemStatement& statement,
                   const std::string& asked, std::vector<problems::PlaneCurve>& curves) {
   if (!o.tool || asked == "pitch") return;
@@ -71,7 +71,7 @@ std::string instead(const problems::ProblemStatement& statement) {
   }
   throw std::invalid_argument(fmt::format(
       "{} has no curve '{}' of its own; it has {}{}", name, asked, fmt::join(there, ", "),
-      asked == "cutter" ? ", and --tool '10 mm' gives the way of a tool of that radius" : ""));
+      asked == "cutter" ? ", and --tool '10 mm' gives the path of a tool of that radius" : ""));
 }
 
 std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,

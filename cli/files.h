@@ -40,7 +40,7 @@ void check_folder(const std::optional<std::string>& folder);
 /// The ending of a file's name in small letters, ".dxf"; empty where it has none.
 std::string ending_of(const std::filesystem::path& path);
 
-/// Removes files that an earlier run may have left; folders and what is no file stay. Those that
+/// Removes files that an earlier run may have left; folders and what is not a file stay. Those that
 /// were there come back. Throws std::runtime_error where one cannot be removed.
 std::vector<std::filesystem::path> remove_files(const std::vector<std::filesystem::path>& paths);
 

@@ -10,7 +10,7 @@
 /// refuse it, and no clearing up removes it.
 namespace camlaw::cli {
 
-/// Names a file that is read; "-" and what is no file yet are none.
+/// Names a file that is read; "-" and what is not a file yet are none.
 void keep_input(const std::filesystem::path& path);
 /// Names the file of a problem and the law files that it names.
 void keep_inputs(const problems::ProblemStatement& statement);

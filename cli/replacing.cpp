@@ -75,8 +75,8 @@ std::string name_beside(const fs::path& target) {
   return (target.parent_path() / ".camlaw-XXXXXX").string();
 }
 
-/// Renames are on the disk when their folder is; a folder that cannot be flushed is no failure, for
-/// the files are in place.
+/// Renames are on the disk when their folder is; a folder that cannot be flushed is not a failure,
+/// for the files are in place.
 void flush_folder(const fs::path& folder) {
   const Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.number() >= 0) fsync(opened.number());

@@ -52,8 +52,8 @@ std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontP
   for (const std::string& assignment : assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos) {
-      throw std::invalid_argument(
-          fmt::format("--tolerance: '{}' is no name=value, such as stroke=0.1", assignment));
+      throw std::invalid_argument(fmt::format(
+          "--tolerance: '{}' is not of the form name=value, such as stroke=0.1", assignment));
     }
     const std::size_t i = variable_named(problem, assignment.substr(0, equals));
     const std::string& unit = problem.variables[i].unit;

@@ -119,7 +119,8 @@ void BoxModels<T>::differentiate(std::size_t order) {
   const double spread = upper(T(sum_of_sizes(model.c, 1)) + T(model.remainder));
   model.range = Interval(lower(model.c[0]), upper(model.c[0])) + Interval(-spread, spread);
   if (has_ranges_) {
-    // Where the remainder has no bound the sum is no number, and the natural range is all there is.
+    // Where the remainder has no bound the sum is not a number, and the natural range is all there
+    // is.
     const bool bounded = std::isfinite(spread);
     model.range = bounded ? boost::numeric::intersect(model.range, ranges_[order]) : ranges_[order];
   }

@@ -27,7 +27,7 @@ std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, i
   scene.body("cam", {{BodyMotion::Kind::Turn}});
   scene.polyline("cam", profile, true);
   scene.segment("mark", {0, 0}, profile.front());
-  scene.body("way of the roller");
+  scene.body("path of the roller");
   scene.segment("way", {0, axis + *low}, {0, axis + *high});
   draw_pushed_roller(scene, {0, axis + rise.front()}, radius, "roller_displacement");
   scene.include({0, 0}, base + *high);

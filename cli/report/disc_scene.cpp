@@ -55,7 +55,7 @@ void draw_cam(Scene& scene, const Disc& disc, double turning) {
 
 /// The straight way of a follower's point, at its x, up and down its stroke.
 void draw_way(Scene& scene, Point point, const Disc& disc) {
-  scene.body("way of the follower");
+  scene.body("path of the follower");
   const double low = point.y - disc.zero + disc.lowest, high = point.y - disc.zero + disc.highest;
   scene.segment("way", {point.x, low}, {point.x, high});
   scene.include({point.x, low}), scene.include({point.x, high});

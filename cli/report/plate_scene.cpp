@@ -66,10 +66,10 @@ std::optional<Scene> slider_scene(const ProblemStatement& design, int points) {
   const auto [low, high] = std::minmax_element(displacement.begin(), displacement.end());
   const double stroke = *high - *low, zero = displacement.front();
   if (!std::isfinite(stroke) || !(stroke > 0)) return {};
-  Scene scene(fmt::format("{}: where its follower is on its way", design.mechanism->title));
+  Scene scene(fmt::format("{}: where its follower is on its path", design.mechanism->title));
   scene.drawn_at("displacement", zero);
   const double half = 0.05 * stroke, thick = 0.015 * stroke;
-  scene.body("way of the follower");
+  scene.body("path of the follower");
   scene.segment("way", {*low, 0}, {*high, 0});
   for (const double end : {*low, *high}) scene.segment("way", {end, -half}, {end, half});
   scene.body("follower", {{Kind::Slide, 1, {1, 0}, "displacement"}});

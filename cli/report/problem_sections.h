@@ -30,7 +30,7 @@ ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& ev
 std::optional<ReportSection> rulers_section(const problems::ProblemStatement& design);
 
 /// A mechanism to scale with the controls that move it; the still picture when printed. Where there
-/// is no drawing the controls alone, which move the mark in the curves.
+/// is not a drawing the controls alone, which move the mark in the curves.
 ReportSection motion_section(const problems::ProblemStatement& design, const std::string& svg);
 
 }  // namespace camlaw::cli

@@ -33,7 +33,7 @@ struct FollowerLoad {
   T load;            ///< F_L, N, constant, against the rise
   T angular_speed;   ///< omega, rad/s, of the cam
 
-  /// (M2) Force that the cam must give along the follower's way: F = m omega^2 s'' + c s + F_0 +
+  /// (M2) Force that the cam must give along the follower's path: F = m omega^2 s'' + c s + F_0 +
   /// F_L. Below 0 a cam closed by its spring loses its follower.
   template <class X>
   X force(const FollowerMotion<X>& y) const {

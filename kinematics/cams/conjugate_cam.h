@@ -8,7 +8,7 @@ namespace camlaw {
 
 /// Two disc cams on one shaft that move a translating carriage both ways (docs/theory.md,
 /// "Conjugate cams"). Its two rollers are alike, on opposite sides of the shaft, the distance D
-/// apart along the carriage's way. The main cam is a RollerCam; the second one is a RollerCam of
+/// apart along the carriage's path. The main cam is a RollerCam; the second one is a RollerCam of
 /// the complementary motion, seen from the other side. Fields in SI units.
 ///
 /// Valid while the second roller stays beyond the shaft and its cam has a base radius above 0, for

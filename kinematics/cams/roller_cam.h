@@ -104,7 +104,7 @@ struct RollerCam {
     if (is_number(guide_friction, 0)) return force;
     const X share = guide_share(f), one = number<X>(1);
     const X left = by_side(force, X(one - share), X(one + share)), root = sqrt(left);
-    return force / (root * root);  // a root of what is below 0 is no number
+    return force / (root * root);  // a root of what is below 0 is not a number
   }
 };
 

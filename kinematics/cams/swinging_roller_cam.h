@@ -74,7 +74,7 @@ struct SwingingRollerCam {
             square * c + f.dds * s - pivot_distance,
             f.dds * c - square * s};
   }
-  /// (M14) Pressure angle, rad, between the normal and the way of the roller's centre:
+  /// (M14) Pressure angle, rad, between the normal and the path of the roller's centre:
   /// tan alpha = (l (1 + psi') - d cos psi) / (d sin psi).
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {

@@ -158,7 +158,8 @@ template <class T>
 TrainState<T> FollowerTrain<T>::at(const Law<T>& law, double x, TrainState<T> begin) const {
   using std::sqrt;
   if (!law.is_data()) {
-    throw std::invalid_argument("elastic train: the law is no data of polynomials and harmonics");
+    throw std::invalid_argument(
+        "elastic train: the law does not consist of polynomials and harmonics");
   }
   const double tau = value_of(period_ratio), zeta = value_of(damping_ratio);
   if (!(tau > 0) || !(zeta >= 0 && zeta < 1)) {

@@ -69,7 +69,7 @@ struct DiePress {
   T poisson_ratio = number<T>(0.3);               ///< mu
   T stroke = number<T>(0.040);                    ///< h, m
   T angular_speed = number<T>(13.0899693899575);  ///< omega, rad/s, of the cam
-  T mass = number<T>(220);                        ///< m, kg, reduced to the rollers' way
+  T mass = number<T>(220);                        ///< m, kg, reduced to the rollers' path
   T spring_rate = number<T>(10000);               ///< c, N/m
   T spring_preload = number<T>(700);              ///< F_0, N, at the lowest place
 

@@ -31,7 +31,7 @@ void check_segments(const std::vector<ProgramSegment>& segments) {
   for (const ProgramSegment& segment : segments) {
     if (!is_name(segment.name)) {
       refuse(
-          fmt::format("'{}' is no segment's name; use small letters, digits and _, a letter "
+          fmt::format("'{}' is not a segment's name; use small letters, digits and _, a letter "
                       "first",
                       segment.name));
     }

@@ -18,8 +18,8 @@ struct Extreme {
 /// Local maxima of sign * curve, ends of smooth stretches included, stretch by stretch; of a
 /// stretch that is level at its maximum both ends. Values are the curve's own. Looks at about
 /// `samples` angles and polishes each maximum between them by Newton's method. A narrower one may
-/// escape: that is what prove_below is for. Values that are no number count as highest of all: the
-/// first is returned alone.
+/// escape: that is what prove_below is for. Values that are not numbers count as highest of all:
+/// the first is returned alone.
 std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples = 256);
 
 /// The first of the highest of sign * value.

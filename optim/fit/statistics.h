@@ -66,7 +66,7 @@ struct ResidualPattern {
   /// average: near one for noise, above where a model leaves a curve that is slow and small. The
   /// noise is told by differences of neighbours. One for fewer than 120 residuals.
   double block_squares = 1;
-  /// Whether they are no noise: chance makes either number as large about once in 10 000. A
+  /// Whether they are not noise: chance makes either number as large about once in 10 000. A
   /// correlation below a tenth is passed over, however many there are: no model is that exact.
   /// Fewer than 20 residuals may look like anything.
   bool is_curve = false;

@@ -40,7 +40,7 @@ Outcome carry_out_safely(const Task& task, const MultiSpace& space,
   } catch (const std::exception& error) {
     failed.failure = error.what();
   } catch (...) {
-    failed.failure = "the model threw something that is no std::exception";
+    failed.failure = "the model threw something that is not a std::exception";
   }
   return failed;
 }

@@ -110,7 +110,7 @@ class PartFront {
   virtual std::vector<Costs> corners() const { return {}; }
 
  protected:
-  /// Takes a point in, unless one is as good or a cost is no finite number; those that it
+  /// Takes a point in, unless one is as good or a cost is not a finite number; those that it
   /// dominates go.
   void insert(const FrontPoint& point);
   void take_alone(std::size_t objective, const Outcome& outcome);

@@ -84,7 +84,7 @@ struct Evolved {
     }
     const std::vector<double> its = costs(*multi, x);
     for (std::size_t i = 0; i < its.size(); ++i) {
-      if (its[i] < kBeyond) cost[i] = its[i];  // else, or where it is no number: the worst
+      if (its[i] < kBeyond) cost[i] = its[i];  // else, or where it is not a number: the worst
     }
   }
   std::pair<std::vector<double>, std::vector<double>> get_bounds() const {

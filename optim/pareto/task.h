@@ -54,7 +54,7 @@ struct FrontPoint {
   std::vector<double> costs;       ///< of the same
   /// The front's normal here, one number for each objective, none negative: what the conditions of
   /// optimality weigh the costs with. Along the front, cost a changes by -weights[b] / weights[a]
-  /// per unit of cost b. Empty where the design is no optimum.
+  /// per unit of cost b. Empty where the design is not an optimum.
   std::vector<double> weights;
   Verdict verdict = Verdict::Feasible;
   std::string reason;

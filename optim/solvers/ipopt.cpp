@@ -29,8 +29,8 @@ bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// The program as Ipopt asks for it. Whatever is no number makes a callback return false, on which
-/// Ipopt shortens its step.
+/// The program as Ipopt asks for it. Whatever is not a number makes a callback return false, on
+/// which Ipopt shortens its step.
 class Adapter final : public Ipopt::TNLP {
  public:
   Adapter(const Program& program, const SolverOptions& options, const WarmStart* warm)

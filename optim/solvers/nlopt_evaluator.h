@@ -8,8 +8,8 @@
 /// A program for methods that know neither NaN nor exceptions nor a stop flag. For nlopt.cpp alone.
 namespace camlaw::optim {
 
-/// A point of the search. It is undefined where objective or a row is no finite number, and where
-/// the search has been halted.
+/// A point of the search. It is undefined where objective or a row is not a finite number, and
+/// where the search has been halted.
 struct Point {
   std::vector<double> y;
   bool defined = false;
@@ -29,7 +29,7 @@ class Evaluator {
 
   /// Objective and rows at y, drawn into the box. Valid until the next call.
   const Point& at(std::span<const double> y);
-  /// The same with derivatives: the point is undefined where one of those is no finite number.
+  /// The same with derivatives: the point is undefined where one of those is not a finite number.
   const Point& with_derivatives_at(std::span<const double> y);
   std::span<const double> gradient() const { return gradient_; }
   std::span<const double> jacobian() const { return jacobian_; }

@@ -27,7 +27,7 @@ enum class Status {
   TimeLimit,
   Infeasible,      ///< it thinks that the rows contradict one another
   Unbounded,       ///< the objective falls without end
-  NonFiniteStart,  ///< objective or rows are no numbers at the start
+  NonFiniteStart,  ///< objective or rows are not numbers at the start
   Stopped,         ///< by the user
   Failed,          ///< anything else; the message says what
 };

@@ -79,7 +79,7 @@ class Reader {
     good_ = good_ && number >= 0 && number <= static_cast<int>(Task::Kind::Scout);
     kind = good_ ? static_cast<Task::Kind>(number) : Task::Kind::Bounded;
   }
-  /// Item by item: what is no list of ours may claim to be longer than there is memory.
+  /// Item by item: what is not a list of ours may claim to be longer than there is memory.
   template <class T>
   void operator()(std::vector<T>& list) {
     const std::size_t size = count();

@@ -47,7 +47,7 @@ std::string why(const SQLite::Exception& error) {
   return fmt::format("{}: {}", damaged ? "the file is damaged" : "it cannot be read", error.what());
 }
 
-constexpr const char* kForeign = "it is no study of camlaw, and is left as it is";
+constexpr const char* kForeign = "it is not a study of camlaw, and is left as it is";
 
 /// Whether the file begins as a study does. Found out without SQLite, which may make files beside
 /// it.
@@ -71,7 +71,7 @@ std::string beginning_of(const std::string& path) {
   if (!fs::exists(begun)) return begun;
   const bool is_left =
       fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
-  if (!is_left) refuse(begun, "it is in the way of the study that is to be made");
+  if (!is_left) refuse(begun, "a study cannot be made there: the file is in its place");
   fs::remove(begun);
   return begun;
 }
@@ -115,7 +115,7 @@ bool is_cut_off(SQLite::Database& base, const std::string& path) {
   return static_cast<std::int64_t>(fs::file_size(path)) < pages * size;
 }
 
-/// Refuses what is no study, is damaged, or was made by another version.
+/// Refuses what is not a study, is damaged, or was made by another version.
 void check(SQLite::Database& base, const std::string& path) {
   try {
     const int application = base.execAndGet("PRAGMA application_id").getInt();

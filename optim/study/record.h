@@ -28,7 +28,7 @@ class StudyRecord {
   /// Makes a new file. Throws std::invalid_argument where there is one already, std::runtime_error
   /// where it cannot be written.
   static StudyRecord create(const std::string& path, const StudySettings& settings);
-  /// Opens a study to go on with it. Throws std::invalid_argument for what is no study of this
+  /// Opens a study to go on with it. Throws std::invalid_argument for what is not a study of this
   /// kind, is damaged as a whole, or is of an earlier version, and leaves that as it is.
   static StudyRecord open(const std::string& path);
   /// Opens it to be read alone.

@@ -177,7 +177,7 @@ class Collector {
     if (is_moved(limit) && !is_twin(limit)) limits_.push_back(std::move(limit));
   }
 
-  /// Whether a place is no break, or one at which nothing breaks (see watched()).
+  /// Whether a place is not a break, or one at which nothing breaks (see watched()).
   static bool is_smooth_at(const CurveLevel& side, Place place) {
     const std::vector<double>& breaks = side.breaks;
     const double cycle = breaks.back() - breaks.front();

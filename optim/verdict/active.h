@@ -41,7 +41,7 @@ struct Net {
 /// The limits whose margin is at most the net's width or twice their tolerance: numbers, variables'
 /// bounds, and of curves the local maxima and the ends of smooth stretches. Near a rest a limit is
 /// judged divided by the power with which it vanishes there, at the rest by its leading coefficient
-/// (docs/optimisation.md, "Limits that vanish"). What no variable moves is no limit.
+/// (docs/optimisation.md, "Limits that vanish"). What no variable moves is not a limit.
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
                                        Optimality optimality, Net net);
 

@@ -51,8 +51,9 @@ struct ObjectiveReport {
 };
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove);
 
-/// What of objective and constraints is no finite number at x, with the reason where one is known:
-/// "the model gives no number: C is infinite: it has a pulse at 0.5"; `where` ends the first words.
+/// What of objective and constraints is not a finite number at x, with the reason where one is
+/// known: "the model gives no number: C is infinite: it has a pulse at 0.5"; `where` ends the first
+/// words.
 std::string undefined_at(const Problem& problem, Design x, const std::string& where);
 
 /// Largest violation over its tolerance: at most 1 for a design that meets every limit; infinite

@@ -23,7 +23,7 @@ Parameters roller_parameter() {
 
 Parameters offset_parameter() {
   return {{"offset", "e", "mm", "m",
-           "distance of the follower's way from the cam's centre, above 0 where it eases the rise",
+           "distance of the follower's path from the cam's centre, above 0 where it eases the rise",
            0, -1e5, 1e5}};
 }
 
@@ -108,7 +108,7 @@ NamedPeak peak_groove_stress() {
 
 NamedPeak least_force() {
   return {"least_force", "follower_force", Part::Lowest,
-          "least force along the follower's way; above 0 the spring keeps contact"};
+          "least force along the follower's path; above 0 the spring keeps contact"};
 }
 
 NamedPeak least_torque() {
@@ -118,7 +118,7 @@ NamedPeak least_torque() {
 
 NamedPeak peak_force() {
   return {"peak_force", "follower_force", Part::Magnitude,
-          "greatest force along the follower's way"};
+          "greatest force along the follower's path"};
 }
 
 }  // namespace camlaw::problems

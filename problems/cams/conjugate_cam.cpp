@@ -37,7 +37,7 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               roller_parameter(),
               offset_parameter(),
               {{"roller_distance", "D", "mm", "m",
-                "distance of the two rollers, along the carriage's way", 140, 1e-3, 1e5}},
+                "distance of the two rollers, along the carriage's path", 140, 1e-3, 1e5}},
               speed_parameter(),
               sliding_load(0, 0),
               contact_parameters(),

@@ -110,7 +110,7 @@ inline std::vector<MechanismResponse> follower_responses_of(
   auto force_shapes = linear(loads);
   force_shapes.push_back(speed);
   add(C::Force, w.force_name, w.force, w.force,
-      "what the cam must give along the follower's way; below 0 a spring-closed follower leaves "
+      "what the cam must give along the follower's path; below 0 a spring-closed follower leaves "
       "the cam",
       force_shapes);
   const std::vector<ShapeStatement> torque_shapes{{loads, Shape::Linear}, speed};

@@ -62,14 +62,14 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 Mechanism knife_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeCam>(kSliding);
-  responses.push_back(
-      curve(Curve::PressureAngle, {"pressure_angle",
-                                   "deg",
-                                   "rad",
-                                   "between the normal and the follower's way, signed as the slope",
-                                   {{{"law"}, S::Quasilinear},
-                                    {{"stroke"}, S::Quasilinear},
-                                    {{"base_radius"}, S::Quasilinear}}}));
+  responses.push_back(curve(Curve::PressureAngle,
+                            {"pressure_angle",
+                             "deg",
+                             "rad",
+                             "between the normal and the follower's path, signed as the slope",
+                             {{{"law"}, S::Quasilinear},
+                              {{"stroke"}, S::Quasilinear},
+                              {{"base_radius"}, S::Quasilinear}}}));
   responses.push_back(curve(Curve::ProfileCurvature,
                             {"profile_curvature", "1/mm", "1/m",
                              "curvature of the profile, positive where convex, below 0 where it "

@@ -24,7 +24,7 @@ struct MachineTraits<LinearCam> {
 const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(),
-              {{"travel", "L", "mm", "m", "way of the plate in a cycle", 300, 1e-3, 1e6}},
+              {{"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6}},
               roller_parameter(),
               {{"speed", "n", "rpm", "rad/s", "cycles of the plate, by minute", 300, 1e-3, 1e6}},
               sliding_load(5, 50),

@@ -62,7 +62,7 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
   using C = RollerCurve;
   add(C::PressureAngle,
       {"pressure_angle", "deg", "rad",
-       "between the normal and the way of the roller's centre, signed as the slope",
+       "between the normal and the path of the roller's centre, signed as the slope",
        std::move(angle)});
   add(C::Undercut, {"undercut", "1", "1",
                     "share of the pitch curve's radius that the roller takes; at 1 the profile is "

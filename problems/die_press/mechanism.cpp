@@ -30,7 +30,7 @@ const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
       {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5},
       {"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5},
       {"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6},
-      {"mass", "m", "kg", "kg", "moved mass, reduced to the rollers' way", 220, 0, 1e6},
+      {"mass", "m", "kg", "kg", "moved mass, reduced to the rollers' path", 220, 0, 1e6},
       {"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6},
       {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 700, 0, 1e9}};
   return all;
@@ -97,7 +97,7 @@ MechanismResponse displacement() {
   const ResponseAbout about{"displacement",
                             "mm",
                             "m",
-                            "way of the rollers from the lowest place",
+                            "travel of the rollers from their lowest position",
                             {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}};
   return listed_curve<DiePress>(
       about, turn(), Quantity{},

@@ -26,8 +26,8 @@ Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals);
 /// Points at even angles, deg.
 Chords chords_at_steps(const PlaneCurve& curve, double step, int decimals);
 
-/// How many steps a cycle has. Throws std::invalid_argument where that is no whole number, with the
-/// nearest step that divides the cycle, or where it is more than a million.
+/// How many steps a cycle has. Throws std::invalid_argument where that is not a whole number, with
+/// the nearest step that divides the cycle, or where it is more than a million.
 int count_steps(double cycle, double step, const std::string& unit);
 
 /// A value with so many decimals.

@@ -68,7 +68,7 @@ double step_of(const Motion& motion, const std::optional<std::string>& text) {
   return parse_quantity(*text, motion.master_unit, motion.master_unit, "--step");
 }
 
-/// What comes back comes back in every digit; rounding is no motion.
+/// What comes back comes back in every digit; rounding is not a motion.
 void close(MotionTable& table) {
   constexpr double kRounding = 1e-9;
   const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());

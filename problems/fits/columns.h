@@ -11,7 +11,7 @@
 /// What the columns of measured tables are called, and what they are counted in.
 namespace camlaw::problems {
 
-/// The first column that is wanted, of several one that is no text; null where there is none.
+/// The first column that is wanted, of several one that is not text; null where there is none.
 const SampleColumn* first_column(const SampleTable& table,
                                  const std::function<bool(const SampleColumn&)>& is_wanted);
 /// That which is named as one of a kind.

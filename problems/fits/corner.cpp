@@ -232,7 +232,7 @@ std::optional<Candidate> candidate_of(const Window& window, const Shape& shape, 
   const double chi = found.squares / (window.noise * window.noise);
   if (!(rest > 0) || !std::isfinite(chi)) return {};
   double place = found.place, error = error_of(window, shape, place);
-  // Where noise blurs more than a step, the squares are no parabola of the place.
+  // Where noise blurs more than a step, the squares are not a parabola of the place.
   const VectorXd coefficients = fitted(window, shape, place).coefficients;
   if (!goes_one_way(window, shape, coefficients)) return {};
   if (!(error < 1.5 * found.step)) {

@@ -62,7 +62,7 @@ std::optional<Parting> parting(const Remaining& left, std::size_t most, bool is_
                  within_end = left.at(outer) - left.at(left.first);
     const bool fits_begin = is_long && within_begin <= kTurnDegrees * (1 + 1e-6),
                fits_end = is_long && within_end <= kTurnDegrees * (1 + 1e-6);
-    const double own = is_angle ? kTurnDegrees : 0;  // a turn is no long way for an angle
+    const double own = is_angle ? kTurnDegrees : 0;  // a turn is not far for an angle
     if (fits_begin || before > kGap * std::max(within_begin, own / kGap))
       return Parting{true, inner};
     if (fits_end || after > kGap * std::max(within_end, own / kGap)) return Parting{false, outer};

@@ -56,7 +56,7 @@ Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double
 
 Law<double> stretch_law(const optim::SmoothingSpline& spline) {
   if (spline.basis().periodic()) {
-    throw std::invalid_argument("law of a spline: a periodic one is no stretch");
+    throw std::invalid_argument("law of a spline: a periodic one is not a stretch");
   }
   // A clamped spline begins and ends at its outer coefficients.
   const double from = spline.coefficients().front(), to = spline.coefficients().back();

@@ -66,7 +66,8 @@ class GapSearch {
   using Shares = std::optional<std::array<double, 2>>;
   static constexpr std::array<double, 2> kMiddle{0.5, 0.5};
 
-  /// The best fit with the ends in these gaps, from the best so far; none where that is no motion.
+  /// The best fit with the ends in these gaps, from the best so far; none where that is not a
+  /// motion.
   std::optional<optim::FitResult> fit_in(const Gaps& gaps, const Shares& shares = kMiddle) const {
     std::vector<optim::FitParameter> parameters = given_;
     for (std::size_t j = 0; j < parameters.size(); ++j) {

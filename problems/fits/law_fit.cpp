@@ -345,7 +345,7 @@ void check_motion(const MotionSamples& samples, const MotionGuess& guess) {
   if (samples.place.size() < 2) throw std::invalid_argument("samples: two at least are wanted");
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
     if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
-    throw std::invalid_argument(fmt::format("sample {} is no finite number", i + 1));
+    throw std::invalid_argument(fmt::format("sample {} is not a finite number", i + 1));
   }
   if (!(guess.end > guess.begin) || guess.to == guess.from) {
     throw std::invalid_argument("samples: they show no motion");

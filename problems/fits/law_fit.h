@@ -47,7 +47,7 @@ struct LawFit {
 
 /// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is
 /// asked for), with begin, end, stroke and zero shift. Throws std::invalid_argument for fewer than
-/// two samples, values that are not finite, and guesses that are no motion.
+/// two samples, values that are not finite, and guesses that are not a motion.
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options = {});
 

@@ -33,7 +33,7 @@ void check(std::span<const double> phi, std::span<const double> s, std::optional
   }
   for (std::size_t i = 0; i < phi.size(); ++i) {
     if (!std::isfinite(phi[i]) || !std::isfinite(s[i])) {
-      refuse(fmt::format("sample {} is no number", i));
+      refuse(fmt::format("sample {} is not a number", i));
     }
   }
   const auto [low, high] = std::minmax_element(s.begin(), s.end());

@@ -28,9 +28,9 @@ struct LiftSamples {
 
 /// Orders samples, takes those at one place as their median, and leaves out those that lie farther
 /// than chance explains from a smoothing spline that is robust against them. Throws
-/// std::invalid_argument: lengths that differ, values that are no numbers, fewer than 24 samples, a
-/// lift that is the same throughout, a period or noise out of range. `least_noise` is what rounding
-/// makes of the lifts (deviation).
+/// std::invalid_argument: lengths that differ, values that are not numbers, fewer than 24 samples,
+/// a lift that is the same throughout, a period or noise out of range. `least_noise` is what
+/// rounding makes of the lifts (deviation).
 LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
                          std::optional<double> period, std::optional<double> noise,
                          double least_noise = 0);

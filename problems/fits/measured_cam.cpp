@@ -155,7 +155,7 @@ Condensed in_order(Polar points, bool is_polar) {
 }
 
 /// Radii of points that were rounded to `resolution`. Where they have no noise, a spline misses
-/// them where the curvature jumps: that is no fault of theirs.
+/// them where the curvature jumps: that is not a fault of theirs.
 MeasuredProfile profile_of(const Condensed& points, double resolution) {
   const auto [low, high] = std::minmax_element(points.value.begin(), points.value.end());
   optim::SmoothingOptions smoothing;

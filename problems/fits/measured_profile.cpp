@@ -31,7 +31,7 @@ void check_points(const Polar& points) {
   }
   for (std::size_t k = 0; k < points.r.size(); ++k) {
     if (!std::isfinite(points.theta[k]) || !std::isfinite(points.r[k])) {
-      refuse(fmt::format("point {} is no number", k));
+      refuse(fmt::format("point {} is not a number", k));
     }
     if (!(points.r[k] > 0)) {
       refuse(

@@ -25,7 +25,7 @@ class MeasuredProfile {
  public:
   /// From polar coordinates about the cam's centre, either way round, in order, at any spacing; the
   /// first point may come again at the end. `smoothing` is taken but for its range, period and
-  /// ends. Throws std::invalid_argument: lengths that differ, values that are no numbers, radii
+  /// ends. Throws std::invalid_argument: lengths that differ, values that are not numbers, radii
   /// that are not above 0, fewer than 12 points, gaps of more than 45 deg, a profile that does not
   /// go round the centre once or that a ray from there meets twice, and what smoothing_spline
   /// throws.

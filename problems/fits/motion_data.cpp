@@ -128,7 +128,7 @@ FoundCycle find_motions(const MotionSamples& samples) {
     const double low = s.begin - (has_before && count > 1 ? beside((i + count - 1) % count) : 0);
     const double high = s.end + (has_after && count > 1 ? beside((i + 1) % count) : 0);
     MotionSamples own = between(samples, low, high, period);
-    if (own.place.size() < kFewestOfMotion) {  // a few rows that lie off are no motion
+    if (own.place.size() < kFewestOfMotion) {  // a few rows that lie off are not a motion
       result.segments[i].kind = SegmentKind::Dwell;
       continue;
     }

@@ -61,7 +61,7 @@ bool shows_no_stroke(const LawFit& fit) {
 std::string curve_left(const MotionFit& fit) {
   if (!fit.left.is_curve) return "";
   return fmt::format(
-      "no law that was tried follows the samples: what {} leaves is no noise (neighbouring "
+      "no law that was tried follows the samples: what {} leaves is not noise (neighbouring "
       "residuals have a correlation of {:.2f}, blocks of them {:.1f} times the squares of noise)",
       fit.best().law.label(), fit.left.correlation, fit.left.block_squares);
 }

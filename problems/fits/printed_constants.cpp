@@ -175,7 +175,7 @@ std::vector<PrintedConstant> parse_constants(std::string_view text, const Mechan
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) {
       throw std::invalid_argument(fmt::format(
-          "constants: '{}' is no constant; write name=value, such as B=1.6125, C=4.66", part));
+          "constants: '{}' is not a constant; write name=value, such as B=1.6125, C=4.66", part));
     }
     PrintedConstant constant = named(trimmed(part.substr(0, equals)), machine);
     read_value(constant, trimmed(std::string_view(part).substr(equals + 1)));

@@ -141,7 +141,7 @@ std::string distrust_of(const RecordFit& fit, const RecordedCurve& record,
   const auto add = [&](const std::string& more) { why += (why.empty() ? "" : "; ") + more; };
   if (fit.left.is_curve) {
     add(fmt::format(
-        "the machine as it is stated does not follow the record: what is left is no noise "
+        "the machine as it is stated does not follow the record: what is left is not noise "
         "(neighbouring residuals have a correlation of {:.2f})",
         fit.left.correlation));
   }

@@ -31,7 +31,7 @@ struct RecordFit {
 ///   f(x - x_0; p) + y_0 - y,
 /// f the recorded response. A place beyond the cycle of 360 deg is one of another turn. Throws
 /// std::invalid_argument: nothing varies, no more places than unknowns, variables that are to be
-/// chosen from values, places outside a curve that is no whole turn, and what optim::fit throws.
+/// chosen from values, places outside a curve that is not a whole turn, and what optim::fit throws.
 RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& record,
                      const RecordFitOptions& options = {});
 

@@ -66,7 +66,7 @@ RecordedCurve recorded_curve(const SampleTable& table, const Mechanism& mechanis
   RecordedCurve record{find_response(mechanism, plain(column.name)), {}, {}};
   if (record.response.response == nullptr || !record.response.response->curve ||
       record.response.part != optim::Part::Value) {
-    throw std::invalid_argument(fmt::format("{}: '{}' is no curve of {}; there are {}",
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a curve of {}; there are {}",
                                             table.source, column.name, mechanism.name,
                                             fmt::join(curve_names(mechanism), ", ")));
   }

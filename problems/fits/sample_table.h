@@ -46,7 +46,7 @@ SampleTable read_samples(const std::string& path);
 SampleTable parse_samples(const std::string& text, const std::string& source);
 
 /// These columns of a table, in this order; rows in which one of them lacks a number are left out
-/// and counted. Throws std::invalid_argument: a cell of theirs that is no number, fewer than two
+/// and counted. Throws std::invalid_argument: a cell of theirs that is not a number, fewer than two
 /// rows, a column without a name or one of a name that is there twice.
 SampleTable numbers_of(const SampleTable& table,
                        std::initializer_list<const SampleColumn*> columns);

@@ -49,7 +49,7 @@ struct FoundSegments {
 
 /// Segments of the lift s at angles phi, in any order and spacing, with gaps. Periodic: begins with
 /// the first segment that begins in the period which starts at 0. Throws std::invalid_argument:
-/// lengths that differ, values that are no numbers, fewer than 24 samples, options out of range,
+/// lengths that differ, values that are not numbers, fewer than 24 samples, options out of range,
 /// a lift that does not move beyond its noise.
 FoundSegments motion_segments(std::span<const double> phi, std::span<const double> s,
                               const SegmentOptions& options = {});

@@ -132,7 +132,7 @@ class TrainTrace final : public optim::Trace {
   Interval enclosing_scale_, second_derivative_;
 };
 
-/// Where there is no machine, no law, or a law that is no data.
+/// Where there is no machine, no law, or a law that is not data.
 class NoTrace final : public optim::Trace {
  public:
   std::vector<double> breaks() const override { return {0, 1}; }

@@ -95,7 +95,7 @@ std::size_t points_of(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, points);
   if (error == std::errc() && rest == end && points >= 2 && points <= kMostPoints) return points;
   throw std::invalid_argument(fmt::format(
-      "the study's setting 'points' is no number from 2 to {}: '{}'", kMostPoints, text));
+      "the study's setting 'points' is not a number from 2 to {}: '{}'", kMostPoints, text));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct FrontRuler {
   std::array<std::optional<Measure>, 3> of = {};
 
   /// lambda = least_time(B, C, D) with what the objectives say of them, at most 1; a constant that
-  /// is no objective is infinite. `values`: of the objectives.
+  /// is not an objective is infinite. `values`: of the objectives.
   double limit_index(const std::vector<double>& values) const;
 
   /// Of two objectives: that of the lower derivative and that of the higher.

@@ -40,7 +40,7 @@ const Json& key(const Json& object, const char* name) {
 
 std::string text_at(const Json& object, const char* name) {
   const Json& value = key(object, name);
-  if (!value.is_string()) throw std::invalid_argument(fmt::format("{} is no text", name));
+  if (!value.is_string()) throw std::invalid_argument(fmt::format("{} is not text", name));
   return value.get<std::string>();
 }
 
@@ -82,7 +82,7 @@ ReadLaw law_of(const std::string& text) {
   const Json object = parse_json(text);
   if (!object.is_object() || !object.contains("format") || object["format"] != kFormat) {
     throw std::invalid_argument(
-        fmt::format("it is no law file: it has no \"format\": \"{}\"", kFormat));
+        fmt::format("it is not a law file: it has no \"format\": \"{}\"", kFormat));
   }
   ReadLaw result{title_of(object),
                  law_from_json(key(object, "pieces"), ends_of(text_at(object, "ends")))};

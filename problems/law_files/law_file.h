@@ -46,7 +46,7 @@ Member find_any_law(std::string_view text, const std::string& folder = "",
                     ValueReader reader = read_plain_number);
 
 /// The laws of one's own folder by name; none where there is no folder. Throws
-/// std::invalid_argument for a folder that cannot be read and for files in it that are no laws.
+/// std::invalid_argument for a folder that cannot be read and for files in it that are not laws.
 std::vector<Member> own_laws();
 
 }  // namespace camlaw::problems

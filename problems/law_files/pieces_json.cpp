@@ -45,14 +45,14 @@ Json piece_to_json(const Piece<double>& piece) {
 
 /// An object's value; `what` says where: "pieces[2].harmonics[1]".
 const Json& value(const Json& object, const char* key, const std::string& what) {
-  if (!object.is_object()) refuse(fmt::format("{} is no object", what));
+  if (!object.is_object()) refuse(fmt::format("{} is not an object", what));
   const auto found = object.find(key);
   if (found == object.end()) refuse(fmt::format("{} has no {}", what, key));
   return *found;
 }
 
 double number_of(const Json& number, const std::string& what) {
-  if (!number.is_number()) refuse(fmt::format("{} is no number", what));
+  if (!number.is_number()) refuse(fmt::format("{} is not a number", what));
   return number.get<double>();
 }
 
@@ -80,7 +80,7 @@ void check_count(std::size_t count, std::size_t most, const std::string& what) {
 /// Does one(item, place) for each item of a list.
 template <class One>
 void each(const Json& list, const std::string& what, const One& one) {
-  if (!list.is_array()) refuse(fmt::format("{} is no list", what));
+  if (!list.is_array()) refuse(fmt::format("{} is not a list", what));
   for (std::size_t i = 0; i < list.size(); ++i) one(list[i], fmt::format("{}[{}]", what, i + 1));
 }
 

@@ -38,7 +38,7 @@ struct PieceEnd {
 class LawBinding {
  public:
   /// Throws std::invalid_argument where a parameter has no such element or no derivatives, and
-  /// where the member is no law.
+  /// where the member is not a law.
   LawBinding(Member member, std::vector<LawVariable> variables);
 
   const Member& member() const { return member_; }

@@ -11,7 +11,7 @@
 namespace camlaw::problems {
 
 /// Logarithmic relative error: how many digits agree, -log10(|x - certified| / |certified|),
-/// between 0 and 11, as many as are certified. 0 where x is no number.
+/// between 0 and 11, as many as are certified. 0 where x is not a number.
 double agreeing_digits(double x, double certified);
 
 struct NistRun {

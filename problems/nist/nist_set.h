@@ -8,7 +8,7 @@
 
 /// The nonlinear regression sets of the NIST Statistical Reference Datasets (StRD): data, starts
 /// and certified answers. The files are NIST's own (https://www.itl.nist.gov/div898/strd/), one
-/// NAME.dat for each set; they are no part of the project.
+/// NAME.dat for each set; they are not part of the project.
 namespace camlaw::problems {
 
 struct NistSet {

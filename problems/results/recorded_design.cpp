@@ -112,12 +112,12 @@ Json result_of(std::string_view json) {
     }
   }();
   if (!result.is_object() || !result.contains("design") || !result.contains("verdict")) {
-    refuse(fmt::format("it is no result with a design in it; {}", kWanted));
+    refuse(fmt::format("it is not a result with a design in it; {}", kWanted));
   }
   if (result["design"].is_null()) {
     refuse(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
   }
-  if (!result["design"].is_object()) refuse("its design is no object");
+  if (!result["design"].is_object()) refuse("its design is not an object");
   return result;
 }
 

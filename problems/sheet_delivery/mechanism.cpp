@@ -117,7 +117,7 @@ std::vector<MechanismResponse> numbers() {
               {"slow_down",
                "1",
                "1",
-               "share of its way by which the carriage falls behind the chain in a stretch",
+               "fraction of its travel by which the carriage falls behind the chain in a stretch",
                {{{"guide_ratio"}, S::Linear}}},
               [](const auto& drive) { return drive.slow_down(); }),
           number_response<SheetDelivery>(

@@ -81,7 +81,7 @@ FreeEnd read_end(const Entry& table, const char* key, int continuity) {
   if (text == "U") return {1, false};
   if (text == "G") return {0, true};
   if (text == "B") return {0, false};
-  refuse(*entry, fmt::format("'{}' is no end; accepted are R (rest), U (reversal: s' = 0), G "
+  refuse(*entry, fmt::format("'{}' is not an end; accepted are R (rest), U (reversal: s' = 0), G "
                              "(s'' = 0), B (any), or how many derivatives are 0",
                              text));
 }

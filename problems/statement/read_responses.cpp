@@ -20,7 +20,7 @@ void refuse_law_parameter(const std::string& name, const ProblemStatement& probl
   for (const Member& law : problem.laws) {
     if (!index_in(*law.family, bare)) continue;
     throw std::invalid_argument(fmt::format(
-        "{} is a parameter of the law, which is no response: it can vary between bounds, "
+        "{} is a parameter of the law, which is not a response: it can vary between bounds, "
         "[variables.{}], but not be an objective or a constraint",
         name, bare));
   }

@@ -47,7 +47,7 @@ std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t h
   if (!whole || error != std::errc{} || value < low || value > high) {
     throw std::invalid_argument(fmt::format("{}: {}; a whole number from {} to {} is wanted", what,
                                             whole ? fmt::format("{} is out of range", text)
-                                                  : fmt::format("'{}' is no whole number", text),
+                                                  : fmt::format("'{}' is not a whole number", text),
                                             low, high));
   }
   return value;
@@ -56,8 +56,8 @@ std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t h
 double parse_time_limit(std::string_view text, const std::string& what) {
   const double value = parse_quantity(text, "s", "s", what);
   if (!(value > 0 && std::isfinite(value))) {
-    throw std::invalid_argument(
-        fmt::format("{}: {} s is no time above zero, such as \"30 s\" or \"1 min\"", what, value));
+    throw std::invalid_argument(fmt::format(
+        "{}: {} s is not a time above zero, such as \"30 s\" or \"1 min\"", what, value));
   }
   return value;
 }

@@ -44,7 +44,7 @@ bool reads_integer(const Entry& table) {
   if (type == nullptr) return false;
   const std::string& text = text_of(*type);
   if (text != "integer" && text != "continuous") {
-    refuse(*type, fmt::format("'{}' is no type; accepted are integer, continuous", text));
+    refuse(*type, fmt::format("'{}' is not a type; accepted are integer, continuous", text));
   }
   return text == "integer";
 }

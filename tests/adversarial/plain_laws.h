@@ -44,7 +44,7 @@ LawPtr parabolic();
 /// Constant acceleration over t1, constant velocity, constant deceleration over t2.
 LawPtr trapezoidal_velocity(double t1, double t2);
 /// Seven phases of acceleration: quarter sine up, constant, quarter cosine down, none, and the same
-/// below zero. Of a fourth phase below zero the same formulas, which is no law.
+/// below zero. Of a fourth phase below zero the same formulas, which is not a law.
 LawPtr universal(const std::array<double, 7>& durations);
 /// A symmetric law whose acceleration changes sign at c instead of 1/2; theory (X1), (X2).
 LawPtr crossed(LawPtr symmetric, double c);

@@ -54,7 +54,7 @@ TEST_CASE("a file that stands there is replaced", "[files]") {
   CHECK(folder.content() == Names{"a"});
 }
 
-TEST_CASE("no files is no work", "[files]") { CHECK_NOTHROW(write_files({})); }
+TEST_CASE("no files are no work", "[files]") { CHECK_NOTHROW(write_files({})); }
 
 TEST_CASE("where the folder cannot be, the error names the file", "[files]") {
   const Folder folder;
@@ -173,7 +173,7 @@ TEST_CASE("a link is followed, not replaced", "[files]") {
   CHECK(folder.content() == Names{"link", "real"});
 }
 
-TEST_CASE("what is no regular file is not replaced by one", "[files]") {
+TEST_CASE("what is not a regular file is not replaced by one", "[files]") {
   // A socket stands for devices: root may rename over /dev/null.
   const Folder folder;
   const fs::path path = folder / "socket";

@@ -127,11 +127,11 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   };
   CHECK_THAT(refused("--seed", "-5"), Contains("--seed: -5 is out of range") && Contains("from 0"));
   CHECK_THAT(refused("--seed", "9223372036854775808"), Contains("to 9223372036854775807"));
-  CHECK_THAT(refused("--seed", "1.5"), Contains("'1.5' is no whole number"));
+  CHECK_THAT(refused("--seed", "1.5"), Contains("'1.5' is not a whole number"));
   CHECK_THAT(refused("--starts", "0"), Contains("from 1 to 1000000"));
   CHECK_THAT(refused("--starts", "1000001"), Contains("from 1 to 1000000"));
   CHECK_THAT(refused("--time-limit", "nan"), Contains("--time-limit: nan"));
-  CHECK_THAT(refused("--time-limit", "-1"), Contains("-1 s is no time above zero"));
+  CHECK_THAT(refused("--time-limit", "-1"), Contains("-1 s is not a time above zero"));
   CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is wanted"));
   CHECK_THAT(refused("--solver", "ipot"), Contains("near: ipopt") && Contains("auto, ipopt"));
   failed({"optimize", shipped("least_radius.toml"), "--json=3"}, 2);

@@ -233,7 +233,7 @@ TEST_CASE("a report of an infeasible result says which limit cannot be met", "[c
   CHECK(count_of(section_of(page, "limits"), ">blamed</span>") == result["blamed"].size());
 }
 
-TEST_CASE("a recorded verdict that the page finds untrue is no badge", "[cli][report]") {
+TEST_CASE("a recorded verdict that the page finds untrue is not a badge", "[cli][report]") {
   const Folder folder;
   done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
   const Json result = Json::parse(read(folder / "out/result.json"));

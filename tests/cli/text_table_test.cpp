@@ -112,7 +112,7 @@ TEST_CASE("shown rounds to the places asked for", "[numbers]") {
   CHECK(shown(-10, 0) == "-10");
 }
 
-TEST_CASE("shown has words for what is no number and never shows minus zero", "[numbers]") {
+TEST_CASE("shown has words for what is not a number and never shows minus zero", "[numbers]") {
   CHECK(shown(kInf, 2) == "inf");
   CHECK(shown(-kInf, 2) == "-inf");
   CHECK(shown(kNan, 2) == "-");

@@ -68,7 +68,7 @@ void check_curvature(const Cam& cam) {
   }
 }
 
-/// Angle between the way of the roller's centre and the line from the contact to it.
+/// Angle between the path of the roller's centre and the line from the contact to it.
 template <class Cam>
 void check_pressure_angle(const Cam& cam, const std::function<Point(double)>& centre_at) {
   for (int i = 30; i < kAngles; i += 110) {

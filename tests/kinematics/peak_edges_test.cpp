@@ -63,7 +63,7 @@ TEST_CASE("a flat-topped law's dual peak has the right derivative") {
   }
 }
 
-TEST_CASE("short ramps are no jumps, in doubles and in intervals alike") {
+TEST_CASE("short ramps are not jumps, in doubles and in intervals alike") {
   for (const char* name :
        {"trapezoidal-acceleration ramp=1e-6 constant=0.2",
         "trapezoidal-acceleration ramp=6.485357799564045e-06 constant=0.00195589",

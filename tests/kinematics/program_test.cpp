@@ -148,7 +148,7 @@ TEST_CASE("derivatives by a program's parameters agree with differences", "[prog
   }
 }
 
-TEST_CASE("what is no program is refused in words", "[program]") {
+TEST_CASE("what is not a program is refused in words", "[program]") {
   auto segments = usual();
   segments[3].angle = 80;
   CHECK(contains(refusal(segments), "the angles add up to 350 deg, not 360"));
@@ -157,7 +157,7 @@ TEST_CASE("what is no program is refused in words", "[program]") {
   CHECK(contains(refusal(segments), "two segments are called 'rise'"));
   segments = usual();
   segments[1].name = "High";
-  CHECK(contains(refusal(segments), "'High' is no segment's name"));
+  CHECK(contains(refusal(segments), "'High' is not a segment's name"));
   segments = usual();
   segments[2].angle = -90;
   CHECK(contains(refusal(segments), "'back' must be above 0"));

@@ -171,7 +171,7 @@ TEST_CASE("the cam's work is the friction of the guide", "[cams]") {
     for (int i = 0; i < kPoints; ++i) {
       const double at = degrees(i) + 180.0 / kPoints, step = 2 * kPi / kPoints;
       work += curves.at("drive_torque", at) * step;
-      // mu N sin alpha (2 a + l_g) / l_g along the follower's way, a - s the overhang left.
+      // mu N sin alpha (2 a + l_g) / l_g along the follower's path, a - s the overhang left.
       const double side = std::abs(curves.at("contact_force", at) *
                                    std::sin(curves.at("pressure_angle", at) * kPi / 180));
       const double lever = 2 * (40 - curves.at("displacement", at)) / 60 + 1;
@@ -183,7 +183,7 @@ TEST_CASE("the cam's work is the friction of the guide", "[cams]") {
   }
 }
 
-TEST_CASE("a bore that leaves nothing, and a roller in its guide, are no design", "[cams]") {
+TEST_CASE("a bore that leaves nothing, and a roller in its guide, are not a design", "[cams]") {
   CHECK(
       std::isnan(number_of(program_of("disc-cam-flat", "bore_radius = \"60 mm\"\n"), "cam_mass")));
   const Curves inside(program_of(

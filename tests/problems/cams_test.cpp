@@ -162,7 +162,7 @@ TEST_CASE("segments may be stated in time", "[cams]") {
   CHECK(times.laws.at(0).law()(0.2).s == Approx(angles.laws.at(0).law()(0.2).s).epsilon(1e-12));
 }
 
-TEST_CASE("what is no program is refused with its line", "[cams]") {
+TEST_CASE("what is not a program is refused with its line", "[cams]") {
   struct Case {
     std::string text, part;
   };

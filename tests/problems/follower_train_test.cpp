@@ -104,8 +104,8 @@ TEST_CASE("numbers and curves of the train have exact derivatives and bounds", "
   }
 }
 
-TEST_CASE("what no train can do is no number", "[follower-train]") {
-  // Drawn on its chord the law is no data: nothing is known of the train in closed form.
+TEST_CASE("what no train can do is not a number", "[follower-train]") {
+  // Drawn on its chord the law is not data: nothing is known of the train in closed form.
   const TestDesign design = design_of(train(), "inclined-sinusoid", {}, {});
   CHECK(
       std::isnan(response_of(train(), "residual_amplitude", design.binding).function().value({})));

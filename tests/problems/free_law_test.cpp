@@ -169,7 +169,7 @@ TEST_CASE("Wrong tables [free] are refused with their place", "[free]") {
   CHECK_THAT(of_table("knots = [0.5, 0.2]"), Contains("free: ") && Contains("does not come after"));
   CHECK_THAT(of_table("continuity = 3"), Contains("free.continuity"));
   CHECK_THAT(of_table("begin = 'X'"),
-             Contains("free.begin: 'X' is no end") && Contains("R (rest)"));
+             Contains("free.begin: 'X' is not an end") && Contains("R (rest)"));
   CHECK_THAT(of_table("end = 3"), Contains("free: ") && Contains("end: 3 derivatives"));
   CHECK_THAT(of_table("symmetric = 1"), Contains("free.symmetric") && Contains("true or false"));
   CHECK_THAT(of_table("lower = 2\nupper = 2"), Contains("lower 2 is not below upper 2"));
@@ -361,7 +361,7 @@ TEST_CASE("Least mean squares are those of the calculus of variations", "[free]"
   CHECK(line.objective() == Approx(1).epsilon(1e-8));
 }
 
-TEST_CASE("An infinite mean square is no number, and the reason says so", "[free]") {
+TEST_CASE("An infinite mean square is not a number, and the reason says so", "[free]") {
   // At the start, a straight line, nothing jumps; as soon as a coefficient moves s'' does.
   const std::string text =
       kLaw + "[free]\ndegree = 2\nbegin = 'B'\nend = 'B'\nknots = 4\nstart = 'constant-velocity'\n";

@@ -181,13 +181,13 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
   CHECK_THAT(changed([](Json& f) { f.erase("title"); }), Contains("it has no title"));
   CHECK_THAT(changed([](Json& f) { f.erase("pieces"); }), Contains("it has no pieces"));
   CHECK_THAT(changed([](Json& f) { f["ends"] = "R-X"; }), Contains("ends 'R-X'"));
-  CHECK_THAT(changed([](Json& f) { f["ends"] = 3; }), Contains("ends is no text"));
-  CHECK_THAT(changed([](Json& f) { f["pieces"] = 3; }), Contains("pieces is no list"));
+  CHECK_THAT(changed([](Json& f) { f["ends"] = 3; }), Contains("ends is not text"));
+  CHECK_THAT(changed([](Json& f) { f["pieces"] = 3; }), Contains("pieces is not a list"));
   CHECK_THAT(changed([](Json& f) { f["pieces"] = Json::array(); }), Contains("no pieces"));
   CHECK_THAT(changed([](Json& f) { f["pieces"][1].erase("origin"); }),
              Contains("pieces[2] has no origin"));
   CHECK_THAT(changed([](Json& f) { f["pieces"][0]["polynomial"][0] = nullptr; }),
-             Contains("pieces[1].polynomial[1] is no number"));
+             Contains("pieces[1].polynomial[1] is not a number"));
   CHECK_THAT(changed([](Json& f) { f["pieces"][0]["harmonics"][0].erase("sine"); }),
              Contains("pieces[1].harmonics[1] has no sine"));
   CHECK_THAT(changed([](Json& f) { f["pieces"][0]["end"] = 0.2; }), Contains("does not meet"));

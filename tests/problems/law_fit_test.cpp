@@ -127,7 +127,7 @@ TEST_CASE("columns that are used are those of numbers, whatever stands beside th
   }
 }
 
-TEST_CASE("quotes and marks around cells are no part of them", "[samples]") {
+TEST_CASE("quotes and marks around cells are not part of them", "[samples]") {
   const SampleTable marked = parse_samples("\xEF\xBB\xBFlift [mm],angle [deg]\n1,2\n3,4\n", "t");
   CHECK(marked.columns[0].name == "lift");
   const SampleTable tabs = parse_samples("a\tb\tc\n0\t\t\"1\"\n2\t3\t4\n5\t6\t7\n", "t");
@@ -481,7 +481,7 @@ TEST_CASE("phases that fill a law's length are found filled", "[law-fit]") {
   }
 }
 
-TEST_CASE("a curve that is no law is not taken for one", "[law-fit]") {
+TEST_CASE("a curve that is not a law is not taken for one", "[law-fit]") {
   MotionSamples samples = sampled(find_law("cycloidal").law(), 400, 0.002, 3);
   for (std::size_t i = 0; i < samples.value.size(); ++i) {
     const double u = (samples.place[i] - 10) / 120;

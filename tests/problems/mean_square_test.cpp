@@ -106,7 +106,8 @@ TEST_CASE("mean squares of fast harmonics are those of Parseval", "[mean-square]
   }
 }
 
-TEST_CASE("a mean square over knots that let the derivative jump is no number", "[mean-square]") {
+TEST_CASE("a mean square over knots that let the derivative jump is not a number",
+          "[mean-square]") {
   // A straight line as a spline of degree 2: s'' is 0 and jumps as soon as a coefficient moves.
   const Member line = find_law("b-spline degree=2 knots=0.5 coefficients=0,0.25,0.75,1");
   const std::size_t parameter = line.family->parameter("coefficients");

@@ -107,7 +107,7 @@ TEST_CASE("a table shows a profile by a radius or by two lengths x and y", "[mea
   CHECK_FALSE(shows("angle [deg], lift [mm]"));
 }
 
-TEST_CASE("rounded coordinates are no wear, and no points are wrong that are exact",
+TEST_CASE("rounded coordinates are not wear, and no points are wrong that are exact",
           "[measured-cam]") {
   const ProblemStatement machine = machine_of("disc-cam-knife");
   for (const int decimals : {2, 4, 12}) {
@@ -210,7 +210,7 @@ TEST_CASE("wrong points and worn stretches of a cam are named and left out",
   REQUIRE(fit.departures.size() == 1);
   CHECK(fit.departures[0].from == Approx(250).margin(2.5));
   CHECK(fit.departures[0].to == Approx(266).margin(2.5));
-  // Worn along the normal, read along the follower's way: not the same, but near.
+  // Worn along the normal, read along the follower's path: not the same, but near.
   CHECK(fit.departures[0].most == Approx(-0.1).margin(0.03));
   for (const MotionFit& f : fit.cycle.fits) {
     CHECK(f.distrust == "");

@@ -361,7 +361,8 @@ TEST_CASE("a fitted spline is a law", "[measured][smoothing]") {
     CHECK(cycle(at).s == Approx((closed(30 + 100 * at) - 12) / -8).margin(1e-12));
     CHECK(cycle(at).a == Approx(closed(30 + 100 * at, 2) * 10000 / -8).margin(1e-7));
   }
-  CHECK(complaint([&] { stretch_law(closed); }) == "law of a spline: a periodic one is no stretch");
+  CHECK(complaint([&] { stretch_law(closed); }) ==
+        "law of a spline: a periodic one is not a stretch");
   CHECK(complaint([&] { spline_law(s, 12, 0); }) ==
         "law of a spline: a stroke of 0 from 12 is none");
 }
@@ -378,7 +379,7 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
         "measured profile: 5 points are too few, 12 are needed");
   auto bad = points;
   bad[17] = {std::nan(""), 0};
-  CHECK(said(bad) == "measured profile: point 17 is no number");
+  CHECK(said(bad) == "measured profile: point 17 is not a number");
   bad[17] = 0;
   CHECK(said(bad) ==
         "measured profile: the point at a polar angle of 0 deg has the radius 0, not above 0");

@@ -171,7 +171,7 @@ TEST_CASE("sound records keep all their rows", "[record-faults]") {
   }
 }
 
-TEST_CASE("many rows that are off are no slips", "[record-faults]") {
+TEST_CASE("many rows that are off are not slips", "[record-faults]") {
   MotionRecord record = recorded(360, 0.005, 4);
   for (std::size_t i = 70; i < 140; i += 10) record.samples.value[i] += 3;
   const RecordedMotion found = fit_recorded_motion(std::move(record), few_laws());
@@ -194,7 +194,7 @@ TEST_CASE("places far from all others are left out and named", "[record-faults]"
     CHECK(record.samples.place.size() == 120);
     CHECK(record.lines.size() == 120);
   }
-  // A long pause is no stray, nor is a half of the record.
+  // A long pause is not a stray, nor is a half of the record.
   MotionRecord paused = rise(121, 0.002, 3);
   for (std::size_t i = 110; i < 121; ++i) paused.samples.place[i] += 200;
   leave_out_stray_places(paused);
@@ -330,7 +330,7 @@ TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-
   }
 }
 
-TEST_CASE("a cam that was clamped off its centre is no worn one", "[record-faults][heavy]") {
+TEST_CASE("a cam that was clamped off its centre is not a worn one", "[record-faults][heavy]") {
   const ProblemStatement machine = machine_of("disc-cam-roller", "");
   const std::complex<double> centre = std::polar(0.17, 0.7);
   const SampleTable table = profile(machine, 720, 0.003, 5, centre);

@@ -112,7 +112,7 @@ TEST_CASE("A result stands alone without the law files of its problem", "[result
   check_same(read_result(result, "r.json").statement, bound.at({1}, std::vector{150.25}));
 }
 
-TEST_CASE("What is no result is refused with what it should be", "[results]") {
+TEST_CASE("What is not a result is refused with what it should be", "[results]") {
   const BoundProblem bound(read_problem(kChoices, "f.toml"));
   const Json design = recorded_design(bound, {1, 0}, std::vector{-2.0, 30.0});
   CHECK(complaint(result_text(design)) == "accepted");
@@ -122,7 +122,8 @@ TEST_CASE("What is no result is refused with what it should be", "[results]") {
   const std::string deep(100000, '[');
   CHECK_THAT(complaint("{\"verdict\": " + deep),
              Contains("r.json: its brackets are nested deeper"));
-  CHECK_THAT(complaint("{}"), Contains("r.json: it is no result with a design in it; a problem"));
+  CHECK_THAT(complaint("{}"),
+             Contains("r.json: it is not a result with a design in it; a problem"));
   CHECK_THAT(complaint("{\"verdict\": \"failed\", \"design\": null}"),
              Contains("r.json: it holds no design; its verdict is \"failed\""));
   const auto without = [&](const char* key) {

@@ -77,7 +77,7 @@ TEST_CASE("rows know the lines that they stand on", "[samples]") {
         std::vector<std::uint32_t>{4, 7});
 }
 
-TEST_CASE("what is no table says in one line what to change", "[samples]") {
+TEST_CASE("what is not a table says in one line what to change", "[samples]") {
   CHECK_THAT(said(std::string(100, '\0')), Contains("t.csv:1") && Contains("not a text"));
   CHECK_THAT(said("angle,lift\n1,2\n" + std::string(kMostLineBytes + 1, '3')),
              Contains("t.csv:3") && Contains("longer than"));

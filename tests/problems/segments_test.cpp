@@ -163,7 +163,7 @@ TEST_CASE("noise is told from the samples alone", "[segments]") {
     s.push_back(10 * std::sin(x.back() / 30) + 0.02 * random.normal());
   }
   CHECK(estimated_noise(x, s) == Approx(0.02).epsilon(0.15));
-  s[100] += 5;  // an outlier is no noise
+  s[100] += 5;  // an outlier is not noise
   CHECK(estimated_noise(x, s) == Approx(0.02).epsilon(0.15));
   for (std::size_t i = 0; i < x.size(); ++i) s[i] = 10 * std::sin(x[i] / 30);
   CHECK(estimated_noise(x, s) < 1e-6);
@@ -310,7 +310,7 @@ TEST_CASE("lifts in which no segments can be found are refused", "[segments]") {
         "segments: 3 angles and 2 lifts do not belong together");
   Data bad = good;
   bad.s[7] = std::nan("");
-  CHECK(complaint(bad, {}) == "segments: sample 7 is no number");
+  CHECK(complaint(bad, {}) == "segments: sample 7 is not a number");
   CHECK(complaint(good, {.period = 0.0}) == "segments: a period of 0 is not above 0");
   CHECK(complaint(good, {.period = 360.0, .noise = -1.0}) == "segments: noise of -1 is below 0");
   CHECK(complaint(good, {.period = 360.0, .least_dwell = 0.7}) ==

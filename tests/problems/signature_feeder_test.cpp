@@ -148,7 +148,7 @@ TEST_CASE("the cylinder swings by 2 r1 / r_p, and the guide between its common t
   CHECK(SignatureFeeder<double>{}.drum_swing() == Approx(2 * 92.0 / 45));
 }
 
-TEST_CASE("a rack that leaves its guide is no design", "[signature-feeder]") {
+TEST_CASE("a rack that leaves its guide is not a design", "[signature-feeder]") {
   SignatureFeeder<double> m;
   CHECK(m.is_possible());
   m.offset = 0.6101;  // L - r1 = 0.610

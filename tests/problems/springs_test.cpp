@@ -137,7 +137,7 @@ TEST_CASE("numbers of a helical spring are the spring's", "[springs]") {
   is("surge_frequency", spring.surge_frequency());
 }
 
-TEST_CASE("a spring that cannot be is no design", "[springs]") {
+TEST_CASE("a spring that cannot be is not a design", "[springs]") {
   const TestDesign coil = design_of(helical(), "constant-velocity", {}, {"mean_diameter"});
   const auto rate = response_of(helical(), "rate", coil.binding).function();
   CHECK(std::isfinite(rate.value(std::vector{2.1})));

@@ -241,7 +241,7 @@ TEST_CASE("bounds are there, finite, in order and in the accepted range", "[stat
         {}},
        {variable("alpha", kBounds + "scale = 0"), ":7: variables.alpha.scale: 0 is not above", {}},
        {variable("alpha", kBounds + "type = 'whole'"),
-        ":7: variables.alpha.type: 'whole' is no type",
+        ":7: variables.alpha.type: 'whole' is not a type",
         {"integer, continuous"}}}));
 }
 
@@ -337,7 +337,7 @@ TEST_CASE("an objective is one number that can be improved", "[statement]") {
       kAlpha,
       {{objective("minimize = 'inertia_forc'"), ":5: objective.minimize: ", {"inertia_force"}},
        {objective("minimize = 'alpha'"),
-        ":5: objective.minimize: alpha is a parameter of the law, which is no response",
+        ":5: objective.minimize: alpha is a parameter of the law, which is not a response",
         {"[variables.alpha]"}},
        {objective("minimize = 3"), ":5: objective.minimize: a number is given", {"a text"}},
        {objective("minimize = 'peak contact_angle'"),

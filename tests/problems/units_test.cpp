@@ -125,7 +125,7 @@ TEST_CASE("a quantity of another kind is refused and named", "[units]") {
              Contains("another kind") && Contains("a length is wanted"));
 }
 
-TEST_CASE("a plain number is no angle and an angle no plain number", "[units]") {
+TEST_CASE("a plain number is not an angle and an angle no plain number", "[units]") {
   CHECK_THAT(complaint(plain, "17 deg"),
              Contains("blades") && Contains("is an angle") && Contains("a plain number is wanted"));
   CHECK_THAT(complaint(plain, "17 rad"), Contains("a plain number is wanted"));

@@ -224,7 +224,7 @@ TEST_CASE("short stretches are sampled too", "[cycle]") {
   CHECK(highest(trace, 1).place.angle == Approx(100.18).epsilon(1e-9));
 }
 
-TEST_CASE("a value that is no number counts as highest and as lowest", "[cycle]") {
+TEST_CASE("a value that is not a number counts as highest and as lowest", "[cycle]") {
   const auto root = one_stretch(0, 4, [](double x) {
     return Values{std::sqrt(x - 1), 0.5 / std::sqrt(x - 1), -0.25 / std::pow(x - 1, 1.5)};
   });
@@ -329,7 +329,7 @@ TEST_CASE("enclosures that never close prove nothing, and the search for a proof
   const CycleProof open = prove_below(wide, 1, 1.05);
   CHECK_FALSE(open.proved);
   CHECK_FALSE(open.broken);
-  // Bounds that are no numbers bound nothing.
+  // Bounds that are not numbers bound nothing.
   const Stretches undefined({0, 2 * kPi}, {sine}, [](double, double) {
     return Bounds{kNan, kNan};
   });

@@ -701,7 +701,7 @@ TEST_CASE("the same options twice give the same bits, another seed need not", "[
   }
 }
 
-TEST_CASE("what is no question for a front is refused", "[front]") {
+TEST_CASE("what is not a question for a front is refused", "[front]") {
   const auto refused = [](const MultiProblem& problem, ParetoOptions options = {}) {
     CHECK_THROWS_AS(pareto(problem, options), std::invalid_argument);
   };

@@ -214,7 +214,7 @@ TEST_CASE("what lies around a convex front, from within and from without", "[fro
   }
 }
 
-TEST_CASE("an end is no knee", "[front measures]") {
+TEST_CASE("an end is not a knee", "[front measures]") {
   // Bulging away from the ideal point: no point is deeper than the ends.
   CHECK_FALSE(knee(Points{{0, 10}, {6, 9}, {10, 0}}));
   CHECK_FALSE(knee(Points{{0, 2}, {1, 1}, {2, 0}}));  // a straight line

@@ -154,7 +154,7 @@ TEST_CASE("the crowded are left out first, those that must stay never", "[spacin
   CHECK(thinned(places, 1, must_stay) == std::vector<std::size_t>{11, 15});
 }
 
-TEST_CASE("what lies along (1, 1, ...) is no distance aside", "[spacing]") {
+TEST_CASE("what lies along (1, 1, ...) adds no distance aside", "[spacing]") {
   CHECK(distance_aside({1, 2, 3}, {3, 4, 5}) == Approx(0).margin(1e-7));
   CHECK(distance_aside({0, 0, 0}, {1, -1, 0}) == Approx(std::sqrt(2.0)));
   // Of points that do not dominate each other at least this share of the distance.

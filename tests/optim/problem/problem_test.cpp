@@ -660,7 +660,7 @@ TEST_CASE("a wrong derivative of a curve is found with its angle", "[optimise]")
   CHECK(*check.worst.angle < 3);
 }
 
-TEST_CASE("a derivative that is no number does not agree", "[optimise]") {
+TEST_CASE("a derivative that is not a number does not agree", "[optimise]") {
   const DerivativeCheck check =
       check_derivatives(with_load(wrong_product(kNan, 0)), Point{0.4, 0.7});
   CHECK_FALSE(check.agrees);

@@ -352,7 +352,7 @@ TEST_CASE("a region where the model is undefined never wins", "[nlopt]") {
   }
 }
 
-TEST_CASE("a row that is no number is not satisfied", "[nlopt]") {
+TEST_CASE("a row that is not a number is not satisfied", "[nlopt]") {
   // log(x) + y <= 0.5 is undefined for x <= 0, where the objective would be least.
   const Function row = function({0, 1}, [](const auto& u) { return log(u[0]) + u[1]; });
   const Function goal = function({0, 1}, [](const auto& u) {
@@ -380,7 +380,7 @@ TEST_CASE("a passing encounter with an undefined region does no harm", "[nlopt]"
   }
 }
 
-TEST_CASE("a start that is no number is said to be one", "[nlopt]") {
+TEST_CASE("a start that is not a number is said to be one", "[nlopt]") {
   const Function root = function({0, 1}, [](const auto& u) { return sqrt(u[0]) + u[1]; });
   const Program bad(box(-5, 5, {-1, 0}), root, 1, 1, {});
   const Program bad_row(box(-5, 5, {-1, 0}), distance(), 1, 1, {{.function = root, .upper = 9}});

@@ -155,7 +155,7 @@ TEST_CASE("settings can be set anew", "[study]") {
   CHECK(StudyRecord::read(folder / "s.db").settings() == expected);
 }
 
-TEST_CASE("what is left of a study that was begun is no hindrance", "[study]") {
+TEST_CASE("what is left of a study that was begun is not a hindrance", "[study]") {
   const Folder folder;
   write(folder / "s.db.new", "");
   { const StudyRecord record = StudyRecord::create(folder / "s.db", kSettings); }
@@ -234,7 +234,7 @@ TEST_CASE("names that SQLite reads as something else are names of files", "[stud
   fs::current_path(before);
 }
 
-TEST_CASE("what is no study is refused and left as it is", "[study]") {
+TEST_CASE("what is not a study is refused and left as it is", "[study]") {
   const Folder folder;
   CHECK_THAT(complaint(folder / "none.db"), Contains("no such study"));
   CHECK_THAT(complaint(folder / ""), Contains("no such study"));

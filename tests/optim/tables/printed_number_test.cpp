@@ -94,7 +94,7 @@ TEST_CASE("an exact half can be a misprint of either rounding") {
   CHECK_FALSE(one_digit_misprint({2.14, 2}, 1.125));
 }
 
-TEST_CASE("numbers beyond the precision of a double are no misprints") {
+TEST_CASE("numbers beyond the precision of a double are not misprints") {
   CHECK_FALSE(one_digit_misprint({1e300, 2}, 2e300));
   CHECK_FALSE(one_digit_misprint({1.0, 2}, 1e300));
 }

@@ -169,7 +169,7 @@ TEST_CASE("a design at which the model gives no number fails", "[verdict]") {
   CHECK(judge(problem, {kNan, 0.5}).verdict == Verdict::Failed);
 }
 
-TEST_CASE("a derivative that is no number keeps a design from being certified", "[verdict]") {
+TEST_CASE("a derivative that is not a number keeps a design from being certified", "[verdict]") {
   // sqrt(x) at 0: the value is one, the slope is not.
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.5}};
@@ -363,7 +363,7 @@ std::vector<std::vector<Assessment>> ranks(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("better is a strict weak order, and what is no number comes last", "[verdict]") {
+TEST_CASE("better is a strict weak order, and what is not a number comes last", "[verdict]") {
   Problem problem = projection();
   const auto classes = ranks(problem);
   struct Ranked {
