@@ -10,7 +10,7 @@
 #include "optim/pareto/pareto.h"
 #include "optim/pareto/scout.h"
 #include "problems/fronts/front_study.h"
-#include "problems/fronts/surfaces.h"
+#include "tests/sets/fronts/surfaces.h"
 
 namespace camlaw::benchmarks {
 namespace {
@@ -65,7 +65,7 @@ void print_even_fronts() {
       "|---|--:|--:|---|--:|--:|--:|--:|--:|\n");
   for (const std::size_t objectives : {3, 4, 5}) {
     for (const char* name : {"sphere", "centres", "inverted", "patches", "curve"}) {
-      const auto surface = problems::known_surface(name, objectives);
+      const auto surface = sets::known_surface(name, objectives);
       optim::ParetoOptions options;
       options.points = objectives == 3 ? 40 : 100;
       print_row(surface.problem.name, optim::MultiSpace::of(surface.problem), options);

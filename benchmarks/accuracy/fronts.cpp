@@ -6,7 +6,7 @@
 #include "benchmarks/accuracy/accuracy.h"
 #include "benchmarks/timing.h"
 #include "optim/pareto/pareto.h"
-#include "problems/fronts/known_fronts.h"
+#include "tests/sets/fronts/known_fronts.h"
 
 namespace camlaw::benchmarks {
 namespace {
@@ -18,7 +18,7 @@ struct Way {
   std::size_t points, population = 0, generations = 0;
 };
 
-void print_row(const problems::KnownFront& known, const Way& way) {
+void print_row(const sets::KnownFront& known, const Way& way) {
   optim::ParetoOptions options;
   options.points = way.points;
   options.method = way.method;
@@ -40,7 +40,7 @@ void print_known_fronts() {
   fmt::print(
       "| problem | method | points | certified | hypervolume, % | searches | evaluations | failed "
       "| s |\n|---|---|---|---|---|---|---|---|---|\n");
-  for (const problems::KnownFront& known : problems::known_fronts()) {
+  for (const sets::KnownFront& known : sets::known_fronts()) {
     const bool three = known.problem.objectives.size() == 3;
     const std::size_t points = three ? 9000 : known.smooth ? 1000 : 600;
     if (known.smooth) print_row(known, {"sweep", optim::ParetoMethod::Sweep, points});

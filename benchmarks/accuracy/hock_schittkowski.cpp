@@ -10,7 +10,7 @@
 #include "benchmarks/accuracy/accuracy.h"
 #include "benchmarks/timing.h"
 #include "optim/search/optimise.h"
-#include "problems/hock_schittkowski/problems.h"
+#include "tests/sets/hock_schittkowski/problems.h"
 
 namespace camlaw::benchmarks {
 namespace {
@@ -62,7 +62,7 @@ void print_hock_schittkowski_table() {
   for (const std::string& name : names) {
     Score score;
     const double time = seconds([&] {
-      for (const optim::Problem& problem : problems::hock_schittkowski_problems()) {
+      for (const optim::Problem& problem : sets::hock_schittkowski_problems()) {
         add(problem, name, score);
       }
     });

@@ -6,9 +6,9 @@
 
 #include "kinematics/limits.h"
 #include "problems/fronts/front_study.h"
-#include "problems/fronts/known_fronts.h"
 #include "problems/fronts/ruler.h"
 #include "tests/problems/front_files.h"
+#include "tests/sets/fronts/known_fronts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -39,7 +39,8 @@ double by_points(const FrontRuler& ruler, const Costs& reference) {
     const double a = ruler.least(v);
     if (a < reference[acceleration.objective]) points.emplace_back(v, a);
   }
-  return area_dominated(points, reference[velocity.objective], reference[acceleration.objective]);
+  return sets::area_dominated(points, reference[velocity.objective],
+                              reference[acceleration.objective]);
 }
 
 /// The measure of what lambda <= 1 allows up to a reference, by counting: of an even grid of

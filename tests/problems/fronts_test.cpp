@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "problems/fronts/front_study.h"
-#include "problems/fronts/known_fronts.h"
 #include "tests/problems/complaint.h"
 #include "tests/problems/front_files.h"
+#include "tests/sets/fronts/known_fronts.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems {
@@ -202,9 +202,9 @@ TEST_CASE("a file with one objective has no front, and says what has", "[fronts]
 }
 
 TEST_CASE("the area that a list of points dominates", "[fronts]") {
-  CHECK(area_dominated({{0, 2}, {1, 1}, {2, 0}, {2, 2}}, 3, 3) == 6);
-  CHECK(area_dominated({}, 3, 3) == 0);
-  CHECK(area_dominated({{3, 0}, {0, 3}}, 3, 3) == 0);
+  CHECK(sets::area_dominated({{0, 2}, {1, 1}, {2, 0}, {2, 2}}, 3, 3) == 6);
+  CHECK(sets::area_dominated({}, 3, 3) == 0);
+  CHECK(sets::area_dominated({{3, 0}, {0, 3}}, 3, 3) == 0);
 }
 
 }  // namespace camlaw::problems

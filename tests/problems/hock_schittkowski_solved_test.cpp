@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "optim/search/optimise.h"
-#include "problems/hock_schittkowski/problems.h"
+#include "tests/sets/hock_schittkowski/problems.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 using optim::Assessment;
@@ -69,4 +69,4 @@ TEST_CASE("every back end solves the Hock-Schittkowski problems that it accepts"
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/hock_schittkowski/problems.h"
+#include "tests/sets/hock_schittkowski/problems.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 using optim::Function;
@@ -251,4 +251,4 @@ TEST_CASE("enclosures hold the value and are narrow", "[hock-schittkowski]") {
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "problems/nist/nist_models.h"
-#include "problems/nist/nist_runs.h"
+#include "tests/sets/nist/nist_models.h"
+#include "tests/sets/nist/nist_runs.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 /// Where NIST's files lie; empty where there are none.
@@ -99,4 +99,4 @@ TEST_CASE("digits agree as far as the relative error is small", "[fit]") {
   CHECK(agreeing_digits(std::nan(""), 1) == 0);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -25,7 +25,7 @@ struct Case {
 
 void check_even(const Case& c) {
   INFO(c.name << ", " << c.objectives << " objectives, " << c.points << " points");
-  const problems::KnownSurface surface = problems::known_surface(c.name, c.objectives);
+  const sets::KnownSurface surface = sets::known_surface(c.name, c.objectives);
   ParetoOptions options;
   options.points = c.points;
   const Front front = pareto(surface.problem, options);
@@ -107,7 +107,7 @@ TEST_CASE("three objectives of which two agree have the front of two", "[front]"
 }
 
 TEST_CASE("a front that was stopped or is uneven is not complete", "[front]") {
-  const problems::KnownSurface surface = problems::known_surface("centres", 3);
+  const sets::KnownSurface surface = sets::known_surface("centres", 3);
   std::atomic<bool> stop = false;
   ParetoOptions options;
   options.points = 40;

@@ -7,7 +7,7 @@
 
 #include "optim/pareto/pareto.h"
 #include "optim/pareto/scout.h"
-#include "problems/fronts/surfaces.h"
+#include "tests/sets/fronts/surfaces.h"
 
 /// How even a front is, measured by the definitions alone and with nothing of the library's own
 /// measures but the hypervolume.
@@ -76,7 +76,7 @@ inline bool is_dominated(const Costs& by, const Costs& point) {
 }
 
 /// Random points of the front that is known.
-inline std::vector<Costs> samples_of(const problems::KnownSurface& surface, std::size_t count) {
+inline std::vector<Costs> samples_of(const sets::KnownSurface& surface, std::size_t count) {
   std::mt19937_64 generator(7);
   std::vector<Costs> all;
   while (all.size() < count) {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "optim/pareto/dominance.h"
-#include "problems/fronts/known_fronts.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
+#include "tests/sets/fronts/known_fronts.h"
 
 namespace camlaw::optim {
 
@@ -57,8 +57,8 @@ ParetoOptions options_of(std::size_t points, ParetoMethod method = ParetoMethod:
   return options;
 }
 
-const problems::KnownFront& known(const std::string& name) {
-  static const std::vector<problems::KnownFront> all = problems::known_fronts();
+const sets::KnownFront& known(const std::string& name) {
+  static const std::vector<sets::KnownFront> all = sets::known_fronts();
   for (const auto& front : all) {
     if (front.problem.name == name) return front;
   }
@@ -75,7 +75,7 @@ struct Case {
 
 void check_known(const Case& c) {
   INFO(c.name << ", " << c.points << " points");
-  const problems::KnownFront& front = known(c.name);
+  const sets::KnownFront& front = known(c.name);
   ParetoOptions options = options_of(c.points, c.method);
   options.reference = front.reference;
   options.population = c.population;
@@ -180,7 +180,7 @@ TEST_CASE("ZDT6 and, by NSGA-II, Osyczka, ZDT2 and ZDT4 take their time", "[.lon
 }
 
 TEST_CASE("fewer points by NSGA-II are spread over the whole front", "[front]") {
-  const problems::KnownFront& front = known("DTLZ2, 2 objectives");
+  const sets::KnownFront& front = known("DTLZ2, 2 objectives");
   const Front few = pareto(front.problem, options_of(12, ParetoMethod::Nsga2));
   CHECK(few.points.size() >= 12);
   const auto lengths = steps(costs_of(few));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "problems/hock_schittkowski/parts.h"
+#include "tests/sets/hock_schittkowski/parts.h"
 
-namespace camlaw::problems::hock_schittkowski {
+namespace camlaw::sets::hock_schittkowski {
 namespace {
 
 using optim::Problem;
@@ -88,4 +88,4 @@ Problem hs76() {
 
 std::vector<Problem> four_variables() { return {hs38(), hs39(), hs41(), hs43(), hs71(), hs76()}; }
 
-}  // namespace camlaw::problems::hock_schittkowski
+}  // namespace camlaw::sets::hock_schittkowski

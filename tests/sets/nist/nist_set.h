@@ -9,7 +9,7 @@
 /// The nonlinear regression sets of the NIST Statistical Reference Datasets (StRD): data, starts
 /// and certified answers. The files are NIST's own (https://www.itl.nist.gov/div898/strd/), one
 /// NAME.dat for each set; they are not part of the project.
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 struct NistSet {
   std::string name;
@@ -26,4 +26,4 @@ const std::vector<std::string>& nist_names();
 /// Throws std::invalid_argument naming the file where it cannot be read or misses something.
 NistSet read_nist(const std::filesystem::path& file);
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "optim/fit/least_squares.h"
-#include "problems/nist/nist_set.h"
+#include "tests/sets/nist/nist_set.h"
 
 /// Fits of NIST's sets, and in how many digits they agree with the certified answers.
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 /// Logarithmic relative error: how many digits agree, -log10(|x - certified| / |certified|),
 /// between 0 and 11, as many as are certified. 0 where x is not a number.
@@ -27,4 +27,4 @@ struct NistRun {
 /// read_nist() does.
 std::vector<NistRun> nist_runs(const std::filesystem::path& folder);
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/nist/nist_set.h"
+#include "tests/sets/nist/nist_set.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 /// All numbers of a line up to the first word that is none.
@@ -91,4 +91,4 @@ NistSet read_nist(const std::filesystem::path& file) {
   return set;
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -10,7 +10,7 @@
 /// Sources: ZDT: Zitzler, Deb, Thiele, Evolutionary Computation 8 (2000) 173. DTLZ2: Deb, Thiele,
 /// Laumanns, Zitzler, CEC 2002. Tanaka, Osyczka and Kundu, Srinivas and Deb: as collected in Deb,
 /// Multi-Objective Optimization Using Evolutionary Algorithms, Wiley 2001, section 8.3.
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 struct KnownFront {
   optim::MultiProblem problem;
@@ -28,4 +28,4 @@ std::vector<KnownFront> known_fronts();
 double area_dominated(std::vector<std::pair<double, double>> points, double reference_x,
                       double reference_y);
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -25,9 +25,9 @@
 ///   digits only.
 /// - Shapes are declared where they are proved, by hand or by the Hessian's eigenvalues. Decimal
 ///   constants and pi are the nearest doubles, in enclosures too.
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 /// The 33 problems, by number of variables (2 to 10) and then by their number in the book.
 std::vector<optim::Problem> hock_schittkowski_problems();
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

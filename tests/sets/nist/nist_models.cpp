@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/nist/nist_models.h"
+#include "tests/sets/nist/nist_models.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 using Made = std::unique_ptr<const optim::Residuals>;
@@ -132,4 +132,4 @@ std::unique_ptr<const optim::Residuals> nist_residuals(const NistSet& set) {
   return found->second(set);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/fronts/known_fronts.h"
+#include "tests/sets/fronts/known_fronts.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "kinematics/interval.h"
 #include "optim/problem/automatic.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 using optim::Constraint, optim::Function, optim::MultiProblem, optim::Shape;
@@ -314,4 +314,4 @@ std::vector<KnownFront> known_fronts() {
           dtlz2_circle(), dtlz2_sphere(), tanaka(), osyczka(), srinivas()};
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <type_traits>
 
-#include "problems/hock_schittkowski/parts.h"
+#include "tests/sets/hock_schittkowski/parts.h"
 
-namespace camlaw::problems::hock_schittkowski {
+namespace camlaw::sets::hock_schittkowski {
 namespace {
 
 using optim::kInfinity;
@@ -148,4 +148,4 @@ std::vector<Problem> two_variables() {
           hs12(), hs15(), hs17(), hs21(), hs22(), hs23()};
 }
 
-}  // namespace camlaw::problems::hock_schittkowski
+}  // namespace camlaw::sets::hock_schittkowski

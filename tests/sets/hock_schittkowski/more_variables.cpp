@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/hock_schittkowski/parts.h"
+#include "tests/sets/hock_schittkowski/parts.h"
 
-namespace camlaw::problems::hock_schittkowski {
+namespace camlaw::sets::hock_schittkowski {
 namespace {
 
 using optim::Problem;
@@ -165,4 +165,4 @@ std::vector<Problem> more_variables() {
   return {hs48(), hs49(), hs50(), hs51(), hs77(), hs100(), hs113()};
 }
 
-}  // namespace camlaw::problems::hock_schittkowski
+}  // namespace camlaw::sets::hock_schittkowski

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/fronts/surfaces.h"
+#include "tests/sets/fronts/surfaces.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "kinematics/interval.h"
 #include "optim/problem/automatic.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 using optim::Function, optim::MultiProblem, optim::Shape;
@@ -226,4 +226,4 @@ KnownSurface known_surface(const std::string& name, std::size_t objectives) {
   throw std::invalid_argument(fmt::format("no surface is called '{}'", name));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -10,7 +10,7 @@
 #include "optim/problem/problem.h"
 
 /// What the Hock-Schittkowski problems are put together from; private to this folder.
-namespace camlaw::problems::hock_schittkowski {
+namespace camlaw::sets::hock_schittkowski {
 
 /// One variable: start and bounds.
 struct Row {
@@ -64,4 +64,4 @@ std::vector<optim::Problem> three_variables();
 std::vector<optim::Problem> four_variables();
 std::vector<optim::Problem> more_variables();
 
-}  // namespace camlaw::problems::hock_schittkowski
+}  // namespace camlaw::sets::hock_schittkowski

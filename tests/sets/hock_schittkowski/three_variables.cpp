@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "problems/hock_schittkowski/parts.h"
+#include "tests/sets/hock_schittkowski/parts.h"
 
-namespace camlaw::problems::hock_schittkowski {
+namespace camlaw::sets::hock_schittkowski {
 namespace {
 
 using optim::Problem;
@@ -83,4 +83,4 @@ std::vector<Problem> three_variables() {
   return {hs26(), hs27(), hs28(), hs29(), hs35(), hs36(), hs65()};
 }
 
-}  // namespace camlaw::problems::hock_schittkowski
+}  // namespace camlaw::sets::hock_schittkowski

@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "optim/fit/residuals.h"
-#include "problems/nist/nist_set.h"
+#include "tests/sets/nist/nist_set.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 /// The set's model minus its data, parameters in NIST's order. Throws std::invalid_argument for a
 /// name that is not among nist_names().
 std::unique_ptr<const optim::Residuals> nist_residuals(const NistSet& set);
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

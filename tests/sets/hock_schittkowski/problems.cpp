@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "problems/hock_schittkowski/problems.h"
+#include "tests/sets/hock_schittkowski/problems.h"
 
 #include <fmt/format.h>
 
 #include <iterator>
 #include <string>
 
-#include "problems/hock_schittkowski/parts.h"
+#include "tests/sets/hock_schittkowski/parts.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace hock_schittkowski {
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<optim::Problem> hock_schittkowski_problems() {
   return all;
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "problems/nist/nist_runs.h"
+#include "tests/sets/nist/nist_runs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/nist/nist_models.h"
+#include "tests/sets/nist/nist_models.h"
 
-namespace camlaw::problems {
+namespace camlaw::sets {
 namespace {
 
 constexpr double kCertifiedDigits = 11;
@@ -51,4 +51,4 @@ std::vector<NistRun> nist_runs(const std::filesystem::path& folder) {
   return runs;
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets

@@ -12,7 +12,7 @@
 ///
 /// Sources: DTLZ2 and DTLZ7: Deb, Thiele, Laumanns, Zitzler, CEC 2002. Inverted simplex: after
 /// Jain and Deb, IEEE Transactions on Evolutionary Computation 18 (2014) 602.
-namespace camlaw::problems {
+namespace camlaw::sets {
 
 struct KnownSurface {
   optim::MultiProblem problem;
@@ -28,4 +28,4 @@ struct KnownSurface {
 /// and for fewer than three objectives.
 KnownSurface known_surface(const std::string& name, std::size_t objectives);
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::sets
