@@ -6,6 +6,7 @@
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -62,7 +63,15 @@ std::string how_it_died(const char* process, int status) {
   return fmt::format("{} ended by itself with status {}", process, WEXITSTATUS(status));
 }
 
+/// How long a process may take to end once it has closed its socket; then it is ended.
+constexpr int kDying = 1000;  // ms
+
 int status_of(pid_t process) {
+  if (const auto its = static_cast<int>(syscall(SYS_pidfd_open, process, 0)); its >= 0) {
+    pollfd file{its, POLLIN, 0};
+    if (poll(&file, 1, kDying) == 0) kill(process, SIGKILL);
+    close(its);
+  }
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
@@ -142,8 +151,30 @@ WorkerProcess WorkerProcess::started(const WorkerProgram& program) {
     fail(program.path, error);
   }
   WorkerProcess worker(process, ends.mine, false);
+  worker.hear_greeting(program);
   send_message(worker.socket_, program.problem);  // where it is gone, read() tells
   return worker;
+}
+
+void WorkerProcess::hear_greeting(const WorkerProgram& program) {
+  using std::chrono::steady_clock, std::chrono::milliseconds;
+  const auto latest = steady_clock::now() + program.patience;
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{} is not a worker of camlaw: {}", program.path, why));
+  };
+  std::string message;
+  while (!inbox_.take(message)) {
+    const auto left = std::chrono::ceil<milliseconds>(latest - steady_clock::now());
+    pollfd file{socket_, POLLIN, 0};
+    if (left <= milliseconds(0)) {
+      refuse(fmt::format("it said nothing for {} s",
+                         std::chrono::duration<double>(program.patience).count()));
+    }
+    if (poll(&file, 1, static_cast<int>(left.count())) <= 0) continue;
+    if (!inbox_.read_some(socket_)) throw std::runtime_error(died().failed_to_start);
+    if (!inbox_.may_become(kGreeting.size())) break;
+  }
+  if (message != kGreeting) refuse("it said something else than a worker of this version");
 }
 
 bool WorkerProcess::is_idle() const {
