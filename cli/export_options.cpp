@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/help.h"
 #include "problems/exports/plane_curve.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/units.h"
@@ -159,40 +160,54 @@ void add_export_options(CLI::App& command, ExportOptions& o) {
   command
       .add_option("FILE", o.file,
                   "a problem file (TOML), or a result of 'camlaw optimize' or 'camlaw front'")
-      ->required();
+      ->required()
+      ->type_name(takes::kFile);
   command
       .add_option("--format", o.format,
                   "csv (points), dxf (drawing, mm), svg (picture in real size), json (points, "
                   "motion and law), gcode (way of the tool), table (master and slave for a "
                   "controller, PLC or servo drive); without it the ending of --out decides")
       ->type_name(format_words());
-  command.add_option("--out", o.out, "write to this file; else to standard output");
+  command.add_option("--out", o.out, "write to this file; else to standard output")
+      ->type_name(takes::kFile);
   command
       .add_option("--curve", o.curve,
                   "profile, second-profile (of conjugate cams), pitch, cutter (middle of the "
                   "tool) or all; by default all, for gcode cutter")
       ->type_name(curve_words());
-  command.add_option("--tolerance", o.tolerance,
-                     "how far the exact curve may be from what is written; by default 0.01 mm");
-  command.add_option("--step", o.step,
-                     "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a "
-                     "table the master's step, by default a 360th of the cycle");
+  command
+      .add_option("--tolerance", o.tolerance,
+                  "how far the exact curve may be from what is written; by default 0.01 mm")
+      ->type_name("LENGTH");
+  command
+      .add_option("--step", o.step,
+                  "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a "
+                  "table the master's step, by default a 360th of the cycle")
+      ->type_name("ANGLE");
   command
       .add_option("--as", o.form,
                   "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by "
                   "default spline for dxf, arcs for gcode, else lines")
       ->type_name(one_of(
           {name_of(CurveForm::Lines), name_of(CurveForm::Arcs), name_of(CurveForm::Spline)}));
-  command.add_option("--decimals", o.decimals,
-                     "of coordinates and table values, 1 to 9; by default 6, for gcode 4");
-  command.add_option("--tool", o.tool,
-                     "radius of a tool, for cams without a cutter_radius of their own");
-  command.add_option("--feed", o.feed, "gcode: by default '100 mm/min'");
-  command.add_option("--clearance", o.clearance, "gcode: Z of free moves, by default '5 mm'");
-  command.add_option("--depth", o.depth, "gcode: the cut is so far below Z = 0, by default '0 mm'");
-  command.add_option("--slave", o.slave,
-                     "table: the curve that the slave follows; by default displacement, else the "
-                     "law");
+  command
+      .add_option("--decimals", o.decimals,
+                  "of coordinates and table values, 1 to 9; by default 6, for gcode 4")
+      ->type_name("N");
+  command
+      .add_option("--tool", o.tool,
+                  "radius of a tool, for cams without a cutter_radius of their own")
+      ->type_name("LENGTH");
+  command.add_option("--feed", o.feed, "gcode: by default '100 mm/min'")->type_name("SPEED");
+  command.add_option("--clearance", o.clearance, "gcode: Z of free moves, by default '5 mm'")
+      ->type_name("LENGTH");
+  command.add_option("--depth", o.depth, "gcode: the cut is so far below Z = 0, by default '0 mm'")
+      ->type_name("LENGTH");
+  command
+      .add_option("--slave", o.slave,
+                  "table: the curve that the slave follows; by default displacement, else the "
+                  "law")
+      ->type_name("NAME");
   add_set_option(command, o.settings);
 }
 
