@@ -104,7 +104,8 @@ TEST_CASE("a search gives the same bytes in every locale, folder, time zone and 
   }
 }
 
-TEST_CASE("a front gives the same bytes and the same study however many work on it", "[program]") {
+TEST_CASE("a front gives the same bytes and the same study however many work on it",
+          "[program][heavy]") {
   const Folder folder;
   const std::string out = folder / "out";
   const std::string command = "pareto '" + kProblems +
