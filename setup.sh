@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Brings a Debian 12 machine to the point where a CMake preset is built: packages, configuration, build.
-#   ./setup.sh PRESET [TARGET...]      PRESET is one of CMakePresets.json: release, dev, asan
+#   ./setup.sh PRESET [TARGET...]      PRESET is one of CMakePresets.json: release, dev, asan, ...
+# Packages are those of packages.txt and, where there is one, of packages-PRESET.txt.
 # Does nothing that is already done, and needs the network only while packages are missing.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -17,7 +18,9 @@ as_root() {
 
 install_packages() {
   local wanted installed missing
-  wanted=$(grep -v '^#' packages.txt | sort)
+  local lists=(packages.txt)
+  [ -f "packages-$preset.txt" ] && lists+=("packages-$preset.txt")
+  wanted=$(cat "${lists[@]}" | grep -v '^#' | sort)
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null |
     sed -n 's/^installed //p' | sort -u)
   missing=$(comm -23 <(echo "$wanted") <(echo "$installed"))

@@ -25,7 +25,7 @@ enum ExitStatus : int {
 namespace takes {
 inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kLaw = "LAW",
                             *kMechanism = "MECHANISM", *kSolver = "SOLVER", *kSystem = "SYSTEM",
-                            *kNumber = "N", *kSetting = "NAME=VALUE", *kText = "TEXT";
+                            *kNumber = "N", *kSetting = "NAME=VALUE";
 }
 
 /// An option or a positional argument.

@@ -169,9 +169,9 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--curve", &o.curve, curve_words(),
        "profile, second-profile (of conjugate cams), pitch, cutter (middle of the tool) or all; by "
        "default all, for gcode cutter"},
-      {"--tolerance", &o.tolerance, takes::kText,
+      {"--tolerance", &o.tolerance, "LENGTH",
        "how far the exact curve may be from what is written; by default 0.01 mm"},
-      {"--step", &o.step, takes::kText,
+      {"--step", &o.step, "ANGLE",
        "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a table the "
        "master's step, by default a 360th of the cycle"},
       {"--as", &o.form,
@@ -180,13 +180,12 @@ std::vector<Option> export_options(ExportOptions& o) {
        "spline for dxf, arcs for gcode, else lines"},
       {"--decimals", &o.decimals, takes::kNumber,
        "of coordinates and table values, 1 to 9; by default 6, for gcode 4"},
-      {"--tool", &o.tool, takes::kText,
+      {"--tool", &o.tool, "LENGTH",
        "radius of a tool, for cams without a cutter_radius of their own"},
-      {"--feed", &o.feed, takes::kText, "gcode: by default '100 mm/min'"},
-      {"--clearance", &o.clearance, takes::kText, "gcode: Z of free moves, by default '5 mm'"},
-      {"--depth", &o.depth, takes::kText,
-       "gcode: the cut is so far below Z = 0, by default '0 mm'"},
-      {"--slave", &o.slave, takes::kText,
+      {"--feed", &o.feed, "SPEED", "gcode: by default '100 mm/min'"},
+      {"--clearance", &o.clearance, "LENGTH", "gcode: Z of free moves, by default '5 mm'"},
+      {"--depth", &o.depth, "LENGTH", "gcode: the cut is so far below Z = 0, by default '0 mm'"},
+      {"--slave", &o.slave, "NAME",
        "table: the curve that the slave follows; by default displacement, else the law"},
       set_option(o.settings)};
 }

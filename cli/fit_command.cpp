@@ -70,6 +70,7 @@ problems::ProblemStatement machine_of(const FitCommand& options) {
     throw std::invalid_argument(fmt::format("--mechanism: {}", error.what()));
   }
   problems::set_values(machine, options.set);
+  keep_inputs(machine);
   return machine;
 }
 
@@ -110,6 +111,14 @@ void fit_constants(const FitCommand& options) {
 
 std::filesystem::path in_out(const FitCommand& options, const char* file) {
   return std::filesystem::path(*options.out) / file;
+}
+
+/// Before the work is done for them, that these files and fit.json can be written.
+void check_files(const FitCommand& options, const std::vector<const char*>& names) {
+  if (!options.out) return;
+  std::vector<std::filesystem::path> files{in_out(options, "fit.json")};
+  for (const char* name : names) files.push_back(in_out(options, name));
+  check_writable(files);
 }
 
 /// Files in the folder that an earlier run left there: where one has been, which its fit.json
@@ -163,6 +172,7 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
         "the unit, 'x [mm]'");
   }
   problems::MotionRecord record = problems::motion_record(table);
+  check_files(options, {"fit.svg", "law.json"});
   ProgressLine line(!options.json);
   const problems::MotionSamples& read = record.samples;
   SamplesAnswer answer{*options.data, read.lacking, read.each, read.left_out, {}, record.notes};
@@ -180,6 +190,7 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
         fmt::join(problems::measured_cams(), ", ")));
   }
   const problems::ProblemStatement machine = machine_of(options);
+  check_files(options, {"fit.svg", "law.json", "program.toml"});
   std::vector<std::string> notes = problems::assume_profile_units(table);
   ProgressLine line(!options.json);
   const auto laws = laws_of(options);
@@ -220,6 +231,7 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
         "place and value can be unknown, --shift place,value");
   }
   const problems::ProblemStatement machine = machine_of(options);
+  check_files(options, {"fit.svg"});
   problems::RecordedCurve record =
       problems::recorded_curve(table, *machine.mechanism, options.response);
   problems::RecordFitOptions how;
@@ -237,10 +249,8 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
 /// What a table is of: a cam's profile, a curve of a machine, or else a motion.
 void fit_table(const FitCommand& options) {
   loss_of(options), laws_of(options);  // wrong options before any work
-  for (const auto& input : {options.data, options.mechanism, options.law}) {
-    if (input) keep_input(*input);
-  }
-  if (options.out) check_writable({in_out(options, "fit.json")});
+  keep_input(*options.data);
+  options.law ? keep_law(*options.law) : keep_own_laws();
   const problems::SampleTable table = problems::read_samples(*options.data);
   try {
     const bool is_profile =

@@ -22,6 +22,7 @@ FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredF
     : FrontAnswer(of, stored.front) {
   faults = stored.faults;
   notes = stored.notes;
+  resuming = stored.resuming;
 }
 
 double FrontAnswer::value(std::size_t i, double cost) const {

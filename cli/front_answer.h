@@ -15,6 +15,7 @@ struct FrontAnswer {
   std::vector<std::string> warnings;       ///< what stands beside the verdicts, warnings_of(*this)
   std::vector<optim::RecordFault> faults;  ///< of the record that it was read from
   std::vector<std::string> notes;          ///< what is to be said of that record
+  problems::Resuming resuming = problems::Resuming::NoRecord;
 
   FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
   /// Of a record.

@@ -157,6 +157,19 @@ std::string measures_text(const FrontAnswer& answer) {
   return text;
 }
 
+std::string unfinished_text(problems::Resuming resuming) {
+  switch (resuming) {
+    case problems::Resuming::Works:
+      return "the study is not finished; --resume goes on with it\n";
+    case problems::Resuming::Refused:
+      return "the study is not finished, and this program cannot go on with it: begin it again in "
+             "another file\n";
+    case problems::Resuming::NoRecord:
+      break;
+  }
+  return "the search was stopped before the front was finished; nothing of it was recorded\n";
+}
+
 std::string work_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text =
@@ -178,7 +191,7 @@ std::string work_text(const FrontAnswer& answer) {
   text += warnings_text(answer.warnings);
   text += record_text(answer.notes);
   if (front.stopped) {
-    text += "the study is not finished; --resume goes on with it\n";
+    text += unfinished_text(answer.resuming);
   } else if (!front.complete) {
     text += "the front is not complete: its largest gap is more than " +
             fmt::format("{} times the mean\n", in_digits(optim::kLargestGap));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "problems/law_files/law_file.h"
+
 namespace camlaw::cli {
 namespace {
 
@@ -22,10 +24,18 @@ void keep_input(const fs::path& path) {
   if (fs::is_regular_file(path, ignored)) inputs().push_back(fs::absolute(path));
 }
 
+void keep_law(const std::string& name, const std::string& folder) {
+  keep_input(problems::law_file_of(name, folder));
+}
+
+void keep_own_laws() {
+  for (const std::string& file : problems::own_law_files()) keep_input(file);
+}
+
 void keep_inputs(const problems::ProblemStatement& statement) {
   keep_input(statement.source);
-  const fs::path folder = fs::path(statement.source).parent_path();
-  for (const auto& [name, law] : statement.law_files) keep_input(folder / name);
+  const std::string folder = fs::path(statement.source).parent_path().string();
+  for (const auto& [name, law] : statement.law_files) keep_law(name, folder);
 }
 
 void keep_inputs(const problems::ReadDesign& read) {

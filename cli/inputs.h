@@ -12,6 +12,10 @@ namespace camlaw::cli {
 
 /// Names a file that is read; "-" and what is not a file yet are none.
 void keep_input(const std::filesystem::path& path);
+/// Names the file of a law, where what is asked for by this name is one.
+void keep_law(const std::string& name, const std::string& folder = "");
+/// Names all law files of one's own folder.
+void keep_own_laws();
 /// Names the file of a problem and the law files that it names.
 void keep_inputs(const problems::ProblemStatement& statement);
 /// The same of a design's problem, unless the design is of a result, which stands alone.

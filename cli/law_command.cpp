@@ -130,7 +130,7 @@ void print_json(const Member& member, const LawOptions& options) {
 
 int show_law(const LawOptions& options) {
   keep_standard_output({options.csv, options.svg}, options.json);
-  keep_input(options.name);
+  keep_law(options.name);
   Member member = problems::find_any_law(options.name, "", read_quantity);
   for (const std::string& assignment : options.parameters) {
     set_argument(member, assignment, read_quantity);

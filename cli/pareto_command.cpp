@@ -143,9 +143,11 @@ problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::Stu
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
   optim::ProcessExecutor workers(study.space(), study.options().solve, count,
                                  problems::worker_program(study));
-  if (!record) return {study.run(workers), {}, {}};
+  if (!record) return {.front = study.run(workers)};
   optim::RecordedExecutor recorded(study.space(), *record, &workers);
-  problems::StoredFront found{study.run(recorded), recorded.faults(), {}};
+  problems::StoredFront found{.front = study.run(recorded),
+                              .faults = recorded.faults(),
+                              .resuming = problems::Resuming::Works};
   for (const optim::RecordFault& fault : found.faults) {
     found.notes.push_back(problems::fault_words(
         fault, found.front.stopped ? "--resume solves it again" : "it was solved again"));

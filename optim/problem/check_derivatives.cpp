@@ -14,6 +14,9 @@ namespace camlaw::optim {
 namespace {
 
 constexpr double kStep = 1e-2;  // of a variable's typical change: the first, largest step
+/// Of a curve's size: what differences over the smallest step, kStep / 2^7, cannot tell from
+/// nothing to kDerivativeTolerance, where values are rounded to some units of their last place.
+constexpr double kNoiseOfCurve = 1e-5;
 
 /// A derivative by Ridders' extrapolation of central differences of f(t) at t = 0.
 template <class F>
@@ -60,18 +63,27 @@ class Checker {
  private:
   void check(const Response& response) {
     if (!response.is_curve()) {
-      check(response.name, {}, response.function());
+      check(response.name, {}, response.function(), 0);
       check_shape(response.name, response.function());
       return;
     }
     constexpr std::size_t kMost = 12;  // stretches looked at
     const auto breaks = response.curve().trace(x_)->breaks();
     const std::size_t stride = std::max<std::size_t>(1, breaks.size() / kMost);
+    std::vector<double> angles;
     for (std::size_t k = 0; k + 1 < breaks.size(); k += stride) {
       for (const double share : {0.23, 0.71}) {
-        const double angle = std::lerp(breaks[k], breaks[k + 1], share);
-        check(response.name, angle, response.curve().at({angle}));
+        angles.push_back(std::lerp(breaks[k], breaks[k + 1], share));
       }
+    }
+    // Where the curve crosses zero, rounding is still that of its terms.
+    double size = 0;
+    for (const double angle : angles) {
+      const double value = response.curve().at({angle}).value(x_);
+      if (std::isfinite(value)) size = std::max(size, std::abs(value));
+    }
+    for (const double angle : angles) {
+      check(response.name, angle, response.curve().at({angle}), size);
     }
     const double middle = std::lerp(breaks.front(), breaks.back(), 0.37);
     check_shape(response.name, response.curve().at({middle}));
@@ -85,12 +97,13 @@ class Checker {
     return g;
   }
 
-  void check(const std::string& name, std::optional<double> angle, const Function& f) {
+  /// `size`: of the curve that f is one place of.
+  void check(const std::string& name, std::optional<double> angle, const Function& f, double size) {
     const auto& inputs = f.inputs();
     std::vector<double> g(inputs.size()), h(packed_size(inputs.size()));
     const double value = f.hessian(x_, g, h);
     // Less than this of the value differences cannot tell from nothing.
-    double first = 1e-6 * std::abs(value), second = first;
+    double first = std::max(1e-6 * std::abs(value), kNoiseOfCurve * size), second = first;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       first = std::max(first, std::abs(g[i]) * scales_[inputs[i]]);
       for (std::size_t j = 0; j <= i; ++j) {

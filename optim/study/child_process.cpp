@@ -2,10 +2,14 @@
 #include "optim/study/child_process.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 
@@ -28,6 +32,12 @@ SocketEnds new_socket() {
 }
 
 int status_of(pid_t process) {
+  constexpr int kDying = 1000;  // ms
+  if (const auto its = static_cast<int>(syscall(SYS_pidfd_open, process, 0)); its >= 0) {
+    pollfd file{its, POLLIN, 0};
+    if (poll(&file, 1, kDying) == 0) kill(process, SIGKILL);
+    close(its);
+  }
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }

@@ -20,7 +20,8 @@ struct SocketEnds {
 };
 SocketEnds new_socket();
 
-/// Waits until the process has ended; its status is that of waitpid.
+/// Of a process that has closed its socket, as waitpid tells it; one that lives on for a second
+/// after that is ended.
 int status_of(pid_t process);
 
 /// "PROCESS was killed by signal 9 (Killed)", "PROCESS ended by itself with status 1".

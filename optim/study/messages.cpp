@@ -49,6 +49,12 @@ bool Inbox::take(std::string& message) {
   return true;
 }
 
+bool Inbox::may_become(std::size_t size) const {
+  Size its = size;
+  if (bytes_.size() >= sizeof its) std::memcpy(&its, bytes_.data(), sizeof its);
+  return its == size;
+}
+
 bool receive_message(int socket, Inbox& inbox, std::string& message) {
   while (!inbox.take(message)) {
     if (!inbox.read_some(socket)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ class Inbox {
   bool read_some(int socket);
   /// The next message, where all of it has arrived.
   bool take(std::string& message);
+  /// Whether what has arrived may be the beginning of a message of so many bytes.
+  bool may_become(std::size_t size) const;
 
  private:
   std::string bytes_;

@@ -52,6 +52,7 @@ int serve_as_program(int socket, const std::function<MultiSpace(const std::strin
   ignore_interrupts();
   Inbox inbox;
   std::string problem;
+  if (!send_message(socket, kGreeting)) return EXIT_FAILURE;
   if (!receive_message(socket, inbox, problem)) return EXIT_FAILURE;
   MultiSpace space;
   try {

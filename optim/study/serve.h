@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "optim/pareto/multi_problem.h"
 
@@ -15,9 +16,13 @@ namespace camlaw::optim {
 /// one that failed.
 void serve(int socket, const MultiSpace& space);
 
-/// The whole of a program that is started for this: takes the problem from the socket, answers with
-/// an empty message, or with what `space_of` throws, and serves. Ends at once where the other end
-/// goes away in the middle of a search. Returns the exit status.
+/// What a program that is started for this says first. The number counts the versions of what is
+/// said after it (messages.h, encoding.h).
+inline constexpr std::string_view kGreeting = "camlaw worker 1";
+
+/// The whole of a program that is started for this: greets, takes the problem from the socket,
+/// answers with an empty message, or with what `space_of` throws, and serves. Ends at once where
+/// the other end goes away in the middle of a search. Returns the exit status.
 int serve_as_program(int socket, const std::function<MultiSpace(const std::string&)>& space_of);
 
 }  // namespace camlaw::optim

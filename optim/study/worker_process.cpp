@@ -111,8 +111,30 @@ WorkerProcess WorkerProcess::started(const WorkerProgram& program) {
     fail(program.path, error);
   }
   WorkerProcess worker(process, ends.mine, false);
+  worker.hear_greeting(program);
   send_message(worker.socket_, program.problem);  // where it is gone, read() tells
   return worker;
+}
+
+void WorkerProcess::hear_greeting(const WorkerProgram& program) {
+  using std::chrono::steady_clock, std::chrono::milliseconds;
+  const auto latest = steady_clock::now() + program.patience;
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{} is not a worker of camlaw: {}", program.path, why));
+  };
+  std::string message;
+  while (!inbox_.take(message)) {
+    const auto left = std::chrono::ceil<milliseconds>(latest - steady_clock::now());
+    pollfd file{socket_, POLLIN, 0};
+    if (left <= milliseconds(0)) {
+      refuse(fmt::format("it said nothing for {} s",
+                         std::chrono::duration<double>(program.patience).count()));
+    }
+    if (poll(&file, 1, static_cast<int>(left.count())) <= 0) continue;
+    if (!inbox_.read_some(socket_)) throw std::runtime_error(died().failed_to_start);
+    if (!inbox_.may_become(kGreeting.size())) break;
+  }
+  if (message != kGreeting) refuse("it said something else than a worker of this version");
 }
 
 bool WorkerProcess::is_idle() const {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +13,15 @@
 
 namespace camlaw::optim {
 
+/// How long a program that was started may take to say that it is a worker. It says so before it
+/// does anything else, within some milliseconds: what takes longer is another program.
+inline constexpr std::chrono::milliseconds kGreetingPatience{5000};
+
 /// How a program is started that works on a study.
 struct WorkerProgram {
   std::string path;     ///< of the program, which calls serve_as_program on its standard input
   std::string problem;  ///< the study's problem, as the program takes it
+  std::chrono::milliseconds patience = kGreetingPatience;
 };
 
 /// A process that carries tasks out, one at a time. It ends with this object.
@@ -24,8 +30,8 @@ class WorkerProcess {
   /// A copy of this process, which must have one thread. `others` are closed in it. Throws
   /// std::runtime_error where there is no process to be had.
   static WorkerProcess forked(const MultiSpace& space, const std::vector<WorkerProcess>& others);
-  /// A program; the process may have any number of threads. Throws as forked() does, and where the
-  /// program cannot be executed.
+  /// A program; the process may have any number of threads. Throws as forked() does, where
+  /// the program cannot be executed, and where it does not say in time that it is a worker.
   static WorkerProcess started(const WorkerProgram& program);
 
   WorkerProcess(WorkerProcess&& other) noexcept;
@@ -54,6 +60,7 @@ class WorkerProcess {
   WorkerProcess(pid_t process, int socket, bool forked);
   void end();
   News died();
+  void hear_greeting(const WorkerProgram& program);
 
   pid_t process_;
   int socket_;

@@ -91,13 +91,13 @@ std::string fault_words(const optim::RecordFault& fault, const std::string& then
 
 StoredFront stored_front(const FrontStudy& study, optim::StudyRecord& record) {
   optim::RecordedExecutor recorded(study.space(), record, nullptr);
-  StoredFront stored{study.run(recorded), {}, {}};
+  StoredFront stored{.front = study.run(recorded)};
   const std::string version = other_version(study, record);
   if (!recorded.faults().empty()) stored.front = front_of_believed(study, recorded.believed());
   stored.faults = recorded.faults();
   if (!version.empty()) judge_anew(study, version, stored);
-  const std::string then =
-      record.has_checksums() && version.empty() ? "--resume solves it again" : "it does not count";
+  stored.resuming = version.empty() ? Resuming::Works : Resuming::Refused;
+  const std::string then = version.empty() ? "--resume solves it again" : "it does not count";
   for (const optim::RecordFault& fault : stored.faults) {
     stored.notes.push_back(fault_words(fault, then));
   }

@@ -5,12 +5,20 @@
 
 namespace camlaw::problems {
 
+/// What becomes of a front that is not finished.
+enum class Resuming {
+  NoRecord,  ///< nothing was recorded: it is searched for anew
+  Works,     ///< 'pareto --resume' goes on with it
+  Refused,   ///< its record is of another version of the program, and only shown
+};
+
 /// The front that a record holds, as far as it is believed (docs/problem-files.md, "What a record
 /// is worth").
 struct StoredFront {
   optim::Front front;
-  std::vector<optim::RecordFault> faults;  ///< tasks that do not count
-  std::vector<std::string> notes;          ///< what is to be said of the record, in sentences
+  std::vector<optim::RecordFault> faults = {};  ///< tasks that do not count
+  std::vector<std::string> notes = {};          ///< what is to be said of the record, in sentences
+  Resuming resuming = Resuming::NoRecord;
 };
 
 /// Without a search. Tasks that are damaged or wrong do not count; where there are any, the front

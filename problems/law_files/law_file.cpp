@@ -109,10 +109,19 @@ Member member_of(ReadLaw read, const std::string& name, const std::string& asked
   return {owned, owned->standard()};
 }
 
-/// The file of a law in one's own folder; empty where there is no folder.
+/// Empty where there is none.
 fs::path own_folder() {
   const char* folder = std::getenv(kOwnLaws);
   return folder == nullptr ? fs::path() : fs::path(folder);
+}
+
+/// The file of a law in one's own folder; empty where there is none.
+std::string own_law_file(const std::string& name) {
+  const fs::path folder = own_folder();
+  if (folder.empty() || name.empty()) return "";
+  const fs::path file = folder / (name + ".json");
+  std::error_code ignored;
+  return fs::exists(file, ignored) ? file.string() : "";
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -174,30 +183,42 @@ Member find_any_law(std::string_view text, const std::string& folder, ValueReade
   try {
     return find_law(text, reader);
   } catch (const std::invalid_argument&) {
-    const fs::path own = own_folder();
-    if (own.empty() || name.empty()) throw;
-    const fs::path file = own / (name + ".json");
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) throw;
-    return read_law_file(file.string());
+    const std::string file = own_law_file(name);
+    if (file.empty()) throw;
+    return read_law_file(file);
   }
 }
 
-std::vector<Member> own_laws() {
+std::string law_file_of(std::string_view text, const std::string& folder) {
+  const std::string name(trimmed(text));
+  if (is_law_path(name)) return (fs::path(folder) / name).string();
+  try {
+    find_law(text, read_plain_number);
+    return "";
+  } catch (const std::invalid_argument&) {
+    return own_law_file(name);
+  }
+}
+
+std::vector<std::string> own_law_files() {
   const fs::path folder = own_folder();
   if (folder.empty()) return {};
   std::error_code error;
-  std::vector<fs::path> files;
+  std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
   }
   if (error) {
     throw std::invalid_argument(fmt::format("{} = {}: the folder cannot be read: {}", kOwnLaws,
                                             folder.string(), error.message()));
   }
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Member> own_laws() {
   std::vector<Member> laws;
-  for (const fs::path& file : files) laws.push_back(read_law_file(file.string()));
+  for (const std::string& file : own_law_files()) laws.push_back(read_law_file(file));
   return laws;
 }
 

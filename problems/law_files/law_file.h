@@ -45,6 +45,13 @@ bool is_law_path(std::string_view name);
 Member find_any_law(std::string_view text, const std::string& folder = "",
                     ValueReader reader = read_plain_number);
 
+/// The file that find_any_law reads for a name; empty where it reads none.
+std::string law_file_of(std::string_view text, const std::string& folder = "");
+
+/// The files of one's own folder; none where there is no folder. Throws std::invalid_argument for
+/// a folder that cannot be read.
+std::vector<std::string> own_law_files();
+
 /// The laws of one's own folder by name; none where there is no folder. Throws
 /// std::invalid_argument for a folder that cannot be read and for files in it that are not laws.
 std::vector<Member> own_laws();

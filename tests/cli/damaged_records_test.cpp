@@ -6,6 +6,7 @@
 #include <random>
 
 #include "problems/results/judged_design.h"
+#include "problems/results/seal.h"
 #include "tests/cli/program_runner.h"
 #include "tests/flipped.h"
 
@@ -157,6 +158,39 @@ TEST_CASE("a study of an earlier version is judged anew, and what is wrong in it
   }
   CHECK_THAT(failed({"pareto", front_file(folder), "--db", path, "--resume"}, 2),
              Contains("earlier version"));
+}
+
+TEST_CASE("what is said of resuming is what resuming does") {
+  const Folder folder;
+  const std::string path = made_study(folder);
+  const Words resume{"pareto", front_file(folder), "--db", path, "--resume"};
+  const std::string goes_on = "--resume goes on with it", again = "begin it again";
+  const auto forget = [&] {
+    change(path, "DELETE FROM task WHERE id = (SELECT max(id) FROM task)");
+  };
+  forget();
+  CHECK_THAT(run({"front", path}).out, Contains(goes_on) && !Contains(again));
+  CHECK(run(resume).status == 0);
+  forget();
+  make_older(path);
+  CHECK_THAT(run({"front", path}).out, !Contains("--resume") && Contains(again));
+  failed(resume, 2);
+}
+
+TEST_CASE("a verdict that was forged with its checksum is judged by verify") {
+  const Folder folder;
+  Json forged = stored_result(folder);
+  // Of the other sense every number stays what it was, and the design is the worst there is.
+  std::string problem = forged["design"]["problem"];
+  const std::string sense = "minimize";
+  problem.replace(problem.find(sense), sense.size(), "maximize");
+  forged["design"]["problem"] = problem;
+  problems::Json sealed = problems::Json::parse(forged.dump());
+  problems::seal(sealed);
+  const Outcome outcome = run({"verify", stored(folder, Json::parse(sealed.dump()))});
+  CHECK(outcome.status == 4);
+  CHECK_THAT(outcome.out, Contains("the result says certified optimum; the design is feasible") &&
+                              !Contains("record:"));
 }
 
 TEST_CASE("an edited result is wrong wherever it is shown") {

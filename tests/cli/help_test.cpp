@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <regex>
 
+#include "tests/cli/command_help.h"
 #include "tests/cli/shell.h"
 
 namespace camlaw::cli {
 namespace {
-
-/// The commands that --help lists.
-Words commands() {
-  Words names;
-  const std::string help = done({"--help"});
-  for (const std::string& line : lines_after(help.substr(help.find("Subcommands:")), "  ")) {
-    if (line.starts_with("camlaw ")) break;  // the examples
-    names.push_back(line.substr(0, line.find(' ')));
-  }
-  return names;
-}
 
 /// The words of a command line, as a shell reads them.
 Words words_of(const Folder& folder, const std::string& line) {

@@ -18,7 +18,7 @@ void check_spoilt_files(const std::string& name) {
   for (const std::string& seed : seeds) target.read(seed);
   std::mt19937_64 random(19);
   for (int i = 0; i < kFiles; ++i) {
-    const std::string file = mutated(seeds, random);
+    const std::string file = mutated(seeds, target.is_text ? Shape::Text : Shape::Binary, random);
     INFO("file " << i << ":\n" << file.substr(0, 2000));
     CHECK_NOTHROW(target.read(file));
   }
@@ -29,6 +29,7 @@ void check_spoilt_files(const std::string& name) {
 TEST_CASE("spoilt problem files are read or refused", "[fuzz]") { check_spoilt_files("problem"); }
 TEST_CASE("spoilt law files are read or refused", "[fuzz]") { check_spoilt_files("law"); }
 TEST_CASE("spoilt results are read or refused", "[fuzz]") { check_spoilt_files("result"); }
+TEST_CASE("spoilt studies are read or refused", "[fuzz]") { check_spoilt_files("study"); }
 TEST_CASE("spoilt tables of samples are read or refused", "[fuzz]") {
   check_spoilt_files("samples");
 }

@@ -30,7 +30,7 @@ int run(const Target& target, long count, unsigned long seed) {
   const auto seeds = corpus(target);
   std::mt19937_64 random(seed);
   for (long i = 0; i < count; ++i) {
-    const std::string file = mutated(seeds, random);
+    const std::string file = mutated(seeds, target.is_text ? Shape::Text : Shape::Binary, random);
     const std::string fault = fault_of(target, file);
     if (fault.empty()) continue;
     std::ofstream("spoilt." + target.name, std::ios::binary) << file;
@@ -47,7 +47,7 @@ int run(const Target& target, long count, unsigned long seed) {
 
 int main(int count, char** words) {
   if (count < 2) {
-    std::fputs("usage: camlaw_fuzz problem|law|result|samples [COUNT] [SEED]\n", stderr);
+    std::fputs("usage: camlaw_fuzz problem|law|result|samples|study [COUNT] [SEED]\n", stderr);
     return 2;
   }
   try {

@@ -56,12 +56,14 @@ constexpr std::array<std::string_view, 44> kWords{"0",
 
 class Changer {
  public:
-  Changer(const std::vector<std::string>& corpus, std::mt19937_64& random)
-      : corpus_(corpus), random_(random) {}
+  Changer(const std::vector<std::string>& corpus, Shape shape, std::mt19937_64& random)
+      : corpus_(corpus), shape_(shape), random_(random) {}
 
   std::string changed() {
     std::string text = corpus_[below(corpus_.size())];
-    for (std::size_t n = 1 + below(8); n > 0; --n) change(text);
+    for (std::size_t n = 1 + below(8); n > 0; --n) {
+      shape_ == Shape::Text ? change(text) : overwrite(text);
+    }
     return text;
   }
 
@@ -104,6 +106,33 @@ class Changer {
     }
   }
 
+  /// A bit, a byte, or a stretch that becomes that of another place, or one byte over and over.
+  void overwrite(std::string& bytes) {
+    constexpr std::array<char, 6> kBytes{0, 1, 127, -128, -1, ' '};
+    const auto [at, length] = stretch(bytes);
+    if (at >= bytes.size()) return bytes.resize(below(4) == 0 ? below(bytes.size()) : bytes.size());
+    switch (below(5)) {
+      case 0:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(random_());
+        break;
+      case 2:
+        bytes[at] = kBytes[below(kBytes.size())];
+        break;
+      case 3:
+        bytes.replace(at, length, std::string(length, kBytes[below(kBytes.size())]));
+        break;
+      default: {
+        const std::string& other = corpus_[below(corpus_.size())];
+        const std::size_t from = below(other.size());
+        const std::size_t count = std::min(length, other.size() - from);
+        bytes.replace(at, count, other, from, count);
+      }
+    }
+  }
+
   /// The next number after a place becomes a word.
   void replace_number(std::string& text, std::size_t at) {
     const std::size_t from = text.find_first_of("0123456789", at);
@@ -113,13 +142,14 @@ class Changer {
   }
 
   const std::vector<std::string>& corpus_;
+  Shape shape_;
   std::mt19937_64& random_;
 };
 
 }  // namespace
 
-std::string mutated(const std::vector<std::string>& corpus, std::mt19937_64& random) {
-  return Changer(corpus, random).changed();
+std::string mutated(const std::vector<std::string>& corpus, Shape shape, std::mt19937_64& random) {
+  return Changer(corpus, shape, random).changed();
 }
 
 }  // namespace camlaw::fuzz

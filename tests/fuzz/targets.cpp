@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/targets.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "problems/fits/sample_table.h"
+#include "problems/fronts/stored_front.h"
 #include "problems/law_files/law_file.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/file_text.h"
+#include "tests/temporary_folder.h"
 
 namespace camlaw::fuzz {
 namespace {
@@ -46,11 +49,47 @@ void read_samples(std::string_view bytes) {
   refused_or_read([&] { problems::parse_samples(std::string(bytes), "fuzz.csv"); });
 }
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+/// As 'camlaw front' does: its front, and of each point what is shown of it.
+void read_a_study(std::string_view bytes) {
+  const testing::Folder folder;  // what SQLite puts beside the file goes with it
+  const std::string path = folder / "fuzz.db";
+  testing::write(path, std::string(bytes));
+  refused_or_read([&] {
+    optim::StudyRecord record = optim::StudyRecord::read(path);
+    const problems::FrontStudy study = problems::FrontStudy::of(record);
+    const problems::StoredFront stored = problems::stored_front(study, record);
+    for (const optim::FrontPoint& point : stored.front.points) study.design(point);
+  });
+}
+
+/// A study of four points, the same half done, and both as version 2 had them: there what is
+/// changed is told by no checksum, so that more of it is looked at.
+std::vector<std::string> made_studies() {
+  const testing::Folder folder;
+  const std::string path = folder / "s.db";
+  const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/front.toml";
+  problems::FrontSettings settings;
+  settings.points = 4;
+  const problems::FrontStudy study(problems::file_text(file, "problem file"), file, settings);
+  {
+    optim::StudyRecord record = optim::StudyRecord::create(path, study.settings());
+    optim::DirectExecutor direct(study.space(), study.options().solve);
+    optim::RecordedExecutor recorded(study.space(), record, &direct);
+    study.run(recorded);
+  }
+  std::vector<std::string> result{testing::read(path)};
+  const auto change = [&](const char* sql) {
+    SQLite::Database(path, SQLite::OPEN_READWRITE).exec(sql);
+    result.push_back(testing::read(path));
+  };
+  constexpr const char* kOlder =
+      "ALTER TABLE task DROP COLUMN checksum; ALTER TABLE setting DROP COLUMN checksum; "
+      "PRAGMA user_version = 2";
+  change("DELETE FROM task WHERE id > 3");
+  change(kOlder);
+  testing::write(path, result.front());
+  change(kOlder);
+  return result;
 }
 
 }  // namespace
@@ -60,7 +99,8 @@ const std::vector<Target>& targets() {
       {"problem", read_a_problem, {"problems"}, ".toml"},
       {"law", read_a_law, {"tests/fuzz/corpus/law"}, ".json"},
       {"result", read_a_result, {"tests/fuzz/corpus/result"}, ".json"},
-      {"samples", read_samples, {"problems/cams", "tests/fuzz/corpus/samples"}, ".csv"}};
+      {"samples", read_samples, {"problems/cams", "tests/fuzz/corpus/samples"}, ".csv"},
+      {"study", read_a_study, {}, ".db", made_studies, false}};
   return all;
 }
 
@@ -86,7 +126,10 @@ std::vector<std::string> corpus(const Target& target) {
   }
   std::sort(paths.begin(), paths.end());  // the same order on every machine
   std::vector<std::string> result;
-  for (const fs::path& path : paths) result.push_back(bytes_of(path));
+  for (const fs::path& path : paths) result.push_back(testing::read(path));
+  if (target.made != nullptr) {
+    for (std::string& bytes : target.made()) result.push_back(std::move(bytes));
+  }
   return result;
 }
 

@@ -231,6 +231,38 @@ TEST_CASE("without a worker program that works the front is found here", "[threa
   }
 }
 
+TEST_CASE("a program that is no worker is not waited for", "[threads][study]") {
+  const Watchdog watchdog;
+  const testing::Folder folder;
+  const problems::FrontStudy study = study_of("spine_cutter/front.toml");
+  const std::string expected = bits(optim::pareto(study.space(), study.options()));
+  const Company company(allocate);
+  const auto program = [&](const std::string& line) {
+    const std::string path = folder / "program";
+    testing::write(path, "#!/bin/sh\n" + line + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+  };
+  for (const auto& [line, said] :
+       {std::pair{"exec sleep 1000", "said nothing for 0.2 s"},
+        {"exec 0<&-; exec sleep 1000", "killed by signal 9"},
+        {"printf 'Enter your name, please:' >&0; exec sleep 1000", "something else"},
+        {"printf 'no' >&0; exec sleep 1000", "said nothing for 0.2 s"}}) {
+    INFO(line);
+    optim::WorkerProgram worker = problems::worker_program(study);
+    worker.path = program(line);
+    worker.problem += std::string(std::size_t{1} << 22U, ' ');  // more than a socket holds
+    worker.patience = std::chrono::milliseconds(200);
+    const auto began = std::chrono::steady_clock::now();
+    optim::ProcessExecutor workers(study.space(), study.options().solve, 2, worker);
+    const optim::Front front = study.run(workers);
+    CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(60));
+    CHECK(bits(front) == expected);
+    CHECK_THAT(front.remark, Catch::Contains(said) && Catch::Contains("in the calling process"));
+    CHECK(children().empty());
+  }
+}
+
 TEST_CASE("a worker program refuses what is not a study of its own version", "[threads][study]") {
   using problems::space_of_worker;
   CHECK_THROWS_WITH(space_of_worker("nonsense"), "what was sent is not a study");
