@@ -11,6 +11,7 @@
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
 #include "optim/search/interruptible.h"
+#include "optim/search/least_violating.h"
 #include "optim/search/plan.h"
 #include "optim/search/rescaling.h"
 #include "optim/search/with_numbers.h"
@@ -470,30 +471,95 @@ class Search {
     judge();
   }
 
+  /// A design of least violation, and what is to be said of it.
+  struct Least {
+    Attempt attempt;  ///< without a design where no search led to one in time
+    Assessment blame;
+  };
+
+  Least least_violation_from(Design start) {
+    Least least;
+    for (const Solver* solver : least_violation_plan(problem_)) {
+      least.attempt = attempt(start, *solver, Aim::LeastViolation);
+      if (least.attempt.x.empty() || deadline_.passed()) return {};
+      least.blame = assess_least_violation(problem_, sizes_, least.attempt.x);
+      if (is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible) break;
+    }
+    return least;
+  }
+
+  /// Where the limits leave no convex set, the least violation that was found may be one of
+  /// several: searches from elsewhere, until one comes to a design within the limits.
+  Least least_violation_of_all(Least least) {
+    constexpr std::size_t kTried = 4;
+    if (convex_set_ || !prove_) return least;
+    for (const auto& x : least_violating(problem_, sizes_, kTried, options_.seed)) {
+      if (is_feasible(least.blame) || deadline_.passed()) break;
+      Least other;
+      other.blame = assess(problem_, sizes_, x, false);
+      if (is_feasible(other.blame)) {
+        other.attempt.x = x;
+        return other;
+      }
+      other = least_violation_from(x);
+      if (other.attempt.x.empty()) continue;
+      if (worst_violation(other.blame.limits) < worst_violation(least.blame.limits)) {
+        least = std::move(other);
+      }
+    }
+    return least;
+  }
+
   /// From the design of least violation on; or, where that violates still, the verdict of it.
   void find_feasible() {
     const Solver& ipopt = ipopt_solver();
-    Attempt least;
-    Assessment blame;
-    for (const Solver* solver : least_violation_plan(problem_)) {
-      least = attempt(found_.x, *solver, Aim::LeastViolation);
-      if (least.x.empty() || deadline_.passed()) return;
-      blame = assess_least_violation(problem_, sizes_, least.x);
-      if (is_feasible(blame) || blame.verdict == Verdict::Infeasible) break;
-    }
-    if (!is_feasible(blame)) {
-      if (worst_violation(blame.limits) < worst_violation(found_.assessment.limits) ||
-          blame.verdict == Verdict::Infeasible) {
-        found_.assessment = blame;
-        found_.x = least.x;
+    Least least = least_violation_from(found_.x);
+    if (least.attempt.x.empty()) return;
+    if (!is_feasible(least.blame)) least = least_violation_of_all(std::move(least));
+    if (!is_feasible(least.blame)) {
+      if (worst_violation(least.blame.limits) < worst_violation(found_.assessment.limits) ||
+          least.blame.verdict == Verdict::Infeasible) {
+        found_.assessment = least.blame;
+        found_.x = least.attempt.x;
       }
       return;
     }
-    consider(least, ipopt);
+    consider(least.attempt, ipopt);
     found_.assessment.kkt_residual = kInfinity;
     for (const Solver* solver : {&find_solver("slsqp"), &ipopt}) {
-      if (!is_settled(found_.assessment)) consider(attempt(least.x, *solver), *solver);
+      if (!is_settled(found_.assessment)) consider(attempt(least.attempt.x, *solver), *solver);
     }
+    if (!is_settled(found_.assessment)) search_along_bounds(least.attempt.x);
+  }
+
+  /// Where a law loses a phase at a variable's bound, curves are others than beside it, and a
+  /// search that leaves the bound does not come back: one with the variables held that stand at
+  /// theirs.
+  void search_along_bounds(const std::vector<double>& x) {
+    Problem along = original_;
+    bool any = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Variable& v = along.variables[i];
+      v.start = x[i];
+      if (v.lower == v.upper || (x[i] != v.lower && x[i] != v.upper)) continue;
+      v.lower = v.upper = x[i];
+      any = true;
+    }
+    if (!any || deadline_.passed()) return;
+    OptimiseOptions once = options_;
+    once.solver = "auto";
+    once.starts = 1;
+    once.progress = {};
+    once.candidate = {};
+    const Found found = search_continuous(along, once, deadline_, false);
+    found_.iterations += found.iterations;
+    found_.evaluations += found.evaluations;
+    found_.solves += found.solves;
+    if (!is_feasible(found.assessment)) return;
+    Attempt there;
+    there.x = found.x;
+    there.status = found.status;
+    consider(there, find_solver(found.solver));
   }
 
   void fail_in_place(const std::string& why) {

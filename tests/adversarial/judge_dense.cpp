@@ -99,6 +99,8 @@ std::vector<Spot> grid_of(const Model& model, int times) {
   std::vector<double> near;  // below the first even place
   for (double u = 0.5 / even; u > 1e-8; u *= ratio) near.push_back(u);
   near.push_back(1e-8);
+  near.push_back(
+      1e-12);  // where a law that sets out backwards by 1e-6 of its acceleration shows it
   std::reverse(near.begin(), near.end());
   std::vector<Spot> grid;
   for (int piece = 0; piece < pieces; ++piece) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/least_violating.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "optim/problem/starts.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// Whether two places are so near that searches from them lead to the same, as a rule.
+bool are_near(const Problem& problem, const Sizes& sizes, Design a, Design b) {
+  constexpr double kNear = 0.1;  // of the range, or of ten typical changes
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double range = problem.variables[i].upper - problem.variables[i].lower;
+    const double whole = std::isfinite(range) ? range : 10 * sizes.variables[i];
+    if (std::abs(a[i] - b[i]) > kNear * whole) return false;
+  }
+  return true;
+}
+
+/// Each of the places moved onto a face of the box, of all faces in turn; faces without end have
+/// none.
+std::vector<std::vector<double>> on_faces(const Problem& problem,
+                                          std::vector<std::vector<double>> places) {
+  std::vector<std::pair<std::size_t, double>> faces;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    if (v.lower == v.upper || v.integer) continue;
+    for (const double bound : {v.lower, v.upper}) {
+      if (std::isfinite(bound)) faces.emplace_back(i, bound);
+    }
+  }
+  if (faces.empty()) return {};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto& [variable, bound] = faces[k % faces.size()];
+    places[k][variable] = bound;
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> least_violating(const Problem& problem, const Sizes& sizes,
+                                                 std::size_t count, std::uint64_t seed) {
+  constexpr int kPlaces = 128;
+  std::vector<std::pair<double, std::vector<double>>> places;
+  const auto even = starts(problem, kPlaces, seed);
+  for (const auto& all :
+       {even, starts_by_magnitude(problem, kPlaces, seed), on_faces(problem, even)}) {
+    for (const std::vector<double>& x : all) {
+      const double violation = largest_violation(problem, sizes, x);
+      if (std::isfinite(violation)) places.emplace_back(violation, x);
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::vector<double>> result;
+  for (auto& [violation, x] : places) {
+    if (result.size() == count) break;
+    const bool is_known = std::any_of(result.begin(), result.end(), [&, &place = x](const auto& r) {
+      return are_near(problem, sizes, r, place);
+    });
+    if (!is_known) result.push_back(std::move(x));
+  }
+  return result;
+}
+
+}  // namespace camlaw::optim
