@@ -40,7 +40,7 @@ struct Option {
   std::string takes;  ///< empty: a switch
   std::string help;
   bool required = false;
-  std::string excludes = {};            ///< an option that it does not go with
+  std::string excludes = {};            ///< an option before it that it does not go with
   std::vector<std::string> words = {};  ///< of lists: all that may be in it; commas separate them
 
   bool is_switch() const { return std::holds_alternative<bool*>(target); }

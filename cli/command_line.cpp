@@ -52,13 +52,14 @@ void add_options(CLI::App& app, const std::vector<Option>& options) {
 
 /// What to say of an unknown word: the commands that are near.
 std::string with_near_commands(const Program& program, const std::string& word) {
-  std::vector<std::string> known;
+  std::vector<std::string> known, listed;
   for (const Command& command : program.commands) {
-    if (command.is_listed) known.push_back(command.name);
+    known.push_back(command.name);
+    if (command.is_listed) listed.push_back(command.name);
   }
   const auto near = near_names(word, known);
   return fmt::format("no command '{}'; {}", word,
-                     near.empty() ? fmt::format("there are {}", fmt::join(known, ", "))
+                     near.empty() ? fmt::format("there are {}", fmt::join(listed, ", "))
                                   : fmt::format("did you mean {}?", fmt::join(near, ", ")));
 }
 
@@ -108,7 +109,9 @@ const Command* parsed(const Program& program, int argc, const char* const* argv)
     app.exit(request);
     return nullptr;
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(usage_error(program, app, error, argc > 1 ? argv[1] : ""));
+    int word = 1;  // the first that is not an option of the program
+    while (word < argc && app.get_option_no_throw(argv[word]) != nullptr) ++word;
+    throw std::invalid_argument(usage_error(program, app, error, word < argc ? argv[word] : ""));
   }
   if (quiet) set_quiet(true);
   return called;

@@ -111,7 +111,7 @@ std::string motion_text(const MotionFit& fit) {
     text += fmt::format("not to be trusted: {}\n", fit.distrust);
   } else if (!fit.as_good.empty()) {
     text += fmt::format("as good for all that the samples tell: {}\n",
-                        problems::first_laws(fit.as_good));
+                        problems::first_names(fit.as_good));
   }
   if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
   return text + ranking_text(fit);

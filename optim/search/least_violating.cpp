@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "optim/problem/starts.h"
+#include "optim/search/interruptible.h"
 
 namespace camlaw::optim {
 namespace {
@@ -21,8 +22,18 @@ bool are_near(const Problem& problem, const Sizes& sizes, Design a, Design b) {
   return true;
 }
 
-/// Each of the places moved onto a face of the box, of all faces in turn; faces without end have
-/// none.
+/// Infinite where the model gives no number, or throws.
+double violation_at(const Problem& problem, const Sizes& sizes, Design x) {
+  try {
+    return largest_violation(problem, sizes, x);
+  } catch (...) {
+    if (is_interruption(std::current_exception())) throw;
+    return kInfinity;
+  }
+}
+
+/// Each of the places moved onto a face of the box, of all faces in turn. A side without a bound
+/// has no face.
 std::vector<std::vector<double>> on_faces(const Problem& problem,
                                           std::vector<std::vector<double>> places) {
   std::vector<std::pair<std::size_t, double>> faces;
@@ -44,26 +55,29 @@ std::vector<std::vector<double>> on_faces(const Problem& problem,
 }  // namespace
 
 std::vector<std::vector<double>> least_violating(const Problem& problem, const Sizes& sizes,
-                                                 std::size_t count, std::uint64_t seed) {
+                                                 Design known, std::size_t count,
+                                                 std::uint64_t seed) {
   constexpr int kPlaces = 128;
-  std::vector<std::pair<double, std::vector<double>>> places;
   const auto even = starts(problem, kPlaces, seed);
-  for (const auto& all :
-       {even, starts_by_magnitude(problem, kPlaces, seed), on_faces(problem, even)}) {
+  auto by_magnitude = starts_by_magnitude(problem, kPlaces, seed);
+  by_magnitude.erase(by_magnitude.begin());  // the start, once more
+  std::vector<std::pair<double, std::vector<double>>> places;
+  for (const auto& all : {even, by_magnitude, on_faces(problem, even)}) {
     for (const std::vector<double>& x : all) {
-      const double violation = largest_violation(problem, sizes, x);
+      const double violation = violation_at(problem, sizes, x);
       if (std::isfinite(violation)) places.emplace_back(violation, x);
     }
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::vector<double>> result;
-  for (auto& [violation, x] : places) {
+  for (const auto& [violation, x] : places) {
     if (result.size() == count) break;
-    const bool is_known = std::any_of(result.begin(), result.end(), [&, &place = x](const auto& r) {
-      return are_near(problem, sizes, r, place);
-    });
-    if (!is_known) result.push_back(std::move(x));
+    const bool is_new = !are_near(problem, sizes, known, x) &&
+                        std::none_of(result.begin(), result.end(), [&, &place = x](const auto& r) {
+                          return are_near(problem, sizes, r, place);
+                        });
+    if (is_new) result.push_back(x);
   }
   return result;
 }

@@ -13,7 +13,9 @@ namespace camlaw::optim {
 /// each other; none where the model gives no number. A search for the least violation begins there:
 /// where the limits leave no convex set, the one that it came to first may not be the least. On a
 /// face a law may have lost a phase, so that its curves are others than anywhere beside it.
+/// `known`: where a search has ended already; nothing near it is wanted.
 std::vector<std::vector<double>> least_violating(const Problem& problem, const Sizes& sizes,
-                                                 std::size_t count, std::uint64_t seed);
+                                                 Design known, std::size_t count,
+                                                 std::uint64_t seed);
 
 }  // namespace camlaw::optim

@@ -489,25 +489,45 @@ class Search {
   }
 
   /// Where the limits leave no convex set, the least violation that was found may be one of
-  /// several: searches from elsewhere, until one comes to a design within the limits.
+  /// several: searches from elsewhere, until one comes to a design within the limits. What the
+  /// model throws there says nothing of what was found. In the nodes of a search over whole
+  /// variables there is no such look.
   Least least_violation_of_all(Least least) {
     constexpr std::size_t kTried = 4;
+    constexpr double kGain = 1e-6;
     if (convex_set_ || !prove_) return least;
-    for (const auto& x : least_violating(problem_, sizes_, kTried, options_.seed)) {
+    const std::exception_ptr error = error_;
+    for (const auto& x :
+         least_violating(problem_, sizes_, least.attempt.x, kTried, options_.seed)) {
       if (is_feasible(least.blame) || deadline_.passed()) break;
-      Least other;
-      other.blame = assess(problem_, sizes_, x, false);
-      if (is_feasible(other.blame)) {
-        other.attempt.x = x;
-        return other;
-      }
-      other = least_violation_from(x);
+      Least other = least_violation_at(x);
+      error_ = error;
       if (other.attempt.x.empty()) continue;
-      if (worst_violation(other.blame.limits) < worst_violation(least.blame.limits)) {
-        least = std::move(other);
-      }
+      const double gain = largest_violation(problem_, sizes_, least.attempt.x) -
+                          largest_violation(problem_, sizes_, other.attempt.x);
+      if (is_feasible(other.blame) || gain > kGain) least = std::move(other);
+    }
+    if (deadline_.passed() && !is_feasible(least.blame)) {  // not everywhere
+      least.blame.verdict = Verdict::Failed;
+      least.blame.reason = "no design was found that meets every limit";
     }
     return least;
+  }
+
+  /// The place itself, where it meets every limit, else where a search from it leads.
+  Least least_violation_at(const std::vector<double>& x) {
+    try {
+      Least least;
+      least.blame = assess(problem_, sizes_, x, false);
+      if (!is_feasible(least.blame)) return least_violation_from(x);
+      least.attempt.x = x;
+      least.attempt.status = Status::Solved;
+      least.attempt.message = "a place of the box that meets every limit";
+      return least;
+    } catch (...) {
+      if (is_interruption(std::current_exception())) throw;
+      return {};
+    }
   }
 
   /// From the design of least violation on; or, where that violates still, the verdict of it.
@@ -536,14 +556,19 @@ class Search {
   /// search that leaves the bound does not come back: one with the variables held that stand at
   /// theirs.
   void search_along_bounds(const std::vector<double>& x) {
+    constexpr double kAt = 1e-7;  // of a typical change: as near as solvers come
     Problem along = original_;
     bool any = false;
     for (std::size_t i = 0; i < x.size(); ++i) {
       Variable& v = along.variables[i];
       v.start = x[i];
-      if (v.lower == v.upper || (x[i] != v.lower && x[i] != v.upper)) continue;
-      v.lower = v.upper = x[i];
-      any = true;
+      if (v.lower == v.upper) continue;
+      for (const double bound : {v.lower, v.upper}) {
+        if (!(std::abs(x[i] - bound) <= kAt * sizes_.variables[i])) continue;
+        v.lower = v.upper = v.start = bound;
+        any = true;
+        break;
+      }
     }
     if (!any || deadline_.passed()) return;
     OptimiseOptions once = options_;
@@ -559,6 +584,7 @@ class Search {
     Attempt there;
     there.x = found.x;
     there.status = found.status;
+    there.message = "with the variables held that stand at their bounds";
     consider(there, find_solver(found.solver));
   }
 

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -33,12 +31,13 @@ SocketEnds new_socket() {
 
 int status_of(pid_t process) {
   constexpr int kDying = 1000;  // ms
-  if (const auto its = static_cast<int>(syscall(SYS_pidfd_open, process, 0)); its >= 0) {
-    pollfd file{its, POLLIN, 0};
-    if (poll(&file, 1, kDying) == 0) kill(process, SIGKILL);
-    close(its);
-  }
   int status = 0;
+  for (int i = 0; i < kDying; ++i) {
+    const pid_t ended = waitpid(process, &status, WNOHANG);
+    if (ended == process || (ended < 0 && errno != EINTR)) return status;
+    poll(nullptr, 0, 1);
+  }
+  kill(process, SIGKILL);
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   return status;

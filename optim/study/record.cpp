@@ -71,7 +71,7 @@ std::string beginning_of(const std::string& path) {
   if (!fs::exists(begun)) return begun;
   const bool is_left =
       fs::is_regular_file(begun) && (fs::is_empty(begun) || begins_as_study(begun));
-  if (!is_left) refuse(begun, "a study cannot be made there: the file is in its place");
+  if (!is_left) refuse(begun, "it stands where the study is to be begun; move it away");
   fs::remove(begun);
   return begun;
 }

@@ -127,14 +127,14 @@ void WorkerProcess::hear_greeting(const WorkerProgram& program) {
     const auto left = std::chrono::ceil<milliseconds>(latest - steady_clock::now());
     pollfd file{socket_, POLLIN, 0};
     if (left <= milliseconds(0)) {
-      refuse(fmt::format("it said nothing for {} s",
+      refuse(fmt::format("it did not say within {} s that it is one",
                          std::chrono::duration<double>(program.patience).count()));
     }
     if (poll(&file, 1, static_cast<int>(left.count())) <= 0) continue;
     if (!inbox_.read_some(socket_)) throw std::runtime_error(died().failed_to_start);
     if (!inbox_.may_become(kGreeting.size())) break;
   }
-  if (message != kGreeting) refuse("it said something else than a worker of this version");
+  if (message != kGreeting) refuse("what it said is not what a worker of this version says");
 }
 
 bool WorkerProcess::is_idle() const {

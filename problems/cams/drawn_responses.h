@@ -73,7 +73,7 @@ MechanismResponse drawn_response(DrawnCurve which, const char* name, const char*
                          });
 }
 
-/// Profile, and of a roller or an edge the pitch curve and the way of the tool.
+/// Profile, and of a roller or an edge the pitch curve and the path of the tool.
 template <template <class> class M>
 std::vector<MechanismResponse> drawn_responses(bool with_pitch_curve) {
   using D = DrawnCurve;

@@ -82,7 +82,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   if (!fit.is_told) {
     return fmt::format("noise of {} does not tell the law: {}, {} may be behind the samples",
                        quantity(best.fit.sigma, fit.motion.samples.unit), best.law.label(),
-                       first_laws(fit.as_good));
+                       first_names(fit.as_good));
   }
   return "";
 }
@@ -115,7 +115,7 @@ void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
 
 }  // namespace
 
-std::string first_laws(const std::vector<std::string>& names) {
+std::string first_names(const std::vector<std::string>& names) {
   const std::size_t shown = std::min(names.size(), kFewLaws);
   const std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
   return shown == names.size() ? text : fmt::format("{} and {} more", text, names.size() - shown);

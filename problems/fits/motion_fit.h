@@ -32,6 +32,6 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options = {});
 
 /// The first kFewLaws names for a line of text, and how many more there are.
-std::string first_laws(const std::vector<std::string>& names);
+std::string first_names(const std::vector<std::string>& names);
 
 }  // namespace camlaw::problems

@@ -12,7 +12,7 @@ Words commands();
 /// An option that takes something.
 struct OptionHelp {
   std::string name;   ///< "--out"
-  std::string takes;  ///< "FILE", "{auto,sweep}", "N:INT in [2 - 9]"
+  std::string takes;  ///< "FILE", "{auto,sweep}", "N"
 };
 
 /// Those of a command, without switches and what stands without a name.

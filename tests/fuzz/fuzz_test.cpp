@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Thousands of spoilt files for each reader: what cannot be read is refused, nothing else is
-// thrown. The long run, guided by what is covered, is camlaw_fuzz of the preset "fuzz"
+// thrown. The long run, guided by what is covered, is camlaw_guided of the preset "fuzz"
 // (docs/design.md).
 #include <catch2/catch.hpp>
 

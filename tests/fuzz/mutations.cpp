@@ -106,12 +106,13 @@ class Changer {
     }
   }
 
-  /// A bit, a byte, or a stretch that becomes that of another place, or one byte over and over.
+  /// A bit, a byte, or a stretch that becomes that of another place, or one byte over and over; or
+  /// all that follows is cut off.
   void overwrite(std::string& bytes) {
     constexpr std::array<char, 6> kBytes{0, 1, 127, -128, -1, ' '};
     const auto [at, length] = stretch(bytes);
-    if (at >= bytes.size()) return bytes.resize(below(4) == 0 ? below(bytes.size()) : bytes.size());
-    switch (below(5)) {
+    if (at >= bytes.size()) return;
+    switch (below(6)) {
       case 0:
         bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
         break;
@@ -123,6 +124,9 @@ class Changer {
         break;
       case 3:
         bytes.replace(at, length, std::string(length, kBytes[below(kBytes.size())]));
+        break;
+      case 4:
+        if (below(4) == 0) bytes.resize(at);
         break;
       default: {
         const std::string& other = corpus_[below(corpus_.size())];

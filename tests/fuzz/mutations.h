@@ -10,7 +10,7 @@ namespace camlaw::fuzz {
 /// How files are changed.
 enum class Shape {
   Text,    ///< bytes turned, lost, repeated or moved; numbers and words exchanged
-  Binary,  ///< every byte stays at its place: what is there becomes another
+  Binary,  ///< bytes stay at their places and become others, or the end is cut off
 };
 
 /// A file as nobody would write it: one of the corpus with one to eight changes; also a

@@ -121,7 +121,7 @@ TEST_CASE("amplitude by a law's parameter has an exact derivative, and states ad
 }
 
 TEST_CASE("trains and laws that do not fit are refused", "[dynamics]") {
-  CHECK_THROWS_WITH(residual("elliptic", 2), Catch::Contains("no data"));
+  CHECK_THROWS_WITH(residual("elliptic", 2), Catch::Contains("does not consist of"));
   CHECK_THROWS_WITH(residual("cycloidal", 0), Catch::Contains("period ratio"));
   CHECK_THROWS_WITH(residual("cycloidal", 2, 1), Catch::Contains("damping"));
 }

@@ -175,9 +175,9 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
   CHECK(complaint(good.dump()) == "accepted");
   CHECK_THAT(complaint(""), Contains("not JSON"));
   CHECK_THAT(complaint(good.dump().substr(0, 300)), Contains("not JSON"));
-  CHECK_THAT(complaint("[1, 2]"), Contains("no law file"));
-  CHECK_THAT(complaint("{\"pieces\": []}"), Contains("no law file"));
-  CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }), Contains("no law file"));
+  CHECK_THAT(complaint("[1, 2]"), Contains("not a law file"));
+  CHECK_THAT(complaint("{\"pieces\": []}"), Contains("not a law file"));
+  CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }), Contains("not a law file"));
   CHECK_THAT(changed([](Json& f) { f.erase("title"); }), Contains("it has no title"));
   CHECK_THAT(changed([](Json& f) { f.erase("pieces"); }), Contains("it has no pieces"));
   CHECK_THAT(changed([](Json& f) { f["ends"] = "R-X"; }), Contains("ends 'R-X'"));

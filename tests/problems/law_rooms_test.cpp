@@ -171,4 +171,21 @@ TEST_CASE("choices that leave a law no room have no designs, and the others are 
   CHECK(angles.options.front() == 1);
 }
 
+TEST_CASE("a law that meets its limits only without its first phase is found", "[law-rooms]") {
+  // Number 72328 of the adversarial problems, which was called infeasible: with a ramp, however
+  // short, the jerk is limited by its length; without it the law begins with its acceleration.
+  const std::string limits =
+      "[objective]\nminimize = 'C'\n[[constraints]]\nresponse = 'B'\nupper = 1.5607258196977365\n"
+      "[[constraints]]\nresponse = 'D'\nupper = 60.247988629589102\n"
+      "[[constraints]]\nresponse = 'velocity'\nlower = 0\n";
+  const auto optimum = solved(
+      law_problem("name = 'scca'", limits,
+                  {between("a", 0, 1) + "\nstart = 0.26409046377370776",
+                   between("b", 0.030517578125, 0.7373046875) + "\nstart = 0.21179196779834353",
+                   between("c", 0, 0.7001953125) + "\nstart = 0.28775786543003673"}));
+  REQUIRE(optim::is_feasible(optimum.found.assessment));
+  CHECK(optimum.found.x[0] == 0);
+  CHECK(optimum.found.assessment.objective.value < 5.77);  // what the judge found
+}
+
 }  // namespace camlaw::problems

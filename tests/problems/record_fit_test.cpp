@@ -120,7 +120,7 @@ TEST_CASE("several turns, wrong zeros and outliers", "[record]") {
   for (double& place : record.place) place += 2.5;
   for (double& value : record.value) value -= 0.4;
   const RecordFit plain = fit_record(cam(), record);
-  CHECK_THAT(plain.distrust, Contains("no noise"));
+  CHECK_THAT(plain.distrust, Contains("not noise"));
   RecordFitOptions options{.place_shift = true, .value_shift = true};
   const RecordFit shifted = fit_record(cam(), record, options);
   CHECK(shifted.distrust.empty());
@@ -168,7 +168,7 @@ TEST_CASE("the recorded column is found by its curve's name", "[record]") {
              Contains("--response") && Contains("follower_force"));
   CHECK_THAT(said("angle [deg], drive_torque [mm], b"), Contains("'drive_torque'"));
   CHECK_THAT(said("angle [deg], drive_torque [N m], b", "power"), Contains("'power'"));
-  CHECK_THAT(said("angle [deg], mass [kg], b", "mass"), Contains("no curve"));
+  CHECK_THAT(said("angle [deg], mass [kg], b", "mass"), Contains("is not a curve"));
   CHECK(recorded_curve(table("angle [deg], drive_torque [N m], follower_force [N]"), roller,
                        "follower_force")
             .response.name == "follower_force");

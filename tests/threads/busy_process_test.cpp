@@ -231,7 +231,7 @@ TEST_CASE("without a worker program that works the front is found here", "[threa
   }
 }
 
-TEST_CASE("a program that is no worker is not waited for", "[threads][study]") {
+TEST_CASE("a program that is not a worker is not waited for", "[threads][study]") {
   const Watchdog watchdog;
   const testing::Folder folder;
   const problems::FrontStudy study = study_of("spine_cutter/front.toml");
@@ -244,10 +244,10 @@ TEST_CASE("a program that is no worker is not waited for", "[threads][study]") {
     return path;
   };
   for (const auto& [line, said] :
-       {std::pair{"exec sleep 1000", "said nothing for 0.2 s"},
+       {std::pair{"exec sleep 1000", "did not say within 0.2 s"},
         {"exec 0<&-; exec sleep 1000", "killed by signal 9"},
-        {"printf 'Enter your name, please:' >&0; exec sleep 1000", "something else"},
-        {"printf 'no' >&0; exec sleep 1000", "said nothing for 0.2 s"}}) {
+        {"printf 'Enter your name, please:' >&0; exec sleep 1000", "is not what a worker"},
+        {"printf 'no' >&0; exec sleep 1000", "did not say within 0.2 s"}}) {
     INFO(line);
     optim::WorkerProgram worker = problems::worker_program(study);
     worker.path = program(line);

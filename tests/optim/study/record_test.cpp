@@ -167,7 +167,7 @@ TEST_CASE("what is left of a study that was begun is not a hindrance", "[study]"
   // What is someone else's stays.
   write(folder / "u.db.new", "mine");
   CHECK_THROWS_WITH(StudyRecord::create(folder / "u.db", kSettings),
-                    Contains("u.db.new") && Contains("in the way"));
+                    Contains("u.db.new") && Contains("where the study is to be begun"));
   CHECK(read(folder / "u.db.new") == "mine");
   CHECK_FALSE(fs::exists(folder / "u.db"));
 }
@@ -252,7 +252,7 @@ TEST_CASE("what is not a study is refused and left as it is", "[study]") {
   for (const std::string name : {"empty.db", "text.db", "short.db", "foreign.db", "wal.db"}) {
     INFO(name);
     const std::string bytes = read(folder / name);
-    CHECK_THAT(complaint(folder / name), Contains("no study of camlaw"));
+    CHECK_THAT(complaint(folder / name), Contains("not a study of camlaw"));
     CHECK(read(folder / name) == bytes);
   }
   CHECK(folder.content() == names);
