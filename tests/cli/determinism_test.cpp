@@ -10,6 +10,11 @@
 #include "problems/statement/bind.h"
 #include "tests/cli/shell.h"
 
+#ifdef __SANITIZE_ADDRESS__
+/// The C library keeps the words of LOCPATH for ever.
+extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
+#endif
+
 namespace camlaw::cli {
 namespace {
 
