@@ -46,7 +46,8 @@ void RecordTally::add(const RecordVerdict& v) {
   if (!v.trusted) return;
   for (std::size_t j = 0; j < v.held.size(); ++j) {
     if (v.held[j]) ++intervals, held += *v.held[j];
-    if (v.width[j]) widths.push_back(*v.width[j]);
+    // 0 where the true law alone leaves the number open.
+    if (v.width[j].value_or(0) > 0) widths.push_back(*v.width[j]);
   }
 }
 
