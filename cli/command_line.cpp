@@ -89,6 +89,7 @@ std::vector<Option> common_options(bool* quiet) {
 
 const Command* parsed(const Program& program, int argc, const char* const* argv) {
   CLI::App app(program.help, program.name);
+  app.set_help_flag("-h,--help", kHelpHelp);
   app.set_version_flag(kVersionOption, program.version, kVersionHelp);
   app.require_subcommand(1);
   bool quiet = false;

@@ -313,8 +313,8 @@ Command fit_command() {
             .target = &options->shifts,
             .takes = "{centre,place,value}",
             .help = "what of the record is unknown and fitted along, with commas between: centre "
-                    "(of a motion or a cam's "
-                    "profile), the zeros of place and value (of a machine's curve)",
+                    "(of a motion or a cam's profile), the zeros of place and value (of a "
+                    "machine's curve)",
             .words = {"centre", "place", "value"}},
            {"--loss", &options->loss, "{none,huber,cauchy}",
             "how much far-off samples count: none (all alike), huber or cauchy"},

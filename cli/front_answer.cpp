@@ -65,6 +65,10 @@ std::string FrontAnswer::family(const FrontPoint& point) const {
 
 std::vector<optim::Costs> FrontAnswer::costs() const { return optim::costs_of(front.points); }
 
+int status_of(const problems::StoredFront& stored) {
+  return stored.faults.empty() ? kDone : kNotSolved;
+}
+
 int status_of(const optim::Front& front) {
   if (front.stopped) return kNotSolved;
   if (!front.points.empty()) return kDone;

@@ -39,5 +39,7 @@ struct FrontAnswer {
 
 /// The exit status that a front gives.
 int status_of(const optim::Front& front);
+/// Of one that is looked at in its record: kNotSolved where that is damaged or wrong.
+int status_of(const problems::StoredFront& stored);
 
 }  // namespace camlaw::cli

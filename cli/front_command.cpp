@@ -97,7 +97,7 @@ int run_front(const FrontCommand& options) {
   const problems::StoredFront stored = problems::stored_front(study, record);
   const optim::Front& front = stored.front;
   const FrontAnswer answer{study, stored};
-  const int status = stored.faults.empty() ? kDone : kNotSolved;
+  const int status = status_of(stored);
   if (front.points.empty()) {
     if (options.json) {
       print_data(front_json(answer).dump(2) + "\n");

@@ -78,8 +78,7 @@ JudgedPage study_page(const std::string& file) {
     throw std::invalid_argument(
         fmt::format("{}: the study has no design to report on; 'camlaw front' says why", file));
   }
-  return {front_report(FrontAnswer{study, stored}, file),
-          stored.faults.empty() ? kDone : kNotSolved};
+  return {front_report(FrontAnswer{study, stored}, file), status_of(stored)};
 }
 
 JudgedPage page_of(const std::string& input, const std::vector<std::string>& settings) {

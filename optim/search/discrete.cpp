@@ -95,16 +95,11 @@ class Whole {
   }
 
   void keep(const Problem& continuous, const Found& found) {
-    const long evaluations = result_.found.evaluations + found.evaluations;
-    const int iterations = result_.found.iterations + found.iterations;
-    const int solves = result_.found.solves + found.solves;
-    const bool first = result_.found.why_solver.empty();
-    if (first || better(continuous, found.assessment, result_.found.assessment)) {
-      result_.found = found;
-    }
-    result_.found.evaluations = evaluations;
-    result_.found.iterations = iterations;
-    result_.found.solves = solves;
+    const bool is_best = result_.found.why_solver.empty() ||
+                         better(continuous, found.assessment, result_.found.assessment);
+    Found kept = is_best ? found : result_.found;
+    kept.add_work(is_best ? result_.found : found);
+    result_.found = std::move(kept);
   }
 
   void enumerate(Problem& fixed, std::size_t depth) {

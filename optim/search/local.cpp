@@ -577,9 +577,7 @@ class Search {
     once.progress = {};
     once.candidate = {};
     const Found found = search_continuous(along, once, deadline_, false);
-    found_.iterations += found.iterations;
-    found_.evaluations += found.evaluations;
-    found_.solves += found.solves;
+    found_.add_work(found);
     if (!is_feasible(found.assessment)) return;
     Attempt there;
     there.x = found.x;

@@ -50,6 +50,13 @@ struct Found {
   int iterations = 0;
   long evaluations = 0;
   int solves = 0;
+
+  /// Counts what another search took as its own.
+  void add_work(const Found& other) {
+    iterations += other.iterations;
+    evaluations += other.evaluations;
+    solves += other.solves;
+  }
 };
 
 /// Searches from one or several starts, proves the best design over the cycle, and where no design

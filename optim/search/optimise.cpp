@@ -93,9 +93,7 @@ void look_everywhere(const Problem& problem, const OptimiseOptions& how, const D
     if (i == kTimes) break;
     Found other = search_from(problem, *division->better, how, deadline);
     if (!better(problem, other.assessment, found.assessment)) break;
-    other.iterations += found.iterations;
-    other.evaluations += found.evaluations;
-    other.solves += found.solves;
+    other.add_work(found);
     other.starts += found.starts;
     other.planned_starts += found.planned_starts;
     found = std::move(other);
@@ -217,7 +215,7 @@ class Optimiser {
     tally_.bounds_hold = tally_.bounds_hold && search.bounds_hold;
     tally_.enumerated = tally_.enumerated && search.enumerated;
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
-    add_counts(search.found);
+    work_.add_work(search.found);
     if (!started_ || better(problem, search.found.assessment, best_.found.assessment)) {
       best_.options = std::move(options);
       best_.problem = std::move(problem);
@@ -229,12 +227,6 @@ class Optimiser {
   static bool has_whole(const Problem& problem) {
     return std::any_of(problem.variables.begin(), problem.variables.end(),
                        [](const Variable& v) { return v.integer; });
-  }
-
-  void add_counts(const Found& found) {
-    evaluations_ += found.evaluations;
-    iterations_ += found.iterations;
-    solves_ += found.solves;
   }
 
   /// The winner, solved once more with its whole variables fixed, and proved.
@@ -257,11 +249,11 @@ class Optimiser {
         proved.agreed = found.agreed;
         found = std::move(proved);
       }
-      add_counts(found);
+      work_.add_work(found);
     }
-    found.evaluations = evaluations_;
-    found.iterations = iterations_;
-    found.solves = solves_;
+    found.evaluations = work_.evaluations;
+    found.iterations = work_.iterations;
+    found.solves = work_.solves;
     judge_combinations(tally_, found.assessment);
     Assessment& a = found.assessment;
     const bool told = tally_.stopped.empty() || a.reason.starts_with(tally_.stopped);
@@ -276,8 +268,7 @@ class Optimiser {
   Tally tally_;
   Optimum best_;
   bool started_ = false;
-  long evaluations_ = 0;
-  int iterations_ = 0, solves_ = 0;
+  Found work_;  ///< what all combinations took, and nothing else
 };
 
 }  // namespace

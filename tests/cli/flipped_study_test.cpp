@@ -6,7 +6,7 @@
 #include <random>
 
 #include "cli/front_output.h"
-#include "problems/statement/file_text.h"
+#include "tests/cutter_study.h"
 #include "tests/flipped.h"
 #include "tests/temporary_folder.h"
 
@@ -16,17 +16,6 @@ namespace {
 using testing::flipped, testing::write;
 
 constexpr int kFlips = 1000;
-
-void make_study(const std::string& path) {
-  const std::string file = std::string(CAMLAW_SOURCE_DIR) + "/problems/spine_cutter/front.toml";
-  problems::FrontSettings settings;
-  settings.points = 6;
-  const problems::FrontStudy study(problems::file_text(file, "problem file"), file, settings);
-  optim::StudyRecord record = optim::StudyRecord::create(path, study.settings());
-  optim::DirectExecutor direct(study.space(), study.options().solve);
-  optim::RecordedExecutor recorded(study.space(), record, &direct);
-  study.run(recorded);
-}
 
 /// What came of a file with a flipped bit.
 struct Tally {
@@ -48,7 +37,7 @@ std::pair<std::string, bool> told(const std::string& path) {
 TEST_CASE("no flipped bit of a study changes its front silently", "[heavy]") {
   const testing::Folder folder;
   const std::string path = folder / "s.db";
-  make_study(path);
+  testing::make_cutter_study(path, 6);
   const std::string bytes = testing::read(path);
   const auto whole = told(path);
   REQUIRE_FALSE(whole.second);

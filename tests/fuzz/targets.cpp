@@ -12,7 +12,7 @@
 #include "problems/law_files/law_file.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/bind.h"
-#include "problems/statement/file_text.h"
+#include "tests/cutter_study.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::fuzz {
@@ -67,16 +67,7 @@ void read_a_study(std::string_view bytes) {
 std::vector<std::string> made_studies() {
   const testing::Folder folder;
   const std::string path = folder / "s.db";
-  const std::string file = CAMLAW_SOURCE_DIR "/problems/spine_cutter/front.toml";
-  problems::FrontSettings settings;
-  settings.points = 4;
-  const problems::FrontStudy study(problems::file_text(file, "problem file"), file, settings);
-  {
-    optim::StudyRecord record = optim::StudyRecord::create(path, study.settings());
-    optim::DirectExecutor direct(study.space(), study.options().solve);
-    optim::RecordedExecutor recorded(study.space(), record, &direct);
-    study.run(recorded);
-  }
+  testing::make_cutter_study(path, 4);
   std::vector<std::string> result{testing::read(path)};
   const auto change = [&](const char* sql) {
     SQLite::Database(path, SQLite::OPEN_READWRITE).exec(sql);
