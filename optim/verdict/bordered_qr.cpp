@@ -2,28 +2,14 @@
 #include "optim/verdict/bordered_qr.h"
 
 #include <cmath>
-#include <random>
+
+#include "optim/verdict/power_method.h"
 
 namespace camlaw::optim {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
-
-/// Steps of the power method; each reduces what is left of the other singular vectors by the
-/// square of the singular values' ratio.
-constexpr int kPowerSteps = 12;
-
-VectorXd random_direction(Index size) {
-  std::mt19937 generator(1);
-  VectorXd x(size);
-  for (double& xi : x) xi = std::ldexp(static_cast<double>(generator()), -31) - 1;
-  return x.normalized();
-}
-
-}  // namespace
 
 BorderedQr::BorderedQr(const Eigen::SparseMatrix<double, Eigen::RowMajor>& S, const MatrixXd& D,
                        double tolerance)
@@ -124,25 +110,14 @@ BorderedQr::Image BorderedQr::solve_transposed(const VectorXd& x) const {
 }
 
 double BorderedQr::largest_singular_value() const {
-  VectorXd x = random_direction(W_.rows());
-  double square = 0;
-  for (int i = 0; i < kPowerSteps; ++i) {
-    x = qr_.transposed_times(qr_.times(x)) + D_.transpose() * (D_ * x);
-    square = x.norm();
-    x /= square;
-  }
-  return std::sqrt(square);
+  return std::sqrt(largest_eigenvalue(W_.rows(), [this](const VectorXd& x) {
+    return VectorXd(qr_.transposed_times(qr_.times(x)) + D_.transpose() * (D_ * x));
+  }));
 }
 
 double BorderedQr::least_singular_value() const {
-  VectorXd x = random_direction(W_.rows());
-  double square = 0;
-  for (int i = 0; i < kPowerSteps; ++i) {
-    x = solve(solve_transposed(x));
-    square = x.norm();
-    x /= square;
-  }
-  return 1 / std::sqrt(square);
+  return 1 / std::sqrt(largest_eigenvalue(
+                 W_.rows(), [this](const VectorXd& x) { return solve(solve_transposed(x)); }));
 }
 
 }  // namespace camlaw::optim

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/QR>
-#include <Eigen/SVD>
+#include <cmath>
 #include <limits>
 
 #include "optim/verdict/column_factors.h"
+#include "optim/verdict/power_method.h"
 
 namespace camlaw::optim {
 namespace {
@@ -32,9 +33,14 @@ class DenseFactors : public ColumnFactors {
   double condition() const override {
     const Eigen::Index n = qr_.cols();
     if (qr_.rank() < n) return std::numeric_limits<double>::infinity();
-    const Eigen::MatrixXd R = qr_.matrixR().topRows(n).triangularView<Eigen::Upper>();
-    const Eigen::VectorXd s = Eigen::BDCSVD<Eigen::MatrixXd>(R).singularValues();
-    return s[0] / s[n - 1];
+    const auto R = qr_.matrixR().topRows(n).triangularView<Eigen::Upper>();
+    const double largest = largest_eigenvalue(n, [&](const Eigen::VectorXd& x) {
+      return Eigen::VectorXd(R.transpose() * Eigen::VectorXd(R * x));
+    });
+    const double inverse = largest_eigenvalue(n, [&](const Eigen::VectorXd& x) {
+      return Eigen::VectorXd(R.solve(Eigen::VectorXd(R.transpose().solve(x))));
+    });
+    return std::sqrt(largest * inverse);
   }
 
  private:
