@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "optim/problem/combinations.h"
-#include "optim/problem/sizes.h"
 
 namespace camlaw::optim {
 
