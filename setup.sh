@@ -10,10 +10,7 @@ shift
 build=build/$preset
 
 as_root() {
-  if [ "$(id -u)" -eq 0 ]; then "$@"; elif command -v sudo >/dev/null; then sudo "$@"; else
-    echo "setup.sh: installing packages needs root or sudo: $*" >&2
-    exit 1
-  fi
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
 install_packages() {
@@ -25,10 +22,31 @@ install_packages() {
     sed -n 's/^installed //p' | sort -u)
   missing=$(comm -23 <(echo "$wanted") <(echo "$installed"))
   [ -z "$missing" ] && return
-  echo "setup.sh: installing" $missing >&2
-  as_root apt-get update -qq >&2
-  as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends $missing >&2
+  if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+    echo "setup.sh: installing packages needs root or sudo:" $missing >&2
+    exit 1
+  fi
+  mkdir -p build
+  local log=build/packages.log
+  echo "setup.sh: installing $(wc -w <<<"$missing") packages and what they need (log: $log)" >&2
+  printf '%s\n' $missing >"$log"
+  # The status lines' descriptor is opened within, as sudo closes those of ours.
+  if ! { as_root apt-get update -qq >>"$log" 2>&1 &&
+    as_root sh -c 'DEBIAN_FRONTEND=noninteractive exec apt-get install -y -qq \
+      --no-install-recommends -o APT::Status-Fd=3 "$@" 3>&1 >>"$0" 2>&1' "$log" $missing |
+      show_share; }; then
+    cat "$log" >&2
+    exit 1
+  fi
+}
+
+# Of apt's status lines, "pmstatus:PACKAGE:SHARE:WORDS", the share that is done, on one line.
+show_share() {
+  if [ -t 2 ]; then
+    awk -F: '{ printf "\rsetup.sh: %3d %%", $3; fflush() } END { print "" }' >&2
+  else
+    cat >/dev/null
+  fi
 }
 
 configure() {

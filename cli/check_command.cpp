@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/next_step.h"
-#include "cli/optimum_output.h"
-#include "cli/printing.h"
-#include "cli/warnings.h"
 #include "optim/problem/check_derivatives.h"
+#include "output/answers/next_step.h"
+#include "output/answers/optimum_output.h"
+#include "output/answers/warnings.h"
+#include "output/document/printing.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::cli {

@@ -7,18 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include "cli/exit_status.h"
+
 /// A command as data: what the parser, --help, the manual page and the shells' completions are all
 /// made from.
 namespace camlaw::cli {
-
-/// Exit status of the program.
-enum ExitStatus : int {
-  kDone = 0,
-  kFailed = 1,
-  kBadInput = 2,
-  kInfeasible = 3,  ///< no design meets every limit
-  kNotSolved = 4,   ///< no answer, or not the whole
-};
 
 /// What an option takes, as --help shows it and as shells complete it: one of these, or words in
 /// braces, "{auto,sweep}".

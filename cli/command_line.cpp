@@ -10,8 +10,9 @@
 #include <string_view>
 
 #include "cli/help.h"
-#include "cli/terminal.h"
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
+#include "numerics/text/names.h"
+#include "output/document/terminal.h"
 
 namespace camlaw::cli {
 namespace {

@@ -8,10 +8,11 @@
 #include <map>
 #include <sstream>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
+#include "machines/model/mechanism.h"
+#include "machines/registry.h"
 #include "optim/solvers/solver.h"
-#include "problems/mechanism/mechanism.h"
-#include "problems/reproduction.h"
+#include "problems/published/systems.h"
 
 namespace camlaw::cli {
 namespace {

@@ -7,20 +7,20 @@
 #include <memory>
 #include <optional>
 
-#include "cli/chart.h"
-#include "cli/claim_output.h"
 #include "cli/commands.h"
-#include "cli/cycle_figure.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
-#include "cli/law_json.h"
-#include "cli/limit_text.h"
-#include "cli/next_step.h"
-#include "cli/possible.h"
-#include "cli/printing.h"
-#include "cli/profile_figure.h"
-#include "cli/text_table.h"
-#include "cli/warnings.h"
+#include "output/answers/claim_output.h"
+#include "output/answers/cycle_figure.h"
+#include "output/answers/law_json.h"
+#include "output/answers/limit_text.h"
+#include "output/answers/next_step.h"
+#include "output/answers/possible.h"
+#include "output/answers/warnings.h"
+#include "output/document/printing.h"
+#include "output/document/text_table.h"
+#include "output/figure/chart.h"
+#include "output/figure/profile_figure.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -95,21 +95,22 @@ void print_evaluation(const ProblemStatement& statement,
   print_text(warnings_text(warnings));
 }
 
-Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedResponse>& responses,
-             const std::vector<optim::LimitReport>& limits, const Warnings& warnings,
-             const ClaimReview& review) {
+Json evaluation_json(const ProblemStatement& statement,
+                     const std::vector<EvaluatedResponse>& responses,
+                     const std::vector<optim::LimitReport>& limits, const Warnings& warnings,
+                     const ClaimReview& review) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
-      values[r.name] = {{"lowest", cli::to_json(r.lowest)},
+      values[r.name] = {{"lowest", to_json(r.lowest)},
                         {"lowest_at", r.lowest_at},
-                        {"highest", cli::to_json(r.highest)},
+                        {"highest", to_json(r.highest)},
                         {"highest_at", r.highest_at},
                         {"unit", r.unit},
                         {"along", r.along},
                         {"proved", r.proved}};
     } else {
-      values[r.name] = {{"value", cli::to_json(r.value)}, {"unit", r.unit}};
+      values[r.name] = {{"value", to_json(r.value)}, {"unit", r.unit}};
       if (!r.proved) values[r.name]["proved"] = false;
     }
   }
@@ -123,12 +124,12 @@ Json to_json(const ProblemStatement& statement, const std::vector<EvaluatedRespo
   for (const auto& limit : limits) {
     constraints.push_back(
         {{"name", limit.name},
-         {"value", cli::to_json(limit.value)},
+         {"value", to_json(limit.value)},
          {"bound", limit.bound},
          {"side", limit.is_upper ? "upper" : "lower"},
-         {"margin", cli::to_json(limit.margin)},
+         {"margin", to_json(limit.margin)},
          {"unit", limit.unit},
-         {"worst_angle_deg", limit.worst_angle ? cli::to_json(*limit.worst_angle) : Json(nullptr)},
+         {"worst_angle_deg", limit.worst_angle ? to_json(*limit.worst_angle) : Json(nullptr)},
          {"met", limit.met}});
   }
   return {{"title", statement.title},
@@ -176,7 +177,7 @@ int run_evaluate(const EvaluateOptions& options) {
   const auto limits = problems::standing(statement);
   const Warnings warnings = warnings_of(statement);
   if (options.json) {
-    print_data(to_json(statement, responses, limits, warnings, review).dump(2) + "\n");
+    print_data(evaluation_json(statement, responses, limits, warnings, review).dump(2) + "\n");
   } else {
     print_evaluation(statement, responses, limits, warnings);
     print_text(record_text(review.words()));

@@ -7,17 +7,17 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/export_options.h"
-#include "cli/export_output.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
-#include "cli/printing.h"
-#include "cli/terminal.h"
 #include "optim/verdict/verdict.h"
-#include "problems/exports/curve_svg.h"
-#include "problems/exports/dxf.h"
+#include "output/answers/claim_output.h"
+#include "output/answers/export_output.h"
+#include "output/document/printing.h"
+#include "output/document/terminal.h"
+#include "output/export/curve_svg.h"
+#include "output/export/dxf.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 
@@ -34,8 +34,8 @@ double written_rounding(ExportFormat format, CurveForm form, int decimals) {
 }
 
 /// With --tool the path of a tool of that radius on the profile.
-void add_tool_way(const ExportOptions& o, const problems::ProblemStatement& statement,
-                  const std::string& asked, std::vector<problems::PlaneCurve>& curves) {
+void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& statement,
+                   const std::string& asked, std::vector<problems::PlaneCurve>& curves) {
   if (!o.tool || asked == "pitch") return;
   if (!problems::cam_curves(statement, "cutter").empty()) {
     throw std::invalid_argument(fmt::format(
@@ -46,7 +46,7 @@ void add_tool_way(const ExportOptions& o, const problems::ProblemStatement& stat
       problems::cam_curves(statement, asked == "second-profile" ? "second-profile" : "profile");
   if (profile.empty()) return;
   if (asked != "all") curves.clear();
-  curves.push_back(problems::tool_way(profile.front(), *tool_radius(o)));
+  curves.push_back(problems::path_of_tool(profile.front(), *tool_radius(o)));
 }
 
 /// What a mechanism without a profile has instead, in words.
@@ -79,7 +79,7 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   const bool gcode = format.format == ExportFormat::Gcode;
   const std::string asked = o.curve.value_or(gcode ? "cutter" : "all");
   auto curves = problems::cam_curves(statement, asked);
-  add_tool_way(o, statement, asked, curves);
+  add_tool_path(o, statement, asked, curves);
   const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
   const bool without = format.format == ExportFormat::Json && law && !o.curve;
   if (curves.empty() && !without) refuse_without(statement, asked);
@@ -89,45 +89,20 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   return curves;
 }
 
-/// What keeps a tool from going along a curve, in words: first that it turns back, of which jumps
-/// may be the mere consequence.
-std::vector<std::string> obstacles(const problems::PlaneCurve& curve) {
-  std::vector<std::string> result;
-  if (const auto angle = problems::turns_back(curve)) {
-    result.push_back(fmt::format(
-        "the {} turns back near {:.4g} deg: the profile is undercut, or the tool too large",
-        curve.name(), *angle));
-  }
-  for (const auto& [place, way] : curve.jumps()) {
-    result.push_back(
-        fmt::format("the {} jumps by {:.4g} mm at {:.6g} deg: a straight line bridges it",
-                    curve.name(), way, place));
-  }
-  return result;
-}
-
-/// Refuses a program for a way with obstacles. The way of a tool as large as the roller is smooth
-/// where the profile that it leaves is undercut: the follower would not move as it should.
-void check_way(const problems::ProblemStatement& statement, const problems::PlaneCurve& way) {
-  if (const auto found = obstacles(way); !found.empty()) throw std::invalid_argument(found.front());
-  for (const problems::PlaneCurve& profile : problems::cam_curves(statement, "profile")) {
-    if (way.name() != "cutter path" || !problems::turns_back(profile)) continue;
-    throw std::invalid_argument(obstacles(profile).front());
-  }
-}
-
+/// The curves as the file is to have them, with notes on those that no tool could follow.
 void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const CurveForm form = form_of(o, format);
-  const auto curves = curves_asked(o, format, e.design.statement);
-  if (format.format == ExportFormat::Gcode) check_way(e.design.statement, curves.front());
-  for (const problems::PlaneCurve& curve : curves) {
-    for (std::string& note : obstacles(curve)) e.notes.push_back(std::move(note));
-  }
   const double slack = written_rounding(format.format, form, e.accuracy.decimals);
   auto inner = e.accuracy;
   inner.tolerance -= slack;
-  for (const problems::PlaneCurve& curve : curves) {
-    e.curves.push_back(problems::exported(curve, form, inner));
+  for (const problems::PlaneCurve& curve : curves_asked(o, format, e.design.statement)) {
+    if (format.format == ExportFormat::Gcode) {
+      e.tool_path.emplace(e.design.statement, curve, form, inner);
+      e.curves.push_back(e.tool_path->exported());
+    } else {
+      for (std::string& note : problems::obstacles(curve)) e.notes.push_back(std::move(note));
+      e.curves.push_back(problems::exported(curve, form, inner));
+    }
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
   }
 }
@@ -160,8 +135,7 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
       return problems::svg_text(e.curves, e.design.statement.title, comments);
     case ExportFormat::Gcode:
       comments.push_back(tool_line(o, e.design.statement));
-      return problems::gcode_text(e.curves.front(), gcode_settings(o, e.accuracy.decimals),
-                                  comments);
+      return problems::gcode_text(*e.tool_path, gcode_settings(o, e.accuracy.decimals), comments);
     default:
       return export_json(e).dump(2) + "\n";
   }

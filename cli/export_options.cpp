@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "cli/files.h"
-#include "problems/exports/plane_curve.h"
+#include "numerics/text/units.h"
+#include "output/export/plane_curve.h"
 #include "problems/statement/solver_settings.h"
-#include "problems/units.h"
 
 namespace camlaw::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "problems/exports/exported_curve.h"
-#include "problems/exports/gcode.h"
+#include "output/export/exported_curve.h"
+#include "output/export/gcode.h"
 
 /// The options of camlaw export, and what they say together. Each function throws
 /// std::invalid_argument that names the option and what is accepted.

@@ -14,9 +14,9 @@
 #include <string_view>
 
 #include "cli/inputs.h"
-#include "cli/printing.h"
 #include "cli/replacing.h"
-#include "cli/terminal.h"
+#include "output/document/printing.h"
+#include "output/document/terminal.h"
 
 namespace camlaw::cli {
 namespace {

@@ -5,16 +5,17 @@
 #include <memory>
 #include <optional>
 
-#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/front_output.h"
 #include "cli/inputs.h"
-#include "cli/next_step.h"
-#include "cli/printing.h"
-#include "cli/text_table.h"
-#include "cli/tolerance_output.h"
-#include "cli/version_text.h"
+#include "numerics/text/file_format.h"
+#include "output/answers/claim_output.h"
+#include "output/answers/front_output.h"
+#include "output/answers/next_step.h"
+#include "output/answers/tolerance_output.h"
+#include "output/document/printing.h"
+#include "output/document/short_version.h"
+#include "output/document/text_table.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 
@@ -68,7 +69,7 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
 /// A point as a result that stands alone, for report and export.
 Json point_result(const FrontAnswer& answer, std::size_t k) {
   const optim::FrontPoint& point = answer.front.points[k];
-  Json object = {{"program", short_version()}};
+  Json object = {{"format", kResultFormat.text()}, {"program", short_version()}};
   object.update(point_json(answer, k));
   object["design"] = problems::recorded_design(answer.study.bound(),
                                                answer.study.space().options(point.part), point.x);

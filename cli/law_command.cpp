@@ -9,14 +9,14 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
-#include "cli/law_figure.h"
-#include "cli/law_json.h"
-#include "cli/printing.h"
-#include "cli/text_table.h"
 #include "kinematics/limits.h"
+#include "numerics/text/units.h"
+#include "output/answers/law_json.h"
+#include "output/document/printing.h"
+#include "output/document/text_table.h"
+#include "output/figure/law_figure.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/solver_settings.h"
-#include "problems/units.h"
 
 namespace camlaw::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/law_json.h"
-#include "cli/printing.h"
-#include "cli/text_table.h"
 #include "kinematics/limits.h"
+#include "output/answers/law_json.h"
+#include "output/document/printing.h"
+#include "output/document/text_table.h"
 #include "problems/law_files/law_file.h"
 
 namespace camlaw::cli {
@@ -66,7 +66,7 @@ std::string ranges(const Family& family) {
 }
 
 /// The page docs/laws.md.
-void print_markdown() {
+void print_law_page() {
   say("# Motion laws\n\nPrinted by `camlaw laws --markdown` from the catalogue in the code. "
       "Constants "
       "are those of the standard\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
@@ -86,7 +86,7 @@ void print_markdown() {
   }
 }
 
-void print_json() {
+void print_laws_json() {
   Json result = Json::array();
   for (const Family& family : catalogue()) {
     result.push_back(law_to_json({&family, family.standard()}));
@@ -113,7 +113,9 @@ Command laws_command() {
           .examples = {{"camlaw laws", "the table of laws and their constants"},
                        {"camlaw laws --json", "with every digit, formula and source"}},
           .run = [options] {
-            options->json ? print_json() : options->markdown ? print_markdown() : print_catalogue();
+            options->json       ? print_laws_json()
+            : options->markdown ? print_law_page()
+                                : print_catalogue();
             return kDone;
           }};
 }

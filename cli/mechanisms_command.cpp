@@ -5,10 +5,11 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/law_json.h"
-#include "cli/printing.h"
-#include "cli/text_table.h"
-#include "problems/mechanism/mechanism.h"
+#include "machines/model/mechanism.h"
+#include "machines/registry.h"
+#include "output/answers/law_json.h"
+#include "output/document/printing.h"
+#include "output/document/text_table.h"
 
 namespace camlaw::cli {
 namespace {
@@ -143,7 +144,7 @@ void print_markdown(const Mechanism& mechanism) {
 }
 
 /// The page docs/mechanisms.md.
-void print_markdown() {
+void print_mechanism_page() {
   say("# Mechanisms of problem files\n\nPrinted by `camlaw mechanisms --markdown` from the code. A "
       "file names one, sets or varies its\nparameters and asks about its responses "
       "([problem-files.md](problem-files.md)). A curve is asked about as\n`peak`, `highest` or "
@@ -161,7 +162,7 @@ int show_mechanisms(const MechanismsOptions& options) {
     throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
   }
   if (options.markdown) {
-    print_markdown();
+    print_mechanism_page();
   } else if (options.json) {
     Json all = Json::array();
     for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));

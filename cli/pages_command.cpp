@@ -6,8 +6,8 @@
 #include "cli/commands.h"
 #include "cli/completion.h"
 #include "cli/man_page.h"
-#include "cli/printing.h"
-#include "cli/version_text.h"
+#include "output/document/printing.h"
+#include "output/document/short_version.h"
 
 namespace camlaw::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cli/terminal.h"
+#include "output/document/terminal.h"
 
 namespace camlaw::cli {
 namespace {

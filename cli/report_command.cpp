@@ -6,15 +6,15 @@
 #include <memory>
 #include <optional>
 
-#include "cli/claim_output.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
-#include "cli/printing.h"
-#include "cli/report/report.h"
+#include "numerics/text/file_text.h"
+#include "output/answers/claim_output.h"
+#include "output/document/printing.h"
+#include "output/report/report.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
-#include "problems/statement/file_text.h"
 
 namespace camlaw::cli {
 namespace {

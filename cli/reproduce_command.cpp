@@ -7,13 +7,13 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/law_json.h"
-#include "cli/printing.h"
 #include "cli/progress_line.h"
-#include "cli/report/report.h"
-#include "cli/text_table.h"
-#include "problems/cam_shape/solve.h"
-#include "problems/reproduction.h"
+#include "output/answers/law_json.h"
+#include "output/document/printing.h"
+#include "output/document/text_table.h"
+#include "output/report/report.h"
+#include "problems/published/cam_shape/solve.h"
+#include "problems/published/systems.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
@@ -75,7 +75,7 @@ void print_counts(const std::vector<SystemReproduction>& results) {
   print_text(table.text());
 }
 
-Json to_json(const SystemReproduction& result) {
+Json reproduction_json(const SystemReproduction& result) {
   Json values = Json::array();
   for (const auto& value : result.values) {
     values.push_back({{"id", value.printed.id},
@@ -86,8 +86,8 @@ Json to_json(const SystemReproduction& result) {
                       {"printed", value.printed.number.value},
                       {"decimals", value.printed.number.decimals},
                       {"unit", value.printed.unit},
-                      {"value", cli::to_json(value.stated_value)},
-                      {"explained_value", cli::to_json(value.explained_value)},
+                      {"value", to_json(value.stated_value)},
+                      {"explained_value", to_json(value.explained_value)},
                       {"verdict", problems::to_string(value.verdict)},
                       {"causes", value.causes}});
   }
@@ -109,12 +109,12 @@ const problems::ReproducibleSystem& find_system(const std::string& name) {
       fmt::format("no system is called '{}'; there is {}", name, fmt::join(known, ", ")));
 }
 
-Json to_json(const problems::CamShapeCase& solved) {
+Json case_json(const problems::CamShapeCase& solved) {
   return {{"n", solved.n},
           {"printed", solved.printed ? Json(*solved.printed) : Json(nullptr)},
-          {"objective", cli::to_json(solved.objective)},
+          {"objective", to_json(solved.objective)},
           {"true_optimum", solved.true_optimum},
-          {"max_violation", cli::to_json(solved.max_violation)},
+          {"max_violation", to_json(solved.max_violation)},
           {"verdict", solved.verdict},
           {"reason", solved.reason},
           {"iterations", solved.iterations},
@@ -125,7 +125,7 @@ Json to_json(const problems::CamShapeCase& solved) {
 Json cam_shape_cases() {
   Json cases = Json::array();
   for (const auto& printed : problems::printed_cam_shapes()) {
-    cases.push_back(to_json(problems::solve_cam_shape(problems::points_of(printed))));
+    cases.push_back(case_json(problems::solve_cam_shape(problems::points_of(printed))));
   }
   return cases;
 }
@@ -134,7 +134,7 @@ Json cam_shape_cases() {
 void run_cam_shape(int n, bool json) {
   const problems::CamShapeCase solved = problems::solve_cam_shape(n);
   if (json) {
-    print_data(to_json(solved).dump(2) + "\n");
+    print_data(case_json(solved).dump(2) + "\n");
     return;
   }
   say("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason);
@@ -195,7 +195,7 @@ int run_reproduce(const ReproduceOptions& options) {
     results.push_back(system->reproduce());
     line.clear();
     if (json) {
-      all.push_back(to_json(results.back()));
+      all.push_back(reproduction_json(results.back()));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
     } else {
       print_system(results.back());

@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include "cli/commands.h"
-#include "cli/printing.h"
 #include "cli/run_limits.h"
-#include "cli/terminal.h"
 #include "cli/version_text.h"
+#include "output/document/printing.h"
+#include "output/document/terminal.h"
 
 namespace camlaw::cli {
 namespace {

@@ -8,16 +8,16 @@
 #include <chrono>
 #include <cstdio>
 
-#include "cli/cycle_figure.h"
 #include "cli/help.h"
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
-#include "cli/law_figure.h"
-#include "cli/next_step.h"
-#include "cli/printing.h"
 #include "cli/progress_line.h"
-#include "cli/warnings.h"
 #include "cli/watched_run.h"
+#include "output/answers/cycle_figure.h"
+#include "output/answers/next_step.h"
+#include "output/answers/warnings.h"
+#include "output/document/printing.h"
+#include "output/figure/law_figure.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 

@@ -8,8 +8,8 @@
 
 #include "cli/command.h"
 #include "cli/files.h"
-#include "cli/optimum_output.h"
 #include "cli/run_limits.h"
+#include "output/answers/optimum_output.h"
 
 /// What the commands that search have in common: their options, the search itself, what is printed
 /// and written of it.

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/delivery_study.h"
 #include "cli/files.h"
-#include "cli/printing.h"
 #include "cli/progress_line.h"
-#include "cli/study_fronts.h"
-#include "cli/study_output.h"
 #include "cli/workers.h"
+#include "output/answers/delivery_study.h"
+#include "output/answers/study_fronts.h"
+#include "output/answers/study_output.h"
+#include "output/document/printing.h"
 
 namespace camlaw::cli {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/printing.h"
-#include "cli/rulers.h"
 #include "cli/search_run.h"
+#include "output/answers/rulers.h"
+#include "output/document/printing.h"
 #include "problems/law_files/law_file.h"
 
 namespace camlaw::cli {

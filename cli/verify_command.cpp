@@ -3,14 +3,14 @@
 
 #include <memory>
 
-#include "cli/claim_output.h"
 #include "cli/commands.h"
-#include "cli/law_json.h"
-#include "cli/limit_text.h"
-#include "cli/printing.h"
-#include "cli/text_table.h"
-#include "cli/version_text.h"
-#include "cli/warnings.h"
+#include "output/answers/claim_output.h"
+#include "output/answers/law_json.h"
+#include "output/answers/limit_text.h"
+#include "output/answers/warnings.h"
+#include "output/document/printing.h"
+#include "output/document/short_version.h"
+#include "output/document/text_table.h"
 #include "problems/results/judged_design.h"
 
 namespace camlaw::cli {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "optim/versions.h"
+#include "output/document/short_version.h"
 
 namespace camlaw::cli {
 namespace {
@@ -23,9 +24,6 @@ std::string json_version() {
 }
 
 }  // namespace
-
-// CAMLAW_VERSION is the project's version, from CMake.
-std::string short_version() { return "camlaw " CAMLAW_VERSION; }
 
 std::string version_text() {
   return fmt::format("{}\n{}\n{}\n{}\n{}", short_version(),

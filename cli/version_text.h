@@ -5,10 +5,7 @@
 
 namespace camlaw::cli {
 
-/// "camlaw 0.1.0".
-std::string short_version();
-
-/// That, and the libraries behind the program with the versions in use, one a line.
+/// What --version prints: the program's version and those of the libraries that it uses.
 std::string version_text();
 
 }  // namespace camlaw::cli

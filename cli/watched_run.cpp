@@ -20,9 +20,9 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/printing.h"
 #include "optim/study/child_process.h"
 #include "optim/study/messages.h"
+#include "output/document/printing.h"
 
 namespace camlaw::cli {
 namespace {

@@ -9,13 +9,14 @@ set(CAMLAW_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/camlaw)
 set(CAMLAW_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/camlaw)
 
 # Headers that name a solver, or SQLite, belong to what is behind them.
-install(DIRECTORY kinematics optim problems
+set(parts numerics kinematics optim machines problems fitting output)
+install(DIRECTORY ${parts}
   DESTINATION ${CAMLAW_HEADER_DIR} COMPONENT development
   FILES_MATCHING PATTERN "*.h" PATTERN "nlopt_*.h" EXCLUDE
-  PATTERN "study_tables.h" EXCLUDE)
+  PATTERN "study_tables.h" EXCLUDE PATTERN "nsga2_plugin.h" EXCLUDE PATTERN "run_end.h" EXCLUDE)
 
 # Each library is a part of the package of its own, so that who asks for kinematics needs no solver.
-foreach(part kinematics optim problems)
+foreach(part IN LISTS parts)
   set_target_properties(camlaw_${part} PROPERTIES EXPORT_NAME ${part})
   target_include_directories(camlaw_${part} INTERFACE $<INSTALL_INTERFACE:${CAMLAW_HEADER_DIR}>)
   install(TARGETS camlaw_${part} EXPORT camlaw_${part}
@@ -40,6 +41,10 @@ install(FILES ${PROJECT_BINARY_DIR}/camlaw.pc
 install(TARGETS camlaw RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS camlaw_worker
   RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
+if(CAMLAW_PAGMO)
+  install(TARGETS camlaw_nsga2
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/camlaw COMPONENT program)
+endif()
 set(pages ${PROJECT_BINARY_DIR}/pages)
 install(FILES ${pages}/camlaw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${pages}/camlaw.bash RENAME camlaw COMPONENT program

@@ -9,10 +9,35 @@ function(camlaw_options target)
     $<$<BOOL:${CAMLAW_WERROR}>:-Werror>)
 endfunction()
 
+# Compiles the sources of each folder as units of up to eight files, where CAMLAW_UNITY asks for it:
+# most of a file's time goes into the headers that its neighbours include too. Sources that follow
+# SINGLY have little in common: each is a unit of its own.
+function(camlaw_units target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" SINGLY)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${CAMLAW_UNITY} UNITY_BUILD_MODE GROUP)
+  if(CAMLAW_UNITY)
+    # A class of one source may hold what that source alone names, though a unit includes it.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(REMOVE_ITEM sources ${arg_SINGLY})
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "of_${folder}" folder)
+    math(EXPR unit "${count_${folder}} + 0" OUTPUT_FORMAT DECIMAL)
+    math(EXPR count_${folder} "${unit} + 1")
+    math(EXPR unit "${unit} / 8")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${unit})
+  endforeach()
+endfunction()
+
 function(camlaw_library name)
-  add_library(camlaw_${name} STATIC ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" SINGLY)
+  add_library(camlaw_${name} STATIC ${arg_UNPARSED_ARGUMENTS} ${arg_SINGLY})
   add_library(camlaw::${name} ALIAS camlaw_${name})
   camlaw_options(camlaw_${name})
+  camlaw_units(camlaw_${name} SINGLY ${arg_SINGLY})
 endfunction()
 
 # Turns a data file into a string constant, so that the program needs no files beside it:

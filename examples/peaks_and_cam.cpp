@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/phases.h"
 #include "kinematics/limits.h"
-#include "kinematics/mechanisms/spine_cutter.h"
 #include "kinematics/peaks.h"
+#include "machines/spine_cutter/spine_cutter.h"
 
 int main() {
   using namespace camlaw;

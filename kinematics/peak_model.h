@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "kinematics/bounds.h"
 #include "kinematics/peaks.h"
-#include "kinematics/polynomial.h"
+#include "numerics/polynomial/polynomial.h"
+#include "numerics/scalar/bounds.h"
 
 /// What a peak search knows of a quantity on one box of x: a polynomial with a remainder, in
 /// Bernstein form (docs/theory.md, "Peaks"). T is double (fast) or Interval (proof).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/peak_search.h"
 
-#include "kinematics/bernstein.h"
+#include "numerics/polynomial/bernstein.h"
 
 namespace camlaw::detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <boost/version.hpp>
 
 #include "optim/fit/ceres_search.h"
-#include "optim/pareto/scout.h"
+#include "optim/pareto/nsga2.h"
 #include "optim/solvers/solver.h"
 #include "optim/study/record.h"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "numerics/text/file_text.h"
 #include "problems/fronts/front_study.h"
-#include "problems/statement/file_text.h"
 
 namespace camlaw::testing {
 

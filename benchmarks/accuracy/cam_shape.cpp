@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "benchmarks/accuracy/accuracy.h"
-#include "problems/cam_shape/solve.h"
+#include "problems/published/cam_shape/solve.h"
 
 namespace camlaw::benchmarks {
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "benchmarks/timing.h"
-#include "problems/fits/constants_fit.h"
-#include "problems/fits/fitted_cycle.h"
-#include "problems/fits/sample_table.h"
+#include "fitting/constants/constants_fit.h"
+#include "fitting/motions/fitted_cycle.h"
+#include "fitting/samples/sample_table.h"
 
 namespace camlaw::benchmarks {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/fits/constants_fit.h"
+#include "fitting/constants/constants_fit.h"
 
 namespace camlaw::benchmarks {
 namespace {

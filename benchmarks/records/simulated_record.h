@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
 /// Measured motions whose law is known, to see how far a fit's answers can be trusted.
 namespace camlaw::benchmarks {

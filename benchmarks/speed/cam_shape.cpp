@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/cam_shape/cam_shape.h"
+#include "problems/published/cam_shape/cam_shape.h"
 
 #include <fmt/format.h>
 

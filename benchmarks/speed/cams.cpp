@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "benchmarks/timing.h"
-#include "kinematics/cams/roller_cam.h"
 #include "kinematics/program/program.h"
+#include "machines/cams/roller_cam.h"
 
 /// One design of a disc cam with a roller: every response at 720 angles.
 namespace camlaw::benchmarks {

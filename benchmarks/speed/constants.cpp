@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "benchmarks/timing.h"
-#include "problems/fits/constants_fit.h"
+#include "fitting/constants/constants_fit.h"
 
 /// One question of printed constants to every law of the catalogue: of a fixed law, of a member of
 /// a family, and of numbers that no law prints.

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "benchmarks/timing.h"
-#include "problems/fits/constants_fit.h"
-#include "problems/fits/law_ranking.h"
+#include "fitting/constants/constants_fit.h"
+#include "fitting/motions/law_ranking.h"
 
 /// A lift table of 1000 points, a motion with noise of a thousandth of its stroke, to one law, to a
 /// family with its coefficient, and to every law of the catalogue.

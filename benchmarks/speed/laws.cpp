@@ -8,7 +8,7 @@
 
 #include "benchmarks/speed/hand_laws.h"
 #include "benchmarks/timing.h"
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
 /// s, v, a, j of many points: our loop against loops written by hand.
 namespace camlaw::benchmarks {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "benchmarks/timing.h"
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
 /// Exact peaks of every law of the catalogue at its standard arguments, as numbers and proved.
 namespace camlaw::benchmarks {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/spine_cutter/study.h"
+#include "problems/published/spine_cutter/study.h"
 
 #include <benchmark/benchmark.h>
 #include <fcntl.h>

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "kinematics/scalar.h"
+#include "numerics/scalar/scalar.h"
 
 namespace camlaw {
 

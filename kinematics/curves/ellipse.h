@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinematics/curves/derivatives.h"
-#include "kinematics/series.h"
+#include "numerics/scalar/series.h"
 
 namespace camlaw {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kinematics/curves/derivatives.h"
-#include "kinematics/series.h"
+#include "numerics/scalar/series.h"
 
 namespace camlaw {
 

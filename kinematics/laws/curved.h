@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "kinematics/build.h"
+#include "kinematics/laws/build.h"
 
 /// Laws that are not polynomial plus harmonics. Equations: docs/theory.md, "Curves".
 namespace camlaw {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/transform.h"
 
 /// The catalogue's entries, one function per group of laws.

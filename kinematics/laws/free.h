@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
 /// The free law: a B-spline law all of whose coefficients may vary but those that its ends decide.
 /// Equations: docs/theory.md, "Free laws".

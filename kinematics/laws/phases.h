@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "kinematics/build.h"
+#include "kinematics/laws/build.h"
 
 /// Laws laid together from phases of acceleration. Equations: docs/theory.md, "Laws from phases of
 /// acceleration".

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "kinematics/build.h"
-#include "kinematics/polynomial.h"
+#include "kinematics/laws/build.h"
 #include "kinematics/shape.h"
+#include "numerics/polynomial/polynomial.h"
 
 /// Laws that are one polynomial. Equations: docs/theory.md, "Polynomials".
 namespace camlaw {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "kinematics/build.h"
+#include "kinematics/laws/build.h"
 #include "kinematics/shape.h"
 
 /// Laws that are splines. Equations: docs/theory.md, "Splines".

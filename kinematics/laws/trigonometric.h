@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "kinematics/build.h"
+#include "kinematics/laws/build.h"
 
 /// Laws of sines and cosines over the whole stretch. Equations: docs/theory.md, "Harmonic laws".
 namespace camlaw {

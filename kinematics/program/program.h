@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/transform.h"
 

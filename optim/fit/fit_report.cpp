@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/linear/statistics.h"
 #include "optim/fit/identifiability.h"
-#include "optim/fit/statistics.h"
 
 namespace camlaw::optim {
 namespace {

@@ -7,11 +7,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "numerics/linear/statistics.h"
 #include "optim/fit/ceres_search.h"
 #include "optim/fit/fit_report.h"
 #include "optim/fit/gauss_newton_polish.h"
 #include "optim/fit/identifiability.h"
-#include "optim/fit/statistics.h"
 #include "optim/problem/starts.h"
 
 namespace camlaw::optim {

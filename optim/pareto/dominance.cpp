@@ -7,7 +7,7 @@
 namespace camlaw::optim {
 namespace {
 
-using Point = std::vector<double>;
+using CostPoint = std::vector<double>;
 
 class Dominance {
  public:
@@ -15,7 +15,7 @@ class Dominance {
       : share_(share), absolute_(absolute) {}
 
   /// Nothing is greater by more than its tolerance, and something smaller by more than that.
-  bool dominates(const Point& a, const Point& b) const {
+  bool dominates(const CostPoint& a, const CostPoint& b) const {
     bool better = false;
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (a[i] == b[i]) continue;
@@ -28,7 +28,7 @@ class Dominance {
 
   /// Nothing is greater at all: that is transitive, and what a dominates then whatever dominates a
   /// does too.
-  bool dominates_outright(const Point& a, const Point& b) const {
+  bool dominates_outright(const CostPoint& a, const CostPoint& b) const {
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (a[i] > b[i]) return false;
     }
@@ -36,7 +36,7 @@ class Dominance {
   }
 
   /// Whether a's first objective is so much greater that it cannot dominate b.
-  bool is_behind(const Point& a, const Point& b) const {
+  bool is_behind(const CostPoint& a, const CostPoint& b) const {
     return !a.empty() && a[0] > b[0] + margin_of(a[0], b[0], 0);
   }
 
@@ -51,12 +51,12 @@ class Dominance {
   const std::vector<double>& absolute_;
 };
 
-bool has_nan(const Point& point) {
+bool has_nan(const CostPoint& point) {
   return std::any_of(point.begin(), point.end(), [](double x) { return std::isnan(x); });
 }
 
 /// In lexicographic order those that no other dominates outright.
-std::vector<std::size_t> outright(std::span<const Point> points, const Dominance& relation) {
+std::vector<std::size_t> outright(std::span<const CostPoint> points, const Dominance& relation) {
   std::vector<std::size_t> order, kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!has_nan(points[i])) order.push_back(i);
@@ -74,9 +74,10 @@ std::vector<std::size_t> outright(std::span<const Point> points, const Dominance
 }
 
 /// Points in lexicographic order become those that stay.
-class Kernel {
+class Sieve {
  public:
-  Kernel(std::span<const Point> points, std::vector<std::size_t> order, const Dominance& relation)
+  Sieve(std::span<const CostPoint> points, std::vector<std::size_t> order,
+        const Dominance& relation)
       : points_(points),
         order_(std::move(order)),
         relation_(relation),
@@ -109,7 +110,7 @@ class Kernel {
   }
 
  private:
-  const Point& point(std::size_t i) const { return points_[order_[i]]; }
+  const CostPoint& point(std::size_t i) const { return points_[order_[i]]; }
 
   /// Those that are not decided; what is dominated is not far before what dominates it.
   template <class F>
@@ -134,7 +135,7 @@ class Kernel {
     }
   }
 
-  std::span<const Point> points_;
+  std::span<const CostPoint> points_;
   std::vector<std::size_t> order_;
   const Dominance& relation_;
   std::vector<std::size_t> dominators_;  ///< that are not decided
@@ -143,11 +144,11 @@ class Kernel {
 
 }  // namespace
 
-std::vector<bool> non_dominated(std::span<const Point> points, double tolerance,
+std::vector<bool> non_dominated(std::span<const CostPoint> points, double tolerance,
                                 const std::vector<double>& tolerances) {
   const Dominance relation(tolerance, tolerances);
   std::vector<bool> result(points.size(), false);
-  for (const std::size_t k : Kernel(points, outright(points, relation), relation).find()) {
+  for (const std::size_t k : Sieve(points, outright(points, relation), relation).find()) {
     result[k] = true;
   }
   return result;

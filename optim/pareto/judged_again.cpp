@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/pareto/costs.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {

@@ -25,8 +25,8 @@ Costs ranges(std::span<const Costs> front, const Costs& tolerances = {});
 /// of ranges() beyond it.
 Costs default_reference(std::span<const Costs> front, const Costs& tolerances = {});
 
-/// Measure of what the front dominates, bounded by the reference (Zitzler and Thiele 1998; pagmo).
-/// Points that do not lie below the reference count nothing.
+/// Measure of what the front dominates, bounded by the reference (Zitzler and Thiele 1998),
+/// exactly. Points that do not lie below the reference count nothing.
 double hypervolume(std::span<const Costs> front, const Costs& reference);
 
 /// Two costs, points sorted by the first, of a problem that is convex in both: what the front

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
+#include "optim/pareto/nsga2.h"
 #include "optim/pareto/round.h"
-#include "optim/problem/sizes.h"
 
 namespace camlaw::optim {
 namespace {
@@ -52,6 +53,7 @@ class Study {
     if (options.reference && options.reference->size() != first.objectives.size()) {
       throw std::invalid_argument("reference: one number for each objective is wanted");
     }
+    if (options.method == ParetoMethod::Nsga2) require_nsga2();
     for (const Objective& o : first.objectives) {
       front_.objectives.push_back({o.response.name, o.response.unit, o.sense, o.part});
     }
@@ -112,8 +114,9 @@ class Study {
     std::vector<Task> tasks;
     for (const auto& part : parts_) {
       const MultiProblem multi = space_.problem(space_.options(part->part()));
-      const bool wanted = options_.method == ParetoMethod::Nsga2 ||
-                          (options_.method == ParetoMethod::Automatic && !is_convex(multi));
+      const bool wanted =
+          options_.method == ParetoMethod::Nsga2 ||
+          (options_.method == ParetoMethod::Automatic && !is_convex(multi) && has_nsga2());
       if (wanted && varying(multi) > 0) tasks.push_back(scout_task(part->part()));
     }
     scouted_.resize(parts_.size());

@@ -8,7 +8,7 @@
 namespace camlaw::optim {
 
 enum class ParetoMethod {
-  Automatic,  ///< the sweep; NSGA-II first as a scout where problems are not convex
+  Automatic,  ///< the sweep; NSGA-II first as a scout where problems are not convex, if it is there
   Sweep,      ///< searches by gradients, each answer judged; gaps refined until the front is even
   Nsga2,      ///< NSGA-II, its designs polished by gradients
 };

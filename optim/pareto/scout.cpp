@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <pagmo/algorithm.hpp>
-#include <pagmo/algorithms/nsga2.hpp>
-#include <pagmo/config.hpp>
-#include <pagmo/population.hpp>
-#include <pagmo/problem.hpp>
 
+#include "optim/cycle/sizes.h"
+#include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
-#include "optim/problem/sizes.h"
+#include "optim/pareto/nsga2.h"
 
 namespace camlaw::optim {
 namespace {
 
-/// What pagmo is given: whole variables last, bounds finite.
+/// What NSGA-II is given: whole variables last, bounds finite.
 struct Genome {
-  std::vector<std::size_t> variables;  ///< of the problem, in pagmo's order
+  std::vector<std::size_t> variables;  ///< of the problem, in the genes' order
   std::vector<double> lower, upper, fixed;
   std::size_t whole = 0;
 };
@@ -52,21 +48,17 @@ std::vector<double> design_of(const Genome& genome, const std::vector<double>& g
   return x;
 }
 
-/// The problem without limits that pagmo sees. Copied by pagmo; the count is shared.
-struct Evolved {
-  const MultiProblem* multi = nullptr;
-  const Problem* problem = nullptr;
-  const Sizes* sizes = nullptr;
-  const Genome* genome = nullptr;
-  std::shared_ptr<long> evaluations;
+/// The problem without limits that NSGA-II sees.
+struct Unlimited {
+  const MultiProblem& multi;
+  const Problem& problem;
+  const Sizes& sizes;
 
   /// More than any cost that is worth having: what passes a limit is worse than all that does not.
   static constexpr double kBeyond = 1e100;
 
-  std::vector<double> fitness(const std::vector<double>& genes) const {
-    ++*evaluations;
-    const std::vector<double> x = design_of(*genome, genes);
-    std::vector<double> cost(multi->objectives.size(), 4 * kBeyond);
+  std::vector<double> costs_of(Design x) const {
+    std::vector<double> cost(multi.objectives.size(), 4 * kBeyond);
     try {
       measure(x, cost);
     } catch (const std::exception&) {
@@ -82,24 +74,19 @@ struct Evolved {
       std::fill(cost.begin(), cost.end(), kBeyond * (1 + graded));
       return;
     }
-    const std::vector<double> its = costs(*multi, x);
+    const std::vector<double> its = costs(multi, x);
     for (std::size_t i = 0; i < its.size(); ++i) {
       if (its[i] < kBeyond) cost[i] = its[i];  // else, or where it is not a number: the worst
     }
   }
-  std::pair<std::vector<double>, std::vector<double>> get_bounds() const {
-    return {genome->lower, genome->upper};
-  }
-  std::vector<double>::size_type get_nobj() const { return multi->objectives.size(); }
-  std::vector<double>::size_type get_nix() const { return genome->whole; }
 
   /// Largest violation by size beyond what is tolerated; not above 0 where every limit is met.
   double worst_excess(Design x) const {
-    if (multi->constraints.empty()) return 0;
-    const double worst = largest_violation(*problem, *sizes, x);
+    if (multi.constraints.empty()) return 0;
+    const double worst = largest_violation(problem, sizes, x);
     if (std::isnan(worst)) return kInfinity;
     double tolerated = kInfinity;
-    for (const ConstraintSize& c : sizes->constraints) {
+    for (const ConstraintSize& c : sizes.constraints) {
       tolerated = std::min(tolerated, c.tolerance / c.size);
     }
     return worst > tolerated ? worst : 0;
@@ -118,26 +105,29 @@ Outcome scout(const Task& task, const MultiProblem& multi) {
   }
   const Problem problem = multi.alone(0);
   const Sizes its_sizes = sizes(problem, problem.start());
-  auto evaluations = std::make_shared<long>(0);
-  const pagmo::problem evolved{Evolved{&multi, &problem, &its_sizes, &genome, evaluations}};
-  const auto seed = static_cast<unsigned>(task.seed);
-  const std::size_t count = std::max<std::size_t>(8, (task.population + 3) / 4 * 4);
-  const pagmo::algorithm method{
-      pagmo::nsga2(static_cast<unsigned>(task.generations), 0.95, 10., 0.1, 50., seed)};
-  const pagmo::population last = method.evolve(pagmo::population(evolved, count, seed));
-  outcome.evaluations = *evaluations;
-  const auto& all = last.get_f();
+  const Unlimited unlimited{multi, problem, its_sizes};
+  const Evolution evolution{.lower = genome.lower,
+                            .upper = genome.upper,
+                            .integers = genome.whole,
+                            .objectives = multi.objectives.size(),
+                            .population = std::max<std::size_t>(8, (task.population + 3) / 4 * 4),
+                            .generations = static_cast<unsigned>(task.generations),
+                            .seed = static_cast<unsigned>(task.seed),
+                            .costs = [&](const std::vector<double>& genes) {
+                              ++outcome.evaluations;
+                              return unlimited.costs_of(design_of(genome, genes));
+                            }};
+  const std::vector<Evolved> last = nsga2(evolution);
+  std::vector<Costs> all;
+  for (const Evolved& one : last) all.push_back(one.costs);
   const std::vector<bool> kept = non_dominated(all);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!kept[i]) continue;
-    if (!(all[i].front() < Evolved::kBeyond)) continue;
-    FrontPoint point = looked_at(multi, task.part, design_of(genome, last.get_x()[i]));
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    if (!kept[i] || !(all[i].front() < Unlimited::kBeyond)) continue;
+    FrontPoint point = looked_at(multi, task.part, design_of(genome, last[i].genes));
     point.solver = "nsga2";
     if (point.verdict == Verdict::Feasible) outcome.points.push_back(std::move(point));
   }
   return outcome;
 }
-
-std::string pagmo_version() { return "pagmo " PAGMO_VERSION; }
 
 }  // namespace camlaw::optim

@@ -11,7 +11,4 @@ namespace camlaw::optim {
 /// no other one dominates. Whole variables stay whole. The same seed, the same designs.
 Outcome scout(const Task& task, const MultiProblem& multi);
 
-/// "pagmo 2.18.0".
-std::string pagmo_version();
-
 }  // namespace camlaw::optim

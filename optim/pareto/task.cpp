@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/pareto/costs.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 #include "optim/search/optimise.h"
 
 /// The searches that a study is made of. A task is plain data and its outcome follows from it and

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/sizes.h"
 #include "optim/problem/problem.h"
-#include "optim/problem/sizes.h"
 #include "optim/solvers/solver.h"
 
 /// One local search: a problem whose limits hold over the whole cycle, solved as a sequence of

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 namespace camlaw::optim {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 #include "optim/verdict/kkt.h"
 
 namespace camlaw::optim {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 namespace camlaw::optim {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 namespace camlaw::optim {
 namespace {

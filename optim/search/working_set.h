@@ -7,7 +7,7 @@
 
 #include "optim/cycle/extremes.h"
 #include "optim/cycle/rest_weights.h"
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 #include "optim/solvers/program.h"
 
 /// The limits of a problem as rows of a program, those of curves at chosen places.

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <mutex>
 
-#include "optim/library_mutex.h"
+#include "numerics/library_mutex.h"
 #include "optim/solvers/exit_guard.h"
+#include "optim/solvers/run_end.h"
 #include "optim/solvers/solver.h"
 
 /// Ipopt: interior point with exact sparse second derivatives. Its linear solver, MUMPS, has its
@@ -24,10 +25,6 @@ using Clock = std::chrono::steady_clock;
 constexpr Number kUnbounded = 2e19;  // Ipopt reads 1e19 and beyond as no bound
 
 Number clipped(double bound) { return std::clamp(bound, -kUnbounded, kUnbounded); }
-
-bool all_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
 
 /// The program as Ipopt asks for it. Whatever is not a number makes a callback return false, on
 /// which Ipopt shortens its step.
@@ -174,12 +171,7 @@ class Adapter final : public Ipopt::TNLP {
   Clock::time_point began_;
 };
 
-struct Outcome {
-  Status status;
-  const char* message;
-};
-
-Outcome outcome(Ipopt::ApplicationReturnStatus status) {
+RunEnd run_end(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
     case Ipopt::Solve_Succeeded:
       return {Status::Solved, "optimal to tolerance"};
@@ -299,7 +291,7 @@ class IpoptSolver final : public Solver {
     Ipopt::IpoptApplication application(false);
     set_options(*application.Options(), options, warm);
     application.Initialize("");
-    const auto result = outcome(application.OptimizeTNLP(GetRawPtr(adapter)));
+    const auto result = run_end(application.OptimizeTNLP(GetRawPtr(adapter)));
     solution.status = result.status;
     solution.message = result.message;
   }

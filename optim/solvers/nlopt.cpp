@@ -5,17 +5,13 @@
 #include <cmath>
 
 #include "optim/solvers/nlopt_search.h"
+#include "optim/solvers/run_end.h"
 
 /// NLopt 2.7: local and global methods, with and without gradients.
 namespace camlaw::optim {
 namespace {
 
-struct Outcome {
-  Status status;
-  std::string message;
-};
-
-Outcome outcome(Halt halt) {
+RunEnd run_end(Halt halt) {
   switch (halt) {
     case Halt::EvaluationLimit:
       return {Status::IterationLimit, "limit of evaluations"};
@@ -32,7 +28,7 @@ Outcome outcome(Halt halt) {
   return {Status::Failed, "the model threw"};
 }
 
-Outcome outcome(nlopt_result result, const char* words) {
+RunEnd run_end(nlopt_result result, const char* words) {
   switch (result) {
     case NLOPT_SUCCESS:
       return {Status::Solved, "converged"};
@@ -59,26 +55,26 @@ bool materially_lower(double objective, double than) {
 }
 
 /// Why there is nothing to search from y; empty where there is.
-std::optional<Outcome> unfit_start(const NloptMethod& method, const Program& program,
-                                   std::span<const double> y, Evaluator& evaluator) {
+std::optional<RunEnd> unfit_start(const NloptMethod& method, const Program& program,
+                                  std::span<const double> y, Evaluator& evaluator) {
   const bool defined = evaluator.at(y).defined;
-  if (evaluator.halt() != Halt::None) return outcome(evaluator.halt());
-  if (!defined) return Outcome{Status::NonFiniteStart, "not a number at the start"};
+  if (evaluator.halt() != Halt::None) return run_end(evaluator.halt());
+  if (!defined) return RunEnd{Status::NonFiniteStart, "not a number at the start"};
   if (program.variables() == 0) {
     const bool feasible = evaluator.best().violation <= kAcceptableViolation;
-    return Outcome{feasible ? Status::Solved : Status::Infeasible, "nothing varies"};
+    return RunEnd{feasible ? Status::Solved : Status::Infeasible, "nothing varies"};
   }
   if (method.is_global || !method.uses_gradients) return {};
   const bool differentiable = evaluator.with_derivatives_at(y).defined;
-  if (evaluator.halt() != Halt::None) return outcome(evaluator.halt());
+  if (evaluator.halt() != Halt::None) return run_end(evaluator.halt());
   if (differentiable) return {};
-  return Outcome{Status::NonFiniteStart, "a derivative is not a number at the start"};
+  return RunEnd{Status::NonFiniteStart, "a derivative is not a number at the start"};
 }
 
 /// NLopt calls it a success where a method ends at an infeasible point or against a region where
 /// the model is undefined, and where a global method could not go on.
-Outcome doubted(const Outcome& claim, bool is_global, const Point& final,
-                const Evaluator& evaluator) {
+RunEnd doubted(const RunEnd& claim, bool is_global, const Point& final,
+               const Evaluator& evaluator) {
   const Point& best = evaluator.best();
   if (claim.status != Status::Solved) return claim;
   if (is_global) return {Status::Stalled, "the search has come to its finest resolution"};
@@ -94,7 +90,7 @@ Outcome doubted(const Outcome& claim, bool is_global, const Point& final,
   return claim;
 }
 
-Solution solution(const Point& point, Outcome outcome, const Evaluator& evaluator) {
+Solution solution(const Point& point, RunEnd outcome, const Evaluator& evaluator) {
   Solution result;
   result.status = outcome.status;
   result.message = std::move(outcome.message);
@@ -118,12 +114,12 @@ Solution search(const NloptMethod& method, const Program& program, const SolverO
   const nlopt_result result = search.run(y);
   const Point& best = evaluator.best();
   const Point final = evaluator.at(y);
-  if (evaluator.halt() != Halt::None) return solution(best, outcome(evaluator.halt()), evaluator);
+  if (evaluator.halt() != Halt::None) return solution(best, run_end(evaluator.halt()), evaluator);
   const bool prefer_final =
       final.violation <= kAcceptableViolation &&
       (best.violation > kAcceptableViolation || materially_lower(final.objective, best.objective));
   const Point& chosen = prefer_final ? final : best;
-  Outcome end = doubted(outcome(result, search.words()), method.is_global, final, evaluator);
+  RunEnd end = doubted(run_end(result, search.words()), method.is_global, final, evaluator);
   if (end.status == Status::Solved && chosen.violation > options.tolerance) {
     end.status = Status::Acceptable;
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/solvers/run_end.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -11,10 +13,6 @@ namespace {
 constexpr double kBottomless = -1e12;
 // Local methods end within about so many points of the last step that they tried.
 constexpr long kLately = 10;
-
-bool all_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-}
 
 double largest_violation(const Program& program, std::span<const double> rows) {
   double largest = 0;

@@ -97,7 +97,7 @@ std::vector<std::string> solver_versions();
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
 std::string ipopt_version();
-/// Held while Ipopt searches (optim/library_mutex.h). A program that calls Ipopt or MUMPS itself
+/// Held while Ipopt searches (numerics/library_mutex.h). A program that calls Ipopt or MUMPS itself
 /// holds it meanwhile, where other threads may search.
 LibraryMutex& ipopt_mutex();
 std::string nlopt_version();

@@ -122,9 +122,10 @@ void check(SQLite::Database& base, const std::string& path) {
     const int version = base.execAndGet("PRAGMA user_version").getInt();
     if (application != kStudyApplication) refuse(path, kForeign);
     if (version < kOldestStudy || version > kStudyVersion) {
-      refuse(path, fmt::format("its tables are of version {}; this program writes version {} and "
-                               "reads version {} too",
-                               version, kStudyVersion, kOldestStudy));
+      refuse(path, fmt::format("its tables are of version {}; this program, which is {}, writes "
+                               "version {} and reads version {} too",
+                               version, version > kStudyVersion ? "older" : "newer", kStudyVersion,
+                               kOldestStudy));
     }
     const std::string sealed =
         "SELECT count(*) FROM pragma_table_info('task') WHERE name = 'checksum'";

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 
 /// The part of a process that works on a study.
 namespace camlaw::optim {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optim/verdict/least_squares.h"
+#include "numerics/linear/least_squares.h"
 
 namespace camlaw::optim {
 namespace {

@@ -21,7 +21,7 @@ struct Inequality {
 
 /// The sum of weighted linear inequalities about x: constant + slopes * (y - x), in typical
 /// changes.
-struct Sum {
+struct RowSum {
   double constant = 0;
   std::vector<double> slopes;
   std::vector<double> sizes;  ///< of the terms of each slope: what rounding is a share of
@@ -50,7 +50,7 @@ class Duality {
   /// Adds the row's linear inequality. Of a convex one its tangent at x. Of a quasiconvex one the
   /// tangent at a point beside x where the row is not below zero: no design that is has a direction
   /// uphill from there. False where there is no such point.
-  bool add(const Inequality& row, Sum& sum) const {
+  bool add(const Inequality& row, RowSum& sum) const {
     if (row.is_convex) {
       accumulate(row, value(row, x_), slopes(row, x_), sum);
       return true;
@@ -79,7 +79,7 @@ class Duality {
   }
 
   /// The least that a sum can be over the box.
-  double least(const Sum& sum) const {
+  double least(const RowSum& sum) const {
     constexpr double kRounding = 1e-13;  // of the terms that a slope is made of
     double result = sum.constant;
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -94,7 +94,7 @@ class Duality {
     return result;
   }
 
-  Sum nothing() const {
+  RowSum nothing() const {
     return {0, std::vector<double>(x_.size(), 0.0), std::vector<double>(x_.size(), 0.0)};
   }
 
@@ -114,7 +114,7 @@ class Duality {
   }
 
   static void accumulate(const Inequality& row, double constant, const std::vector<double>& slopes,
-                         Sum& sum) {
+                         RowSum& sum) {
     sum.constant += row.weight * constant;
     // least() takes maxima, which pass over what is not a number.
     for (const double slope : slopes) sum.constant += 0 * slope;
@@ -173,7 +173,7 @@ std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, D
   const Duality duality(problem, sizes, x);
   std::vector<Inequality> rows = inequalities(problem, sizes, x, weighed);
   const auto sum_with = [&](double gain) -> std::optional<double> {
-    Sum sum = duality.nothing();
+    RowSum sum = duality.nothing();
     for (Inequality row : rows) {
       if (row.of_objective) row.level -= row.sign * gain * row.size;
       if (!duality.add(row, sum)) return {};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 /// Conditions of optimality (Karush, Kuhn, Tucker) at a design, from the problem alone
 /// (docs/optimisation.md, "Conditions of optimality").

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "optim/cycle/extremes.h"
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 /// Where a design stands against each limit. Written from the problem alone: the functions
 /// themselves and the search for their peaks are shared with what feeds the solvers, the proof is

@@ -11,9 +11,9 @@ namespace {
 
 /// Entries that are added up, in a list while they are few, and else in a matrix: limits that see
 /// every variable would make lists of far more entries than the matrix has.
-class Sum {
+class EntrySum {
  public:
-  explicit Sum(int rows) : rows_(rows) {}
+  explicit EntrySum(int rows) : rows_(rows) {}
 
   void add(int row, int column, double value) {
     if (dense_.size() > 0) {
@@ -41,7 +41,7 @@ class Sum {
 };
 
 /// Adds factor * second derivatives of a function, by typical changes.
-void add_hessian(const SecondOrderPoint& point, const Function& f, double factor, Sum& H) {
+void add_hessian(const SecondOrderPoint& point, const Function& f, double factor, EntrySum& H) {
   if (factor == 0 || f.shape() == Shape::Linear) return;
   const auto& inputs = f.inputs();
   std::vector<double> g(inputs.size()), h(packed_size(inputs.size()));
@@ -60,7 +60,7 @@ void add_hessian(const SecondOrderPoint& point, const Function& f, double factor
 /// A peak's place moves with the design: d(place)/dx = -g_xa / g_aa, which adds
 /// g_xa g_xa^T / |g_aa| to the peak's second derivatives.
 void add_peak_motion(const SecondOrderPoint& point, const ActiveLimit& limit, double multiplier,
-                     Sum& H) {
+                     EntrySum& H) {
   const double curvature = limit.sign * limit.curvature;
   if (limit.slope_gradient.empty() || multiplier == 0 || !(curvature < 0)) return;
   std::vector<std::pair<int, double>> slopes;
@@ -99,10 +99,10 @@ Eigen::SparseMatrix<double> gradients(const Layout& layout,
 
 Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
           const std::vector<double>& multipliers) {
-  constexpr double kPushes = 1e-8, kMet = 1e-7;
+  constexpr double kHeld = 1e-8, kMet = 1e-7;
   std::vector<const ActiveLimit*> pushing, met;
   for (std::size_t j = 0; j < limits.size(); ++j) {
-    if (limits[j].is_equation || std::abs(multipliers[j]) > kPushes) {
+    if (limits[j].is_equation || std::abs(multipliers[j]) > kHeld) {
       pushing.push_back(&limits[j]);
     } else if (limits[j].margin <= kMet) {
       met.push_back(&limits[j]);
@@ -223,7 +223,7 @@ bool sparse_test(const Eigen::SparseMatrix<double>& H, const Eigen::SparseMatrix
 Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
                                                const std::vector<ActiveLimit>& limits,
                                                const std::vector<double>& multipliers) {
-  Sum entries(point.layout.rows);
+  EntrySum entries(point.layout.rows);
   const Objective& objective = point.problem.objective;
   if (point.layout.auxiliary < 0) {
     const double sign = objective.sense == Sense::Minimize ? 1 : -1;

@@ -31,7 +31,7 @@ struct Row {
 };
 
 /// A weighted sum of rows: its value at the middle of a box, and its slopes over the box.
-struct Sum {
+struct LinearSum {
   double centre = 0;
   std::vector<Bounds> slopes;
   double terms = 0;  ///< how large what it is summed from is, which rounding goes by
@@ -168,7 +168,7 @@ class Division {
     return result;
   }
 
-  static void add_to(Sum& sum, const Row& row, const OverBox& part) {
+  static void add_to(LinearSum& sum, const Row& row, const OverBox& part) {
     if (row.weight == 0) return;
     const double level = row.of_objective ? 0 : row.level;
     sum.centre += row.weight * (part.at_middle - level);
@@ -187,7 +187,7 @@ class Division {
     Box centre;
     for (const Bounds& side : box) centre.push_back({middle(side), middle(side)});
     double lower = parent;
-    Sum lagrangian{0, Box(box.size(), Bounds{0, 0})};
+    LinearSum lagrangian{0, Box(box.size(), Bounds{0, 0})};
     bool promising = true;
     for (const Row& row : rows_) {
       const OverBox part = over(row, box, centre);

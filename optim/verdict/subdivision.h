@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 
 namespace camlaw::optim {
 

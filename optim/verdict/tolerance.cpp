@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
 
 namespace camlaw::optim {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 
 /// What becomes of a design that is not made as it was meant (docs/optimisation.md, "Tolerances").
 namespace camlaw::optim {

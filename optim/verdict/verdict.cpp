@@ -299,8 +299,8 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
   }
   const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation);
   take_conditions(problem, sizes, conditions, result);
-  constexpr double kPushes = 1e-4;
-  result.blamed = active_names(problem, sizes, conditions, kPushes);
+  constexpr double kBlamed = 1e-4;
+  result.blamed = active_names(problem, sizes, conditions, kBlamed);
   // Where the limits make a convex set, less than all of the violation is enough.
   constexpr double kHalf = 0.5, kStationary = 1e-3;
   const bool convex = convex_set(problem) && !conditions.flat;

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "optim/pareto/scout.h"
+#include "optim/pareto/nsga2.h"
 #include "problems/law_files/pieces_json.h"
 
 namespace camlaw::problems {

@@ -9,7 +9,7 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/peaks.h"
-#include "optim/problem/sizes.h"
+#include "optim/cycle/sizes.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {

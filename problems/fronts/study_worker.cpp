@@ -2,26 +2,18 @@
 #include "problems/fronts/study_worker.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <iterator>
 #include <stdexcept>
 
+#include "numerics/own_files.h"
 #include "optim/study/encoding.h"
 
 namespace camlaw::problems {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* kName = "camlaw-worker";
-
-bool is_program(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
-}
 
 /// The texts of a study: how many settings, then name and text of each.
 void add(std::vector<std::string>& texts, const FrontStudy& study) {
@@ -57,14 +49,7 @@ class Reader {
 
 std::string worker_path() {
   if (const char* named = secure_getenv(kWorkerVariable)) return named;
-  std::error_code ignored;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& path :
-       {folder / kName, folder.parent_path() / "libexec/camlaw" / kName,
-        fs::path(CAMLAW_LIBEXEC) / kName, fs::path(CAMLAW_PACKAGE_LIBEXEC) / kName}) {
-    if (is_program(path)) return path.string();
-  }
-  return kName;  // which fails with a message that names it
+  return own_program(kName).value_or(kName);  // which fails with a message that names it
 }
 
 optim::WorkerProgram worker_program(const FrontStudy& study) {

@@ -10,14 +10,15 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
-#include "problems/statement/file_text.h"
+#include "numerics/text/file_format.h"
+#include "numerics/text/file_text.h"
+#include "numerics/text/names.h"
 
 namespace camlaw::problems {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "camlaw law 1";
 constexpr const char* kSource = "a law file";  ///< what a family from a file says of itself
 
 Json plain(double value) {
@@ -80,10 +81,11 @@ void check_rise(const Law<double>& law) {
 
 ReadLaw law_of(const std::string& text) {
   const Json object = parse_json(text);
-  if (!object.is_object() || !object.contains("format") || object["format"] != kFormat) {
+  if (!object.is_object() || !object.contains("format") || !object["format"].is_string()) {
     throw std::invalid_argument(
-        fmt::format("it is not a law file: it has no \"format\": \"{}\"", kFormat));
+        fmt::format("it is not a law file: it has no \"format\": \"{}\"", kLawFormat.text()));
   }
+  kLawFormat.check(object["format"].get<std::string>());
   ReadLaw result{title_of(object),
                  law_from_json(key(object, "pieces"), ends_of(text_at(object, "ends")))};
   check_rise(result.law);
@@ -124,18 +126,12 @@ std::string own_law_file(const std::string& name) {
   return fs::exists(file, ignored) ? file.string() : "";
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 }  // namespace
 
 Json law_file(const Law<double>& law, const std::string& title, const Json& provenance) {
   const auto peak = peaks(law);
   const auto lambda = limit_index(peak);
-  return {{"format", kFormat},
+  return {{"format", kLawFormat.text()},
           {"title", title},
           {"ends", to_string(law.ends())},
           {"constants",

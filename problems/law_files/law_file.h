@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "problems/law_files/pieces_json.h"
 
 /// Laws as files, and a catalogue of one's own: a folder of such files (docs/problem-files.md,

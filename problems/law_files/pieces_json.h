@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinematics/law.h"
-#include "problems/json_text.h"
+#include "problems/law_files/json_text.h"
 
 /// A law's data as JSON, both ways: what is read back is the same law to the last bit.
 namespace camlaw::problems {

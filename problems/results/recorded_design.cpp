@@ -8,9 +8,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "numerics/text/file_format.h"
+#include "numerics/text/file_text.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/choices.h"
-#include "problems/statement/file_text.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -118,6 +119,11 @@ Json result_of(std::string_view json) {
     refuse(fmt::format("it holds no design; its verdict is {}", result["verdict"].dump()));
   }
   if (!result["design"].is_object()) refuse("its design is not an object");
+  // Results of earlier programs state none.
+  if (const auto format = result.find("format"); format != result.end()) {
+    if (!format->is_string()) refuse("its format is not text");
+    kResultFormat.check(format->get<std::string>());
+  }
   return result;
 }
 

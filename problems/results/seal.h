@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "problems/json_text.h"
+#include "problems/law_files/json_text.h"
 
 /// The checksum of a result: whether it is as it was written.
 namespace camlaw::problems {

@@ -8,8 +8,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "kinematics/build.h"
-#include "problems/mechanism/responses.h"
+#include "kinematics/laws/build.h"
+#include "machines/model/responses.h"
 #include "problems/statement/choices.h"
 
 namespace camlaw::problems {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/statement.h"

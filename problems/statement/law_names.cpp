@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <map>
 
+#include "numerics/text/units.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
-#include "problems/units.h"
 
 namespace camlaw::problems {
 namespace {

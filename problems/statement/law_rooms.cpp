@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "kinematics/build.h"
-#include "problems/mechanism/responses.h"
+#include "kinematics/laws/build.h"
+#include "machines/model/responses.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "problems/statement/file_text.h"
+#include "machines/registry.h"
+#include "numerics/text/file_format.h"
+#include "numerics/text/file_text.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -47,8 +49,12 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"title", "mechanism", "constants", "law", "free", "program", "variables",
-                    "objective", "objectives", "constraints", "solver"});
+  check_keys(file, {"format", "title", "mechanism", "constants", "law", "free", "program",
+                    "variables", "objective", "objectives", "constraints", "solver"});
+  if (const Entry* format = find(file, "format")) {
+    const std::string& stated = text_of(*format);
+    located(*format, [&] { kProblemFormat.check(stated); });
+  }
   ProblemStatement problem;
   problem.source = source;
   problem.text = toml;

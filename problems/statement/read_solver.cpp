@@ -7,11 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/text/names.h"
+#include "numerics/text/units.h"
 #include "optim/solvers/solver.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/statement/toml_reader.h"
-#include "problems/units.h"
 
 namespace camlaw::problems {
 namespace {

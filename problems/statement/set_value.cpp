@@ -4,19 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "numerics/text/names.h"
+#include "numerics/text/units.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
-#include "problems/units.h"
 
 namespace camlaw::problems {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 std::vector<std::string_view> parted(std::string_view text, char mark) {
   std::vector<std::string_view> parts;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "machines/registry.h"
+
 namespace camlaw::problems {
 
 ProblemStatement standard_machine(const Mechanism& mechanism) {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kinematics/catalogue.h"
-#include "problems/mechanism/mechanism.h"
+#include "kinematics/laws/catalogue.h"
+#include "machines/model/mechanism.h"
 #include "problems/statement/program_timing.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,

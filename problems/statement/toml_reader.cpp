@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
+#include "numerics/text/names.h"
+#include "numerics/text/units.h"
 #include "problems/statement/parameters.h"
-#include "problems/units.h"
 
 namespace camlaw::problems {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 #include "problems/statement/statement.h"
 #include "tests/adversarial/plain_problem.h"
 #include "tests/adversarial/random.h"

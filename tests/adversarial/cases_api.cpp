@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic_curve.h"
 #include "tests/adversarial/api_model.h"
 #include "tests/adversarial/case.h"

@@ -10,7 +10,7 @@
 #include "tests/cli/program_runner.h"
 #include "tests/flipped.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::damaged_records_test {
 namespace {
 
 using testing::flipped, testing::write;
@@ -59,11 +59,11 @@ constexpr const char* kLower =
     "UPDATE objective SET value = 0.99 * value, cost = 0.99 * cost "
     "WHERE design = 3 AND place = 1";
 
-Json stored_result(const Folder& folder) {
+ParsedJson stored_result(const Folder& folder) {
   return json_of({"optimize", kCam, "--out", folder / "out", "--json"});
 }
 
-std::string stored(const Folder& folder, const Json& result) {
+std::string stored(const Folder& folder, const ParsedJson& result) {
   const std::string path = folder / "result.json";
   write(path, result.dump(2));
   return path;
@@ -74,10 +74,10 @@ std::string stored(const Folder& folder, const Json& result) {
 TEST_CASE("no flipped bit of a result changes an answer silently") {
   const Folder folder;
   const std::string bytes = stored_result(folder).dump(2);
-  const Json whole = Json::parse(bytes);
+  const ParsedJson whole = ParsedJson::parse(bytes);
   const std::string program = whole["program"];
   std::mt19937_64 random(4);
-  const auto without_time = [](Json result) {
+  const auto without_time = [](ParsedJson result) {
     result.erase("wall_s");
     return result;
   };
@@ -87,9 +87,9 @@ TEST_CASE("no flipped bit of a result changes an answer silently") {
     try {
       const problems::ReadDesign design = problems::read_result(damaged, "result.json");
       const bool named = !problems::record_notes(design, program).empty();
-      ++(named                                                       ? tally.named
-         : without_time(Json::parse(damaged)) == without_time(whole) ? tally.same
-                                                                     : tally.silent);
+      ++(named                                                             ? tally.named
+         : without_time(ParsedJson::parse(damaged)) == without_time(whole) ? tally.same
+                                                                           : tally.silent);
     } catch (const std::invalid_argument& error) {
       CHECK_THAT(error.what(), Contains("result.json"));
       ++tally.refused;
@@ -116,7 +116,7 @@ TEST_CASE("an edited task is named, does not count, and is solved again") {
     const Outcome front = run({"front", path});
     CHECK(front.status == 4);
     CHECK_THAT(front.out, Contains("task 3 is damaged") && Contains("--resume solves it again"));
-    const Json json = Json::parse(run({"front", path, "--json"}).out);
+    const ParsedJson json = ParsedJson::parse(run({"front", path, "--json"}).out);
     REQUIRE(json["record"]["faults"].size() == 1);
     CHECK(json["record"]["faults"][0]["task"] == 3);
     CHECK(json["finished"] == false);
@@ -133,9 +133,9 @@ TEST_CASE("an edited task is named, does not count, and is solved again") {
 TEST_CASE("a study of an earlier version is judged anew, and what is wrong in it is named") {
   const Folder folder;
   const std::string path = made_study(folder);
-  const Json whole = json_of({"front", path, "--json"});
+  const ParsedJson whole = json_of({"front", path, "--json"});
   make_older(path);
-  const Json older = json_of({"front", path, "--json"});
+  const ParsedJson older = json_of({"front", path, "--json"});
   CHECK_THAT(older["record"]["notes"].dump(), Contains("judged anew"));
   REQUIRE(older["points"].size() == whole["points"].size());
   for (std::size_t i = 0; i < whole["points"].size(); ++i) {
@@ -179,7 +179,7 @@ TEST_CASE("what is said of resuming is what resuming does") {
 
 TEST_CASE("a verdict that was forged with its checksum is judged by verify") {
   const Folder folder;
-  Json forged = stored_result(folder);
+  ParsedJson forged = stored_result(folder);
   // Of the other sense every number stays what it was, and the design is the worst there is.
   std::string problem = forged["design"]["problem"];
   const std::string sense = "minimize";
@@ -187,7 +187,7 @@ TEST_CASE("a verdict that was forged with its checksum is judged by verify") {
   forged["design"]["problem"] = problem;
   problems::Json sealed = problems::Json::parse(forged.dump());
   problems::seal(sealed);
-  const Outcome outcome = run({"verify", stored(folder, Json::parse(sealed.dump()))});
+  const Outcome outcome = run({"verify", stored(folder, ParsedJson::parse(sealed.dump()))});
   CHECK(outcome.status == 4);
   CHECK_THAT(outcome.out, Contains("the result says certified optimum; the design is feasible") &&
                               !Contains("record:"));
@@ -195,8 +195,8 @@ TEST_CASE("a verdict that was forged with its checksum is judged by verify") {
 
 TEST_CASE("an edited result is wrong wherever it is shown") {
   const Folder folder;
-  const Json whole = stored_result(folder);
-  std::vector<std::pair<Json, std::string>> edits(4, {whole, ""});
+  const ParsedJson whole = stored_result(folder);
+  std::vector<std::pair<ParsedJson, std::string>> edits(4, {whole, ""});
   edits[0].first["objective"] = 0.99 * whole["objective"].get<double>();
   edits[0].second = "base_radius is stated as";
   edits[1].first["constraints"][1]["margin"] = 0.7;
@@ -220,30 +220,30 @@ TEST_CASE("an edited result is wrong wherever it is shown") {
     }
     CHECK_THAT(read(page), Contains("the result is wrong"));
   }
-  Json outside = whole;
+  ParsedJson outside = whole;
   outside["design"]["variables"]["base_radius"] = 500;
   CHECK_THAT(failed({"evaluate", stored(folder, outside)}, 2), Contains("outside the bounds"));
-  Json bound = whole;
+  ParsedJson bound = whole;
   bound["best_possible"] = 0.9 * whole["best_possible"].get<double>();
   CHECK_THAT(run({"verify", stored(folder, bound)}).out, Contains("the bound is"));
-  Json words = whole;
+  ParsedJson words = whole;
   words["verdict"] = "feasible";
   CHECK_THAT(run({"verify", stored(folder, words)}).out, Contains("not as it was written"));
 }
 
 TEST_CASE("a result stays of use where a note is edited or the layout changed") {
   const Folder folder;
-  const Json whole = stored_result(folder);
+  const ParsedJson whole = stored_result(folder);
   CHECK_THAT(run({"verify", folder / "out/result.json"}).out, !Contains("record:"));
   write(folder / "flat.json", whole.dump());  // without spaces, the keys in another order
   CHECK_THAT(done({"verify", folder / "flat.json"}), !Contains("record:"));
-  Json noted = whole;
+  ParsedJson noted = whole;
   noted["title"] = "for the second machine";
   const Outcome edited = run({"evaluate", stored(folder, noted)});
   CHECK(edited.status == 0);
   CHECK_THAT(edited.out, Contains("not as it was written"));
   CHECK(run({"verify", stored(folder, noted)}).status == 0);
-  Json older = whole;
+  ParsedJson older = whole;
   older.erase("checksum");
   CHECK_THAT(done({"verify", stored(folder, older)}), Contains("has no checksum"));
   const Outcome table = run({"export", stored(folder, older), "--format", "json"});
@@ -257,11 +257,11 @@ TEST_CASE("a point of a front that became a result is verified like any other") 
   const std::string path = made_study(folder), result = folder / "point.json";
   REQUIRE(run({"front", path, "--point", "3", "--result", result}).status == 0);
   CHECK_THAT(done({"verify", result}), Contains("the claim holds") && !Contains("record:"));
-  Json edited = Json::parse(read(result));
+  ParsedJson edited = ParsedJson::parse(read(result));
   for (auto& [name, value] : edited["objectives"].items()) value = 0.99 * value.get<double>();
   const Outcome outcome = run({"verify", stored(folder, edited)});
   CHECK(outcome.status == 4);
   CHECK_THAT(outcome.out, Contains("is stated as") && Contains("does not hold"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::damaged_records_test

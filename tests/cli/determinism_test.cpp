@@ -15,7 +15,7 @@
 extern "C" const char* __lsan_default_suppressions() { return "leak:__argz_add_sep\n"; }
 #endif
 
-namespace camlaw::cli {
+namespace camlaw::cli::determinism_test {
 namespace {
 
 const std::string kProblems = CAMLAW_SOURCE_DIR "/problems/";
@@ -150,7 +150,7 @@ TEST_CASE("the library reads and writes numbers alike in a program with a locale
     const problems::BoundProblem bound(statement);
     const optim::Optimum found = optim::optimise(bound.space());
     std::string text = problems::in_words(statement);
-    for (const double x : found.found.x) text += Json(x).dump() + "\n";
+    for (const double x : found.found.x) text += ParsedJson(x).dump() + "\n";
     text += found.found.assessment.reason;
     const auto law_text = [](const Member& law) {
       return problems::law_file(law.law(), "t", nullptr).dump();
@@ -170,4 +170,4 @@ TEST_CASE("the library reads and writes numbers alike in a program with a locale
   CHECK(found == expected);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::determinism_test

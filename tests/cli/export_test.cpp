@@ -8,11 +8,11 @@
 #include <map>
 #include <numbers>
 
-#include "problems/exports/plane_curve.h"
+#include "output/export/plane_curve.h"
 #include "tests/cli/gcode_reader.h"
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::export_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -308,11 +308,11 @@ TEST_CASE("a result is exported at the design that was found, with its verdict",
   const Folder folder;
   done({"optimize", kRoller, "--out", folder / ""});
   const std::string result = folder / "result.json";
-  const Json found = Json::parse(read(result));
-  const Json json = json_of({"export", result, "--format", "json", "--curve", "profile"});
+  const ParsedJson found = ParsedJson::parse(read(result));
+  const ParsedJson json = json_of({"export", result, "--format", "json", "--curve", "profile"});
   CHECK(json["provenance"]["verdict"] == found["verdict"]);
   CHECK(json["provenance"]["problem"] == "roller_least_base.toml");
-  const Json& curve = json["curves"][0];
+  const ParsedJson& curve = json["curves"][0];
   const double base = found["variables"]["base_radius"];
   double least = 1e9;
   for (std::size_t i = 0; i < curve["x_mm"].size(); ++i) {
@@ -323,21 +323,22 @@ TEST_CASE("a result is exported at the design that was found, with its verdict",
   CHECK(curve["worst_deviation_mm"] <= kTolerance);
   CHECK(json["law"]["format"] == "camlaw law 1");
   CHECK(json["motion"]["closed"] == true);
-  const Json set = json_of({"export", result, "--format", "json", "--set", "base_radius=60 mm"});
-  CHECK(set["provenance"]["set"] == Json({"base_radius=60 mm"}));
+  const ParsedJson set =
+      json_of({"export", result, "--format", "json", "--set", "base_radius=60 mm"});
+  CHECK(set["provenance"]["set"] == ParsedJson({"base_radius=60 mm"}));
   CHECK(std::hypot(set["curves"][0]["x_mm"][0].get<double>(),
                    set["curves"][0]["y_mm"][0].get<double>()) == Approx(60).margin(1e-5));
 }
 
 TEST_CASE("the law of an export is a law file that can be used", "[export]") {
   const Folder folder;
-  const Json json = json_of({"export", problem("spine_cutter/least_force.toml"), "--format", "json",
-                             "--set", "alpha=-2.5"});
+  const ParsedJson json = json_of({"export", problem("spine_cutter/least_force.toml"), "--format",
+                                   "json", "--set", "alpha=-2.5"});
   CHECK(json["curves"].empty());
   CHECK_THAT(json["motion"]["slave"].get<std::string>(), Contains("displacement"));
   std::ofstream(folder / "law.json") << json["law"].dump();
-  const Json law = json_of({"law", folder / "law.json", "--json"});
-  const Json same = json_of({"law", "polynomial-5 alpha=-2.5", "--json"});
+  const ParsedJson law = json_of({"law", folder / "law.json", "--json"});
+  const ParsedJson same = json_of({"law", "polynomial-5 alpha=-2.5", "--json"});
   CHECK(law["pieces"] == same["pieces"]);
 }
 
@@ -496,7 +497,7 @@ TEST_CASE("a verdict is that of the design it was passed on", "[export]") {
     words.push_back(format);
     return done(words);
   };
-  const Json json = Json::parse(in("json"));
+  const ParsedJson json = ParsedJson::parse(in("json"));
   CHECK(json["provenance"]["verdict"].is_null());
   CHECK(json["law"]["provenance"]["verdict"].is_null());
   CHECK_THAT(in("svg"), Contains("before the changes: certified optimum"));
@@ -512,7 +513,7 @@ TEST_CASE("a result that does not meet its limits is exported with a note of it"
   std::ofstream(folder / "tight.toml") << text;
   run({"optimize", folder / "tight.toml", "--out", folder / "out"});
   const std::string result = folder / "out/result.json";
-  REQUIRE(Json::parse(read(result))["verdict"] == "infeasible");
+  REQUIRE(ParsedJson::parse(read(result))["verdict"] == "infeasible");
   const std::string note = "the design does not meet its limits";
   CHECK_THAT(done({"export", result, "--out", folder / "cam.nc"}), Contains(note));
   CHECK_THAT(read(folder / "cam.nc"), Contains(note));
@@ -555,4 +556,4 @@ TEST_CASE("a picture is well-formed whatever the title and the file's name", "[e
   CHECK_THAT(svg, Contains("odd?.toml") && !Contains("\xff"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::export_test

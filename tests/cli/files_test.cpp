@@ -17,7 +17,7 @@
 #include "cli/replacing.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -231,4 +231,4 @@ TEST_CASE("files of an earlier run are removed, nothing else", "[files]") {
   CHECK(folder.content() == Names{"dir"});
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::files_test

@@ -8,11 +8,11 @@
 #include <fstream>
 #include <numbers>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "tests/cli/program_runner.h"
 #include "tests/random_numbers.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::fit_records_test {
 namespace {
 
 using testing::Random;
@@ -40,14 +40,14 @@ std::string rise(double by, const std::string& place = "60") {
 TEST_CASE("fit names rows that are off by their lines", "[program]") {
   const Folder folder;
   const std::string off = written(folder, "off.csv", rise(5));
-  const Json found = json_of({"fit", off, "--law", "modified-sine", "--json"});
+  const ParsedJson found = json_of({"fit", off, "--law", "modified-sine", "--json"});
   CHECK(found["trusted"] == true);
   REQUIRE(found["far_rows"].size() == 1);
   CHECK(found["far_rows"][0]["line"] == 59);
   CHECK(found["far_rows"][0]["distance"].get<double>() == Approx(5).margin(0.02));
   CHECK_THAT(done({"fit", off, "--law", "modified-sine"}), Contains("line 59 (57 deg) by 5 mm"));
   const std::string stray = written(folder, "stray.csv", rise(0, "1886131"));
-  const Json without = json_of({"fit", stray, "--law", "modified-sine", "--json"});
+  const ParsedJson without = json_of({"fit", stray, "--law", "modified-sine", "--json"});
   CHECK(without["trusted"] == true);
   REQUIRE(without["stray_rows"].size() == 1);
   CHECK(without["stray_rows"][0]["line"] == 62);
@@ -121,24 +121,24 @@ TEST_CASE("fit reads profiles without units and fits their centre", "[program][h
   }
   const std::string path = written(folder, "xyz.csv", xyz);
   const Words words{"fit", path, "--mechanism", "disc-cam-knife", "--law", "cycloidal", "--json"};
-  const Json plain = json_of(words);
+  const ParsedJson plain = json_of(words);
   CHECK(plain["notes"].size() == 2);
   CHECK(plain["trusted"] == false);
   CHECK_THAT(plain["reason"].get<std::string>(), Contains("once round per turn"));
   Words with_centre = words;
   with_centre.insert(with_centre.end(), {"--shift", "centre"});
-  const Json centred = json_of(with_centre);
+  const ParsedJson centred = json_of(with_centre);
   CHECK(centred["trusted"] == true);
   CHECK(centred["centre"]["x"].get<double>() == Approx(0.17 * std::cos(0.7)).margin(0.003));
   CHECK(centred["centre"]["y"].get<double>() == Approx(0.17 * std::sin(0.7)).margin(0.003));
   CHECK(centred["cam"]["departures"].empty());
   CHECK_THAT(failed({"fit", path}, 2), Contains("--mechanism") && Contains("cam's profile"));
-  const Json round = json_of({"fit", written(folder, "polar.csv", polar), "--mechanism",
-                              "disc-cam-knife", "--law", "cycloidal", "--json"});
+  const ParsedJson round = json_of({"fit", written(folder, "polar.csv", polar), "--mechanism",
+                                    "disc-cam-knife", "--law", "cycloidal", "--json"});
   CHECK(round["trusted"] == true);
   CHECK(round["notes"].size() == 2);
   CHECK_THAT(failed({"fit", path, "--mechanism", "disc-cam-knife", "--shift", "place"}, 2),
              Contains("--shift centre"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::fit_records_test

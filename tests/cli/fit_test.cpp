@@ -9,11 +9,11 @@
 #include <set>
 #include <string>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "tests/cli/program_runner.h"
 #include "tests/random_numbers.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::fit_test {
 namespace {
 
 using testing::Random;
@@ -40,14 +40,14 @@ std::string rise() {
 TEST_CASE("fit names the law behind samples, and writes its file", "[program]") {
   const Folder folder;
   const std::string data = written(folder, "rise.csv", rise());
-  const Json result = Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
+  const ParsedJson result = ParsedJson::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
   for (const char* key : {"law", "parameters", "rms", "max_residual", "criterion", "ranking",
                           "identifiable", "trusted", "segments", "motions", "left_out"}) {
     INFO(key);
     CHECK(result.contains(key));
   }
   CHECK(result["law"] == "poly-3-4-5");
-  for (const Json& p : result["parameters"]) {
+  for (const ParsedJson& p : result["parameters"]) {
     for (const char* key : {"name", "value", "low", "high"}) CHECK(p.contains(key));
     if (p["name"] == "stroke") CHECK(p["value"].get<double>() == Approx(20).epsilon(1e-4));
   }
@@ -67,11 +67,11 @@ TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
     text += std::to_string(i / 2.0) + ", " + std::to_string(i % 18 == 5 ? 12 + s / 9 : s) + "\n";
   }
   const std::string data = written(folder, "far.csv", text);
-  const Json plain = Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
+  const ParsedJson plain = ParsedJson::parse(done({"fit", data, "--law", "poly-3-4-5", "--json"}));
   CHECK(plain["trusted"] == false);
   CHECK_THAT(plain["reason"].get<std::string>(), Contains("--loss"));
-  const Json robust =
-      Json::parse(done({"fit", data, "--law", "poly-3-4-5", "--loss", "cauchy", "--json"}));
+  const ParsedJson robust =
+      ParsedJson::parse(done({"fit", data, "--law", "poly-3-4-5", "--loss", "cauchy", "--json"}));
   CHECK(robust["trusted"] == true);
   CHECK(robust["far_off"]["count"].get<int>() >= 8);
   CHECK(robust["far_off"]["samples"].size() == robust["far_off"]["count"]);
@@ -87,7 +87,7 @@ TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
 }
 
 TEST_CASE("fit names the law behind printed constants", "[program]") {
-  const Json result = Json::parse(
+  const ParsedJson result = ParsedJson::parse(
       done({"fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5", "--json"}));
   for (const char* key : {"law", "parameters", "rms", "max_residual", "criterion", "ranking",
                           "identifiable", "constants", "consistent"}) {
@@ -161,12 +161,12 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
   CHECK(folder.content() == std::set<std::string>{"out", "out/fit.json", "out/fit.svg",
                                                   "out/law.json", "out/program.toml"});
   check_svg(folder / "out/fit.svg");
-  const Json found = Json::parse(read(folder / "out/fit.json"));
+  const ParsedJson found = ParsedJson::parse(read(folder / "out/fit.json"));
   CHECK(found["cam"]["departures"].size() == 1);
   CHECK(found["cam"]["outlying"].size() >= 2);
   // What the file of the cam says: cycloidal over 80 deg, 60 at rest, modified sine over 100.
   CHECK_THAT(read(folder / "out/program.toml"), Contains("cycloidal") && Contains("modified-sine"));
-  const Json again = json_of({"evaluate", folder / "out/program.toml", "--json"});
+  const ParsedJson again = json_of({"evaluate", folder / "out/program.toml", "--json"});
   CHECK(again["constants"]["stroke"]["value"].get<double>() == Approx(30).margin(0.01));
   CHECK(again["constants"]["base_radius"]["value"].get<double>() == Approx(60).margin(0.01));
   CHECK_THAT(failed({"fit", data}, 2), Contains("--mechanism") && Contains("disc-cam-roller"));
@@ -175,14 +175,14 @@ TEST_CASE("fit reads a worn cam and writes the program that it was cut for", "[p
 TEST_CASE("fit finds a machine's sizes from a recorded torque", "[program]") {
   const Folder folder;
   const std::string base = CAMLAW_SOURCE_DIR "/problems/cams/recorded_torque";
-  const Json found = json_of({"fit", base + ".csv", "--mechanism", base + ".toml", "--json"});
+  const ParsedJson found = json_of({"fit", base + ".csv", "--mechanism", base + ".toml", "--json"});
   CHECK(found["trusted"] == true);
   CHECK(found["identifiable"] == true);
   // The sizes that the table was made with stand at its head; intervals of 95 %.
   const std::map<std::string, double> made{
       {"mass", 2.4}, {"spring_rate", 8}, {"guide_friction", 0.12}};
   REQUIRE(found["parameters"].size() == made.size());
-  for (const Json& p : found["parameters"]) {
+  for (const ParsedJson& p : found["parameters"]) {
     const double value = made.at(p["name"]), deviation = p["standard_deviation"];
     CHECK(std::abs(p["value"].get<double>() - value) < 3 * deviation);
     CHECK(deviation < 0.02 * value);
@@ -248,11 +248,11 @@ TEST_CASE("fit takes repeated angles, in any order and from several sweeps", "[p
   std::reverse(rows.begin() + 100, rows.end());
   std::string text = "angle [deg], lift [mm]\n";
   for (const std::string& row : rows) text += row;
-  const Json found =
+  const ParsedJson found =
       json_of({"fit", written(folder, "sweeps.csv", text), "--law", "cycloidal", "--json"});
   CHECK(found["trusted"] == true);
   REQUIRE(found["motions"].size() == 2);
-  for (const Json& motion : found["motions"]) {
+  for (const ParsedJson& motion : found["motions"]) {
     const bool rises = motion["to"].get<double>() > motion["from"].get<double>();
     CHECK(motion["begin"].get<double>() == Approx(rises ? 60 : 240).margin(0.3));
     CHECK(motion["end"].get<double>() == Approx(rises ? 180 : 330).margin(0.3));
@@ -266,13 +266,13 @@ TEST_CASE("fit does not tell laws apart beyond the digits of the table", "[progr
     const double u = i / 80.0;
     text += fmt::format("{}, {:.1f}\n", 200 + i, 20 * u * u * u * (10 - 15 * u + 6 * u * u));
   }
-  const Json found = json_of({"fit", written(folder, "tenths.csv", text), "--json"});
+  const ParsedJson found = json_of({"fit", written(folder, "tenths.csv", text), "--json"});
   // The right law or a word that others do as well; never another law without a word.
   const bool is_right = found["law"] == "poly-3-4-5";
   const std::string reason = found["reason"];
   CHECK((is_right || reason.find("poly-3-4-5") != std::string::npos));
   // The same with the law named: nothing speaks against it.
-  const Json named = json_of({"fit", folder / "tenths.csv", "--law", "poly-3-4-5", "--json"});
+  const ParsedJson named = json_of({"fit", folder / "tenths.csv", "--law", "poly-3-4-5", "--json"});
   CHECK(named["trusted"] == true);
 }
 
@@ -296,9 +296,9 @@ TEST_CASE("fit trusts no law that leaves a curve, however much noise lies over i
     velocity += fmt::format("{}, {:.6f}\n", i, 20.0 / 90 * 30 * u * u * (1 - u) * (1 - u));
   }
   for (int i = 0; i < 12; ++i) noise += fmt::format("{}, {:.4f}\n", i, random.normal());
-  const Json moved =
+  const ParsedJson moved =
       json_of({"fit", written(folder, "velocity.csv", velocity), "--law", "poly-3-4-5", "--json"});
-  for (const Json& p : moved["parameters"]) {
+  for (const ParsedJson& p : moved["parameters"]) {
     if (p["name"] == "stroke") CHECK(p["unit"] == "mm");
   }
   CHECK(json_of({"fit", written(folder, "few.csv", "angle,lift\n0,0\n1,1\n2,5\n3,9\n4,10\n"),
@@ -324,12 +324,12 @@ TEST_CASE("a million rows are fitted within ten times the memory of their file",
   const Outcome outcome = run({"fit", path, "--law", "poly-3-4-5", "--json"});
   REQUIRE(outcome.status == 0);
   CHECK(outcome.memory < 10.0 * static_cast<double>(fs::file_size(path)));
-  const Json found = Json::parse(outcome.out);
-  for (const Json& p : found["parameters"]) {
+  const ParsedJson found = ParsedJson::parse(outcome.out);
+  for (const ParsedJson& p : found["parameters"]) {
     if (p["name"] == "stroke") CHECK(p["value"].get<double>() == Approx(20).margin(0.001));
     if (p["name"] == "end") CHECK(p["value"].get<double>() == Approx(90).margin(0.005));
   }
   CHECK(found["trusted"] == true);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::fit_test

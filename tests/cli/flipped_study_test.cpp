@@ -5,12 +5,12 @@
 #include <fstream>
 #include <random>
 
-#include "cli/front_output.h"
+#include "output/answers/front_output.h"
 #include "tests/cutter_study.h"
 #include "tests/flipped.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::flipped_study_test {
 namespace {
 
 using testing::flipped, testing::write;
@@ -61,4 +61,4 @@ TEST_CASE("no flipped bit of a study changes its front silently", "[heavy]") {
   CHECK(tally.same > 0);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::flipped_study_test

@@ -4,7 +4,7 @@
 #include "tests/cli/command_help.h"
 #include "tests/cli/shell.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::help_test {
 namespace {
 
 /// The words of a command line, as a shell reads them.
@@ -115,4 +115,4 @@ TEST_CASE("a quiet run leaves out what was not asked for, and keeps the answer",
   }
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::help_test

@@ -8,7 +8,7 @@
 #include "tests/cli/command_help.h"
 #include "tests/cli/shell.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::inputs_test {
 namespace {
 
 const std::string kProblem =
@@ -241,4 +241,4 @@ TEST_CASE("a folder of results loses no file of another", "[program]") {
   CHECK(read(out + "/law.svg") == "mine");
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::inputs_test

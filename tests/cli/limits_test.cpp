@@ -15,7 +15,7 @@
 
 // Models that are larger than a search can finish, inputs that are larger than anybody means: both
 // end in bounded time and memory.
-namespace camlaw::cli {
+namespace camlaw::cli::limits_test {
 namespace {
 
 /// A free law whose knots move, or do not.
@@ -143,7 +143,7 @@ TEST_CASE("a large search ends on a request, and with its parent", "[program][he
 TEST_CASE("a watched search has the answer of the library, to the bit", "[program]") {
   const Folder folder;
   const std::string path = written(folder, free_law(100, false));
-  const Json answer = json_of({"optimize", path, "--json", "--time-limit", "10 min"});
+  const ParsedJson answer = json_of({"optimize", path, "--json", "--time-limit", "10 min"});
   const problems::BoundProblem bound(problems::read_problem_file(path));
   const optim::Optimum own = optim::optimise(bound.space());
   CHECK(answer["verdict"] == "certified optimum");
@@ -262,7 +262,7 @@ TEST_CASE("what is too large to be meant is refused in little time and memory", 
 }
 
 TEST_CASE("a law's samples as JSON are told one by one", "[program][heavy]") {
-  const Json few = json_of({"law", "modified-sine", "--json", "--samples", "3"});
+  const ParsedJson few = json_of({"law", "modified-sine", "--json", "--samples", "3"});
   REQUIRE(few["samples"].size() == 3);
   CHECK(few["samples"][1]["x"] == 0.5);
   CHECK(few["samples"][2]["s"] == 1);
@@ -274,4 +274,4 @@ TEST_CASE("a law's samples as JSON are told one by one", "[program][heavy]") {
   CHECK(many.memory < least.memory + 4e7);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::limits_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::mechanisms_test {
 namespace {
 
 const std::string kCam = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
@@ -20,12 +20,12 @@ TEST_CASE("mechanisms are listed with what moves them", "[program]") {
   }
   const std::string one = done({"mechanisms", "disc-cam-flat"});
   CHECK_THAT(one, Contains("base_radius") && Contains("profile_radius") && Contains("[program]"));
-  const Json json = json_of({"mechanisms", "--json"});
+  const ParsedJson json = json_of({"mechanisms", "--json"});
   REQUIRE(json.size() >= 6);
-  for (const Json& mechanism : json) {
+  for (const ParsedJson& mechanism : json) {
     INFO(mechanism.at("name"));
     CHECK(!mechanism.at("responses").empty());
-    for (const Json& parameter : mechanism.at("parameters")) {
+    for (const ParsedJson& parameter : mechanism.at("parameters")) {
       CHECK(parameter.at("lower") <= parameter.at("standard"));
       CHECK(parameter.at("standard") <= parameter.at("upper"));
     }
@@ -77,7 +77,7 @@ TEST_CASE("what no law moves has a picture of its cycle, and none of a law", "[p
   check_svg(folder / "out/cycle.svg");
   CHECK(fs::exists(folder / "out/result.json"));
   CHECK_FALSE(fs::exists(folder / "out/law.svg"));
-  CHECK(Json::parse(read(folder / "out/result.json"))["law"].is_null());
+  CHECK(ParsedJson::parse(read(folder / "out/result.json"))["law"].is_null());
 }
 
 TEST_CASE("a long search that is interrupted ends with the best verified design", "[program]") {
@@ -87,10 +87,10 @@ TEST_CASE("a long search that is interrupted ends with the best verified design"
   REQUIRE(kill(running.id(), SIGINT) == 0);
   const Outcome outcome = running.wait();
   CHECK(outcome.status == 0);
-  const Json json = Json::parse(outcome.out);
+  const ParsedJson json = ParsedJson::parse(outcome.out);
   CHECK(json.at("starts") < 100000);
   CHECK_THAT(json.at("reason").get<std::string>(), Contains("stopped"));
   CHECK(json.at("objective").get<double>() == Approx(0.05123141247890022).epsilon(1e-6));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::mechanisms_test

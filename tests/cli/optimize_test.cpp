@@ -5,7 +5,7 @@
 
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::optimize_test {
 namespace {
 
 std::string shipped(const std::string& name) {
@@ -34,7 +34,7 @@ std::string force_and_radius(const char* force, const char* radius) {
 }  // namespace
 
 TEST_CASE("optimize gives the verdict with every key", "[program]") {
-  const Json result = json_of({"optimize", shipped("least_radius.toml"), "--json"});
+  const ParsedJson result = json_of({"optimize", shipped("least_radius.toml"), "--json"});
   for (const char* key :
        {"status", "verdict", "objective", "variables", "constraints", "kkt_residual", "evaluations",
         "solver", "reason", "global", "law", "seed", "active"}) {
@@ -47,7 +47,7 @@ TEST_CASE("optimize gives the verdict with every key", "[program]") {
   CHECK(result["objective"].get<double>() == Approx(radius).epsilon(1e-9));
   CHECK(result["variables"]["cam_radius"].get<double>() == Approx(radius).epsilon(1e-9));
   REQUIRE(result["constraints"].size() == 1);
-  const Json& limit = result["constraints"][0];
+  const ParsedJson& limit = result["constraints"][0];
   for (const char* key :
        {"name", "value", "bound", "margin", "unit", "worst_angle_deg", "proved", "multiplier"}) {
     INFO(key);
@@ -67,7 +67,7 @@ TEST_CASE("optimize writes its files and says so", "[program]") {
   }
   check_svg(folder / "out/law.svg");
   check_svg(folder / "out/cycle.svg");
-  CHECK(Json::parse(read(folder / "out/result.json"))["verdict"] == "certified optimum");
+  CHECK(ParsedJson::parse(read(folder / "out/result.json"))["verdict"] == "certified optimum");
 }
 
 TEST_CASE("optimize ends with 3 and names the limits that contradict each other", "[program]") {
@@ -75,9 +75,9 @@ TEST_CASE("optimize ends with 3 and names the limits that contradict each other"
   const Outcome outcome =
       run({"optimize", written(folder, force_and_radius("5 N", "30 mm")), "--json"});
   CHECK(outcome.status == 3);
-  const Json result = Json::parse(outcome.out);
+  const ParsedJson result = ParsedJson::parse(outcome.out);
   CHECK(result["verdict"] == "infeasible");
-  CHECK(result["blamed"] == Json({"peak_inertia_force", "minimum_cam_radius"}));
+  CHECK(result["blamed"] == ParsedJson({"peak_inertia_force", "minimum_cam_radius"}));
 }
 
 TEST_CASE("optimize ends with 4 where there is no answer", "[program]") {
@@ -105,7 +105,7 @@ TEST_CASE("a file that fails after the search does not take the answer with it",
   CHECK_THAT(text.out, Contains("certified optimum"));
   CHECK_THAT(text.err, Contains("law.csv"));
   words.push_back("--json");
-  CHECK(Json::parse(run(words).out)["verdict"] == "certified optimum");
+  CHECK(ParsedJson::parse(run(words).out)["verdict"] == "certified optimum");
 }
 
 TEST_CASE("files of an earlier answer do not stay beside a new one", "[program]") {
@@ -135,7 +135,7 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   CHECK_THAT(refused("--time-limit", "3 mm"), Contains("a time is wanted"));
   CHECK_THAT(refused("--solver", "ipot"), Contains("near: ipopt") && Contains("auto, ipopt"));
   failed({"optimize", shipped("least_radius.toml"), "--json=3"}, 2);
-  const Json answer =
+  const ParsedJson answer =
       json_of({"optimize", shipped("least_radius.toml"), "--json", "--solver", "IPOPT",
                "--time-limit", "1 min", "--starts", "1000000", "--seed", "9223372036854775807"});
   CHECK(answer["solver_asked"] == "ipopt");
@@ -171,7 +171,8 @@ TEST_CASE("the picture of a cycle counts in parts of a turn and names its curves
 
 TEST_CASE("the same problem and seed give the same answer", "[program]") {
   const auto answer = [](const char* seed) {
-    Json result = json_of({"optimize", shipped("least_moment.toml"), "--json", "--seed", seed});
+    ParsedJson result =
+        json_of({"optimize", shipped("least_moment.toml"), "--json", "--seed", seed});
     result.erase("wall_s");
     return result;
   };
@@ -199,7 +200,8 @@ TEST_CASE("check says where there is nothing to scale or to differentiate", "[pr
 }
 
 TEST_CASE("evaluate computes every response at the values that are set", "[program]") {
-  const Json all = json_of({"evaluate", shipped("least_force.toml"), "--set", "alpha=0", "--json"});
+  const ParsedJson all =
+      json_of({"evaluate", shipped("least_force.toml"), "--set", "alpha=0", "--json"});
   // The cubic at h = 1 mm: the paper's 4.56 N, doubled; R = 33.08 mm.
   CHECK(all["responses"]["peak_inertia_force"]["value"].get<double>() ==
         Approx(2 * 4.56).epsilon(1e-3));
@@ -212,7 +214,7 @@ TEST_CASE("evaluate computes every response at the values that are set", "[progr
 TEST_CASE("evaluate tells limits from the side that was written", "[program]") {
   const std::string text = done({"evaluate", shipped("least_radius.toml")});
   CHECK_THAT(text, Contains("met peak cam_pressure_angle = 27.17028 <= 30 deg (worst at 270 deg)"));
-  const Json all = json_of({"evaluate", shipped("least_radius.toml"), "--json"});
+  const ParsedJson all = json_of({"evaluate", shipped("least_radius.toml"), "--json"});
   CHECK(all["constraints"][0]["side"] == "upper");
 }
 
@@ -228,7 +230,7 @@ TEST_CASE("what a cam does not bear stands beside every verdict", "[program]") {
   CHECK_THAT(done({"evaluate", path}), undercut);
   CHECK_THAT(done({"optimize", path, "--out", folder / "out"}), undercut);
   const std::string result = folder / "out" + "/result.json";
-  CHECK(Json::parse(read(result))["warnings"].size() > 0);
+  CHECK(ParsedJson::parse(read(result))["warnings"].size() > 0);
   CHECK_THAT(done({"verify", result}), undercut);
   done({"report", result, "-o", folder / "page.html"});
   CHECK_THAT(read(folder / "page.html"), Contains("badge unsure") && Contains("is undercut"));
@@ -296,7 +298,7 @@ TEST_CASE("a bad problem file is one line with its place and what is accepted", 
 }
 
 TEST_CASE("the cam shape of any size is certified at the true optimum", "[program]") {
-  const Json shape = json_of({"reproduce", "cam-shape", "--n", "400", "--json"});
+  const ParsedJson shape = json_of({"reproduce", "cam-shape", "--n", "400", "--json"});
   for (const char* key :
        {"n", "printed", "objective", "true_optimum", "max_violation", "verdict", "iterations"}) {
     INFO(key);
@@ -308,4 +310,4 @@ TEST_CASE("the cam shape of any size is certified at the true optimum", "[progra
   CHECK(shape["objective"].get<double>() == Approx(4.275688479).epsilon(1e-7));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::optimize_test

@@ -13,7 +13,7 @@
 #include "tests/cli/program_runner.h"
 #include "tests/optim/pareto/evenness.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::pareto_test {
 namespace {
 
 std::string shipped(const std::string& name) {
@@ -89,7 +89,7 @@ std::size_t lines(const std::string& text) {
 }  // namespace
 
 TEST_CASE("pareto gives the front with every key", "[program]") {
-  const Json result = json_of(pareto(shipped("front.toml"), {"--points", "12", "--json"}));
+  const ParsedJson result = json_of(pareto(shipped("front.toml"), {"--points", "12", "--json"}));
   for (const char* key :
        {"title", "objectives", "points", "ideal", "nadir", "reference", "hypervolume",
         "hypervolume_at_most", "limit_hypervolume", "knee", "complete", "searches", "evaluations",
@@ -99,7 +99,7 @@ TEST_CASE("pareto gives the front with every key", "[program]") {
   }
   REQUIRE(result["points"].size() >= 12);
   double last = 0;
-  for (const Json& point : result["points"]) {
+  for (const ParsedJson& point : result["points"]) {
     for (const char* key : {"objectives", "variables", "law", "verdict", "reason", "global",
                             "slopes", "limits", "lambda", "solver"}) {
       INFO(key);
@@ -115,7 +115,8 @@ TEST_CASE("pareto gives the front with every key", "[program]") {
     REQUIRE(point["slopes"].size() == 1);
     CHECK(point["slopes"][0]["of"] == "peak_inertia_force");
     CHECK(point["slopes"][0]["per"] == "minimum_cam_radius");
-    const Json& slope = point["slopes"][0]["value"];  // none where the front goes on to one side
+    const ParsedJson& slope =
+        point["slopes"][0]["value"];  // none where the front goes on to one side
     const bool is_end = slope.is_null();
     CHECK((is_end || slope.get<double>() <= 0));
   }
@@ -126,7 +127,7 @@ TEST_CASE("pareto gives the front with every key", "[program]") {
   CHECK(result["hypervolume_at_most"] < result["limit_hypervolume"]);
   CHECK(result["ideal"][0] == result["points"].front()["objectives"]["minimum_cam_radius"]);
   CHECK(result["nadir"][0] == result["points"].back()["objectives"]["minimum_cam_radius"]);
-  const Json& knee = result["knee"];
+  const ParsedJson& knee = result["knee"];
   CHECK(knee["point"] < result["points"].size());
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK(knee["factor_low"][i] <= 1);
@@ -178,7 +179,7 @@ TEST_CASE("a study goes on with more points, and the record knows", "[program]")
   const std::string db = folder / "s.db", file = shipped("front.toml");
   done(pareto(file, {"--points", "5", "--db", db}));
   const std::string more = done(pareto(file, {"--points", "11", "--json", "--db", db, "--resume"}));
-  CHECK(Json::parse(more)["points"].size() >= 11);
+  CHECK(ParsedJson::parse(more)["points"].size() >= 11);
   CHECK(done({"front", db, "--json"}) == more);
 }
 
@@ -258,7 +259,7 @@ TEST_CASE("a study that is asked to end stops with what it has", "[program]") {
       const Outcome outcome = of_group(words, ms, signal);
       finished = outcome.status == 0;
       if (outcome.status != 4) continue;
-      const Json part = Json::parse(outcome.out);
+      const ParsedJson part = ParsedJson::parse(outcome.out);
       CHECK(part["complete"] == false);
       CHECK(part["failures"].empty());
       stopped = true;
@@ -340,7 +341,7 @@ TEST_CASE("a problem without designs has no front: status 3", "[program]") {
   CHECK_THAT(text.out, Contains("no design that meets every limit was found"));
   const Outcome json = run(pareto(file, {"--json"}));
   CHECK(json.status == 3);
-  const Json result = Json::parse(json.out);
+  const ParsedJson result = ParsedJson::parse(json.out);
   CHECK(result["points"].empty());
   CHECK(result["knee"].is_null());
   CHECK(result["complete"] == true);
@@ -383,11 +384,11 @@ TEST_CASE("points of a front are chosen by knee, weights and number", "[program]
   const Folder folder;
   const std::string db = folder / "s.db";
   done(pareto(shipped("front.toml"), {"--points", "10", "--db", db}));
-  const Json all = json_of({"front", db, "--json"});
+  const ParsedJson all = json_of({"front", db, "--json"});
   CHECK_FALSE(all.contains("chosen"));
-  const Json result =
+  const ParsedJson result =
       json_of({"front", db, "--json", "--knee", "--weights", "1,0", "--point", "3"});
-  const Json& chosen = result["chosen"];
+  const ParsedJson& chosen = result["chosen"];
   CHECK(chosen["knee"]["point"] == all["knee"]["point"]);
   CHECK(chosen["compromise"]["point"] == 0);
   CHECK(chosen["point"]["objectives"] == all["points"][2]["objectives"]);
@@ -424,10 +425,10 @@ TEST_CASE("a point of a front becomes a result for reports and exports", "[progr
   const Folder folder;
   const std::string db = folder / "study.db", result = folder / "point.json";
   done(pareto(written(folder, "choices.toml", with_choices()), {"--points", "6", "--db", db}));
-  const Json front = Json::parse(done({"front", db, "--json"}));
+  const ParsedJson front = ParsedJson::parse(done({"front", db, "--json"}));
   REQUIRE(front["points"].size() >= 4);
   for (const std::size_t k : {std::size_t{0}, front["points"].size() - 1}) {
-    const Json& point = front["points"][k];
+    const ParsedJson& point = front["points"][k];
     CAPTURE(point.dump());
     const std::string text =
         done({"front", db, "--point", std::to_string(k + 1), "--result", result});
@@ -439,7 +440,7 @@ TEST_CASE("a point of a front becomes a result for reports and exports", "[progr
       if (!point["variables"].contains(variable.name)) continue;
       CHECK(variable.start == point["variables"][variable.name].get<double>());
     }
-    const Json motion = Json::parse(done({"export", result, "--format", "json"}));
+    const ParsedJson motion = ParsedJson::parse(done({"export", result, "--format", "json"}));
     CHECK(motion.is_object());
   }
   CHECK_THAT(failed({"front", db, "--result", result}, 2), Contains("--knee"));
@@ -456,7 +457,7 @@ TEST_CASE("fewer than three points have no knee to choose", "[program]") {
               "[[objectives]]\nminimize = \"B\"\n[[objectives]]\nminimize = \"C\"\n");
   done(pareto(file, {"--db", db, "--out", folder / "out"}));
   check_svg(folder / "out/front.svg");
-  const Json all = json_of({"front", db, "--json"});
+  const ParsedJson all = json_of({"front", db, "--json"});
   REQUIRE(all["points"].size() == 2);
   CHECK(all["knee"].is_null());
   CHECK_THAT(failed({"front", db, "--knee"}, 2), Contains("--knee"));
@@ -477,7 +478,7 @@ TEST_CASE("a front as a table and as a drawing", "[program]") {
     CHECK(folder.content().contains(std::string("out/") + name));
     CHECK_THAT(text, Contains(name));
   }
-  const Json json = Json::parse(read(folder / "out/front.json"));
+  const ParsedJson json = ParsedJson::parse(read(folder / "out/front.json"));
   CHECK(json == json_of({"front", db, "--json"}));
   done({"front", db, "--csv", folder / "f.csv", "--svg", folder / "f.svg"});
   CHECK(read(folder / "f.csv") == read(folder / "out/front.csv"));
@@ -494,7 +495,7 @@ TEST_CASE("a front as a table and as a drawing", "[program]") {
   };
   for (std::size_t k = 1; k < rows.size(); ++k) {
     REQUIRE(rows[k].size() == header.size());
-    const Json& point = json["points"][k - 1];
+    const ParsedJson& point = json["points"][k - 1];
     CHECK(rows[k][column("law")] == point["law"]);
     CHECK(rows[k][column("verdict")] == point["verdict"]);
     CHECK(std::stod(rows[k][column("minimum_cam_radius [mm]")]) ==
@@ -514,7 +515,7 @@ TEST_CASE("fronts of three objectives, and with one that is to be great", "[prog
   const std::string three =
       written(folder, "three.toml",
               read(shipped("front.toml")) + "\n[[objectives]]\nminimize = \"peak_drive_torque\"\n");
-  const Json result =
+  const ParsedJson result =
       json_of(pareto(three, {"--points", "8", "--json", "--out", folder / "three"}));
   CHECK(result["objectives"].size() == 3);
   CHECK(result["limit_hypervolume"].is_null());
@@ -522,18 +523,19 @@ TEST_CASE("fronts of three objectives, and with one that is to be great", "[prog
   CHECK(result["points"].size() <= 8);
   CHECK(result["complete"] == (result["largest_gap"] <= 2.5));
   CHECK(result["finished"] == true);
-  for (const Json& objective : result["objectives"]) CHECK(objective["tolerance"] > 0);
-  for (const Json& point : result["points"]) CHECK(point["slopes"].size() == 2);
+  for (const ParsedJson& objective : result["objectives"]) CHECK(objective["tolerance"] > 0);
+  for (const ParsedJson& point : result["points"]) CHECK(point["slopes"].size() == 2);
   check_svg(folder / "three/front.svg");
   const std::string great =
       written(folder, "great.toml",
               changed("minimize = \"peak_inertia_force\"", "maximize = \"lowest inertia_force\""));
-  const Json other = json_of(pareto(great, {"--points", "8", "--json", "--out", folder / "great"}));
+  const ParsedJson other =
+      json_of(pareto(great, {"--points", "8", "--json", "--out", folder / "great"}));
   CHECK(other["objectives"][1]["sense"] == "maximize");
-  for (const Json& point : other["points"]) {
+  for (const ParsedJson& point : other["points"]) {
     CHECK(point["objectives"]["lowest inertia_force"].get<double>() < 0);
     // A smaller radius is paid for with a lower lowest force.
-    const Json& slope = point["slopes"][0]["value"];
+    const ParsedJson& slope = point["slopes"][0]["value"];
     CHECK((slope.is_null() || slope.get<double>() >= 0));
   }
   check_svg(folder / "great/front.svg");
@@ -546,8 +548,8 @@ TEST_CASE("an objective's tolerance in the file decides which points differ", "[
       written(folder, "coarse.toml",
               changed("minimize = \"minimum_cam_radius\"",
                       "minimize = \"minimum_cam_radius\"\ntolerance = \"0.5 mm\""));
-  const Json coarse = json_of(pareto(file, {"--points", "60", "--json"}));
-  const Json fine = json_of(pareto(shipped("front.toml"), {"--points", "60", "--json"}));
+  const ParsedJson coarse = json_of(pareto(file, {"--points", "60", "--json"}));
+  const ParsedJson fine = json_of(pareto(shipped("front.toml"), {"--points", "60", "--json"}));
   CHECK(coarse["objectives"][0]["tolerance"] == 0.5);
   REQUIRE(coarse["points"].size() > 3);
   CHECK(coarse["points"].size() < fine["points"].size());
@@ -561,11 +563,11 @@ TEST_CASE("an objective's tolerance in the file decides which points differ", "[
 
 TEST_CASE("the roller's front of three objectives is even and complete", "[program][heavy]") {
   const std::string file = std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_front.toml";
-  const Json result = json_of(pareto(file, {"--points", "40", "--json"}));
+  const ParsedJson result = json_of(pareto(file, {"--points", "40", "--json"}));
   CHECK(result["complete"] == true);
   CHECK(result["largest_gap"] <= 2.5);
   std::vector<std::vector<double>> places;
-  for (const Json& point : result["points"]) {
+  for (const ParsedJson& point : result["points"]) {
     std::vector<double> place;
     std::size_t i = 0;
     for (const auto& objective : result["objectives"]) {
@@ -583,7 +585,7 @@ TEST_CASE("the roller's front of three objectives is even and complete", "[progr
   // NSGA-II's best of five seeds with 40 designs of either law and 100 generations, 75 points on
   // the front, from this reference (benchmarks/README.md): 1442.8.
   std::vector<optim::Costs> costs;
-  for (const Json& point : result["points"]) {
+  for (const ParsedJson& point : result["points"]) {
     costs.push_back({point["objectives"]["base_radius"], point["objectives"]["peak drive_torque"],
                      point["objectives"]["highest contact_stress"]});
   }
@@ -599,9 +601,9 @@ TEST_CASE("a reference out of reach leaves the numbers numbers", "[program]") {
                   "reference = \"1 N\"\n");
   const std::string text = done(pareto(file, {"--points", "4"}));
   CHECK_THAT(text, Contains("hypervolume 0 ") && !Contains("nan") && !Contains("inf"));
-  const Json result = json_of(pareto(file, {"--points", "4", "--json"}));
+  const ParsedJson result = json_of(pareto(file, {"--points", "4", "--json"}));
   CHECK(result["hypervolume"] == 0);
-  CHECK(result["reference"] == Json({1.0, 1.0}));
+  CHECK(result["reference"] == ParsedJson({1.0, 1.0}));
 }
 
 TEST_CASE("sizes alone, with no number that varies freely", "[program]") {
@@ -612,7 +614,7 @@ TEST_CASE("sizes alone, with no number that varies freely", "[program]") {
       "[variables.blades]\nvalues = [17, 21]\n"
       "[[objectives]]\nminimize = \"minimum_cam_radius\"\n"
       "[[objectives]]\nminimize = \"peak_drive_torque\"\n");
-  const Json result = json_of(pareto(file, {"--json", "--out", folder / "out"}));
+  const ParsedJson result = json_of(pareto(file, {"--json", "--out", folder / "out"}));
   CHECK(result["combinations"] == 6);
   CHECK(result["failures"].empty());
   REQUIRE_FALSE(result["points"].empty());
@@ -632,11 +634,11 @@ TEST_CASE("a model that dies is one of the failures", "[program]") {
           "0.02; kill -KILL $(cat /proc/$child/task/$child/children) 2>&-; done; wait $child",
       folder);
   CHECK((outcome.status == 0 || outcome.status == 4));
-  const Json result = Json::parse(outcome.out);
+  const ParsedJson result = ParsedJson::parse(outcome.out);
   CHECK(result["complete"] == true);
-  for (const Json& failure : result["failures"]) {
+  for (const ParsedJson& failure : result["failures"]) {
     CHECK_THAT(failure["why"].get<std::string>(), Contains("killed by signal 9"));
   }
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::pareto_test

@@ -45,7 +45,7 @@ std::string done(const Words& words) {
   return outcome.out;
 }
 
-Json json_of(const Words& words) { return Json::parse(done(words)); }
+ParsedJson json_of(const Words& words) { return ParsedJson::parse(done(words)); }
 
 std::string failed(const Words& words, int status) {
   const Outcome outcome = run(words);

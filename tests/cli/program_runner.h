@@ -23,7 +23,7 @@ namespace camlaw::cli {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
+using ParsedJson = nlohmann::json;
 using Words = std::vector<std::string>;
 
 using testing::Folder, testing::read;
@@ -53,7 +53,7 @@ Outcome run(Words words);
 /// What a run that is done prints.
 std::string done(const Words& words);
 
-Json json_of(const Words& words);
+ParsedJson json_of(const Words& words);
 
 /// What a run that fails says: one line on standard error and nothing else.
 std::string failed(const Words& words, int status);

@@ -4,10 +4,10 @@
 #include <map>
 #include <numbers>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::program_test {
 
 TEST_CASE("the program tells its version and its usage", "[program]") {
   CHECK_THAT(done({"--version"}), Contains("camlaw") && Contains("0.1.0"));
@@ -113,9 +113,9 @@ TEST_CASE("a file does not take the place of a closed stream", "[program]") {
 }
 
 TEST_CASE("laws --json lists every law of the catalogue and of the reference table", "[program]") {
-  const Json laws = json_of({"laws", "--json"});
+  const ParsedJson laws = json_of({"laws", "--json"});
   std::vector<std::string> names;
-  for (const Json& law : laws) {
+  for (const ParsedJson& law : laws) {
     names.push_back(law.at("name"));
     for (const char* key : {"aliases", "parameters", "B", "C_max", "C_min", "D_max", "D_min", "Cm",
                             "lambda", "ends", "continuity", "source"}) {
@@ -140,18 +140,18 @@ TEST_CASE("law takes parameters with units and lists", "[program]") {
   const auto angle = [](const std::string& text) {
     return json_of({"law", "inclined-sinusoid", "--param", "angle=" + text, "--json"});
   };
-  const Json degrees = angle("82deg"), plain = angle("82"), radians = angle("1.43 rad");
+  const ParsedJson degrees = angle("82deg"), plain = angle("82"), radians = angle("1.43 rad");
   CHECK(degrees == plain);
   CHECK(degrees["parameters"][0]["value"].get<double>() == Approx(82).epsilon(1e-14));
   CHECK(radians["parameters"][0]["value"].get<double>() ==
         Approx(1.43 * 180 / std::numbers::pi).epsilon(1e-14));
   CHECK(angle("90 deg")["B"].get<double>() == Approx(2).epsilon(1e-12));  // the cycloid
 
-  const Json list = json_of({"law", "fourier", "--param", "a=0.1,-0.05", "--json"});
-  CHECK(list["parameters"][0]["value"] == Json{0.1, -0.05});
+  const ParsedJson list = json_of({"law", "fourier", "--param", "a=0.1,-0.05", "--json"});
+  CHECK(list["parameters"][0]["value"] == ParsedJson{0.1, -0.05});
   CHECK(list == json_of({"law", "fourier a=0.1,-0.05", "--json"}));
   CHECK(list == json_of({"law", "fourier", "--param", "a=0.1, -0.05", "--json"}));
-  const Json two =
+  const ParsedJson two =
       json_of({"law", "trapezoidal-velocity", "--param", "t1=0.2", "--param", "t2=0.3", "--json"});
   // Area 1 under the trapezoid: B (1 - t1 / 2 - t2 / 2) = 1.
   CHECK(two["B"].get<double>() == Approx(1 / 0.75).epsilon(1e-13));
@@ -174,7 +174,7 @@ TEST_CASE("the table of a law has its closed form's values", "[program]") {
   const Table rows = csv_of(read(folder / "cubic.csv"));
   REQUIRE(rows.size() == 12);
   CHECK(rows[0] == Words{"x", "s", "v", "a", "j"});
-  const Json json = json_of({"law", "cubic", "--samples", "11", "--json"});
+  const ParsedJson json = json_of({"law", "cubic", "--samples", "11", "--json"});
   REQUIRE(json["samples"].size() == 11);
   for (std::size_t i = 0; i <= 10; ++i) {
     const double x = static_cast<double>(i) / 10;
@@ -212,18 +212,18 @@ TEST_CASE("the study writes its files, and they agree", "[program][heavy]") {
   const std::string json = done(as_json);
   CHECK(json == read(folder / "deep/results/study.json"));
 
-  const Json study = Json::parse(json);
+  const ParsedJson study = ParsedJson::parse(json);
   CHECK_THAT(text, Contains(study["recommendation"].get<std::string>()));
   CHECK(study["givens"][4]["value"].get<double>() == Approx(1.0).epsilon(1e-14));
   CHECK(study["givens"][3]["value"].get<double>() == Approx(1.2).epsilon(1e-14));
   const Table csv = csv_of(read(folder / "deep/results/study.csv"));
   REQUIRE(csv.size() == study["rows"].size() + 1);
   for (std::size_t i = 1; i < csv.size(); ++i) {
-    const Json& row = study["rows"][i - 1];
+    const ParsedJson& row = study["rows"][i - 1];
     REQUIRE(csv[i].size() == csv[0].size());
     for (std::size_t k = 0; k < csv[0].size(); ++k) {
       INFO(csv[i][0] << ", " << csv[0][k]);
-      const Json& value = row.at(csv[0][k]);
+      const ParsedJson& value = row.at(csv[0][k]);
       if (value.is_number()) {
         CHECK(std::stod(csv[i][k]) == value.get<double>());
       } else if (value.is_boolean()) {
@@ -236,8 +236,9 @@ TEST_CASE("the study writes its files, and they agree", "[program][heavy]") {
 }
 
 TEST_CASE("the cubic at the paper's depth has the paper's numbers", "[program]") {
-  const Json study = json_of({"study", "spine-cutter", "--set", "h=1.0 mm", "--table", "--json"});
-  for (const Json& row : study["rows"]) {
+  const ParsedJson study =
+      json_of({"study", "spine-cutter", "--set", "h=1.0 mm", "--table", "--json"});
+  for (const ParsedJson& row : study["rows"]) {
     if (row["law"] != "cubic") continue;
     CHECK(row["cam_radius_mm"].get<double>() == Approx(33.08).margin(0.005));
     CHECK(row["printed_inertia_force_N"].get<double>() == Approx(4.56).margin(0.005));
@@ -249,8 +250,8 @@ TEST_CASE("the cubic at the paper's depth has the paper's numbers", "[program]")
 }
 
 TEST_CASE("reproduce gives the verdict on every printed number", "[program][heavy]") {
-  const Json all = json_of({"reproduce", "spine-cutter", "--json"});
-  const Json both = json_of({"reproduce", "--json"});
+  const ParsedJson all = json_of({"reproduce", "spine-cutter", "--json"});
+  const ParsedJson both = json_of({"reproduce", "--json"});
   REQUIRE(all.size() == 1);
   const std::vector<const char*> systems{"spine-cutter",   "balancing-cam",    "die-press",
                                          "sheet-delivery", "signature-feeder", "cam-shape"};
@@ -260,7 +261,7 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program][heav
     CHECK(both[i]["system"] == systems[i]);
     CHECK(both[i]["worsened"].empty());
   }
-  const Json& system = all[0];
+  const ParsedJson& system = all[0];
   CHECK(system["system"] == "spine-cutter");
   CHECK(system["reproduced"] == 13);
   CHECK(system["explained"] == 19);
@@ -269,7 +270,7 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program][heav
   CHECK(system["equal_sets"].empty());
   REQUIRE(system["values"].size() == 32);
   std::map<std::string, int> verdicts;
-  for (const Json& value : system["values"]) {
+  for (const ParsedJson& value : system["values"]) {
     for (const char* key : {"id", "quantity", "law", "condition", "place", "printed", "decimals",
                             "unit", "value", "explained_value", "verdict", "causes"}) {
       CHECK(value.contains(key));
@@ -280,7 +281,7 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program][heav
   const std::string text = done({"reproduce"});
   CHECK_THAT(text, Contains("13 reproduced, 19 explained, 0 unexplained"));
   const std::string counts = text.substr(text.rfind("system "));
-  for (const Json& one : both) {
+  for (const ParsedJson& one : both) {
     CHECK_THAT(counts, Contains(one["system"].get<std::string>()));
   }
 }
@@ -300,4 +301,4 @@ TEST_CASE("two runs give the same bytes", "[program]") {
   }
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::program_test

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace camlaw::cli {
+namespace camlaw::cli::progress_line_test {
 
 TEST_CASE("the time left follows from the share that is done", "[program]") {
   CHECK(time_left(10, 0.25) == "about 30 s left");  // a quarter took 10 s
@@ -18,4 +18,4 @@ TEST_CASE("nothing is said of the time left where it is not known or soon over",
   CHECK(time_left(1, 0.5).empty());
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::progress_line_test

@@ -8,7 +8,7 @@
 #include "problems/results/seal.h"
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::report_test {
 namespace {
 
 std::string shipped(const std::string& name) {
@@ -22,17 +22,17 @@ std::string page_of(const std::string& input, const Folder& folder) {
 }
 
 /// A result as the program would write it, with its checksum.
-std::string sealed(const Json& result) {
+std::string sealed(const ParsedJson& result) {
   problems::Json object = problems::Json::parse(result.dump());
   problems::seal(object);
   return object.dump();
 }
 
 /// The JSON that a page carries for its scripts.
-Json data_of(const std::string& page) {
+ParsedJson data_of(const std::string& page) {
   const std::string begin = "<script type=\"application/json\" id=\"data\">";
   const std::size_t from = page.find(begin) + begin.size();
-  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+  return ParsedJson::parse(page.substr(from, page.find("</script>", from) - from));
 }
 
 std::size_t count_of(const std::string& text, const std::string& word) {
@@ -44,7 +44,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
 }
 
 /// Index of a panel by its curve.
-std::size_t panel_of(const Json& data, const std::string& id) {
+std::size_t panel_of(const ParsedJson& data, const std::string& id) {
   for (std::size_t i = 0; i < data["panels"].size(); ++i) {
     if (data["panels"][i]["id"] == id) return i;
   }
@@ -70,16 +70,17 @@ TEST_CASE("a report of a problem file says verdict, margins and how to search", 
   CHECK_THAT(page, Contains("To search: camlaw optimize"));
   CHECK_THAT(page, Contains("meets its limits"));
   // The margin that evaluate has.
-  const Json said = json_of({"evaluate", shipped("spine_cutter/least_radius.toml"), "--json"});
+  const ParsedJson said =
+      json_of({"evaluate", shipped("spine_cutter/least_radius.toml"), "--json"});
   const double margin = said["constraints"][0]["margin"];
   CHECK_THAT(page, Contains(std::to_string(margin).substr(0, 4)));
-  const Json data = data_of(page);
+  const ParsedJson data = data_of(page);
   const std::size_t angle = panel_of(data, "cam_pressure_angle");
-  CHECK(data["panels"][angle]["limits"] == Json({30.0, -30.0}));
+  CHECK(data["panels"][angle]["limits"] == ParsedJson({30.0, -30.0}));
   CHECK(data["designs"].size() == 1);
   // The greatest pressure angle of the curve is that of the table.
   double highest = 0;
-  for (const Json& y : data["designs"][0]["lines"][angle]["y"]) {
+  for (const ParsedJson& y : data["designs"][0]["lines"][angle]["y"]) {
     highest = std::max(highest, y.get<double>());
   }
   CHECK(highest == Approx(30 - margin).epsilon(1e-4));
@@ -93,7 +94,7 @@ TEST_CASE("a report of a result judges its design again", "[cli][report]") {
   CHECK_THAT(page, Contains("<span class=\"badge good\">certified optimum</span>"));
   CHECK_THAT(page, Contains("cam radius <b>33.07973 mm</b>"));
   // What easing the limit buys stands in the result too.
-  const Json result = Json::parse(read(folder / "out/result.json"));
+  const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   const double price = result["constraints"][0]["multiplier"];
   CHECK_THAT(page, Contains(">price</th>"));
   CHECK_THAT(page, Contains(std::to_string(price).substr(0, 4)));
@@ -124,15 +125,15 @@ TEST_CASE("a report of a study has every point with its curves", "[cli][report]"
   const std::string page = page_of(study, folder);
   CHECK(std::chrono::steady_clock::now() - before < std::chrono::seconds(2));
   check_whole(page);
-  const Json data = data_of(page), front = json_of({"front", study, "--json"});
+  const ParsedJson data = data_of(page), front = json_of({"front", study, "--json"});
   REQUIRE(data["designs"].size() == front["points"].size());
   const std::size_t force = panel_of(data, "inertia_force");
   for (std::size_t i = 0; i < front["points"].size(); ++i) {
-    const Json& design = data["designs"][i];
+    const ParsedJson& design = data["designs"][i];
     const double peak = front["points"][i]["objectives"]["peak_inertia_force"];
     CHECK(design["objectives"][1].get<double>() == Approx(peak).epsilon(1e-5));
     double highest = 0;
-    for (const Json& y : design["lines"][force]["y"]) {
+    for (const ParsedJson& y : design["lines"][force]["y"]) {
       highest = std::max(highest, std::abs(y.get<double>()));
     }
     CHECK(highest == Approx(peak).epsilon(0.01));  // drawn from some tens of samples
@@ -186,7 +187,7 @@ TEST_CASE("a design of one of several laws is not called an optimum among them",
   done({"optimize", folder / "one.toml", "--out", folder / "one"});
   CHECK_THAT(page_of(folder / "one/result.json", folder), Contains(kCertified));
   // A search of both laws that was stopped at the first, and so has not seen the better one.
-  Json result = Json::parse(read(folder / "one/result.json"));
+  ParsedJson result = ParsedJson::parse(read(folder / "one/result.json"));
   result["verdict"] = "feasible";
   result["design"]["problem"] = several;
   result["design"]["law"] = "cycloidal";
@@ -225,7 +226,7 @@ TEST_CASE("a report of an infeasible result says which limit cannot be met", "[c
   text += "[[constraints]]\nresponse = \"radius\"\nupper = \"6 mm\"\n";
   std::ofstream(folder / "tight.toml") << text;
   CHECK(run({"optimize", folder / "tight.toml", "--out", folder / "out"}).status == 3);
-  const Json result = Json::parse(read(folder / "out/result.json"));
+  const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   REQUIRE(result["verdict"] == "infeasible");
   const std::string page = page_of(folder / "out/result.json", folder);
   CHECK_THAT(page,
@@ -236,10 +237,10 @@ TEST_CASE("a report of an infeasible result says which limit cannot be met", "[c
 TEST_CASE("a recorded verdict that the page finds untrue is not a badge", "[cli][report]") {
   const Folder folder;
   done({"optimize", shipped("cams/roller_least_base.toml"), "--out", folder / "out"});
-  const Json result = Json::parse(read(folder / "out/result.json"));
+  const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   const auto page_at = [&](double share, const std::string& verdict) {
-    Json changed = result;
-    Json& radius = changed["design"]["variables"]["base_radius"];
+    ParsedJson changed = result;
+    ParsedJson& radius = changed["design"]["variables"]["base_radius"];
     radius = share * radius.get<double>();
     changed["verdict"] = verdict;
     std::ofstream(folder / "changed.json") << sealed(changed);
@@ -273,7 +274,7 @@ TEST_CASE("the report of a front of many points keeps the curve that its picture
   const std::string study = folder / "study.db";
   done({"pareto", folder / "geneva.toml", "--points", "180", "--db", study});
   const std::string page = page_of(study, folder);
-  const Json data = data_of(page);
+  const ParsedJson data = data_of(page);
   REQUIRE(data["designs"].size() *
               data_of(page_of(folder / "geneva.toml", folder))["panels"].size() >
           1200);
@@ -288,11 +289,12 @@ TEST_CASE("a report has a plot of every curve with values, and of no other", "[c
   for (const char* name : {"groove_least_stress", "end_rise_share", "roller_least_base"}) {
     INFO(name);
     const std::string page = page_of(shipped("cams/" + std::string(name) + ".toml"), folder);
-    const Json data = data_of(page);
+    const ParsedJson data = data_of(page);
     for (std::size_t i = 0; i < data["panels"].size(); ++i) {
-      const Json& y = data["designs"][0]["lines"][i]["y"];
+      const ParsedJson& y = data["designs"][0]["lines"][i]["y"];
       INFO(data["panels"][i]["id"]);
-      CHECK(std::any_of(y.begin(), y.end(), [](const Json& value) { return value.is_number(); }));
+      CHECK(std::any_of(y.begin(), y.end(),
+                        [](const ParsedJson& value) { return value.is_number(); }));
     }
     CHECK(count_of(page, "; - ") == 0);
     CHECK_NOTHROW(panel_of(data, "contact_stress"));
@@ -345,7 +347,7 @@ TEST_CASE("reproduce writes its tables beside the printed ones as a page", "[cli
   done({"reproduce", "spine-cutter", "--report", path});
   const std::string page = read(path);
   check_whole(page);
-  const Json said = json_of({"reproduce", "spine-cutter", "--json"});
+  const ParsedJson said = json_of({"reproduce", "spine-cutter", "--json"});
   CHECK(count_of(page, ">explained</span>") == said[0]["explained"].get<std::size_t>());
   CHECK(count_of(page, ">reproduced</span>") == said[0]["reproduced"].get<std::size_t>());
   CHECK_THAT(page, Contains("<span class=\"badge plain\">0 unexplained</span>"));
@@ -392,4 +394,4 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
 }
 
 }  // namespace
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::report_test

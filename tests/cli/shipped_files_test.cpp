@@ -3,7 +3,7 @@
 // every option that these have.
 #include "tests/cli/command_help.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::shipped_files_test {
 namespace {
 
 Words shipped_problems() {
@@ -93,7 +93,7 @@ TEST_CASE("every shipped problem file is evaluated, drawn, exported and reported
     }
     const Outcome json = check_done_or_refused({"evaluate", file, "--json"}, "");
     CHECK(json.status == 0);
-    CHECK_NOTHROW(Json::parse(json.out));
+    CHECK_NOTHROW(ParsedJson::parse(json.out));
     for (const std::string format : {"csv", "dxf", "svg", "json", "gcode", "table"}) {
       check_done_or_refused(
           {"export", file, "--format", format, "--out", folder / ("out." + format)}, " has no ");
@@ -104,4 +104,4 @@ TEST_CASE("every shipped problem file is evaluated, drawn, exported and reported
   CHECK(pages == shipped_problems().size());
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::shipped_files_test

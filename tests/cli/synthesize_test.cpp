@@ -4,7 +4,7 @@
 
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::synthesize_test {
 namespace {
 
 const std::string kProblem =
@@ -28,7 +28,7 @@ TEST_CASE("synthesize finds the law, measures it and writes it", "[program]") {
                        Contains("C = 4.5") && !Contains("coefficients[1]") &&
                        !Contains("coefficients[3] = ") && Contains("the best named law is") &&
                        Contains("the least for this B"));
-  const Json result = Json::parse(read(folder / "out/result.json"));
+  const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   CHECK(result["variables"].size() == 13);
   CHECK(result["rulers"]["C"].get<double>() == Approx(4.5));
   CHECK(result["rulers"]["least_C_for_B"].get<double>() == Approx(4.5));
@@ -40,13 +40,13 @@ TEST_CASE("synthesize finds the law, measures it and writes it", "[program]") {
     CHECK(folder.content().contains(std::string("out/") + part));
   }
   // The law is one like any other: evaluated, put in a problem, to the last bit.
-  const Json law = json_of({"law", folder / "out/law.json", "--json"});
-  const Json stored = Json::parse(read(folder / "out/law.json"));
+  const ParsedJson law = json_of({"law", folder / "out/law.json", "--json"});
+  const ParsedJson stored = ParsedJson::parse(read(folder / "out/law.json"));
   CHECK(law["pieces"] == stored["pieces"]);
   CHECK(stored["provenance"]["problem"] == "small.toml");
   CHECK(stored["provenance"]["verdict"] == "certified optimum");
   CHECK(law["name"] == "law");
-  const Json spline = json_of({"law", name, "--json"});
+  const ParsedJson spline = json_of({"law", name, "--json"});
   CHECK(spline["pieces"] == stored["pieces"]);
   const std::string use =
       written(folder, "use.toml", "mechanism = \"law\"\n[law]\nname = \"out/law.json\"\n");
@@ -66,7 +66,7 @@ TEST_CASE("synthesize takes free laws alone, and ends as optimize does", "[progr
       folder, "impossible.toml", kProblem + "[[constraints]]\nresponse = \"C\"\nupper = 4\n");
   const Outcome outcome = run({"synthesize", impossible, "--json"});
   CHECK(outcome.status == 3);
-  CHECK(Json::parse(outcome.out)["verdict"] == "infeasible");
+  CHECK(ParsedJson::parse(outcome.out)["verdict"] == "infeasible");
   CHECK_THAT(failed({"synthesize", folder / "none.toml"}, 2), Contains("none.toml"));
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("Laws of one's own folder are listed and known by name", "[program]") 
   fs::copy_file(folder / "out/law.json", folder / "own/thirds.json");
   setenv("CAMLAW_LAWS", (folder / "own").c_str(), 1);
   CHECK_THAT(done({"laws"}), Contains("thirds") && Contains("CAMLAW_LAWS"));
-  const Json listed = json_of({"laws", "--json"});
+  const ParsedJson listed = json_of({"laws", "--json"});
   CHECK(listed.back()["name"] == "thirds");
   CHECK_THAT(done({"law", "thirds"}), Contains("a small one") && Contains("4.5"));
   CHECK_THAT(
@@ -100,4 +100,4 @@ TEST_CASE("Many numbers of a list are said in one line", "[program]") {
              Contains("coefficients: 39 numbers from") && !Contains("coefficients[1]"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::synthesize_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/cli/shell.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::terminal_test {
 namespace {
 
 /// What the program prints on a terminal, which script(1) makes.
@@ -43,4 +43,4 @@ TEST_CASE("an answer ends with what one would do next, unless it is unwanted", "
   CHECK_THAT(says("camlaw optimize " + file + " --json --out out"), !Contains("next:"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::terminal_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/shell.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::tutorial_test {
 namespace {
 
 /// A command of the tutorial and the lines that it is said to print.
@@ -124,4 +124,4 @@ TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
               read(CAMLAW_SOURCE_DIR "/docs/tutorial/worn_cam.svg"));
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::tutorial_test

@@ -4,12 +4,12 @@
 
 #include "tests/cli/program_runner.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::verify_test {
 namespace {
 
 const std::string kCam = std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_least_base.toml";
 
-std::string stored(const Folder& folder, const Json& result) {
+std::string stored(const Folder& folder, const ParsedJson& result) {
   const std::string path = folder / "result.json";
   std::ofstream(path) << result.dump();
   return path;
@@ -19,9 +19,9 @@ std::string stored(const Folder& folder, const Json& result) {
 
 TEST_CASE("a claim of the program's own holds when it is judged again", "[program]") {
   const Folder folder;
-  const Json result = json_of({"optimize", kCam, "--json"});
+  const ParsedJson result = json_of({"optimize", kCam, "--json"});
   const std::string path = stored(folder, result);
-  const Json again = json_of({"verify", path, "--json"});
+  const ParsedJson again = json_of({"verify", path, "--json"});
   CHECK(again["holds"] == true);
   CHECK(again["verdict"] == result["verdict"]);
   CHECK(again["objective"].get<double>() ==
@@ -33,16 +33,16 @@ TEST_CASE("a claim of the program's own holds when it is judged again", "[progra
 
 TEST_CASE("a claim that was edited does not hold", "[program]") {
   const Folder folder;
-  const Json result = json_of({"optimize", kCam, "--json"});
-  Json better = result;
+  const ParsedJson result = json_of({"optimize", kCam, "--json"});
+  ParsedJson better = result;
   better["objective"] = result["objective"].get<double>() - 1;
-  Json moved = result;
+  ParsedJson moved = result;
   const double radius = result["variables"]["base_radius"].get<double>();
   moved["design"]["variables"]["base_radius"] = radius - 1;
-  Json bigger = result;
+  ParsedJson bigger = result;
   bigger["design"]["variables"]["base_radius"] = radius + 1;
   bigger["objective"] = radius + 1;
-  for (const Json& edited : {better, moved, bigger}) {
+  for (const ParsedJson& edited : {better, moved, bigger}) {
     const Outcome outcome = run({"verify", stored(folder, edited)});
     INFO(outcome.out);
     CHECK(outcome.status == 4);
@@ -64,9 +64,9 @@ start = 17
 [objective]
 minimize = "peak_inertia_force"
 )";
-  const Json result = json_of({"optimize", file, "--json"});
+  const ParsedJson result = json_of({"optimize", file, "--json"});
   REQUIRE(result["verdict"] == "certified optimum");
-  const Json again = json_of({"verify", stored(folder, result), "--json"});
+  const ParsedJson again = json_of({"verify", stored(folder, result), "--json"});
   CHECK(again["holds"] == true);
   CHECK(again["choices_held"] == true);
 }
@@ -87,12 +87,12 @@ variables.roller_radius = { values = ["8 mm", "10 mm"] }
 objective.minimize = "base_radius"
 constraints = [{ response = "pressure_angle", upper = "30 deg" }]
 )";
-  const Json result = json_of({"optimize", file, "--json"});
+  const ParsedJson result = json_of({"optimize", file, "--json"});
   REQUIRE(result["global"].is_string());
   const Outcome text = run({"verify", stored(folder, result)});
   CHECK(text.status == 0);
   CHECK_THAT(text.out, Contains("not judged: the result says that no better design exists"));
-  Json larger = result;  // in the list, and not the least that is claimed
+  ParsedJson larger = result;  // in the list, and not the least that is claimed
   larger["design"]["variables"]["base_radius"] = 40;
   CHECK(run({"verify", stored(folder, larger)}).status == 4);
 }
@@ -117,7 +117,7 @@ constraints = [
   { response = "follower_force", lower = "0 N" },
 ]
 )";
-  Json result = json_of({"optimize", file, "--json"});
+  ParsedJson result = json_of({"optimize", file, "--json"});
   CHECK(result["objective"].get<double>() < 65);
   CHECK(result["global"].is_string());
   result["design"]["variables"]["base_radius"] = 100;
@@ -130,9 +130,9 @@ constraints = [
 
 TEST_CASE("values that are set beside the file stay with the result", "[program]") {
   const Folder folder;
-  const Json result = json_of({"optimize", kCam, "--set", "stroke=20 mm", "--json"});
+  const ParsedJson result = json_of({"optimize", kCam, "--set", "stroke=20 mm", "--json"});
   const std::string path = stored(folder, result);
-  const Json design = json_of({"evaluate", path, "--json"});
+  const ParsedJson design = json_of({"evaluate", path, "--json"});
   CHECK(design["constants"]["stroke"]["value"] == 20);
   CHECK(json_of({"verify", path, "--json"})["holds"] == true);
   CHECK(result["objective"].get<double>() <
@@ -172,4 +172,4 @@ TEST_CASE("a problem file claims nothing that could be verified", "[program]") {
   CHECK(outcome.err.find("claims nothing") != std::string::npos);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::verify_test

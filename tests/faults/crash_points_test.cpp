@@ -5,7 +5,7 @@
 
 #include "tests/cli/shell.h"
 
-namespace camlaw::cli {
+namespace camlaw::cli::crash_points_test {
 namespace {
 
 constexpr const char* kStudy =
@@ -35,10 +35,10 @@ void remove_study(const Folder& folder) {
 }
 
 /// What a front says of its points; how the search went is another matter.
-Json points_of(const Outcome& outcome) {
+ParsedJson points_of(const Outcome& outcome) {
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  return Json::parse(outcome.out).at("points");
+  return ParsedJson::parse(outcome.out).at("points");
 }
 
 /// One line of ours on standard error, and no crash.
@@ -50,7 +50,7 @@ void check_complaint(const Outcome& outcome) {
 }
 
 /// The study at hand, whatever became of it, is read without a crash and goes on to the front.
-void check_goes_on(const Folder& folder, const Json& front) {
+void check_goes_on(const Folder& folder, const ParsedJson& front) {
   const Outcome seen = shell(folder, "camlaw front study.db --json");
   CHECK(seen.status <= 4);  // 4: the study is not finished
   if (seen.status == 1 || seen.status == 2) check_complaint(seen);
@@ -67,7 +67,7 @@ void check_goes_on(const Folder& folder, const Json& front) {
 void check_crash_points(const std::string& as, long step) {
   const ProjectFolder folder;
   const std::string command = std::string("camlaw pareto ") + kStudy;
-  const Json front = points_of(shell(folder, command));
+  const ParsedJson front = points_of(shell(folder, command));
   remove_study(folder);
   const long calls = calls_of(folder, "files", command);
   REQUIRE(calls > 50);
@@ -88,7 +88,7 @@ void check_memory(long step) {
   const std::string command =
       "camlaw optimize problems/spine_cutter/least_radius.toml --out found >said";
   const long calls = calls_of(folder, "memory", command);
-  const Json whole = Json::parse(read(folder / "found/result.json"));
+  const ParsedJson whole = ParsedJson::parse(read(folder / "found/result.json"));
   const long before_main = calls_of(folder, "memory", "camlaw --version >said");
   REQUIRE(calls > 2 * before_main);
   for (long at = before_main; at <= calls; at += step) {
@@ -98,7 +98,7 @@ void check_memory(long step) {
     const bool written = fs::exists(folder / "found/result.json");
     CHECK((ended.status != 0 || written));
     if (!written) continue;
-    const Json said = Json::parse(read(folder / "found/result.json"));
+    const ParsedJson said = ParsedJson::parse(read(folder / "found/result.json"));
     // A method that failed may have been made up for by another: the design is the same.
     if (said.at("verdict") != whole.at("verdict")) continue;  // such as feasible, not certified
     CHECK(said.at("objective").get<double>() ==
@@ -124,4 +124,4 @@ TEST_CASE("a failed allocation leaves no half of a file, at every tenth", "[faul
   check_memory(10);
 }
 
-}  // namespace camlaw::cli
+}  // namespace camlaw::cli::crash_points_test

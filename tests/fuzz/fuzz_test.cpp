@@ -7,7 +7,7 @@
 #include "tests/fuzz/mutations.h"
 #include "tests/fuzz/targets.h"
 
-namespace camlaw::fuzz {
+namespace camlaw::fuzz::fuzz_test {
 namespace {
 
 void check_spoilt_files(const std::string& name) {
@@ -34,4 +34,4 @@ TEST_CASE("spoilt tables of samples are read or refused", "[fuzz]") {
   check_spoilt_files("samples");
 }
 
-}  // namespace camlaw::fuzz
+}  // namespace camlaw::fuzz::fuzz_test

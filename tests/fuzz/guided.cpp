@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// camlaw_guided TARGET FOLDER [-option=value ...]: spoilt files for a reader, looked for by
+// camlaw_guided TARGET FOLDER|FILE [-option=value ...]: spoilt files for a reader, looked for by
 // libFuzzer, which keeps what reaches code that no file before it has reached in FOLDER. The
-// project's own files are put there first. The options are libFuzzer's (-help=1); what a reader may
+// project's own files are put there first. A FILE, such as one that was found, is read alone. The
+// options are libFuzzer's (-help=1); what a reader may
 // not throw, an error of a sanitizer, 20 s and 1 GB are faults, and the file is written beside.
 #include <cstdint>
 #include <cstdio>
@@ -34,10 +35,10 @@ void put_seeds(const Target& target, const std::filesystem::path& folder) {
 std::vector<std::string> libfuzzer_words(int count, char** words) {
   if (count < 3) {
     throw std::invalid_argument(
-        "usage: camlaw_guided problem|law|result|samples|study FOLDER [-option=value ...]");
+        "usage: camlaw_guided problem|law|result|samples|study FOLDER|FILE [-option=value ...]");
   }
   chosen = &find_target(words[1]);
-  put_seeds(*chosen, words[2]);
+  if (!std::filesystem::is_regular_file(words[2])) put_seeds(*chosen, words[2]);
   std::vector<std::string> own{words[0], words[2]};
   own.insert(own.end(), std::begin(kLimits), std::end(kLimits));
   own.insert(own.end(), words + 3, words + count);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 
-namespace camlaw {
+namespace camlaw::catalogue_test {
 namespace {
 
 using Catch::Contains;
@@ -116,17 +116,6 @@ TEST_CASE("Unknown names are refused with the near ones", "[catalogue]") {
   CHECK_THROWS_AS(find_law("cubic 3"), std::invalid_argument);
 }
 
-TEST_CASE("near_names ranks what was typed, at most three", "[catalogue]") {
-  const std::vector<std::string> known{"cubic", "cosine", "cycloidal", "cycloidal-cv50",
-                                       "elliptic"};
-  CHECK(near_names("cubc", known).front() == "cubic");
-  CHECK(near_names("COSIN", known).front() == "cosine");
-  CHECK(near_names("cycl", known) == std::vector<std::string>{"cycloidal", "cycloidal-cv50"});
-  CHECK(near_names("c", known).size() <= 3);
-  CHECK(near_names("wwwwwwww", known).empty());
-  CHECK(near_names("", {}).empty());
-}
-
 TEST_CASE("Unknown parameters are refused with the known ones", "[catalogue]") {
   CHECK_THROWS_WITH(find_law("polynomial-5 beta=1"), Contains("polynomial-5") && Contains("beta") &&
                                                          Contains("alpha") &&
@@ -199,4 +188,4 @@ TEST_CASE("A list emptied of its standard values has a name that reads back", "[
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::catalogue_test

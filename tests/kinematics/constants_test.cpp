@@ -3,11 +3,11 @@
 #include <cmath>
 #include <optional>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
 #include "tests/kinematics/reference_data.h"
 
-namespace camlaw {
+namespace camlaw::constants_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -127,4 +127,4 @@ TEST_CASE("the reference table of motion laws reproduces to its printed digits")
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::constants_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace camlaw {
+namespace camlaw::curve_test {
 namespace {
 
 /// The independent way: the printed formula in long double, differentiated by Boost.
@@ -218,4 +218,4 @@ TEST_CASE("A whole power has finite dual derivatives at 0", "[curve]") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::curve_test

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
-namespace camlaw {
+namespace camlaw::expansion_test {
 namespace {
 
 constexpr std::size_t kOrders = Expansion::kOrders;
@@ -157,4 +157,4 @@ TEST_CASE("pieces with curves, and polynomials of many terms, are enclosed too",
   }
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::expansion_test

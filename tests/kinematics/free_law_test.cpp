@@ -6,7 +6,7 @@
 #include "kinematics/laws/free.h"
 #include "kinematics/shape.h"
 
-namespace camlaw {
+namespace camlaw::free_law_test {
 namespace {
 
 using Catch::Contains;
@@ -176,4 +176,4 @@ TEST_CASE("A free law that cannot be is refused with the reason", "[free]") {
   CHECK_THROWS_WITH(member.law(), Contains("coefficients: 2 given, there are 3"));
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::free_law_test

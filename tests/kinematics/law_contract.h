@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 #include "tests/kinematics/reference_data.h"
 
 /// The contract of a motion law, checked by one call: check_law(family, arguments, expected).

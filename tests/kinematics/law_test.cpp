@@ -10,7 +10,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
 
-namespace camlaw {
+namespace camlaw::law_test {
 namespace {
 
 using Catch::Contains;
@@ -191,4 +191,4 @@ TEST_CASE("evaluate refuses spans of another length than x", "[law]") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::law_test

@@ -8,7 +8,7 @@
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
 
-namespace camlaw {
+namespace camlaw::laws_phase_test {
 namespace {
 
 using Catch::Contains;
@@ -222,4 +222,4 @@ TEST_CASE("Derivatives by a duration agree with differences", "[phases]") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::laws_phase_test

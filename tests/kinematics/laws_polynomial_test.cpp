@@ -7,7 +7,7 @@
 
 #include "kinematics/laws/polynomial.h"
 
-namespace camlaw {
+namespace camlaw::laws_polynomial_test {
 namespace {
 
 using Catch::Contains;
@@ -197,4 +197,4 @@ TEST_CASE("A Legendre law of order 25 has the acceleration of its formula", "[po
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::laws_polynomial_test

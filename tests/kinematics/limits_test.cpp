@@ -10,7 +10,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
 
-namespace camlaw {
+namespace camlaw::limits_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -198,4 +198,4 @@ TEST_CASE("The least jerk is where the least time is one", "[limits]") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::limits_test

@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/catalogue.h"
 
-namespace camlaw {
+namespace camlaw::linear_parameters_test {
 namespace {
 
 /// One element of a list parameter, or the value of a plain one.
@@ -122,4 +122,4 @@ TEST_CASE("the linear parameters are these", "[catalogue]") {
   CHECK(flagged == expected);
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::linear_parameters_test

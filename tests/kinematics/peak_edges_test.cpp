@@ -4,8 +4,8 @@
 #include <limits>
 #include <string>
 
-#include "kinematics/build.h"
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/build.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/peaks.h"
 

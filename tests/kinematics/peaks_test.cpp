@@ -3,11 +3,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "kinematics/build.h"
-#include "kinematics/catalogue.h"
+#include "kinematics/laws/build.h"
+#include "kinematics/laws/catalogue.h"
 #include "tests/kinematics/reference_data.h"
 
-namespace camlaw {
+namespace camlaw::peaks_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -462,4 +462,4 @@ TEST_CASE("a law that dips has a negative velocity peak") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::peaks_test

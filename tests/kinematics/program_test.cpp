@@ -9,7 +9,7 @@
 
 #include "kinematics/peaks.h"
 
-namespace camlaw {
+namespace camlaw::program_test {
 namespace {
 
 ProgramSegment move(const std::string& name, double angle, double to, const std::string& law) {
@@ -177,4 +177,4 @@ TEST_CASE("angles that leave nothing to the last segment make no law", "[program
   CHECK_THROWS_WITH(full.law(), Catch::Contains("no angle is left for 'low'"));
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::program_test

@@ -9,7 +9,7 @@
 #include "kinematics/laws/spline.h"
 #include "kinematics/laws/trigonometric.h"
 
-namespace camlaw {
+namespace camlaw::shape_test {
 namespace {
 
 TEST_CASE("Continuity of laws from dwell to dwell is the order before the first jump", "[shape]") {
@@ -81,4 +81,4 @@ TEST_CASE("Natural ends follow from velocity and acceleration there", "[shape]")
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::shape_test

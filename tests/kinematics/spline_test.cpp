@@ -9,7 +9,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
 
-namespace camlaw {
+namespace camlaw::spline_test {
 namespace {
 
 using Catch::Contains;
@@ -277,4 +277,4 @@ TEST_CASE("Tables whose samples make no law are refused with the reason", "[spli
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::spline_test

@@ -11,7 +11,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
 
-namespace camlaw {
+namespace camlaw::transform_test {
 namespace {
 
 void check_same(const Law<double>& law, const Law<double>& wanted, double tolerance) {
@@ -167,4 +167,4 @@ TEST_CASE("A crossover outside the stretch is refused", "[transform]") {
 }
 
 }  // namespace
-}  // namespace camlaw
+}  // namespace camlaw::transform_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/cam_shape/cam_shape.h"
+#include "problems/published/cam_shape/cam_shape.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -13,10 +13,10 @@
 #include "optim/problem/starts.h"
 #include "optim/search/exchange.h"
 #include "optim/verdict/verdict.h"
-#include "problems/cam_shape/reproduction.h"
-#include "problems/cam_shape/solve.h"
+#include "problems/published/cam_shape/reproduction.h"
+#include "problems/published/cam_shape/solve.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::cam_shape_test {
 namespace {
 
 using Catch::Matchers::Contains;
@@ -277,4 +277,4 @@ TEST_CASE("a bad number of points is refused by name", "[cam-shape]") {
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::cam_shape_test

@@ -10,7 +10,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/doubtful_limits.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::cautions_test {
 
 using Catch::Contains;
 
@@ -142,4 +142,4 @@ TEST_CASE("a bound on a pressure angle beyond 90 deg is refused", "[cautions]") 
       "f.toml");
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::cautions_test

@@ -6,7 +6,7 @@
 #include "problems/fronts/ruler.h"
 
 /// Fronts of the free law against the limit that no law passes.
-namespace camlaw::problems {
+namespace camlaw::problems::free_front_test {
 namespace {
 
 struct Solved {
@@ -100,4 +100,4 @@ TEST_CASE("fronts of machines stay where they are with twice as many points", "[
   none_beaten(many, few);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::free_front_test

@@ -8,13 +8,13 @@
 #include <numbers>
 #include <sstream>
 
-#include "kinematics/dynamics/follower_train.h"
 #include "kinematics/limits.h"
+#include "machines/follower_train/follower_train.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::free_law_test {
 namespace {
 
 using Catch::Contains;
@@ -542,4 +542,4 @@ TEST_CASE("Segments of a program take free laws", "[free]") {
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::free_law_test

@@ -10,7 +10,7 @@
 #include "tests/problems/front_files.h"
 #include "tests/sets/fronts/known_fronts.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::front_ruler_test {
 namespace {
 
 using optim::Costs;
@@ -210,4 +210,4 @@ TEST_CASE("the ruler is of laws without jumps of the velocity, that of jerk of n
   CHECK_FALSE(of_law(free + "begin = 'U'\n", "minimize D"));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::front_ruler_test

@@ -14,7 +14,7 @@
 #include "tests/sets/fronts/known_fronts.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::fronts_test {
 namespace {
 
 using Catch::Contains;
@@ -207,4 +207,4 @@ TEST_CASE("the area that a list of points dominates", "[fronts]") {
   CHECK(sets::area_dominated({{3, 0}, {0, 3}}, 3, 3) == 0);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::fronts_test

@@ -9,7 +9,7 @@
 #include "optim/search/optimise.h"
 #include "tests/sets/hock_schittkowski/problems.h"
 
-namespace camlaw::sets {
+namespace camlaw::sets::hock_schittkowski_solved_test {
 namespace {
 
 using optim::Assessment;
@@ -69,4 +69,4 @@ TEST_CASE("every back end solves the Hock-Schittkowski problems that it accepts"
   }
 }
 
-}  // namespace camlaw::sets
+}  // namespace camlaw::sets::hock_schittkowski_solved_test

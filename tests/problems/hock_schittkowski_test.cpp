@@ -9,7 +9,7 @@
 
 #include "tests/sets/hock_schittkowski/problems.h"
 
-namespace camlaw::sets {
+namespace camlaw::sets::hock_schittkowski_test {
 namespace {
 
 using optim::Function;
@@ -251,4 +251,4 @@ TEST_CASE("enclosures hold the value and are narrow", "[hock-schittkowski]") {
   }
 }
 
-}  // namespace camlaw::sets
+}  // namespace camlaw::sets::hock_schittkowski_test

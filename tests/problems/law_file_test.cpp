@@ -9,7 +9,7 @@
 #include "problems/statement/statement.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::law_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -177,7 +177,11 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
   CHECK_THAT(complaint(good.dump().substr(0, 300)), Contains("not JSON"));
   CHECK_THAT(complaint("[1, 2]"), Contains("not a law file"));
   CHECK_THAT(complaint("{\"pieces\": []}"), Contains("not a law file"));
-  CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }), Contains("not a law file"));
+  CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw law 2"; }),
+             Contains("newer than this program"));
+  CHECK_THAT(changed([](Json& f) { f["format"] = "camlaw cam 1"; }),
+             Contains("'camlaw law 1' is wanted"));
+  CHECK_THAT(changed([](Json& f) { f["format"] = 1; }), Contains("not a law file"));
   CHECK_THAT(changed([](Json& f) { f.erase("title"); }), Contains("it has no title"));
   CHECK_THAT(changed([](Json& f) { f.erase("pieces"); }), Contains("it has no pieces"));
   CHECK_THAT(changed([](Json& f) { f["ends"] = "R-X"; }), Contains("ends 'R-X'"));
@@ -225,4 +229,4 @@ TEST_CASE("Damaged and foreign files are refused with what is wrong", "[law-file
   CHECK_THROWS_WITH(read_law_file(own.folder() + "/no.json"), Contains("cannot be read"));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::law_file_test

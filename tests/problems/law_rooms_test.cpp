@@ -12,7 +12,7 @@
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::law_rooms_test {
 namespace {
 
 using optim::Verdict;
@@ -188,4 +188,4 @@ TEST_CASE("a law that meets its limits only without its first phase is found", "
   CHECK(optimum.found.assessment.objective.value < 5.77);  // what the judge found
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::law_rooms_test

@@ -6,13 +6,14 @@
 #include <numbers>
 
 #include "kinematics/laws/polynomial.h"
-#include "kinematics/mechanisms/spine_cutter.h"
 #include "kinematics/peaks.h"
+#include "machines/registry.h"
+#include "machines/spine_cutter/spine_cutter.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::problem_files_test {
 namespace {
 
 using optim::Optimum;
@@ -221,4 +222,4 @@ TEST_CASE("the free law approaches the least acceleration b^2 / (b - 1) as knots
 }
 
 }  // namespace
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::problem_files_test

@@ -9,7 +9,7 @@
 #include "problems/statement/parameters.h"
 #include "tests/problems/complaint.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::program_timing_test {
 
 using Catch::Contains, testing::complaint;
 
@@ -111,4 +111,4 @@ TEST_CASE("times that contradict the speed, or hold at none, are refused", "[pro
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::program_timing_test

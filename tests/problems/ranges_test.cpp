@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Ranges over boxes of the design hold every value and slope inside, whatever the mechanism.
-#include "tests/problems/mechanism_fixture.h"
+#include "machines/registry.h"
+#include "tests/machines/mechanism_fixture.h"
 #include "tests/random_numbers.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::ranges_test {
 namespace {
 
 using namespace testing;
@@ -111,4 +112,4 @@ TEST_CASE("a shape of several places of one variable adds up its slopes", "[mech
   CHECK(holds(row, {{{20, 22}}}, random));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::ranges_test

@@ -7,7 +7,7 @@
 #include "problems/law_files/law_file.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::recorded_design_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST_CASE("A design is read from a problem file or from a result, whatever it is
   CHECK_THROWS_WITH(read_design_file(folder / "none"), Contains("none: it cannot be read"));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::recorded_design_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "problems/reproduction.h"
+#include "problems/published/spine_cutter/reproduction.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "kinematics/mechanisms/spine_cutter.h"
-#include "problems/spine_cutter/reproduction.h"
+#include "machines/spine_cutter/spine_cutter.h"
+#include "problems/published/systems.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::reproduction_test {
 namespace {
 
 using Catch::Matchers::Contains;
@@ -365,4 +365,4 @@ TEST_CASE("what is reproduced is the baseline, and what is worse than it is name
   CHECK_THAT(worsened(changed).front(), Contains(id) && Contains("gone"));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::reproduction_test

@@ -5,7 +5,7 @@
 #include "problems/statement/statement.h"
 #include "tests/problems/complaint.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::statement_errors_test {
 namespace {
 
 /// What stands in a file, and what its error must say: place and path first, then fragments.
@@ -105,7 +105,7 @@ TEST_CASE("a file's mechanism must be there and known", "[statement]") {
 
 TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
   check({{"mechanism = 'spine-cutter'\nlaws = 3", ":2: laws: unknown key", {"did you mean law?"}},
-         {"zzz = 3", ":1: zzz: unknown key", {"accepted are title, mechanism, constants, law"}}});
+         {"zzz = 3", ":1: zzz: unknown key", {"accepted are format, title, mechanism, constants, law"}}});
   check(after_law(
       kAlpha,
       {{variable("alpha", "lwoer = 1"), ":5: variables.alpha.lwoer: ", {"lower"}},
@@ -430,4 +430,4 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
        {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is wanted"}}}));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::statement_errors_test

@@ -15,7 +15,7 @@
 #include "problems/statement/bind.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::statement_test {
 namespace {
 
 using Catch::Matchers::Contains, Catch::Matchers::StartsWith;
@@ -468,4 +468,4 @@ TEST_CASE("the sentences tell laws apart and what of them stays", "[statement]")
   CHECK_THAT(in_words(read("")), Contains("There is no objective.\n"));
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::statement_test

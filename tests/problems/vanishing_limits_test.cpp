@@ -9,7 +9,7 @@
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 
-namespace camlaw::problems {
+namespace camlaw::problems::vanishing_limits_test {
 namespace {
 
 using optim::Verdict;
@@ -155,4 +155,4 @@ TEST_CASE("where no design of a box can be made the answer is infeasible and say
   CHECK(some.assessment.verdict == Verdict::Certified);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw::problems::vanishing_limits_test

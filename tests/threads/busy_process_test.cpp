@@ -10,19 +10,19 @@
 #include <filesystem>
 #include <fstream>
 
-#include "optim/library_mutex.h"
+#include "numerics/library_mutex.h"
+#include "numerics/text/units.h"
 #include "optim/solvers/exit_guard.h"
 #include "optim/study/child_process.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
-#include "problems/units.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/temporary_folder.h"
 #include "tests/threads/many_threads.h"
 
 /// Fronts from a program that has threads of its own.
-namespace camlaw {
+namespace camlaw::busy_process_test {
 namespace {
 
 using optim::study_tests::bits;
@@ -359,4 +359,4 @@ TEST_CASE("a solver that ends the program does not end it as if all were well", 
         }) == 7);
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::busy_process_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/library_mutex.h"
+#include "numerics/library_mutex.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include "tests/threads/many_threads.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::library_mutex_test {
 namespace {
 
 /// Whether another thread gets the mutex, which it does not wait for.
@@ -72,4 +72,4 @@ TEST_CASE("a fork of the thread that is in a library is in it too", "[threads]")
   CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::library_mutex_test

@@ -5,21 +5,21 @@
 #include <catch2/catch.hpp>
 #include <mutex>
 
-#include "kinematics/catalogue.h"
+#include "fitting/motions/law_fit.h"
+#include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
-#include "optim/library_mutex.h"
+#include "numerics/library_mutex.h"
+#include "numerics/text/units.h"
 #include "optim/pareto/scout.h"
 #include "optim/search/optimise.h"
-#include "problems/fits/law_fit.h"
 #include "problems/fronts/front_study.h"
 #include "problems/statement/bind.h"
-#include "problems/units.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/threads/many_threads.h"
 
 /// The library from eight threads at once gives what it gives from one, to the last bit.
-namespace camlaw {
+namespace camlaw::read_and_solve_test {
 namespace {
 
 using optim::study_tests::bits;
@@ -170,4 +170,4 @@ TEST_CASE("a search that waits for Ipopt heeds its time limit and its user", "[t
   CHECK(status({}) == optim::Status::Stopped);
 }
 
-}  // namespace camlaw
+}  // namespace camlaw::read_and_solve_test

@@ -11,10 +11,10 @@
 #include <numeric>
 #include <vector>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic_curve.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::extremes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -387,4 +387,4 @@ TEST_CASE("value and derivatives by the angle of a formula's trace", "[cycle]") 
   CHECK(std::isinf(wave->trace(x)->enclose(0, 1).upper));  // no interval type, no bounds
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::extremes_test

@@ -8,10 +8,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "optim/verdict/least_squares.h"
+#include "numerics/linear/least_squares.h"
 #include "tests/optim/fit/fitted_data.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::least_squares_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -582,4 +582,4 @@ TEST_CASE("derivatives of generic residuals are those of differences", "[fit]") 
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::least_squares_test

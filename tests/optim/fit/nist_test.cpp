@@ -8,7 +8,7 @@
 #include "tests/sets/nist/nist_runs.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::sets {
+namespace camlaw::sets::nist_test {
 namespace {
 
 /// Where NIST's files lie; empty where there are none.
@@ -99,4 +99,4 @@ TEST_CASE("digits agree as far as the relative error is small", "[fit]") {
   CHECK(agreeing_digits(std::nan(""), 1) == 0);
 }
 
-}  // namespace camlaw::sets
+}  // namespace camlaw::sets::nist_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace camlaw::optim {
+namespace camlaw::optim::dominance_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -147,4 +147,4 @@ TEST_CASE("the order of the points does not matter", "[dominance]") {
   for (std::size_t k = 0; k < order.size(); ++k) CHECK(moved[k] == flags[order[k]]);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::dominance_test

@@ -9,7 +9,7 @@
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::even_front_test {
 
 using namespace front_tests;
 using namespace even_tests;
@@ -175,4 +175,4 @@ TEST_CASE("three objectives: a study that is resumed gives the same bits", "[fro
   CHECK(bits(pareto(space, options, executor)) == whole);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::even_front_test

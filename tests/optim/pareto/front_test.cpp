@@ -4,12 +4,13 @@
 #include <set>
 #include <stdexcept>
 
+#include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
 #include "tests/optim/pareto/outcomes.h"
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/sets/fronts/known_fronts.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::front_test {
 
 using namespace front_tests;
 using Catch::Contains;
@@ -747,4 +748,4 @@ TEST_CASE("a reference that nothing lies below gives no hypervolume", "[front]")
   CHECK(front.reference == Costs{-1, -1});
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::front_test

@@ -7,7 +7,7 @@
 
 #include "tests/optim/pareto/evenness.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::spacing_test {
 namespace {
 
 std::vector<Costs> random_places(std::size_t count, std::size_t costs, unsigned seed) {
@@ -167,4 +167,4 @@ TEST_CASE("what lies along (1, 1, ...) adds no distance aside", "[spacing]") {
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::spacing_test

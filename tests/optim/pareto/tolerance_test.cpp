@@ -4,7 +4,7 @@
 #include "tests/optim/pareto/evenness.h"
 #include "tests/optim/pareto/small_fronts.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::tolerance_test {
 
 using namespace front_tests;
 
@@ -153,4 +153,4 @@ TEST_CASE("tolerances of some objectives alone", "[front]") {
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::tolerance_test

@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
+#include "optim/cycle/sizes.h"
 #include "optim/problem/automatic_curve.h"
 #include "optim/problem/check_derivatives.h"
-#include "optim/problem/sizes.h"
 #include "optim/problem/starts.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::problem_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -709,4 +709,4 @@ TEST_CASE("shapes and their opposites", "[optimise]") {
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::problem_test

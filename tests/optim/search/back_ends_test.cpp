@@ -9,7 +9,7 @@
 #include "optim/search/exchange.h"
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::back_ends_test {
 
 using namespace search_tests;
 
@@ -104,4 +104,4 @@ TEST_CASE("progress is reported in the problem's units and sign", "[optimise]") 
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::back_ends_test

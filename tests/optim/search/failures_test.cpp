@@ -11,7 +11,7 @@
 
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::failures_test {
 
 using namespace search_tests;
 
@@ -211,4 +211,4 @@ TEST_CASE("rows that rounding keeps from being met tightly are solved acceptably
   CHECK(found.x[0] == Approx(0.3).margin(3e-7));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::failures_test

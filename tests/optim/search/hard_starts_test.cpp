@@ -8,7 +8,7 @@
 
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::hard_starts_test {
 
 using namespace search_tests;
 
@@ -215,4 +215,4 @@ TEST_CASE("a limit that nothing moves is blamed at once", "[optimise]") {
   CHECK(found.evaluations == 0);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::hard_starts_test

@@ -6,7 +6,7 @@
 #include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim::search_tests {
+namespace camlaw::optim::search_tests::interruptible_test {
 namespace {
 
 /// (x1 - 3 x4)^2 of four variables: inputs that are not the first ones.
@@ -120,4 +120,4 @@ TEST_CASE("memory is refused by name before it is taken", "[optimise]") {
   CHECK(memory_need(half).bytes < 0.6 * need.bytes);
 }
 
-}  // namespace camlaw::optim::search_tests
+}  // namespace camlaw::optim::search_tests::interruptible_test

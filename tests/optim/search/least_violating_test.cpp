@@ -7,7 +7,7 @@
 #include "optim/problem/starts.h"
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::least_violating_test {
 
 using namespace search_tests;
 
@@ -98,4 +98,4 @@ TEST_CASE("what a model throws elsewhere does not take back that limits contradi
   CHECK(times > 0);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::least_violating_test

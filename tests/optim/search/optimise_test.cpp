@@ -11,7 +11,7 @@
 #include "optim/search/exchange.h"
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::optimise_test {
 
 using namespace search_tests;
 
@@ -305,4 +305,4 @@ TEST_CASE("statuses have words of their own", "[optimise]") {
   CHECK_FALSE(words.contains("?"));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::optimise_test

@@ -5,7 +5,7 @@
 
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::over_cycle_test {
 
 using namespace search_tests;
 
@@ -170,4 +170,4 @@ TEST_CASE("a limit over the cycle on a smooth objective", "[optimise]") {
   CHECK(found.assessment.variables[0].multiplier == Approx(1).epsilon(1e-6));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::over_cycle_test

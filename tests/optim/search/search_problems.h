@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic_curve.h"
 #include "optim/search/optimise.h"
 #include "tests/optim/small_problems.h"

@@ -11,7 +11,7 @@
 
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::whole_test {
 
 using namespace search_tests;
 
@@ -320,4 +320,4 @@ TEST_CASE("a choice without options and too many combinations are refused", "[op
   CHECK_THROWS_AS(optimise(space), std::invalid_argument);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::whole_test

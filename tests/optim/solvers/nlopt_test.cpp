@@ -13,7 +13,7 @@
 #include "optim/problem/automatic.h"
 #include "optim/solvers/solver.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::nlopt_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -599,4 +599,4 @@ TEST_CASE("one variable is enough for each local method", "[nlopt]") {
 }
 
 }  // namespace
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::nlopt_test

@@ -5,7 +5,7 @@
 
 #include "tests/optim/pareto/outcomes.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::encoding_test {
 
 using namespace study_tests;
 
@@ -142,4 +142,4 @@ TEST_CASE("texts come back from their bytes", "[study]") {
   CHECK_FALSE(decoded_texts("nonsense"));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::encoding_test

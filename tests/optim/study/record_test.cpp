@@ -15,7 +15,7 @@
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::record_test {
 
 using namespace study_tests;
 using namespace front_tests;
@@ -628,4 +628,4 @@ TEST_CASE("a journal that cannot be rolled back is said to be the reason", "[stu
   CHECK(status == 0);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::record_test

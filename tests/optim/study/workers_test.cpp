@@ -15,7 +15,7 @@
 #include "tests/optim/pareto/small_fronts.h"
 #include "tests/temporary_folder.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::workers_test {
 
 using namespace study_tests;
 using namespace front_tests;
@@ -239,4 +239,4 @@ TEST_CASE("a study that is to stop starts nothing, or gives what is done", "[stu
   CHECK(all.starts_with(bits(outcomes)));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::workers_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <tuple>
 
-namespace camlaw::optim {
+namespace camlaw::optim::hypotheses_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -516,4 +516,4 @@ TEST_CASE("bad tables are refused with the table's name and the fault") {
 }
 
 }  // namespace
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::hypotheses_test

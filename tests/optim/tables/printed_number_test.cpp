@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace camlaw::optim {
+namespace camlaw::optim::printed_number_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -134,4 +134,4 @@ TEST_CASE("the digit arithmetic agrees with a comparison of the printed characte
 }
 
 }  // namespace
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::printed_number_test

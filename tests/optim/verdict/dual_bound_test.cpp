@@ -7,7 +7,7 @@
 #include "tests/optim/verdict/judged_problems.h"
 #include "tests/random_numbers.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::dual_bound_test {
 namespace {
 
 using namespace verdict_tests;
@@ -164,4 +164,4 @@ TEST_CASE("a peak is proved however narrow it is", "[bound]") {
   }
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::dual_bound_test

@@ -8,7 +8,7 @@
 #include "optim/search/optimise.h"
 #include "tests/optim/verdict/judged_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::prices_test {
 
 using namespace verdict_tests;
 
@@ -233,4 +233,4 @@ TEST_CASE("limits that depend on each other are certified with an infinite condi
   CHECK(a.limits[0].multiplier + 2 * a.limits[1].multiplier == Approx(1).epsilon(1e-9));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::prices_test

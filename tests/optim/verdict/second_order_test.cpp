@@ -6,7 +6,7 @@
 
 #include "tests/optim/verdict/judged_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::second_order_test {
 
 using namespace verdict_tests;
 
@@ -189,4 +189,4 @@ TEST_CASE("curved limits count in the second order", "[verdict]") {
   CHECK_FALSE(judge(disc(0.5), {0, 1}).second_order);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::second_order_test

@@ -3,12 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kinematics/series.h"
+#include "numerics/scalar/series.h"
 #include "optim/search/optimise.h"
 #include "tests/optim/verdict/judged_problems.h"
 #include "tests/random_numbers.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::subdivision_test {
 namespace {
 
 using namespace verdict_tests;
@@ -143,4 +143,4 @@ TEST_CASE("where ranges are not known nothing is called global", "[subdivision]"
   CHECK_FALSE(subdivided(problem, about, Point{1}));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::subdivision_test

@@ -6,7 +6,9 @@
 
 #include "optim/problem/automatic.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::tolerance_test {
+
+using std::sqrt;
 namespace {
 
 /// sqrt(1 - x) and x, with x + y <= 2.
@@ -62,4 +64,4 @@ TEST_CASE("where every design can be made nothing is said of others", "[toleranc
   CHECK(report.spreads[0].lowest == Approx(std::sqrt(0.4)));
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::tolerance_test

@@ -8,7 +8,9 @@
 #include "optim/cycle/peak_function.h"
 #include "tests/optim/verdict/judged_problems.h"
 
-namespace camlaw::optim {
+namespace camlaw::optim::verdict_test {
+
+using std::log, std::sqrt;
 
 using namespace verdict_tests;
 
@@ -529,4 +531,4 @@ TEST_CASE("slopes that are not numbers certify nothing", "[verdict]") {
   CHECK(judge(problem, {0.5}).verdict == Verdict::Feasible);
 }
 
-}  // namespace camlaw::optim
+}  // namespace camlaw::optim::verdict_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 
 namespace camlaw::sets {

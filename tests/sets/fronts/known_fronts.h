@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 
 /// Problems with two or three objectives whose fronts are known, to prove the search for fronts by.
 ///

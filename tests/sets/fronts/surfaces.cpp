@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 
 namespace camlaw::sets {

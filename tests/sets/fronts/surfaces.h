@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/pareto/multi_problem.h"
+#include "optim/problem/multi_problem.h"
 
 /// Problems with three objectives or more whose fronts are known point by point: to measure by how
 /// evenly a search covers them.

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "kinematics/interval.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 #include "optim/problem/problem.h"
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/cams/cam_fit.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "fitting/cams/cam_faults.h"
+#include "fitting/motions/coefficients.h"
+#include "fitting/motions/fault_words.h"
+#include "fitting/motions/law_ranking.h"
+#include "fitting/motions/recorded_motion.h"
+#include "fitting/samples/turn.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// A law with what departs from it.
+struct Explanation {
+  LawFit law;
+  std::vector<Departure> departures;
+  double cost = 0;
+};
+
+/// What it takes to tell the samples by the law: squares in units of the noise, two for each number
+/// of the law and each end of a stretch, and for a sample that departs as much as for one that lies
+/// 2.5 deviations off.
+double cost_of(const Explanation& told, double noise) {
+  constexpr double kOff = 2.5;
+  double cost =
+      told.law.fit.sum_of_squares / (noise * noise) + 2 * static_cast<double>(told.law.numbers);
+  for (const Departure& d : told.departures) {
+    cost += 4 + kOff * kOff * static_cast<double>(d.count);
+  }
+  return cost;
+}
+
+/// Departures from a law, which is fitted again without them until no more do.
+Explanation explained(const FoundMotion& motion, LawFit law, LawFitOptions options, double noise) {
+  options.skew = law.skew;
+  constexpr int kPasses = 4;
+  Explanation told{std::move(law), {}, 0};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::size_t before = told.departures.size();
+    told.departures = departures(motion.samples, told.law, noise);
+    if (pass > 0 && told.departures.size() == before) break;
+    const MotionGuess guess{told.law.begin, told.law.end, told.law.from, told.law.to};
+    told.law = fit_law(without(motion.samples, told.departures), told.law.law, guess, options);
+  }
+  told.cost = cost_of(told, noise);
+  return told;
+}
+
+/// The law that tells one motion best, with what departs from it.
+std::optional<Explanation> best_explanation(const FoundMotion& motion,
+                                            const std::vector<LawFit>& ranking,
+                                            const LawFitOptions& options, double noise) {
+  constexpr std::size_t kTried = 8;
+  std::optional<Explanation> best;
+  for (std::size_t i = 0; i < std::min(kTried, ranking.size()); ++i) {
+    Explanation told = explained(motion, ranking[i], options, noise);
+    if (!best || told.cost < best->cost) best = std::move(told);
+  }
+  return best;
+}
+
+/// All laws, so that what departs does not pull them to itself.
+std::vector<LawFit> robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
+                                   const LawFitOptions& options, double noise) {
+  LawFitOptions robust = options;
+  if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
+  robust.loss_scale = noise * optim::efficient_scale(robust.loss);
+  return rank_fits(motion.samples, laws, motion.guess, robust);
+}
+
+/// What it takes to tell all samples with a fault of the record, as cost_of() counts.
+FaultScore by_cost(double noise) {
+  return {[noise](std::size_t, std::size_t numbers, double squares) {
+            return squares / (noise * noise) + 2 * static_cast<double>(numbers);
+          },
+          false};
+}
+
+/// Stretches that depart, of all motions; none where a fault of the record tells the samples
+/// better.
+std::vector<Departure> departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
+                                     const std::vector<Member>& laws, const LawFitOptions& options,
+                                     double noise) {
+  std::vector<Departure> departed;
+  std::vector<std::vector<LawFit>> rankings;
+  std::vector<MotionSamples> samples;
+  double cost = 0;
+  const auto count = static_cast<double>(cycle.motions.size());
+  for (const FoundMotion& motion : cycle.motions) {
+    const auto before = static_cast<double>(samples.size());
+    const auto part = part_of(options, before / count, (before + 1) / count);
+    samples.push_back(motion.samples);
+    rankings.push_back(robust_ranking(motion, laws, part, noise));
+    auto best = best_explanation(motion, rankings.back(), options, noise);
+    if (!best) continue;
+    cost += best->cost;
+    departed.insert(departed.end(), best->departures.begin(), best->departures.end());
+  }
+  if (departed.empty()) return departed;
+  for (PossibleFault& fault : possible_faults(cam)) {
+    const FaultTest test = test_fault(rankings, samples, std::move(fault), by_cost(noise));
+    if (test.score < cost) return {};
+  }
+  return departed;
+}
+
+/// Whether another law than one without coefficients, or none that is trusted, was found: what a
+/// follower of other sizes would make of plain laws.
+bool is_doubtful(const FittedCycle& cycle) {
+  return std::any_of(cycle.fits.begin(), cycle.fits.end(), [](const MotionFit& fit) {
+    return !fit.distrust.empty() || !coefficients_of(fit.best().law, 0, fit.best().skew).empty();
+  });
+}
+
+/// Those of the laws that have no coefficients. The others follow much of what a fault makes of a
+/// law, and do not lead to it.
+RankedMotions without_coefficients(RankedMotions motions) {
+  for (std::vector<LawFit>& ranking : motions.rankings) {
+    std::erase_if(ranking,
+                  [](const LawFit& fit) { return !coefficients_of(fit.law, 0, fit.skew).empty(); });
+  }
+  return motions;
+}
+
+/// The fault with a size of the follower as far off as the samples say; it may be large, and one
+/// step not lead to it. Its gain where it cannot be found is 0.
+FaultTest followed(const MeasuredCam& cam, const FaultTest& test, const RankedMotions& motions,
+                   const LawFitOptions& options) {
+  FaultTest result = test;
+  const std::string& name = test.fault.names.front();
+  const auto take_out = [&](const Eigen::VectorXd& size) {
+    const MeasuredCam changed = with_follower(cam, with_less(cam.lift.follower(), name, size[0]));
+    for (PossibleFault& fault : possible_faults(changed)) {
+      if (fault.names.front() == name) return WithoutFault{changed.samples, std::move(fault)};
+    }
+    throw std::logic_error("a follower has lost a size");
+  };
+  result.gain = 0;
+  const RankedMotions plain = without_coefficients(motions);
+  try {
+    const FaultFit fit = fit_fault(take_out, Eigen::VectorXd::Zero(1), {}, options, &plain);
+    // Scores are sums over the samples, of which a few more or less may lie off.
+    const double share = static_cast<double>(motions.count()) / static_cast<double>(fit.count);
+    result.gain = test.score + test.gain - share * fit.score;
+    result.size = fit.size;
+    result.covariance = fit.covariance;
+    constexpr double kBeyondChance = 5;  // deviations
+    result.with_plain_laws =
+        std::abs(fit.size[0]) > kBeyondChance * std::sqrt(fit.covariance(0, 0));
+  } catch (const std::invalid_argument&) {  // the follower cannot follow, or nothing determines it
+  }
+  return result;
+}
+
+/// Faults that what the laws leave shows; where the laws are doubtful sizes of the follower are
+/// followed as far as they lead.
+std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options) {
+  const RankedMotions motions = ranked_motions(fit.cycle);
+  std::vector<FaultTest> tests = tested(motions, possible_faults(fit.cam));
+  if (is_doubtful(fit.cycle)) {
+    for (FaultTest& test : tests) {
+      if (test.fault.kind == FaultKind::OwnSize) {
+        test = followed(fit.cam, test, motions, options);
+      }
+    }
+  }
+  return seen_faults(std::move(tests));
+}
+
+CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options,
+                  std::optional<Centre> centre) {
+  FoundCycle cycle = find_motions(cam.samples);
+  const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() *
+                                                 (cam.samples.unit == "deg" ? 1 / kDegree : 1));
+  constexpr double kFirst = 0.5;  // of the work
+  std::vector<Departure> departed =
+      departures_of(cam, cycle, laws, part_of(options, 0, kFirst), noise);
+  if (!departed.empty()) cycle = find_motions(without(cam.samples, departed, kTurnDegrees));
+  CamFit fit{std::move(cam), fit_cycle(std::move(cycle), laws, part_of(options, kFirst, 1)),
+             std::move(departed)};
+  fit.faults = faults_of(fit, options);
+  if (!fit.faults.empty()) {
+    distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
+  }
+  fit.centre = centre;
+  if (centre) widen_all(fit.cycle, centre_of(fit.cam), *centre);
+  return fit;
+}
+
+}  // namespace
+
+CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options) {
+  return fitted_cam(std::move(cam), laws, options, {});
+}
+
+CamFit fit_centred_cam(const SampleTable& table, const ProblemStatement& machine,
+                       const std::vector<Member>& laws, const LawFitOptions& options) {
+  constexpr double kCentre = 0.4;  // of the work
+  const Centre centre = find_centre(
+      [&](const Eigen::VectorXd& at) {
+        const MeasuredCam cam = measured_cam(table, machine, {at[0], at[1]});
+        return WithoutFault{cam.samples, centre_of(cam)};
+      },
+      laws, part_of(options, 0, kCentre));
+  return fitted_cam(measured_cam(table, machine, centre.place), laws, part_of(options, kCentre, 1),
+                    centre);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fitting/cams/measured_cam.h"
+#include "fitting/motions/departures.h"
+#include "fitting/motions/fault_fit.h"
+#include "fitting/motions/fitted_cycle.h"
+
+/// From a measured cam to its motion program.
+namespace camlaw::problems {
+
+struct CamFit {
+  MeasuredCam cam;
+  FittedCycle cycle;                   ///< without what departs
+  std::vector<Departure> departures;   ///< stretches of cam.samples that look worn or damaged
+  std::vector<FaultTest> faults = {};  ///< that what the laws leave shows
+  std::optional<Centre> centre = {};   ///< where it was asked for, mm in the table's coordinates
+};
+
+/// Divides the turn, fits each motion, and fits again without the stretches that depart from the
+/// laws, until no more do. Throws std::invalid_argument as find_motions and fit_motion do.
+/// Where a fault of the whole record (its centre, a size of the follower) explains the samples
+/// better than worn stretches do none are named, and no motion is trusted.
+CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options = {});
+
+/// The same of a table, its centre fitted along.
+CamFit fit_centred_cam(const SampleTable& table, const ProblemStatement& machine,
+                       const std::vector<Member>& laws, const LawFitOptions& options = {});
+
+}  // namespace camlaw::problems

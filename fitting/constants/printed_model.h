@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fitting/constants/constants_question.h"
+#include "fitting/constants/law_constants.h"
+#include "machines/model/recent.h"
+#include "optim/problem/problem.h"
+
+namespace camlaw::problems {
+
+/// A number to be found: a coefficient of the law or a parameter of the machine.
+struct Unknown {
+  std::string name, unit;
+  bool of_law;
+  std::size_t parameter, element;  ///< of the family, or of the mechanism
+  double lower, upper, standard;
+};
+
+/// The machine's variables, then the law's coefficients but the crossover and what shapes its data.
+std::vector<Unknown> unknowns_of(const ConstantsQuestion& question, const Member& law);
+
+/// The printed constants as functions of what is unknown of one law and its machine. Keeps what it
+/// worked out for the last few designs. The question must outlive it.
+class PrintedModel {
+ public:
+  PrintedModel(const ConstantsQuestion& question, Member law);
+
+  const std::vector<Unknown>& unknowns() const { return unknowns_; }
+  const std::vector<PrintedConstant>& constants() const { return question_->constants; }
+
+  /// Every constant with its derivatives; NaN where the values make no law.
+  std::shared_ptr<const ConstantsAt> at(std::span<const double> x) const;
+  double value(std::size_t constant, std::span<const double> x) const {
+    return at(x)->values[constant];
+  }
+  /// Whether the constant is printed so at these values.
+  bool agrees(std::size_t constant, std::span<const double> x) const;
+  /// The constant as a response of a problem in the unknowns, with first derivatives alone.
+  optim::Response response(std::size_t constant) const;
+
+  std::vector<double> standard() const;
+  Member law_at(std::span<const double> x) const;
+
+  /// Values of the unknowns over their ranges, the standard ones first, and the constants there.
+  struct Place {
+    std::vector<double> x;
+    ConstantsAt at;
+  };
+  const std::vector<Place>& places() const;
+
+ private:
+  std::vector<double> place_of(std::size_t number) const;
+  ConstantsAt evaluated(std::span<const double> x) const;
+
+  const ConstantsQuestion* question_;
+  Member law_;
+  std::vector<Unknown> unknowns_;
+  std::shared_ptr<const LawBinding> binding_;
+  std::vector<std::optional<LawConstant>> of_law_;  ///< where a constant is the law's own peak
+  std::vector<optim::Function> functions_;          ///< of the others
+  mutable Recent<ConstantsAt> recent_;
+  mutable std::once_flag places_made_;
+  mutable std::vector<Place> places_;
+};
+
+}  // namespace camlaw::problems

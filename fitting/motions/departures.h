@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "fitting/motions/law_fit.h"
+
+/// Where measured samples depart from the law that was fitted to them: worn or damaged stretches.
+namespace camlaw::problems {
+
+/// A stretch of neighbouring samples on one side of the law.
+struct Departure {
+  double from, to;    ///< places
+  double most;        ///< the largest difference, sample less law
+  std::size_t count;  ///< of samples
+};
+
+/// Stretches in which the mean of nine neighbouring samples lies more than 4.5 standard deviations
+/// of such a mean off the law, `noise` being that of one sample: in 1000 samples of the law itself
+/// chance makes one in about a hundredth of all cases. Each is told half a window wider. None where
+/// more than a third of the samples departs: then it is not the law that the others follow.
+std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fit, double noise);
+
+/// Whether a place lies in one of the stretches, in a cycle that begins anew after `period` (0: not
+/// at all).
+bool departs(double place, const std::vector<Departure>& stretches, double period = 0);
+
+/// Samples without those that depart.
+MotionSamples without(const MotionSamples& samples, const std::vector<Departure>& stretches,
+                      double period = 0);
+
+}  // namespace camlaw::problems

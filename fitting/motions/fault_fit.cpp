@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/fault_fit.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "fitting/motions/coefficients.h"
+#include "fitting/motions/law_ranking.h"
+#include "fitting/samples/turn.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// The samples of one dwell without its ends.
+std::vector<std::size_t> inside(const MotionSamples& samples, const FoundSegment& dwell) {
+  constexpr double kEnds = 0.1;  // of the dwell, at each end
+  const double length = dwell.end - dwell.begin;
+  const double low = dwell.begin + kEnds * length, high = dwell.end - kEnds * length;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < samples.place.size(); ++i) {
+    if (in_period(samples.place[i], low, kTurnDegrees) <= high) result.push_back(i);
+  }
+  return result;
+}
+
+/// How far the centre lies off by what moves in the dwells: least squares of a level for each dwell
+/// and the centre for all. None where they are too short to tell.
+std::optional<Eigen::Vector2d> by_dwells(const WithoutFault& record, const FoundCycle& cycle) {
+  constexpr double kShortest = 60, kFewest = 20;
+  std::vector<std::vector<std::size_t>> dwells;
+  double length = 0;
+  std::size_t count = 0;
+  for (const FoundSegment& segment : cycle.segments) {
+    if (segment.kind != SegmentKind::Dwell) continue;
+    dwells.push_back(inside(record.samples, segment));
+    length += segment.end - segment.begin;
+    count += dwells.back().size();
+  }
+  if (length < kShortest || static_cast<double>(count) < kFewest) return {};
+  const auto levels = static_cast<Eigen::Index>(dwells.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), levels + 2);
+  Eigen::VectorXd values(static_cast<Eigen::Index>(count));
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < levels; ++k) {
+    for (const std::size_t i : dwells[static_cast<std::size_t>(k)]) {
+      const double place = record.samples.place[i];
+      columns(row, k) = 1;
+      columns(row, levels) = record.fault.by[0](place);
+      columns(row, levels + 1) = record.fault.by[1](place);
+      values[row++] = record.samples.value[i];
+    }
+  }
+  const Eigen::VectorXd found = columns.colPivHouseholderQr().solve(values);
+  return Eigen::Vector2d(found[levels], found[levels + 1]);
+}
+
+RankedMotions ranked(const FoundCycle& cycle, const std::vector<Member>& laws,
+                     const LawFitOptions& options) {
+  RankedMotions result;
+  const auto count = static_cast<double>(cycle.motions.size());
+  for (const FoundMotion& motion : cycle.motions) {
+    const auto before = static_cast<double>(result.samples.size());
+    result.rankings.push_back(rank_fits(motion.samples, laws, motion.guess,
+                                        part_of(options, before / count, (before + 1) / count)));
+    result.samples.push_back(motion.samples);
+  }
+  return result;
+}
+
+/// The laws that tell the motions best with the fault fitted along, some of each motion; some of
+/// them without coefficients, which would follow what a step leaves of a large fault.
+std::vector<Member> best_with(const RankedMotions& found, const PossibleFault& fault) {
+  constexpr std::size_t kTried = 3, kPlain = 6;
+  std::vector<Member> result;
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < found.rankings.size(); ++k) {
+    std::vector<std::pair<double, const LawFit*>> scores;
+    for (const LawFit& fit : found.rankings[k]) {
+      scores.emplace_back(test_fault({{fit}}, {found.samples[k]}, fault).score, &fit);
+    }
+    std::stable_sort(scores.begin(), scores.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::size_t any = 0, plain = 0;
+    for (const auto& [score, fit] : scores) {
+      const bool is_plain = coefficients_of(fit->law, 0, fit->skew).empty();
+      if (any >= kTried && !(is_plain && plain < kPlain)) continue;
+      ++any;
+      if (is_plain) ++plain;
+      if (names.insert(fit->law.name()).second) result.push_back(fit->law);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+double Centre::x_error() const { return std::sqrt(covariance(0, 0)); }
+double Centre::y_error() const { return std::sqrt(covariance(1, 1)); }
+
+std::size_t RankedMotions::count() const {
+  std::size_t result = 0;
+  for (const MotionSamples& motion : samples) result += motion.place.size();
+  return result;
+}
+
+FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::vector<Member>& laws,
+                   const LawFitOptions& options, const RankedMotions* first) {
+  constexpr int kSteps = 8;
+  constexpr double kSettled = 0.05;  // of its standard error
+  constexpr double kFirst = 0.8;     // of the work
+  FaultFit fit{std::move(start), {}};
+  std::vector<Member> tried = laws;
+  for (int step = 0; step < kSteps; ++step) {
+    const WithoutFault record = take_out(fit.size);
+    const auto part = part_of(options, step == 0 ? 0 : kFirst, step == 0 ? kFirst : 1);
+    const RankedMotions found =
+        step == 0 && first != nullptr ? *first : ranked(find_motions(record.samples), tried, part);
+    const FaultTest test = test_fault(found.rankings, found.samples, record.fault);
+    if (!test.covariance.allFinite()) {
+      throw std::invalid_argument("the samples do not determine the fault");
+    }
+    fit.covariance = test.covariance;
+    fit.score = test.score;
+    fit.count = found.count();
+    fit.size += test.size;
+    if (test.size.norm() < kSettled * std::sqrt(test.covariance.trace())) break;
+    if (step == 0) tried = best_with(found, record.fault);
+  }
+  return fit;
+}
+
+Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
+                   const LawFitOptions& options) {
+  constexpr int kDwellSteps = 8;
+  constexpr double kSettled = 0.05;  // of the noise
+  Eigen::VectorXd centre = Eigen::VectorXd::Zero(2);
+  for (int step = 0; step < kDwellSteps; ++step) {
+    const WithoutFault record = take_out(centre);
+    const FoundCycle cycle = find_motions(record.samples);
+    const auto by = by_dwells(record, cycle);
+    if (!by) break;
+    centre += *by;
+    if (by->norm() < kSettled * cycle.noise) break;
+  }
+  const FaultFit fit = fit_fault(take_out, centre, laws, options);
+  return {{fit.size[0], fit.size[1]}, fit.covariance};
+}
+
+}  // namespace camlaw::problems

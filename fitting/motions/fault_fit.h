@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <complex>
+#include <functional>
+
+#include "fitting/motions/record_faults.h"
+
+/// A fault of a record fitted along with the laws of its motions.
+namespace camlaw::problems {
+
+/// A record without a fault of some size, and what more of the fault would do to it.
+struct WithoutFault {
+  MotionSamples samples;
+  PossibleFault fault;
+};
+using TakeOut = std::function<WithoutFault(const Eigen::VectorXd& size)>;
+
+/// What laws were found for each motion, all that were tried.
+struct RankedMotions {
+  std::vector<std::vector<LawFit>> rankings;
+  std::vector<MotionSamples> samples;
+
+  std::size_t count() const;  ///< of all samples
+};
+
+struct FaultFit {
+  Eigen::VectorXd size;
+  Eigen::MatrixXd covariance;
+  double score = 0;       ///< of test_fault, with the fault
+  std::size_t count = 0;  ///< of the samples that it was found by
+};
+
+/// Steps of Gauss and Newton for the fault and the laws of all motions together, from a size; the
+/// laws are those that are best with it, some of these without coefficients. `first`: laws about
+/// the start where they are known already. Throws std::invalid_argument where the samples do not
+/// determine the fault, and as find_motions does.
+FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::vector<Member>& laws,
+                   const LawFitOptions& options, const RankedMotions* first = nullptr);
+
+/// The centre about which a record of a whole turn was taken.
+struct Centre {
+  std::complex<double> place;  ///< in the unit of the fault's unknowns
+  Eigen::Matrix2d covariance;  ///< of x and y
+
+  double x_error() const;
+  double y_error() const;
+};
+
+/// Begins with the dwells, in which nothing but the centre moves the samples.
+Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
+                   const LawFitOptions& options);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/fault_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/samples/turn.h"
+
+namespace camlaw::problems {
+namespace {
+
+std::string quantity(double value, const std::string& unit, int digits = 3) {
+  return fmt::format("{:.{}g}{}", value, digits, unit == "1" ? "" : " " + unit);
+}
+
+std::string drift_words(const FaultTest& test, const std::string& unit) {
+  return fmt::format(
+      "the values drift by {} from the begin of the record to its end (+- {}), as where the "
+      "machine "
+      "warms up or the indicator slips: measure again, or there and back",
+      quantity(test.size[0], unit), quantity(2 * std::sqrt(test.covariance(0, 0)), unit, 2));
+}
+
+std::string centre_words(const FaultTest& test, const std::string& unit, bool can_centre) {
+  const double far = std::hypot(test.size[0], test.size[1]);
+  const double towards = in_turn(std::atan2(test.size[1], test.size[0])) / kDegree;
+  // A cam's fault is a length whatever its follower's unit is.
+  return fmt::format(
+      "what the laws leave goes once round per turn, {} towards {:.0f} deg, as where the cam was "
+      "clamped off its centre{}",
+      quantity(far, unit == "deg" ? "mm" : unit), towards,
+      can_centre ? ": --shift centre fits the centre along" : "");
+}
+
+std::string size_words(const FaultTest& test) {
+  const std::string& name = test.fault.names.front();
+  return fmt::format(
+      "the follower seems to have another {}, {} {} than stated (+- {}), as where it was forgotten "
+      "or is another follower's: --set '{}=...' states it",
+      name, quantity(std::abs(test.size[0]), "mm"), test.size[0] > 0 ? "less" : "more",
+      quantity(2 * std::sqrt(test.covariance(0, 0)), "mm", 2), name);
+}
+
+std::string words_of(const FaultTest& test, const std::string& unit, bool can_centre) {
+  switch (test.fault.kind) {
+    case FaultKind::Drift:
+      return drift_words(test, unit);
+    case FaultKind::OffCentre:
+      return centre_words(test, unit, can_centre);
+    case FaultKind::OwnSize:
+      return size_words(test);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string told(const FaultyRow& row, const MotionSamples& samples) {
+  const std::string at = quantity(row.place, samples.place_unit, 6);
+  const std::string by = quantity(std::abs(row.distance), samples.unit);
+  return row.line > 0 ? fmt::format("line {} ({}) by {}", row.line, at, by)
+                      : fmt::format("{} by {}", at, by);
+}
+
+std::string many_far(const std::vector<FaultyRow>& rows, std::size_t of,
+                     const MotionSamples& samples) {
+  constexpr std::size_t kShown = 3;
+  std::vector<std::string> worst;
+  for (std::size_t i = 0; i < std::min(kShown, rows.size()); ++i) {
+    worst.push_back(told(rows[i], samples));
+  }
+  return fmt::format(
+      "{} of {} rows lie off the curve of the others: {}{}; they are left out, but so many are no "
+      "slips; --loss huber or --loss cauchy fits all rows and bounds what such count",
+      rows.size(), of, fmt::join(worst, ", "), rows.size() > kShown ? ", ..." : "");
+}
+
+std::string fault_words(const std::vector<FaultTest>& seen, const std::string& unit,
+                        bool can_centre) {
+  std::string words = words_of(seen.front(), unit, can_centre);
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    words += "; or, as likely, " + words_of(seen[i], unit, can_centre);
+  }
+  return words;
+}
+
+}  // namespace camlaw::problems

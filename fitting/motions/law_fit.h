@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "fitting/motions/coefficients.h"
+#include "fitting/samples/motion_samples.h"
+#include "kinematics/laws/catalogue.h"
+#include "optim/fit/least_squares.h"
+
+/// Laws through samples of one motion (docs/optimisation.md, "Fits to samples").
+namespace camlaw::problems {
+
+struct LawFitOptions {
+  optim::Loss loss = optim::Loss::None;
+  /// Of the loss, in the samples' unit; none: estimated with each fit.
+  std::optional<double> loss_scale = {};
+  double confidence = 0.95;
+  Skew skew = Skew::Held;  ///< whether the crossover is fitted too
+  /// A motion that another law follows well: fits of several coefficients begin there too.
+  std::optional<MotionGuess> like = {};
+  /// Told what share of many laws is fitted, 0 to 1.
+  std::function<void(double share)> progress = {};
+};
+
+/// The same, its progress being that from one share to another of something larger.
+LawFitOptions part_of(LawFitOptions options, double from, double to);
+
+/// y = from + (to - from) s((x - begin) / (end - begin)), before begin and after end at rest; the
+/// derivatives of that for samples of velocity and acceleration.
+struct LawFit {
+  Member law;               ///< with the fitted coefficients
+  optim::FitResult fit;     ///< begin, end, stroke, for displacements zero, then the coefficients
+  Skew skew = Skew::Held;   ///< whether the crossover is one of the coefficients
+  std::size_t base = 4;     ///< how many stand before the coefficients
+  std::size_t numbers = 0;  ///< of all the ones that were free
+  /// Twice the negative logarithm of how likely the law is (S1).
+  double criterion = 0;
+  double weight = 1;  ///< among the laws that were tried (S2)
+  double begin = 0, end = 1, from = 0, to = 1;
+  /// By how much rounding makes each deviation larger than that of independent residuals.
+  std::vector<double> inflation = {};
+
+  double value(double place, int order) const;
+};
+
+/// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is
+/// asked for), with begin, end, stroke and zero shift. Throws std::invalid_argument for fewer than
+/// two samples, values that are not finite, and guesses that are not a motion.
+LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+               const LawFitOptions& options = {});
+
+/// Intervals of begin, end, stroke and zero by the profile of the sum of squares; `guess` as it was
+/// for the fit. Under a loss they stay as they are.
+void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
+                  const LawFitOptions& options, LawFit& fit);
+
+/// Throws std::invalid_argument as fit_law does for samples and guess, whatever the law.
+void check_motion(const MotionSamples& samples, const MotionGuess& guess);
+
+/// Root mean square error of prediction, by cross-validation in ten parts; `guess` as it was for
+/// the fit.
+double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
+                       const LawFitOptions& options = {});
+
+}  // namespace camlaw::problems

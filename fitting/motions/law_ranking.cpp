@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/law_ranking.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "fitting/motions/law_choice.h"
+#include "fitting/samples/lift_samples.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Losses of one scale for all laws: sums of different losses cannot be compared. By the noise that
+/// neighbours show; where there is none, or too few neighbours, each law by its own.
+LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options) {
+  if (options.loss == optim::Loss::None || options.loss_scale) return options;
+  try {
+    const double noise = lift_samples(samples.place, samples.value, {}, {}).sample_noise;
+    const double floor = std::max(noise, rounding_deviation(samples));
+    if (floor > 0) options.loss_scale = floor * optim::efficient_scale(options.loss);
+  } catch (const std::invalid_argument&) {  // too few
+  }
+  return options;
+}
+
+constexpr std::size_t kEnds = 4;  ///< numbers of a motion: begin, end, stroke, zero
+
+/// One law to try.
+struct Candidate {
+  Member law;
+  Skew skew;
+  std::size_t coefficients;
+};
+
+/// Each law as it is and, where it can be, skewed; those of few coefficients first.
+std::vector<Candidate> candidates_of(const std::vector<Member>& laws) {
+  std::vector<Candidate> result;
+  for (const Member& law : laws) {
+    result.push_back({law, Skew::Held, coefficients_of(law).size()});
+    if (!can_be_skewed(law)) continue;
+    result.push_back({law, Skew::Free, coefficients_of(law, 0, Skew::Free).size()});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
+    return a.coefficients < b.coefficients;
+  });
+  return result;
+}
+
+const LawFit* best_of(const std::vector<LawFit>& fits, std::size_t numbers) {
+  const LawFit* best = nullptr;
+  for (const LawFit& fit : fits) {
+    if (fit.numbers > numbers) continue;
+    if (best == nullptr || fit.fit.sum_of_squares < best->fit.sum_of_squares) best = &fit;
+  }
+  return best;
+}
+
+MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
+
+}  // namespace
+
+std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
+                              const MotionGuess& guess, const LawFitOptions& options) {
+  check_motion(samples, guess);
+  const LawFitOptions alike = with_one_scale(samples, options);
+  std::vector<LawFit> ranking;
+  const std::vector<Candidate> candidates = candidates_of(laws);
+  for (const Candidate& candidate : candidates) {
+    if (alike.progress) {
+      alike.progress(static_cast<double>(&candidate - candidates.data()) /
+                     static_cast<double>(candidates.size()));
+    }
+    LawFitOptions own = alike;
+    own.skew = candidate.skew;
+    if (candidate.coefficients > 0) {
+      if (const LawFit* best = best_of(ranking, candidate.coefficients + kEnds)) {
+        own.like = motion_of(*best);
+      }
+    }
+    try {
+      ranking.push_back(fit_law(samples, candidate.law, guess, own));
+    } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
+    }
+  }
+  weigh(ranking);
+  put_in_order(ranking);
+  return ranking;
+}
+
+}  // namespace camlaw::problems

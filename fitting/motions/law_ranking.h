@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fitting/motions/law_fit.h"
+
+namespace camlaw::problems {
+
+/// Each of the laws, as it is and skewed, by how likely it is; first of those that noise does not
+/// tell from the best the one with the fewest numbers (law_choice.h). Laws that cannot be fitted
+/// are left out. Intervals are those of each law alone.
+std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
+                              const MotionGuess& guess, const LawFitOptions& options = {});
+
+}  // namespace camlaw::problems

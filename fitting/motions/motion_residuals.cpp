@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/motion_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace camlaw::problems {
+namespace {
+
+std::vector<LawVariable> variables_of(const Member& law, MotionLayout layout, Skew skew) {
+  std::vector<LawVariable> result;
+  for (const Coefficient& c : coefficients_of(law, layout.first(), skew)) result.push_back(c.at);
+  return result;
+}
+
+/// s^(K) and s^(K+1) at one u, and the derivatives of s^(K) by the coefficients.
+struct AtPoint {
+  double value = 0, slope = 0;
+  std::vector<double> gradient;
+};
+
+}  // namespace
+
+MotionResiduals::MotionResiduals(MotionSamples samples, const Member& law, Skew skew)
+    : samples_(std::move(samples)), binding_(law, variables_of(law, layout(), skew)) {
+  for (const LawVariable& v : binding_.variables()) {
+    own_.push_back(law.arguments.list(v.parameter)[v.element]);
+  }
+  if (binding_.is_linear() && !own_.empty()) constant_ = binding_.first_laws(own_);
+}
+
+/// The law at one p, for all places.
+struct MotionResiduals::LawAt {
+  std::optional<Law<double>> plain;  ///< where no derivatives are wanted
+  std::vector<Law<Dual>> made;       ///< with them, in blocks of coefficients
+  const std::vector<Law<Dual>>* blocks = nullptr;
+  std::vector<double> change;  ///< of the coefficients from those of the blocks, in a linear law
+
+  template <std::size_t K>
+  void look(double u, Side side, AtPoint& at) const {
+    if (plain) {
+      const auto d = plain->derivatives<K + 2>(u, side);
+      at.value = d[K], at.slope = d[K + 1];
+      return;
+    }
+    for (std::size_t block = 0; block < blocks->size(); ++block) {
+      const auto d = (*blocks)[block].template derivatives<K + 2>(u, side);
+      if (block == 0) at.value = d[K].a, at.slope = d[K + 1].a;
+      const std::size_t first = block * kDualWidth;
+      for (std::size_t i = first; i < std::min(first + kDualWidth, at.gradient.size()); ++i) {
+        const auto lane = static_cast<int>(i - first);
+        at.gradient[i] = d[K].v[lane];
+        if (change.empty()) continue;
+        at.value += change[i] * d[K].v[lane];
+        at.slope += change[i] * d[K + 1].v[lane];
+      }
+    }
+  }
+};
+
+MotionResiduals::LawAt MotionResiduals::law_at(std::span<const double> p,
+                                               bool with_gradient) const {
+  LawAt law;
+  const std::vector<double> values = binding_.values_at(p);
+  if (!constant_.empty()) {
+    law.blocks = &constant_;
+    for (std::size_t i = 0; i < values.size(); ++i) law.change.push_back(values[i] - own_[i]);
+  } else if (values.empty() || !with_gradient) {
+    law.plain = binding_.law_at<double>(p);
+  } else {
+    law.made = binding_.first_laws(values);
+    if (law.made.empty()) throw std::invalid_argument("these coefficients make no law");
+    law.blocks = &law.made;
+  }
+  return law;
+}
+
+bool MotionResiduals::evaluate(std::span<const double> p, std::span<double> r,
+                               std::span<double> jacobian) const {
+  if (!(p[MotionLayout::kEnd] > p[MotionLayout::kBegin])) return false;
+  try {
+    switch (samples_.order) {
+      case 0:
+        return evaluated<0>(p, r, jacobian);
+      case 1:
+        return evaluated<1>(p, r, jacobian);
+      default:
+        return evaluated<2>(p, r, jacobian);
+    }
+  } catch (const std::invalid_argument&) {  // these coefficients make no law
+    return false;
+  }
+}
+
+template <std::size_t K>
+bool MotionResiduals::evaluated(std::span<const double> p, std::span<double> r,
+                                std::span<double> jacobian) const {
+  const double begin = p[MotionLayout::kBegin], length = p[MotionLayout::kEnd] - begin;
+  const double unit = std::pow(length, -static_cast<int>(K)),
+               size = unit * p[MotionLayout::kStroke];
+  const double zero = layout().with_zero ? p[MotionLayout::kZero] : 0;
+  const LawAt law = law_at(p, !jacobian.empty());
+  AtPoint at;
+  at.gradient.resize(own_.size());
+  for (std::size_t i = 0; i < count(); ++i) {
+    const double u = (samples_.place[i] - begin) / length;
+    const bool moves = u > 0 && u < 1;
+    law.look<K>(std::clamp(u, 0.0, 1.0), u < 1 ? Side::Right : Side::Left, at);
+    // At rest beyond the ends: displacement stays, derivatives are none.
+    const double own = K == 0 || moves ? at.value : 0;
+    r[i] = zero + size * own - samples_.value[i];
+    if (!std::isfinite(r[i])) return false;
+    if (jacobian.empty()) continue;
+    const std::span<double> row = jacobian.subspan(i * p.size(), p.size());
+    std::fill(row.begin(), row.end(), 0.0);
+    row[MotionLayout::kStroke] = unit * own;
+    if (layout().with_zero) row[MotionLayout::kZero] = 1;
+    for (std::size_t j = 0; j < own_.size() && (moves || K == 0); ++j) {
+      row[binding_.variables()[j].variable] = size * at.gradient[j];
+    }
+    if (!moves) continue;
+    // du/dbegin = (u - 1) / length, du/dend = -u / length; the unit length^-K follows both.
+    const double stretch = static_cast<double>(K) * own / length;
+    row[MotionLayout::kBegin] = size * (at.slope * (u - 1) / length + stretch);
+    row[MotionLayout::kEnd] = size * (-at.slope * u / length - stretch);
+  }
+  return true;
+}
+
+}  // namespace camlaw::problems

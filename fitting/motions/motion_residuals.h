@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fitting/motions/coefficients.h"
+#include "fitting/samples/motion_samples.h"
+#include "optim/fit/residuals.h"
+
+namespace camlaw::problems {
+
+/// Where the parameters of a motion's fit stand: begin, end, stroke, of displacements the zero
+/// shift, then the law's coefficients.
+struct MotionLayout {
+  bool with_zero;
+
+  static constexpr std::size_t kBegin = 0, kEnd = 1, kStroke = 2, kZero = 3;
+  std::size_t first() const { return with_zero ? 4 : 3; }  ///< of the coefficients
+};
+
+/// (P1) of docs/optimisation.md: y = zero + h s(u), u = (x - begin) / (end - begin) within 0 and 1,
+/// or its first or second derivative by x, less the samples.
+class MotionResiduals final : public optim::Residuals {
+ public:
+  /// `samples` gives places and values, order and layout() the rest; the coefficients are those of
+  /// coefficients_of().
+  MotionResiduals(MotionSamples samples, const Member& law, Skew skew = Skew::Held);
+
+  MotionLayout layout() const { return {samples_.order == 0}; }
+  std::size_t count() const override { return samples_.place.size(); }
+  bool evaluate(std::span<const double> p, std::span<double> r,
+                std::span<double> jacobian) const override;
+
+ private:
+  struct LawAt;
+
+  template <std::size_t K>
+  bool evaluated(std::span<const double> p, std::span<double> r, std::span<double> jacobian) const;
+  /// Throws std::invalid_argument where p makes no law.
+  LawAt law_at(std::span<const double> p, bool with_gradient) const;
+
+  MotionSamples samples_;
+  LawBinding binding_;
+  std::vector<double> own_;          ///< the member's coefficients
+  std::vector<Law<Dual>> constant_;  ///< of a law linear in all of them: at own_, for every p
+};
+
+}  // namespace camlaw::problems

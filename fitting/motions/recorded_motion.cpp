@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/recorded_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fitting/motions/fault_words.h"
+#include "fitting/samples/turn.h"
+#include "numerics/linear/statistics.h"
+
+namespace camlaw::problems {
+namespace {
+
+void check_enough(const MotionSamples& samples) {
+  const std::size_t count = samples.place.size();
+  if (count >= kFewestOfMotion) return;
+  throw std::invalid_argument(fmt::format(
+      "{} sample{} cannot tell a motion, which has begin, end, stroke and zero; {} rows "
+      "of numbers at least are wanted",
+      count, count == 1 ? "" : "s", kFewestOfMotion));
+}
+
+std::vector<PossibleFault> possible_faults(const MotionSamples& samples, double period) {
+  if (samples.order != 0) return {};
+  const auto [low, high] = std::minmax_element(samples.place.begin(), samples.place.end());
+  std::vector<PossibleFault> faults{drift(*low, *high - *low, period)};
+  if (samples.place_unit == "deg") faults.push_back(off_centre());
+  return faults;
+}
+
+/// The record about another centre.
+WithoutFault about(const MotionSamples& samples, double across, double up) {
+  WithoutFault result{samples, off_centre()};
+  for (std::size_t i = 0; i < samples.place.size(); ++i) {
+    const double place = samples.place[i];
+    result.samples.value[i] -= across * result.fault.by[0](place) + up * result.fault.by[1](place);
+  }
+  return result;
+}
+
+/// Of each motion in which rows lie off, too many of them.
+void distrust_many_far(RecordedMotion& found, double period) {
+  for (MotionFit& fit : found.cycle.fits) {
+    const auto& places = fit.motion.samples.place;
+    const auto [low, high] = std::minmax_element(places.begin(), places.end());
+    std::vector<FaultyRow> own;
+    for (const FaultyRow& row : found.record.far) {
+      const double at = period > 0 ? in_period(row.place, *low, period) : row.place;
+      if (at <= *high) own.push_back(row);
+    }
+    if (are_few(own.size(), places.size() + own.size())) continue;
+    fit.distrust = many_far(own, places.size() + own.size(), fit.motion.samples);
+  }
+}
+
+/// The laws of the record; where none can be found, and the lift does not come back to where it
+/// began, that is why.
+FittedCycle fitted(const MotionSamples& samples, double period, const std::vector<Member>& laws,
+                   const LawFitOptions& options) {
+  try {
+    return fit_cycle(find_motions(samples), laws, options);
+  } catch (const std::invalid_argument&) {
+    constexpr double kOpen = 0.02;  // of the whole lift
+    const std::vector<std::size_t> order = optim::order_of(samples.place);
+    const double first = samples.value[order.front()], last = samples.value[order.back()];
+    const auto [low, high] = std::minmax_element(samples.value.begin(), samples.value.end());
+    if (period == 0 || std::abs(last - first) <= kOpen * (*high - *low)) throw;
+    throw std::invalid_argument(
+        fmt::format("the lift is {:.4g} {} where the turn begins and {:.4g} {} where it ends: it "
+                    "drifted, or jumped, while it was measured",
+                    first, samples.unit, last, samples.unit));
+  }
+}
+
+}  // namespace
+
+void distrust_all(FittedCycle& cycle, const std::string& why) {
+  for (MotionFit& fit : cycle.fits) fit.distrust = why;
+}
+
+void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by) {
+  for (MotionFit& fit : cycle.fits) {
+    for (LawFit& law : fit.ranking) widen(law, fit.motion.samples, centre, by.covariance);
+  }
+}
+
+RankedMotions ranked_motions(const FittedCycle& cycle) {
+  RankedMotions result;
+  for (const MotionFit& fit : cycle.fits) {
+    result.rankings.push_back(fit.ranking);
+    result.samples.push_back(fit.motion.samples);
+  }
+  return result;
+}
+
+std::vector<FaultTest> tested(const RankedMotions& motions, std::vector<PossibleFault> faults) {
+  std::vector<FaultTest> tests;
+  for (PossibleFault& fault : faults) {
+    tests.push_back(test_fault(motions.rankings, motions.samples, std::move(fault)));
+  }
+  return tests;
+}
+
+RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member>& laws,
+                                   const RecordedMotionOptions& options) {
+  check_enough(record.samples);
+  const double period = cycle_period(record.samples);
+  if (options.fit_centre && !(period > 0 && record.samples.order == 0)) {
+    throw std::invalid_argument(
+        "--shift centre: a lift over a whole turn, angles in deg or rad, is wanted");
+  }
+  if (options.fit.loss == optim::Loss::None) leave_out_far_values(record, period);
+  RecordedMotion result{std::move(record), {}, {}};
+  constexpr double kCentre = 0.6;  // of the work
+  MotionSamples samples = result.record.samples;
+  if (options.fit_centre) {
+    const auto at = [&](const Eigen::VectorXd& c) { return about(samples, c[0], c[1]); };
+    result.centre = find_centre(at, laws, part_of(options.fit, 0, kCentre));
+    const std::complex<double> centre = result.centre->place;
+    samples = about(samples, centre.real(), centre.imag()).samples;
+  }
+  result.cycle =
+      fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
+  if (result.centre) widen_all(result.cycle, off_centre(), *result.centre);
+  distrust_many_far(result, period);
+  result.faults =
+      seen_faults(tested(ranked_motions(result.cycle), possible_faults(samples, period)));
+  if (!result.faults.empty()) {
+    distrust_all(result.cycle,
+                 fault_words(result.faults, samples.unit, period > 0 && !options.fit_centre));
+  }
+  return result;
+}
+
+}  // namespace camlaw::problems

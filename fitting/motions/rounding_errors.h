@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fitting/samples/motion_samples.h"
+#include "optim/fit/least_squares.h"
+
+namespace camlaw::problems {
+
+/// Covariance and intervals of a fit to rounded values (S4): where noise is less than the step,
+/// neighbours on a slow stretch are rounded alike, and their mean is not nearer than one of them.
+/// `given` are the parameters as they were fitted, `residuals` what they were fitted to. Without
+/// rounding nothing changes. Returns by how much each deviation has grown; 1 where it has none.
+std::vector<double> count_rounding(const MotionSamples& samples, const optim::Residuals& residuals,
+                                   const std::vector<optim::FitParameter>& given, double confidence,
+                                   optim::FitResult& fit);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/samples/lift_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "fitting/samples/far_off.h"
+#include "numerics/linear/statistics.h"
+
+namespace camlaw::problems {
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("segments: " + why);
+}
+
+void check_lengths(std::size_t x, std::size_t s) {
+  if (x != s) refuse(fmt::format("{} angles and {} lifts do not belong together", x, s));
+}
+
+void check(std::span<const double> phi, std::span<const double> s, std::optional<double> period,
+           std::optional<double> noise) {
+  check_lengths(phi.size(), s.size());
+  constexpr std::size_t kLeast = 24;
+  if (phi.size() < kLeast) {
+    refuse(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
+  }
+  for (std::size_t i = 0; i < phi.size(); ++i) {
+    if (!std::isfinite(phi[i]) || !std::isfinite(s[i])) {
+      refuse(fmt::format("sample {} is not a number", i));
+    }
+  }
+  const auto [low, high] = std::minmax_element(s.begin(), s.end());
+  constexpr double kRounding = 1e-12;
+  if (*high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high))) {
+    refuse(fmt::format("the lift is {:.6g} throughout: it shows no motion", *low));
+  }
+  if (period && !(*period > 0 && std::isfinite(*period))) {
+    refuse(fmt::format("a period of {:.6g} is not above 0", *period));
+  }
+  if (noise && !(*noise >= 0 && std::isfinite(*noise))) {
+    refuse(fmt::format("noise of {:.6g} is below 0", *noise));
+  }
+}
+
+/// The samples at one place.
+struct SamePlace {
+  double phi, s;                     ///< the median of their lifts
+  std::vector<std::size_t> samples;  ///< by their place as given
+};
+
+/// The samples by place, within the period.
+std::vector<SamePlace> sorted(std::span<const double> phi, std::span<const double> s,
+                              std::optional<double> period) {
+  std::vector<std::pair<double, std::size_t>> places;
+  for (std::size_t i = 0; i < phi.size(); ++i) {
+    double x = phi[i];
+    if (period) {
+      x -= *period * std::floor(x / *period);
+      if (x >= *period) x = 0;
+    }
+    places.emplace_back(x, i);
+  }
+  std::sort(places.begin(), places.end());
+  constexpr double kOne = 1e-9;
+  const double range = places.back().first - places.front().first;
+  std::vector<SamePlace> groups;
+  for (const auto& [x, index] : places) {
+    if (groups.empty() || x - groups.back().phi > kOne * range) groups.push_back({x, 0, {}});
+    groups.back().samples.push_back(index);
+  }
+  for (SamePlace& group : groups) {
+    std::vector<double> lifts;
+    for (const std::size_t i : group.samples) lifts.push_back(s[i]);
+    group.s = optim::median(lifts);
+  }
+  return groups;
+}
+
+/// Lagrange's weight of the k-th sample, one of those `at`, in the polynomial's value at the i-th.
+double lagrange_weight(std::span<const double> x, std::span<const std::size_t> at, std::size_t k,
+                       std::size_t i) {
+  double weight = 1;
+  for (const std::size_t l : at) {
+    if (l != k) weight *= (x[i] - x[l]) / (x[k] - x[l]);
+  }
+  return weight;
+}
+
+/// By how much each sample misses a cubic through its neighbours, in the unit of one sample's
+/// noise.
+std::vector<double> misses(std::span<const double> x, std::span<const double> s) {
+  std::vector<double> sizes;
+  for (std::size_t i = 2; i + 2 < x.size(); ++i) {
+    const std::array<std::size_t, 4> at{i - 2, i - 1, i + 1, i + 2};
+    double left = s[i], squares = 1;
+    for (const std::size_t k : at) {
+      const double weight = lagrange_weight(x, at, k, i);
+      left -= weight * s[k];
+      squares += weight * weight;
+    }
+    // Beside a gap the cubic reaches too far.
+    constexpr double kMost = 5;
+    if (squares < kMost) sizes.push_back(std::abs(left) / std::sqrt(squares));
+  }
+  constexpr std::size_t kLeast = 8;
+  if (sizes.size() < kLeast) refuse("too few neighbouring samples to tell their noise");
+  return sizes;
+}
+
+/// Whether any sample misses its neighbours' cubic by more than a normal deviation makes likely.
+bool has_suspects(const LiftSamples& lift, double least_noise) {
+  constexpr double kSuspect = 5;
+  const std::vector<double> sizes = misses(lift.phi, lift.s);
+  const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
+  return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * noise;
+}
+
+/// What a sample misses a cubic by that goes through the four nearest of those that are not left
+/// out, two on each side as far as there are.
+double miss_of(const LiftSamples& lift, const std::vector<bool>& left_out, std::size_t i) {
+  constexpr std::size_t kPoints = 4;
+  std::vector<std::size_t> left, right, at;
+  for (std::size_t k = i; k-- > 0 && left.size() < kPoints;) {
+    if (!left_out[k]) left.push_back(k);
+  }
+  for (std::size_t k = i + 1; k < left_out.size() && right.size() < kPoints; ++k) {
+    if (!left_out[k]) right.push_back(k);
+  }
+  for (std::size_t k = 0; k < kPoints && at.size() < kPoints; ++k) {
+    if (k < left.size()) at.push_back(left[k]);
+    if (k < right.size()) at.push_back(right[k]);
+  }
+  double miss = lift.s[i];
+  for (const std::size_t k : at) miss -= lagrange_weight(lift.phi, at, k, i) * lift.s[k];
+  return miss;
+}
+
+/// Of the suspects those that are by themselves: where the curve is wrong samples follow their
+/// neighbours, those that are not suspect or all that are not yet found to be off.
+std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<double>& residuals,
+                                const std::vector<std::size_t>& suspects) {
+  constexpr double kOwn = 0.5, kOwnOfAll = 0.2;
+  std::vector<bool> is_suspect(lift.phi.size()), is_off(lift.phi.size());
+  for (const std::size_t i : suspects) is_suspect[i] = true;
+  for (bool again = true; again;) {
+    again = false;
+    for (const std::size_t i : suspects) {
+      const double size = std::abs(residuals[i]);
+      if (is_off[i] || std::abs(miss_of(lift, is_off, i)) < kOwnOfAll * size) continue;
+      if (std::abs(miss_of(lift, is_suspect, i)) < kOwn * size) continue;
+      is_off[i] = again = true;
+    }
+  }
+  return is_off;
+}
+
+/// How far samples lie off a robust curve that are far off it; 0 of all others.
+std::vector<double> far_off_in(const LiftSamples& lift, std::optional<double> period,
+                               double least_noise) {
+  const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
+  std::vector<double> residuals;
+  for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
+  const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
+  const auto freedom = static_cast<std::size_t>(std::lround(curve.degrees_of_freedom()));
+  constexpr double kLeast = 1e-4;
+  const FarOff found = far_off(lift.phi, residuals, freedom,
+                               std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
+  const std::vector<bool> is_off = by_themselves(lift, residuals, found.samples);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    if (!is_off[i]) residuals[i] = 0;
+  }
+  return residuals;
+}
+
+/// Samples as they are, or seen from their end.
+LiftSamples seen_from(const LiftSamples& lift, bool end) {
+  if (!end) return lift;
+  LiftSamples turned;
+  for (std::size_t i = lift.phi.size(); i-- > 0;) {
+    turned.phi.push_back(-lift.phi[i]), turned.s.push_back(lift.s[i]);
+  }
+  return turned;
+}
+
+/// The greatest miss at the first samples that are not left out, in the unit of one sample's noise.
+double first_misses(const LiftSamples& lift, const std::vector<bool>& is_off) {
+  constexpr std::size_t kFirst = 12;
+  std::vector<double> x, s;
+  for (std::size_t i = 0; i < lift.phi.size() && x.size() < kFirst; ++i) {
+    if (!is_off[i]) x.push_back(lift.phi[i]), s.push_back(lift.s[i]);
+  }
+  const std::vector<double> sizes = misses(x, s);
+  constexpr std::size_t kNear = 4;  // those that the first two samples have a part in
+  return *std::max_element(sizes.begin(), sizes.begin() + kNear);
+}
+
+/// Adds to `off` one of the two first samples without which the next ones are as smooth as all: a
+/// curve bends to follow it.
+void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double>& off) {
+  std::vector<bool> is_off;
+  for (const double by : off) is_off.push_back(by != 0);
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < off.size() && first.size() < 2; ++i) {
+    if (!is_off[i]) first.push_back(i);
+  }
+  if (first_misses(lift, is_off) <= least) return;
+  for (const std::size_t i : first) {
+    is_off[i] = true;
+    if (first_misses(lift, is_off) <= least) {
+      off[i] = miss_of(lift, is_off, i);
+      return;
+    }
+    is_off[i] = false;
+  }
+}
+
+/// The same of both ends of samples that do not go round.
+void find_off_at_ends(const LiftSamples& lift, double least_noise, std::vector<double>& off) {
+  constexpr double kSuspect = 5, kLeast = 1e-4;
+  const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
+  const double noise = std::max(optim::median(misses(lift.phi, lift.s)) / 0.6745, least_noise);
+  const double least = std::max(kSuspect * noise, kLeast * (*high - *low));
+  for (const bool end : {false, true}) {
+    if (end) std::reverse(off.begin(), off.end());
+    try {
+      find_off_at_begin(seen_from(lift, end), least, off);
+    } catch (const std::invalid_argument&) {  // too few neighbours there
+    }
+    if (end) std::reverse(off.begin(), off.end());
+  }
+}
+
+}  // namespace
+
+double estimated_noise(std::span<const double> x, std::span<const double> s) {
+  check_lengths(x.size(), s.size());
+  constexpr double kNormalOverMedian = 1.4826022185056018;
+  return kNormalOverMedian * optim::median(misses(x, s));
+}
+
+LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
+                         std::optional<double> period, std::optional<double> noise,
+                         double least_noise) {
+  check(phi, s, period, noise);
+  const std::vector<SamePlace> groups = sorted(phi, s, period);
+  LiftSamples all;
+  for (const SamePlace& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
+  std::vector<double> off(groups.size());
+  if (has_suspects(all, least_noise)) {
+    off = far_off_in(all, period, least_noise);
+    if (!period) find_off_at_ends(all, least_noise, off);
+  }
+  LiftSamples kept;
+  std::vector<std::pair<std::size_t, double>> outlying;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (off[i] != 0) {
+      for (const std::size_t k : groups[i].samples)
+        outlying.emplace_back(k, s[k] - all.s[i] + off[i]);
+    } else {
+      kept.phi.push_back(all.phi[i]), kept.s.push_back(all.s[i]);
+    }
+  }
+  std::sort(outlying.begin(), outlying.end());
+  for (const auto& [sample, by] : outlying) kept.outlying.push_back(sample), kept.off.push_back(by);
+  const double each = static_cast<double>(phi.size()) / static_cast<double>(groups.size());
+  kept.noise =
+      noise ? *noise / std::sqrt(each) : std::max(estimated_noise(kept.phi, kept.s), least_noise);
+  kept.sample_noise = kept.noise * std::sqrt(each);
+  return kept;
+}
+
+optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double> period,
+                                   optim::Reweighting reweighting) {
+  optim::SmoothingOptions smoothing;
+  smoothing.spans = static_cast<int>(std::clamp<std::size_t>(lift.phi.size() / 2, 12, 500));
+  smoothing.reweighting = reweighting;
+  if (period) {
+    smoothing.periodic = true;
+    smoothing.range = {0, *period};
+  }
+  return optim::smoothing_spline(lift.phi, lift.s, smoothing);
+}
+
+}  // namespace camlaw::problems

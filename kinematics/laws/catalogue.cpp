@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/laws/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "kinematics/laws/families.h"
+#include "numerics/text/names.h"
+
+namespace camlaw {
+namespace {
+
+bool is_named(const Family& family, const std::string& wanted) {
+  if (folded(family.name) == wanted) return true;
+  return std::any_of(family.aliases.begin(), family.aliases.end(),
+                     [&](const std::string& alias) { return folded(alias) == wanted; });
+}
+
+const Family* find_exact(std::string_view name) {
+  const std::string wanted = folded(name);
+  for (const Family& family : catalogue()) {
+    if (is_named(family, wanted)) return &family;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<Family>& catalogue() {
+  static const std::vector<Family> families = [] {
+    std::vector<Family> all;
+    for (auto* group : {polynomial_families, harmonic_families, phase_families, curved_families,
+                        spline_families}) {
+      for (Family& family : group()) all.push_back(std::move(family));
+    }
+    return all;
+  }();
+  return families;
+}
+
+Arguments<double> Family::standard() const {
+  std::vector<std::vector<double>> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.standard);
+  return Arguments<double>(std::move(values));
+}
+
+std::size_t Family::parameter(std::string_view parameter_name) const {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (folded(parameters[i].name) == folded(parameter_name)) return i;
+    known.push_back(parameters[i].name);
+  }
+  throw std::invalid_argument(
+      fmt::format("law '{}': no parameter '{}'; it has {}", name, parameter_name,
+                  known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+}
+
+void Family::check(const Arguments<double>& arguments) const {
+  if (arguments.size() != parameters.size()) {
+    throw std::invalid_argument(fmt::format("law '{}': takes {} parameters, {} given", name,
+                                            parameters.size(), arguments.size()));
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& p = parameters[i];
+    const auto& values = arguments.list(i);
+    if (!p.list && values.size() != 1) {
+      throw std::invalid_argument(fmt::format("law '{}': parameter {} takes one value, {} given",
+                                              name, p.name, values.size()));
+    }
+    for (const double value : values) {
+      if (!(value >= p.low && value <= p.high)) {
+        throw std::invalid_argument(
+            fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}", name, p.name,
+                        value, p.low, p.high));
+      }
+      if (p.structural && !p.list && value != std::floor(value)) {
+        throw std::invalid_argument(
+            fmt::format("law '{}': parameter {} = {:.6g} must be whole", name, p.name, value));
+      }
+    }
+  }
+}
+
+void Family::rethrow(const std::invalid_argument& error) const {
+  throw std::invalid_argument(fmt::format("law '{}': {}", name, error.what()));
+}
+
+namespace {
+
+/// A member's name, its values printed by `print`.
+template <class Print>
+std::string member_name(const Member& member, Print print) {
+  std::string result = member.family->name;
+  for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
+    const Parameter& parameter = member.family->parameters[i];
+    const auto& values = member.arguments.list(i);
+    const bool untold = values.empty() || parameter.name == kCrossover;
+    if (untold && values == parameter.standard) continue;
+    result += fmt::format(" {}={}", parameter.name, print(values));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string Member::name() const {
+  return member_name(*this,
+                     [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); });
+}
+
+std::string Member::label() const {
+  constexpr std::size_t kShown = 6;
+  return member_name(*this, [](const std::vector<double>& values) {
+    if (values.size() <= kShown) return fmt::format("{:.6g}", fmt::join(values, ","));
+    return fmt::format("{:.6g},... ({} values)", fmt::join(values.begin(), values.begin() + 3, ","),
+                       values.size());
+  });
+}
+
+Member Member::listed() const { return family->listed ? family->listed(arguments) : *this; }
+
+const Family& find_family(std::string_view name) {
+  if (const Family* family = find_exact(name)) return *family;
+  std::vector<std::string> known;
+  for (const Family& family : catalogue()) known.push_back(family.name);
+  const auto near = near_names(name, known);
+  throw std::invalid_argument(
+      fmt::format("no law is named '{}'{}; 'camlaw laws' lists all", name,
+                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", "))));
+}
+
+double read_plain_number(std::string_view text, const Parameter&, const std::string& what) {
+  double value = 0;
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw std::invalid_argument(fmt::format("{}: '{}' is not a number", what, text));
+  }
+  return value;
+}
+
+void set_argument(Member& member, std::string_view assignment, ValueReader reader) {
+  const Family& family = *member.family;
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    throw std::invalid_argument(
+        fmt::format("law '{}': '{}' sets nothing; write name=value", family.name, assignment));
+  }
+  const std::size_t index = family.parameter(trimmed(assignment.substr(0, equals)));
+  const Parameter& parameter = family.parameters[index];
+  const std::string what = fmt::format("law '{}': parameter {}", family.name, parameter.name);
+  std::string_view rest = trimmed(assignment.substr(equals + 1));
+  std::vector<double> values;
+  while (!(parameter.list && rest.empty())) {
+    const std::size_t comma = rest.find(',');
+    values.push_back(reader(trimmed(rest.substr(0, comma)), parameter, what));
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  member.arguments.values()[index] = std::move(values);
+}
+
+Member find_law(std::string_view given, ValueReader reader) {
+  // Spaces beside an equals sign or after a comma do not part words.
+  std::string joined;
+  for (const char c : trimmed(given)) {
+    while (c == '=' && !joined.empty() && joined.back() == ' ') joined.pop_back();
+    const bool beside = !joined.empty() && (joined.back() == '=' || joined.back() == ',');
+    if (c != ' ' || !beside) joined += c;
+  }
+  const std::string_view text = joined;
+  // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
+  if (const Family* family = find_exact(text)) return {family, family->standard()};
+  // An assignment starts at the last space before its equals sign.
+  const auto assignment_start = [&](std::size_t from) {
+    const std::size_t equals = text.find('=', from);
+    return equals == std::string_view::npos ? text.size() : text.rfind(' ', equals);
+  };
+  std::size_t start = assignment_start(0);
+  if (start == std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
+  }
+  const Family& family = find_family(trimmed(text.substr(0, start)));
+  Member member{&family, family.standard()};
+  std::set<std::string> seen;
+  while (start < text.size()) {
+    const std::size_t next = assignment_start(text.find('=', start) + 1);
+    const std::string_view name = trimmed(text.substr(start, text.find('=', start) - start));
+    if (!seen.insert(folded(name)).second) {
+      throw std::invalid_argument(
+          fmt::format("law '{}': parameter {} is given twice", family.name, name));
+    }
+    set_argument(member, trimmed(text.substr(start, next - start)), reader);
+    start = next;
+  }
+  return member;
+}
+
+}  // namespace camlaw

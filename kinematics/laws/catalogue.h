@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/law.h"
+#include "kinematics/shape.h"
+
+/// The catalogue of motion laws by name. It is the one list: the program's listing, its JSON and
+/// the table in docs/laws.md are printed from it.
+namespace camlaw {
+
+/// The parameter that every rest-to-rest family takes beside its own.
+inline constexpr const char* kCrossover = "crossover";
+
+/// A parameter of a law family.
+struct Parameter {
+  std::string name;
+  std::string unit;              ///< as udunits writes it; "1" for a plain number
+  double low, high;              ///< accepted range of each value, ends included
+  std::vector<double> standard;  ///< value(s) used where none is given
+  std::string meaning;
+  bool list = false;        ///< takes any number of values
+  bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
+  bool linear = false;      ///< s is affine in all such parameters of the family together
+};
+
+/// Values for a family's parameters, in the order of the family's list and in the units named
+/// there.
+template <class S>
+class Arguments {
+ public:
+  explicit Arguments(std::vector<std::vector<S>> values) : values_(std::move(values)) {}
+
+  const S& scalar(std::size_t i) const { return values_[i].front(); }
+  const std::vector<S>& list(std::size_t i) const { return values_[i]; }
+  std::vector<std::vector<S>>& values() { return values_; }
+  const std::vector<std::vector<S>>& values() const { return values_; }
+  std::size_t size() const { return values_.size(); }
+
+  template <class R>
+  Arguments<R> as() const {
+    std::vector<std::vector<R>> result;
+    for (const auto& list : values_) {
+      result.emplace_back();
+      for (const S& value : list) result.back().push_back(convert<R>(value));
+    }
+    return Arguments<R>(std::move(result));
+  }
+
+ private:
+  std::vector<std::vector<S>> values_;
+};
+
+/// Something that a family's arguments make, in every scalar, from one generic callable
+/// template <class S> Result<S> (const Arguments<S>&).
+template <template <class> class Result>
+class InEveryScalar {
+ public:
+  template <class F>
+  InEveryScalar(F construct)  // NOLINT: a lambda is meant to become one
+      : plain_([construct](const Arguments<double>& a) { return construct(a); }),
+        dual_([construct](const Arguments<Dual>& a) { return construct(a); }),
+        dual2_([construct](const Arguments<Dual2>& a) { return construct(a); }),
+        interval_([construct](const Arguments<Interval>& a) { return construct(a); }) {}
+
+  template <class S>
+  Result<S> make(const Arguments<S>& arguments) const {
+    static_assert(std::is_same_v<S, double> || std::is_same_v<S, Dual> ||
+                      std::is_same_v<S, Dual2> || std::is_same_v<S, Interval>,
+                  "the catalogue makes laws of double, Dual, Dual2 and Interval; other scalars go "
+                  "through the templates in kinematics/laws");
+    if constexpr (std::is_same_v<S, double>) return plain_(arguments);
+    if constexpr (std::is_same_v<S, Dual>) return dual_(arguments);
+    if constexpr (std::is_same_v<S, Dual2>) return dual2_(arguments);
+    if constexpr (std::is_same_v<S, Interval>) return interval_(arguments);
+  }
+
+ private:
+  std::function<Result<double>(const Arguments<double>&)> plain_;
+  std::function<Result<Dual>(const Arguments<Dual>&)> dual_;
+  std::function<Result<Dual2>(const Arguments<Dual2>&)> dual2_;
+  std::function<Result<Interval>(const Arguments<Interval>&)> interval_;
+};
+
+/// A family's construction.
+using Maker = InEveryScalar<Law>;
+
+template <class S>
+using Itself = S;
+
+/// What the parameters of a family must leave together, beyond the range of each: the part of the
+/// law's length that phases leave to the last one, for instance. Values that leave less than
+/// nothing make no law.
+struct Room {
+  std::string name;            ///< "1 - a - b - c"
+  InEveryScalar<Itself> left;  ///< at least 0; a plain number
+  bool linear = true;          ///< in the parameters together
+  bool is_equal = false;       ///< 0, and neither more nor less
+};
+
+struct Member;
+
+/// A law of the catalogue: fixed, or a family with parameters.
+struct Family {
+  std::string name;
+  std::vector<std::string> aliases;  ///< English, German, Ukrainian
+  std::string formula;
+  std::vector<Parameter> parameters;
+  std::string ends;  ///< VDI 2143 pair, "R-R"; "by parameters" where they decide
+  int continuity;    ///< class of the standard member: kSmooth where nothing known jumps
+  bool symmetric;    ///< of the standard member: s(x) + s(1 - x) = 1
+  std::string source;
+  Maker maker;
+  /// Of a family that is not in the catalogue: the same law as a member of one that is, where there
+  /// is such a member.
+  std::function<Member(const Arguments<double>&)> listed = {};
+  std::vector<Room> rooms = {};  ///< what the parameters must leave together
+
+  Arguments<double> standard() const;
+  /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter
+  /// for a value outside its range or a set that makes no law.
+  template <class S>
+  Law<S> make(const Arguments<S>& arguments) const {
+    check(arguments.template as<double>());
+    try {
+      return maker.make(arguments);
+    } catch (const std::invalid_argument& error) {
+      rethrow(error);
+    }
+  }
+  /// Index of a parameter; throws std::invalid_argument listing the known ones.
+  std::size_t parameter(std::string_view parameter_name) const;
+
+ private:
+  void check(const Arguments<double>& arguments) const;
+  [[noreturn]] void rethrow(const std::invalid_argument& error) const;
+};
+
+/// Every law, in the order of the listing.
+const std::vector<Family>& catalogue();
+
+/// A family that a member belongs to: one of the catalogue, or one that is the member's own and
+/// lives as long as it does.
+class FamilyOf {
+ public:
+  FamilyOf(const Family* listed)  // NOLINT: an address of the catalogue is meant to become one
+      : family_(std::shared_ptr<void>(), listed) {}
+  FamilyOf(std::shared_ptr<const Family> own) : family_(std::move(own)) {}  // NOLINT
+  const Family* operator->() const { return family_.get(); }
+  const Family& operator*() const { return *family_; }
+  friend bool operator==(const FamilyOf& a, const FamilyOf& b) { return a.family_ == b.family_; }
+
+ private:
+  std::shared_ptr<const Family> family_;
+};
+
+/// A law asked for by name, with its arguments: "modified-sine", "polynomial-5 alpha=-3",
+/// "fourier a=0.1,-0.05". Aliases count as names; case does not matter.
+struct Member {
+  FamilyOf family;
+  Arguments<double> arguments;
+
+  /// Family name and arguments, as find_law reads them; a crossover left where it is goes without
+  /// saying, and so does a list left empty.
+  std::string name() const;
+  /// The same for people: six digits, long lists cut short.
+  std::string label() const;
+  /// The same law as a member of the catalogue, where its family tells; else this one.
+  Member listed() const;
+  template <class S = double>
+  Law<S> law() const {
+    return family->make(arguments.as<S>());
+  }
+};
+
+/// Reads one value of a parameter, in the parameter's unit; `what` names it in errors.
+using ValueReader = double (*)(std::string_view text, const Parameter& parameter,
+                               const std::string& what);
+/// The reader for plain numbers. Throws std::invalid_argument for anything else.
+double read_plain_number(std::string_view text, const Parameter& parameter,
+                         const std::string& what);
+
+/// Finds a family by name or alias; throws std::invalid_argument with the nearest known names.
+const Family& find_family(std::string_view name);
+/// Sets a parameter from "name=value", or "name=v1,v2,..." for a list; spaces do not matter.
+void set_argument(Member& member, std::string_view assignment,
+                  ValueReader reader = read_plain_number);
+/// Reads "name k=v k=v".
+Member find_law(std::string_view text, ValueReader reader = read_plain_number);
+
+}  // namespace camlaw

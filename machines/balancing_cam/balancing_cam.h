@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/roller_cam.h"
+#include "machines/geneva/surplus.h"
+#include "machines/springs/disc_spring_stack.h"
+
+namespace camlaw {
+
+/// A cam on the driver of a Geneva-driven conveyor that presses on a stack of disc springs and so
+/// stores and returns the surplus work of the drive (docs/theory.md, "Balancing cam").
+///
+/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Source: K. V.
+/// Tir, A. S. Glavatskii, A. I. Petruk, "The balancing of the surplus forces of the main conveyors'
+/// drive of the book-processing units", Polihrafiia i vydavnycha sprava, UDC 621.835. It prints
+/// neither loads nor springs: those here are ours.
+template <class T, template <class> class Wheel>
+struct BalancingCam : GenevaDrive<T, Wheel> {
+  using Drive = GenevaDrive<T, Wheel>;
+
+  T design_speed = number<T>(6.28318530717959);  ///< rad/s, the speed that the cam is cut for
+  T preload_ratio = number<T>(1);                ///< psi = S_0 / S_sp
+  T springs = number<T>(44);                     ///< i, packets in a row
+  T nested = number<T>(1);                       ///< springs in a packet
+  T outer_diameter = number<T>(0.0315);          ///< D_e, m
+  T inner_diameter = number<T>(0.0163);          ///< D_i, m
+  T thickness = number<T>(0.00175);              ///< t, m
+  T cone_height = number<T>(0.0007);             ///< h_0, m
+  T youngs_modulus = number<T>(2.06e11);         ///< E, Pa, of springs, cam and roller
+  T poisson_ratio = number<T>(0.3);              ///< mu
+  T cams = number<T>(1);                         ///< 1, or 2: equal cams on both ends of the stack
+  T base_radius = number<T>(0.06);               ///< r_b, m, least radius of the cam's profile
+  T roller_radius = number<T>(0.025);            ///< r_r, m
+  T face_width = number<T>(0.025);               ///< b, m, of roller and cam
+  T moved_mass = number<T>(1);                   ///< m, kg, that goes with each roller
+  T lift_off = number<T>(0);                     ///< delta, rad
+
+  static constexpr double kRounding = 1e-9;  ///< rad, of angles that are meant to be equal
+
+  /// The rollers are off the cam, the wheel moves, the wheel is locked.
+  enum Section : std::size_t { Lifted, Moving, Locked };
+  static constexpr std::size_t kSections = 3;
+  std::array<T, 2> breaks() const { return {lift_off, this->engagement()}; }
+  bool moves(std::size_t section) const { return section != Locked; }
+
+  bool is_possible() const {
+    return Drive::is_possible() && spring().is_possible() && value_of(preload_ratio) > 0 &&
+           value_of(springs) > 0 && value_of(lift_off) <= value_of(this->engagement()) + kRounding;
+  }
+  /// The drive at the speed that the cam is cut for.
+  Drive designed() const { return {this->slots, design_speed, this->inertia, this->friction}; }
+  DiscSpring<T> spring() const {
+    return {outer_diameter, inner_diameter, thickness, cone_height, youngs_modulus, poisson_ratio};
+  }
+  DiscSpringStack<T> stack() const { return {spring(), nested, springs}; }
+
+  /// Deflection of a spring that catalogues count with, m: f_n = 0.75 h_0.
+  T nominal_deflection() const { return ratio<T>(3, 4) * cone_height; }
+  /// (G9) Rate that the law of displacement takes for a packet's, N/m: c = P(f_n) / f_n.
+  T packet_rate() const {
+    return nested * spring().force(nominal_deflection()) / nominal_deflection();
+  }
+  /// (G10) Working stroke of the stack's end that stores the surplus work, m, from A =
+  /// (c / i) S_sp^2 (1/2 + psi).
+  T stroke(const T& surplus) const {
+    using std::sqrt;
+    return sqrt(surplus * springs / (packet_rate() * (ratio<T>(1, 2) + preload_ratio)));
+  }
+  /// Greatest deflection of each spring, m: f_w = (1 + psi) S_sp / i.
+  T deflection(const T& surplus) const {
+    return (number<T>(1) + preload_ratio) * stroke(surplus) / springs;
+  }
+  /// (G11) Springs in a row whose greatest deflection is f_n, not rounded:
+  /// i = A f_n / (P_1 (f_n - f_min)^2 (1/2 + psi)), P_1 = P(f_n), f_min = psi f_n / (1 + psi).
+  T springs_needed(const T& surplus) const {
+    const T one = number<T>(1), f = nominal_deflection();
+    const T travel = f / (one + preload_ratio);
+    return surplus / (packet_rate() * travel * travel * (ratio<T>(1, 2) + preload_ratio));
+  }
+  /// The cam with its roller, whose follower is one end of the stack.
+  RollerCam<T> cam() const {
+    RollerCam<T> result;
+    result.base_radius = base_radius;
+    result.roller_radius = roller_radius;
+    result.face_width = face_width;
+    result.youngs_modulus = youngs_modulus;
+    result.poisson_ratio = poisson_ratio;
+    return result;
+  }
+};
+
+/// A balancing cam with its surplus work worked out, over the driver's angle.
+template <class T, template <class> class Wheel>
+class BalancedTurn {
+ public:
+  explicit BalancedTurn(const BalancingCam<T, Wheel>& machine)
+      : machine_(machine),
+        designed_(machine.designed()),
+        surplus_(surplus_of(designed_)),
+        running_peak_(surplus_of(machine.drive()).peak_torque),
+        stroke_(machine.stroke(surplus_.range)) {}
+
+  const BalancingCam<T, Wheel>& machine() const { return machine_; }
+  const Surplus<T>& surplus() const { return surplus_; }
+  /// Greatest torque of the drive at the speed that it runs at, N m.
+  const T& peak_torque() const { return running_peak_; }
+
+  template <class X>
+  GenevaMotion<X> wheel(std::size_t section, const X& phi) const {
+    return machine_.wheel(machine_.moves(section), phi);
+  }
+  /// (G5) Energy in the springs above the least, over its range: (A_max - A) / A_surplus,max, and
+  /// its derivatives by phi.
+  template <class X>
+  FollowerMotion<X> stored(std::size_t section, const X& phi) const {
+    const GenevaMotion<X> beta = wheel(section, phi);
+    const X level = surplus_.highest_work - designed_.surplus_work(beta, phi);
+    const X rate = designed_.mean_torque() - designed_.torque(beta);
+    return {level / surplus_.range, rate / surplus_.range,
+            -designed_.torque_slope(beta) / surplus_.range, number<X>(0)};
+  }
+  /// (G7) The law of displacement, 0 to 1: a = -psi + sqrt(psi^2 + (1 + 2 psi) e), e the stored
+  /// energy; a' = (1/2 + psi) e' / (a + psi), a'' = ((1/2 + psi) e'' - a'^2) / (a + psi).
+  template <class X>
+  FollowerMotion<X> displacement(std::size_t section, const X& phi) const {
+    using std::sqrt;
+    const T psi = machine_.preload_ratio, half = ratio<T>(1, 2) + psi;
+    const FollowerMotion<X> e = stored(section, phi);
+    const X root = sqrt(number<T>(2) * half * e.s + psi * psi);
+    const X first = half * e.ds / root;
+    return {root - psi, first, (half * e.dds - first * first) / root, number<X>(0)};
+  }
+  /// Motion of each roller, m.
+  template <class X>
+  FollowerMotion<X> roller(std::size_t section, const X& phi) const {
+    const FollowerMotion<X> a = displacement(section, phi);
+    const T each = stroke_ / machine_.cams;
+    return {each * a.s, each * a.ds, each * a.dds, number<X>(0)};
+  }
+  /// Force of the stack, N, by the springs' own characteristic, from the displacement. It holds
+  /// while no spring is pressed further than flat.
+  template <class X>
+  X spring_force(const FollowerMotion<X>& a) const {
+    return machine_.stack().force(stroke_ * (a.s + machine_.preload_ratio));
+  }
+  /// (G12) Force along a roller's way, N: that of the stack and m omega^2 y''. Below 0 the roller
+  /// leaves the cam.
+  template <class X>
+  X roller_force(const FollowerMotion<X>& a) const {
+    const T inertia = machine_.moved_mass * machine_.angular_speed * machine_.angular_speed;
+    return spring_force(a) + inertia * stroke_ / machine_.cams * a.dds;
+  }
+  /// (G13) What the rollers ask of the driver, N m: F y' of each, together F S_sp a'.
+  template <class X>
+  X balancing_torque(const FollowerMotion<X>& a) const {
+    return roller_force(a) * (stroke_ * a.ds);
+  }
+  /// What the driver sees with every roller on the cam, N m: M_d + M_bal.
+  template <class X>
+  X touching_torque(std::size_t section, const X& phi) const {
+    return machine_.torque(wheel(section, phi)) + balancing_torque(displacement(section, phi));
+  }
+  /// The same, but M_d alone while the rollers are off the cam.
+  template <class X>
+  X residual_torque(std::size_t section, const X& phi) const {
+    if (section == BalancingCam<T, Wheel>::Lifted) return machine_.torque(wheel(section, phi));
+    return touching_torque(section, phi);
+  }
+
+ private:
+  BalancingCam<T, Wheel> machine_;
+  GenevaDrive<T, Wheel> designed_;
+  Surplus<T> surplus_;
+  T running_peak_, stroke_;
+};
+
+template <class T>
+using PlanarBalancingCam = BalancingCam<T, PlanarGeneva>;
+template <class T>
+using SphericalBalancingCam = BalancingCam<T, SphericalGeneva>;
+
+}  // namespace camlaw

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/roller_contact.h"
+#include "numerics/scalar/absolute.h"
+#include "numerics/scalar/by_side.h"
+
+/// Of two flanks or cams the one that bears the force between them (docs/theory.md, "Form
+/// closure").
+namespace camlaw {
+
+/// The stress under a force, without slope where the force is 0: nothing bears there, as in a dwell
+/// without a load, and the root of the force has no derivatives.
+template <class X>
+X loaded(const X& force, const X& stress) {
+  return value_of(force) == 0 ? number<X>(0) : stress;
+}
+
+inline Interval loaded(const Interval&, const Interval& stress) { return stress; }
+
+template <std::size_t N>
+Series<Interval, N> loaded(const Series<Interval, N>&, const Series<Interval, N>& stress) {
+  return stress;
+}
+
+/// (M27) What (M7) is for the outer flank of a groove, -r_r k: it is undercut where this reaches 1.
+template <class T, class X>
+X outer_undercut(const RollerContact<T>& roller, const X& k) {
+  return roller.undercut(-k);
+}
+
+/// (M28) Greatest pressure, Pa, in a groove, on the flank that bears the force N, N: with the pitch
+/// curve's curvature k, 1/m, the inner one where N is above 0 and the outer one, whose pitch curve
+/// bends the other way, below. NaN where that flank is undercut.
+template <class T, class X>
+X groove_stress(const RollerContact<T>& roller, const X& force, const X& k) {
+  return loaded(force, roller.stress(absolute(force), by_side(force, k, X(-k))));
+}
+
+}  // namespace camlaw

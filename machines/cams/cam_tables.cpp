@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/cam_tables.h"
+
+namespace camlaw::problems {
+
+using optim::Part;
+
+Parameters stroke_parameter() {
+  return {{"stroke", "h", "mm", "m", "stroke of the follower, at displacement 1", 20, 1e-6, 1e5}};
+}
+
+Parameters swing_parameter() {
+  return {{"swing", "Psi", "deg", "rad", "swing of the arm, at displacement 1", 20, 1e-6, 179}};
+}
+
+Parameters base_parameter() {
+  return {{"base_radius", "r_b", "mm", "m", "least radius of the profile", 40, 1e-3, 1e5}};
+}
+
+Parameters roller_parameter() {
+  return {{"roller_radius", "r_r", "mm", "m", "radius of the roller", 10, 1e-3, 1e5}};
+}
+
+Parameters offset_parameter() {
+  return {{"offset", "e", "mm", "m",
+           "distance of the follower's path from the cam's centre, above 0 where it eases the rise",
+           0, -1e5, 1e5}};
+}
+
+Parameters speed_parameter() {
+  return {{"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6}};
+}
+
+Parameters sliding_load(double rate, double preload) {
+  return {
+      {"mass", "m", "kg", "kg", "mass that moves with the follower", 1, 0, 1e6},
+      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring that closes the pair", rate, 0, 1e6},
+      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", preload, -1e9,
+       1e9},
+      {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
+}
+
+Parameters swinging_load(double rate, double preload) {
+  return {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that swings", 0.002, 0, 1e6},
+          {"spring_rate", "c", "N m/deg", "N m/rad", "rate of the spring about the pivot", rate, 0,
+           1e9},
+          {"spring_preload", "M_0", "N m", "N m", "torque of the spring at the lowest place",
+           preload, -1e9, 1e9},
+          {"load", "M_L", "N m", "N m", "constant torque against the rise", 0, -1e9, 1e9}};
+}
+
+Parameters contact_parameters() {
+  return {
+      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 15, 1e-3, 1e4},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4},
+      {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
+}
+
+Parameters blank_parameters() {
+  return {{"density", "rho", "kg/m3", "kg/m3", "density of the cam", 7850, 1, 1e5},
+          {"bore_radius", "r_0", "mm", "m", "radius of the cam's bore", 10, 0, 1e5}};
+}
+
+Parameters guide_parameters() {
+  return {{"guide_friction", "mu", "1", "1", "coefficient of friction of the follower's guide", 0,
+           0, 1},
+          {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
+          {"overhang", "a", "mm", "m", "distance of the roller from the guide at the lowest place",
+           40, 0, 1e5}};
+}
+
+Parameters cutter_parameter() {
+  return {{"cutter_radius", "r_c", "mm", "m", "radius of the tool that cuts the profile", 10, 1e-3,
+           1e4}};
+}
+
+Parameters joined(const std::vector<Parameters>& lists) {
+  Parameters all;
+  for (const Parameters& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+NamedPeak peak_pressure_angle() {
+  return {"peak_pressure_angle", "pressure_angle", Part::Magnitude, "greatest pressure angle"};
+}
+
+NamedPeak peak_undercut() {
+  return {"peak_undercut", "undercut", Part::Highest,
+          "greatest share of the pitch curve's radius that the roller takes"};
+}
+
+NamedPeak peak_torque() {
+  return {"peak_torque", "drive_torque", Part::Magnitude, "greatest drive torque"};
+}
+
+NamedPeak peak_stress() {
+  return {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"};
+}
+
+NamedPeak peak_outer_undercut() {
+  return {"peak_outer_undercut", "outer_undercut", Part::Highest,
+          "greatest share of the pitch curve's radius that the roller takes of the outer flank"};
+}
+
+NamedPeak peak_groove_stress() {
+  return {"peak_groove_stress", "groove_stress", Part::Highest, "greatest stress in a groove"};
+}
+
+NamedPeak least_force() {
+  return {"least_force", "follower_force", Part::Lowest,
+          "least force along the follower's path; above 0 the spring keeps contact"};
+}
+
+NamedPeak least_torque() {
+  return {"least_torque", "follower_torque", Part::Lowest,
+          "least torque on the arm; above 0 the spring keeps contact"};
+}
+
+NamedPeak peak_force() {
+  return {"peak_force", "follower_force", Part::Magnitude,
+          "greatest force along the follower's path"};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "machines/model/mechanism.h"
+
+/// Parameters and named peaks that several cams have alike.
+namespace camlaw::problems {
+
+using Parameters = std::vector<MechanismParameter>;
+
+Parameters stroke_parameter();
+Parameters swing_parameter();
+Parameters base_parameter();
+Parameters roller_parameter();
+Parameters offset_parameter();
+Parameters speed_parameter();
+/// Mass, spring and load of a follower that slides, its spring's standard rate and preload.
+Parameters sliding_load(double rate, double preload);
+/// Inertia, spring and load of an arm, its spring's standard rate in N m/deg and preload.
+Parameters swinging_load(double rate, double preload);
+/// Width and material of the contact.
+Parameters contact_parameters();
+Parameters cutter_parameter();
+/// Density of the cam, radius of its bore.
+Parameters blank_parameters();
+/// Friction and sizes of the guide of a sliding follower.
+Parameters guide_parameters();
+
+/// One list after another.
+Parameters joined(const std::vector<Parameters>& lists);
+
+NamedPeak peak_pressure_angle();
+NamedPeak peak_undercut();
+NamedPeak peak_torque();
+NamedPeak peak_stress();
+NamedPeak peak_outer_undercut();
+NamedPeak peak_groove_stress();
+NamedPeak least_force();
+NamedPeak least_torque();
+NamedPeak peak_force();
+
+}  // namespace camlaw::problems

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/bearing_side.h"
+#include "machines/cams/roller_cam.h"
+
+namespace camlaw {
+
+/// Two disc cams on one shaft that move a translating carriage both ways (docs/theory.md,
+/// "Conjugate cams"). Its two rollers are alike, on opposite sides of the shaft, the distance D
+/// apart along the carriage's path. The main cam is a RollerCam; the second one is a RollerCam of
+/// the complementary motion, seen from the other side. Fields in SI units.
+///
+/// Valid while the second roller stays beyond the shaft and its cam has a base radius above 0, for
+/// programs between displacement 0 and 1. The pair runs without play and without bracing: where
+/// one cam bears, the other does not.
+template <class T>
+struct ConjugateCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T base_radius = number<T>(0.040);               ///< r_b, m, of the main cam
+  T roller_radius = number<T>(0.010);             ///< r_r, m, of either roller
+  T offset = number<T>(0);                        ///< e, m
+  T roller_distance = number<T>(0.140);           ///< D, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg, of the carriage
+  T spring_rate = number<T>(0);                   ///< c, N/m
+  T spring_preload = number<T>(0);                ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of either contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m
+
+  RollerCam<T> main() const { return cam(base_radius, offset); }
+  RollerCam<T> second() const { return cam(second_base_radius(), -offset); }
+  /// (M29) Least distance of the second roller from the shaft along the way: D - y_0 - h.
+  T second_height() const { return roller_distance - main().lowest_height() - stroke; }
+  /// (M30) Base radius of the second cam, m: sqrt(e^2 + (D - y_0 - h)^2) - r_r.
+  T second_base_radius() const {
+    using std::sqrt;
+    const T height = second_height();
+    return sqrt(offset * offset + height * height) - roller_radius;
+  }
+  bool is_possible() const {
+    return main().is_possible() && value_of(base_radius) > 0 && value_of(second_height()) > 0 &&
+           value_of(second_base_radius()) > 0;
+  }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  RollerContact<T> roller() const { return main().roller(); }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// What the second cam gives its roller: h - s.
+  template <class X>
+  FollowerMotion<X> second_motion(const FollowerMotion<X>& f) const {
+    return {-f.s + stroke, -f.ds, -f.dds, -f.ddds};
+  }
+  /// The profiles of the two cams, both seen from the frame of the main one.
+  template <class X>
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return main().pitch_curve(f).inside(roller_radius);
+  }
+  template <class X>
+  CamPoint<X> second_profile(const FollowerMotion<X>& f) const {
+    const CamPoint<X> p = second().pitch_curve(second_motion(f)).inside(roller_radius);
+    return {-p.x, -p.y, -p.x1, -p.y1};
+  }
+  /// (M31) Force between the cam that bears and its roller, N, above 0 where it is the main one:
+  /// N = F / cos alpha.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    const X force = follower().force(f);
+    const X of_main = inclined(main().pitch_curve(f));
+    const X of_second = inclined(second().pitch_curve(second_motion(f)));
+    return force * by_side(force, of_main, of_second);
+  }
+  /// Greatest pressure, Pa, at the cam that bears. NaN where that one is undercut.
+  template <class X>
+  X contact_stress(const FollowerMotion<X>& f) const {
+    const X force = contact_force(f);
+    const X of_main = main().pitch_curve(f).curvature();
+    const X of_second = second().pitch_curve(second_motion(f)).curvature();
+    const X k = by_side(follower().force(f), of_main, of_second);
+    return loaded(force, roller().stress(absolute(force), k));
+  }
+
+ private:
+  RollerCam<T> cam(const T& base, const T& side) const {
+    return {stroke,         base,          roller_radius,  side, angular_speed,
+            mass,           spring_rate,   spring_preload, load, face_width,
+            youngs_modulus, poisson_ratio, cutter_radius};
+  }
+  /// 1 / cos alpha.
+  template <class X>
+  static X inclined(const CamCurve<X>& w) {
+    return w.speed() / w.y;
+  }
+};
+
+}  // namespace camlaw

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_contact.h"
+
+namespace camlaw {
+
+/// An end (face) or barrel cam with a roller that moves along the cam's axis (docs/theory.md, "End
+/// and barrel cams"), developed at the mean radius of the roller's track. Fields in SI units.
+template <class T>
+struct EndCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(0);                   ///< c, N/m
+  T spring_preload = number<T>(0);                ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of the contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the track
+
+  bool is_possible() const { return value_of(radius) > 0; }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// (M17) The roller's centre on the developed cam: w = i s, w1 = R + i s', w2 = i s''. Its
+  /// curvature (M4) is k = -s'' / R^2 / (1 + (s' / R)^2)^(3/2), positive where the cam is convex.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    const X none = number<X>(0);
+    return {none, f.s, none + radius, f.ds, none, f.dds};
+  }
+  /// A point of a curve on the cam, developed: x along the circumference.
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return {p.x + radius * phi, p.y};
+  }
+  /// (M16) Pressure angle, rad: tan alpha = s' / R.
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    return atan(f.ds / radius);
+  }
+  /// (M18) Force between roller and cam, N, signed as the force along the way: N = F / cos alpha.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X slope = f.ds / radius;
+    return follower().force(f) * sqrt(slope * slope + number<T>(1));
+  }
+};
+
+}  // namespace camlaw

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/flat_cam.h"
+
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/face_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<FlatCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &FlatCam<T>::stroke,        &FlatCam<T>::base_radius, &FlatCam<T>::angular_speed,
+      &FlatCam<T>::mass,          &FlatCam<T>::spring_rate, &FlatCam<T>::spring_preload,
+      &FlatCam<T>::load,          &FlatCam<T>::face_width,  &FlatCam<T>::youngs_modulus,
+      &FlatCam<T>::poisson_ratio, &FlatCam<T>::density,     &FlatCam<T>::bore_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
+  static const Parameters all =
+      joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
+              contact_parameters(), blank_parameters()});
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+MechanismResponse contact_offset() {
+  return curve_response<FlatCam>({"contact_offset",
+                                  "mm",
+                                  "m",
+                                  "where the face touches, from the follower's axis",
+                                  {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}},
+                                 turn_of_the_cam(), [](const auto& cam) {
+                                   return [cam](const auto& motion) {
+                                     return cam.contact_offset(cam.over_angle(motion));
+                                   };
+                                 });
+}
+
+}  // namespace
+
+Mechanism flat_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
+  responses.push_back(contact_offset());
+  responses.push_back(profile_radius_response<FlatCam>(
+      {{{"law", "base_radius"}, S::Linear}, {{"stroke", "base_radius"}, S::Linear}}));
+  append(responses, face_contact_responses<FlatCam>());
+  append(responses, drawn_responses<FlatCam>(false));
+  append(responses, blank_responses<FlatCam>());
+  return {.name = "disc-cam-flat",
+          .title = "disc cam with a translating flat-faced follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<FlatCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                     "least radius of curvature of the profile"},
+                    {"face_half_width", "contact_offset", Part::Magnitude,
+                     "how far the face must reach"},
+                    least_force(),
+                    peak_force(),
+                    peak_torque(),
+                    peak_stress()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/contact/hertz.h"
+
+namespace camlaw {
+
+/// A disc cam with a translating flat-faced follower whose face stands square to its way
+/// (docs/theory.md, "Flat face on a disc cam"). Fields in SI units. The pressure angle is 0
+/// everywhere.
+template <class T>
+struct FlatCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T base_radius = number<T>(0.040);               ///< r_b, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(5000);                ///< c, N/m
+  T spring_preload = number<T>(50);               ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
+
+  bool is_possible() const { return value_of(base_radius) > 0; }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// (M11) Where the face touches, m from the follower's axis: s'. The face must reach so far.
+  template <class X>
+  X contact_offset(const FollowerMotion<X>& f) const {
+    return f.ds;
+  }
+  /// (M12) Radius of curvature of the profile, m: r_b + s + s''. The cam can be made while it is
+  /// above 0; a flat face touches no hollow.
+  template <class X>
+  X profile_radius(const FollowerMotion<X>& f) const {
+    return f.s + f.dds + base_radius;
+  }
+  /// The profile: p = s' + i (r_b + s), p1 = r_b + s + s''.
+  template <class X>
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return {f.ds, f.s + base_radius, profile_radius(f), number<X>(0)};
+  }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+  template <class X>
+  X contact_stress(const FollowerMotion<X>& f) const {
+    return contact().pressure(follower().force(f) / face_width, number<X>(1) / profile_radius(f));
+  }
+  template <class X>
+  X contact_half_width(const FollowerMotion<X>& f) const {
+    return contact().half_width(follower().force(f) / face_width, number<X>(1) / profile_radius(f));
+  }
+};
+
+}  // namespace camlaw

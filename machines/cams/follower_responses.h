@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/model/append.h"
+#include "machines/model/cycle_mean.h"
+#include "machines/model/law_number.h"
+#include "machines/model/listed_responses.h"
+#include "machines/model/peak_number.h"
+#include "machines/model/pulse.h"
+
+/// What all followers that a program moves have in common.
+namespace camlaw::problems {
+
+enum class FollowerCurve {
+  Displacement,
+  Velocity,
+  Acceleration,
+  Jerk,
+  Force,
+  Torque,
+  StaticTorque,
+  DynamicTorque,
+  Power,
+  InertiaShare,
+  LiftRatio
+};
+
+/// The cam's own torque where friction makes it differ from the follower's.
+template <class Cam, class X>
+X drive_torque(const Cam& cam, const FollowerMotion<X>& f) {
+  if constexpr (requires { cam.drive_torque(f); }) {
+    return cam.drive_torque(f);
+  } else {
+    return cam.follower().torque(f);
+  }
+}
+
+template <class Cam, class X>
+X follower_curve(const Cam& cam, FollowerCurve which, const FollowerMotion<X>& f) {
+  const auto omega = cam.angular_speed;
+  switch (which) {
+    case FollowerCurve::Displacement:
+      return f.s;
+    case FollowerCurve::Velocity:
+      return omega * f.ds;
+    case FollowerCurve::Acceleration:
+      return omega * omega * f.dds;
+    case FollowerCurve::Jerk:
+      return omega * omega * omega * f.ddds;
+    case FollowerCurve::Force:
+      return cam.follower().force(f);
+    case FollowerCurve::Torque:
+      return drive_torque(cam, f);
+    case FollowerCurve::StaticTorque:
+      return cam.follower().static_force(f) * f.ds;
+    case FollowerCurve::DynamicTorque:
+      return cam.follower().inertia_force(f) * f.ds;
+    case FollowerCurve::Power:
+      return omega * drive_torque(cam, f);
+    case FollowerCurve::InertiaShare:
+      return omega * omega * cam.follower().lift_ratio(f);
+    case FollowerCurve::LiftRatio:
+      break;
+  }
+  return cam.follower().lift_ratio(f);
+}
+
+/// Units and names of a follower's motion and load: millimetres and newtons, or degrees and
+/// newton metres.
+struct FollowerWords {
+  const char* stroke;                          ///< its parameter
+  const char *place, *place_stored;            ///< units of displacement, listed and stored
+  const char *velocity, *acceleration, *jerk;  ///< units, listed and stored
+  const char* force;                           ///< unit
+  const char *mass, *force_name;               ///< parameter and response
+};
+
+inline constexpr FollowerWords kSliding{"stroke", "mm", "m",    "m/s",           "m/s2",
+                                        "m/s3",   "N",  "mass", "follower_force"};
+inline constexpr FollowerWords kSwinging{"swing",  "deg", "rad",     "rad/s",          "rad/s2",
+                                         "rad/s3", "N m", "inertia", "follower_torque"};
+
+inline std::vector<MechanismResponse> follower_responses_of(
+    const FollowerWords& w,
+    const std::function<MechanismResponse(ResponseAbout, FollowerCurve)>& make) {
+  using optim::Shape;
+  const std::vector<std::string> loads{w.mass, "spring_rate", "spring_preload", "load"};
+  const auto linear = [&](std::vector<std::string> more = {}) {
+    std::vector<ShapeStatement> shapes{{{"law"}, Shape::Linear}, {{w.stroke}, Shape::Linear}};
+    if (!more.empty()) shapes.push_back({std::move(more), Shape::Linear});
+    return shapes;
+  };
+  using C = FollowerCurve;
+  std::vector<MechanismResponse> all;
+  const auto add = [&](C which, const char* name, const char* listed, const char* stored,
+                       const char* meaning, std::vector<ShapeStatement> shapes) {
+    all.push_back(make({name, listed, stored, meaning, std::move(shapes)}, which));
+  };
+  const ShapeStatement speed{{"speed"}, Shape::Quasilinear};
+  add(C::Displacement, "displacement", w.place, w.place_stored, "displacement of the follower",
+      linear());
+  add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the follower",
+      linear({"speed"}));
+  auto shapes = linear();
+  shapes.push_back(speed);
+  add(C::Acceleration, "acceleration", w.acceleration, w.acceleration,
+      "acceleration of the follower", shapes);
+  add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the follower", shapes);
+  auto force_shapes = linear(loads);
+  force_shapes.push_back(speed);
+  add(C::Force, w.force_name, w.force, w.force,
+      "what the cam must give along the follower's path; below 0 a spring-closed follower leaves "
+      "the cam",
+      force_shapes);
+  const std::vector<ShapeStatement> torque_shapes{{loads, Shape::Linear}, speed};
+  add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft", torque_shapes);
+  add(C::StaticTorque, "static_torque", "N m", "N m",
+      "what of it spring and load ask for, without friction",
+      {{{"spring_rate", "spring_preload", "load"}, Shape::Linear}});
+  add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
+      "what of it the moved masses ask for, without friction", {{{w.mass}, Shape::Linear}, speed});
+  add(C::Power, "drive_power", "W", "W", "power into the cam", {{loads, Shape::Linear}});
+  add(C::InertiaShare, "inertia_share", "1", "1",
+      "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam",
+      {});
+  return all;
+}
+
+template <template <class> class M>
+MechanismResponse follower_response(ResponseAbout about, FollowerCurve which) {
+  return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                         [](const auto& cam, FollowerCurve curve, const auto& motion) {
+                           return follower_curve(cam, curve, cam.over_angle(motion));
+                         });
+}
+
+/// Root of the mean square of a curve over the turn.
+template <template <class> class M>
+MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
+  return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
+    using std::sqrt;
+    check_no_pulse(turn_of_the_cam(), law);
+    return sqrt(cycle_mean(law, [&](const auto& motion, const auto&) {
+      const auto value = follower_curve(cam, which, cam.over_angle(motion));
+      return value * value;
+    }));
+  });
+}
+
+/// Numbers of the whole cycle.
+template <template <class> class M>
+std::vector<MechanismResponse> follower_numbers() {
+  using C = FollowerCurve;
+  return {
+      follower_rms<M>({"torque_rms", "N m", "N m", "root of the torque's mean square"}, C::Torque),
+      follower_rms<M>({"power_rms", "W", "W", "root of the power's mean square"}, C::Power),
+      peak_number<M>(
+          {"contact_loss_speed", "rpm", "rad/s",
+           "speed from which on a spring-closed follower leaves the cam; no number where "
+           "nothing holds it, or nothing lifts it"},
+          follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio), optim::Part::Highest,
+          [](const auto&, const auto& ratio) {
+            using std::sqrt;
+            return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
+          })};
+}
+
+/// The responses of a machine M with over_angle(), follower() and angular_speed.
+template <template <class> class M>
+std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
+  std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
+  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
+                  cam.drive_torque(f);
+                }) {
+    // Friction acts on the size of the force: what is linear without it is not with it.
+    for (MechanismResponse& response : all) {
+      if (response.name == "drive_torque" || response.name == "drive_power") {
+        response.shapes.clear();
+      }
+    }
+  }
+  append(all, follower_numbers<M>());
+  return all;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/knife_cam.h"
+
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<KnifeCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &KnifeCam<T>::stroke,         &KnifeCam<T>::base_radius, &KnifeCam<T>::offset,
+      &KnifeCam<T>::angular_speed,  &KnifeCam<T>::mass,        &KnifeCam<T>::spring_rate,
+      &KnifeCam<T>::spring_preload, &KnifeCam<T>::load,        &KnifeCam<T>::cutter_radius,
+      &KnifeCam<T>::face_width,     &KnifeCam<T>::density,     &KnifeCam<T>::bore_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<KnifeCam>::parameters() {
+  static const Parameters all =
+      joined({stroke_parameter(),
+              base_parameter(),
+              offset_parameter(),
+              speed_parameter(),
+              sliding_load(5, 50),
+              cutter_parameter(),
+              {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
+              blank_parameters()});
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+enum class Curve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
+
+MechanismResponse curve(Curve which, ResponseAbout about) {
+  return listed_curve<KnifeCam>(std::move(about), turn_of_the_cam(), which,
+                                [](const auto& cam, Curve wanted, const auto& motion) {
+                                  const auto f = cam.over_angle(motion);
+                                  switch (wanted) {
+                                    case Curve::PressureAngle:
+                                      return cam.pressure_angle(f);
+                                    case Curve::ProfileCurvature:
+                                      return cam.profile_curvature(f);
+                                    case Curve::ToolFit:
+                                      return cam.tool_fit(f);
+                                    case Curve::ContactForce:
+                                      break;
+                                  }
+                                  return cam.contact_force(f);
+                                });
+}
+
+}  // namespace
+
+Mechanism knife_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<KnifeCam>(kSliding);
+  responses.push_back(curve(Curve::PressureAngle,
+                            {"pressure_angle",
+                             "deg",
+                             "rad",
+                             "between the normal and the follower's path, signed as the slope",
+                             {{{"law"}, S::Quasilinear},
+                              {{"stroke"}, S::Quasilinear},
+                              {{"base_radius"}, S::Quasilinear}}}));
+  responses.push_back(curve(Curve::ProfileCurvature,
+                            {"profile_curvature", "1/mm", "1/m",
+                             "curvature of the profile, positive where convex, below 0 where it "
+                             "turns hollow"}));
+  responses.push_back(
+      curve(Curve::ToolFit, {"tool_fit", "1", "1",
+                             "share of a hollow's radius that the tool takes; above 1 it does not "
+                             "fit"}));
+  responses.push_back(
+      curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
+  append(responses, drawn_responses<KnifeCam>(true));
+  append(responses, blank_responses<KnifeCam>());
+  return {.name = "disc-cam-knife",
+          .title = "disc cam with a translating knife-edged follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<KnifeCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {peak_pressure_angle(),
+                    {"sharpest_curvature", "profile_curvature", Part::Highest,
+                     "greatest curvature of the profile"},
+                    {"least_curvature", "profile_curvature", Part::Lowest,
+                     "least curvature of the profile; above 0 it is convex all round"},
+                    least_force(),
+                    peak_force(),
+                    peak_torque()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

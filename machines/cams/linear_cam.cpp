@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/linear_cam.h"
+
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/cams/roller_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<LinearCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &LinearCam<T>::stroke,         &LinearCam<T>::travel,        &LinearCam<T>::roller_radius,
+      &LinearCam<T>::angular_speed,  &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
+      &LinearCam<T>::spring_preload, &LinearCam<T>::load,          &LinearCam<T>::face_width,
+      &LinearCam<T>::youngs_modulus, &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
+  static const Parameters all =
+      joined({stroke_parameter(),
+              {{"travel", "L", "mm", "m", "travel of the plate in a cycle", 300, 1e-3, 1e6}},
+              roller_parameter(),
+              {{"speed", "n", "rpm", "rad/s", "cycles of the plate, by minute", 300, 1e-3, 1e6}},
+              sliding_load(5, 50),
+              contact_parameters(),
+              cutter_parameter()});
+  return all;
+}
+
+namespace {
+
+using S = optim::Shape;
+
+/// A plate has no shaft: its force stands for the torque.
+std::vector<MechanismResponse> plate_responses() {
+  std::vector<MechanismResponse> responses = follower_responses<LinearCam>(kSliding);
+  std::erase_if(responses, [](const auto& response) {
+    return response.name.find("torque") != std::string::npos;
+  });
+  responses.push_back(curve_response<LinearCam>(
+      {"plate_force",
+       "N",
+       "N",
+       "force that moves the plate, without friction",
+       {{{"mass", "spring_rate", "spring_preload", "load"}, S::Linear},
+        {{"travel"}, S::Quasilinear},
+        {{"speed"}, S::Quasilinear}}},
+      turn_of_the_cam(), [](const auto& cam) {
+        return [cam](const auto& motion) { return cam.plate_force(cam.over_angle(motion)); };
+      }));
+  return responses;
+}
+
+}  // namespace
+
+Mechanism linear_cam_mechanism() {
+  std::vector<MechanismResponse> responses = plate_responses();
+  append(responses, roller_responses<LinearCam>({{{"law", "travel"}, S::Quasilinear},
+                                                 {{"stroke", "travel"}, S::Quasilinear}}));
+  append(responses, drawn_responses<LinearCam>(true));
+  return {.name = "linear-cam",
+          .title = "cam plate that slides under a translating roller follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<LinearCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {peak_pressure_angle(),
+                    peak_undercut(),
+                    least_force(),
+                    peak_force(),
+                    {"peak_plate_force", "plate_force", optim::Part::Magnitude,
+                     "greatest force that moves the plate"},
+                    peak_stress(),
+                    peak_outer_undercut(),
+                    peak_groove_stress()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

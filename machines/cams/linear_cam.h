@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/end_cam.h"
+
+namespace camlaw {
+
+/// A plate that slides evenly by its travel L in a cycle under a translating roller follower, whose
+/// way is square to the plate's (docs/theory.md, "Cam plates"): a developed end cam of the
+/// radius L / (2 pi). Fields in SI units. Radians are of the cycle, 2 pi each.
+///
+/// Valid for one passage of the plate, or one that repeats; what a plate does that stops and comes
+/// back is another cycle.
+template <class T>
+struct LinearCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T travel = number<T>(0.300);                    ///< L, m, of the plate in a cycle
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s, 2 pi by cycle
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(5000);                ///< c, N/m
+  T spring_preload = number<T>(50);               ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of the contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of plate and roller
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+
+  bool is_possible() const { return value_of(travel) > 0; }
+  /// Way of the plate by radian.
+  T radius() const { return travel / (number<T>(2) * pi<T>()); }
+  EndCam<T> developed() const {
+    return {stroke,         radius(), roller_radius, angular_speed,  mass,          spring_rate,
+            spring_preload, load,     face_width,    youngs_modulus, poisson_ratio, cutter_radius};
+  }
+  FollowerLoad<T> follower() const { return developed().follower(); }
+  RollerContact<T> roller() const { return developed().roller(); }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return developed().over_angle(motion);
+  }
+  /// The roller's centre on the plate.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    return developed().pitch_curve(f);
+  }
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return developed().placed(p, phi);
+  }
+  /// (M16) Pressure angle, rad: tan alpha = s' / R.
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    return developed().pressure_angle(f);
+  }
+  /// (M18) Force between roller and plate, N: N = F / cos alpha.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    return developed().contact_force(f);
+  }
+  /// (M26) Force that moves the plate, N, without friction: P = F tan alpha.
+  template <class X>
+  X plate_force(const FollowerMotion<X>& f) const {
+    return follower().torque(f) / radius();
+  }
+};
+
+}  // namespace camlaw

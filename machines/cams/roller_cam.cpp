@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/roller_cam.h"
+
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/cams/roller_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<RollerCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &RollerCam<T>::stroke,         &RollerCam<T>::base_radius,    &RollerCam<T>::roller_radius,
+      &RollerCam<T>::offset,         &RollerCam<T>::angular_speed,  &RollerCam<T>::mass,
+      &RollerCam<T>::spring_rate,    &RollerCam<T>::spring_preload, &RollerCam<T>::load,
+      &RollerCam<T>::face_width,     &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
+      &RollerCam<T>::cutter_radius,  &RollerCam<T>::density,        &RollerCam<T>::bore_radius,
+      &RollerCam<T>::guide_friction, &RollerCam<T>::guide_length,   &RollerCam<T>::overhang};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
+  static const Parameters all =
+      joined({stroke_parameter(), base_parameter(), roller_parameter(), offset_parameter(),
+              speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter(),
+              blank_parameters(), guide_parameters()});
+  return all;
+}
+
+Mechanism roller_cam_mechanism() {
+  using S = optim::Shape;
+  std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
+  append(responses, roller_responses<RollerCam>({{{"law"}, S::Quasilinear},
+                                                 {{"stroke"}, S::Quasilinear},
+                                                 {{"base_radius"}, S::Quasilinear},
+                                                 {{"roller_radius"}, S::Quasilinear}}));
+  append(responses, drawn_responses<RollerCam>(true));
+  append(responses, blank_responses<RollerCam>());
+  return {.name = "disc-cam-roller",
+          .title = "disc cam with a translating roller follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<RollerCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
+                    peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

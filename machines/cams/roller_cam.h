@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_contact.h"
+#include "numerics/scalar/absolute.h"
+#include "numerics/scalar/by_side.h"
+
+namespace camlaw {
+
+/// A disc cam with a translating roller follower, offset or in line (docs/theory.md, "Roller on a
+/// disc cam"). Fields in SI units; T is double, Dual or Interval, X joins it with the motion's
+/// scalar. The follower moves along y at x = offset; the cam turns so that a positive offset lowers
+/// the pressure angle of the rise. The other rotation is the other sign of the offset.
+///
+/// Valid while |offset| is less than the prime radius, base_radius + roller_radius; with friction
+/// in the guide, while the roller stays outside it, stroke at most overhang.
+template <class T>
+struct RollerCam {
+  T stroke = number<T>(0.020);                    ///< h, m
+  T base_radius = number<T>(0.040);               ///< r_b, m, least radius of the cam's profile
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T offset = number<T>(0);                        ///< e, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T mass = number<T>(1);                          ///< m, kg
+  T spring_rate = number<T>(5000);                ///< c, N/m
+  T spring_preload = number<T>(50);               ///< F_0, N
+  T load = number<T>(0);                          ///< F_L, N
+  T face_width = number<T>(0.015);                ///< b, m, of the contact
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
+
+  bool is_possible() const {
+    const double e = value_of(offset), prime = value_of(prime_radius());
+    const bool guided = value_of(guide_friction) <= 0 || value_of(overhang) >= value_of(stroke);
+    return prime > 0 && e * e < prime * prime && guided;
+  }
+  T prime_radius() const { return base_radius + roller_radius; }
+  /// (M5) Height of the roller's centre at s = 0: y_0 = sqrt(r_p^2 - e^2).
+  T lowest_height() const {
+    using std::sqrt;
+    return sqrt(prime_radius() * prime_radius() - offset * offset);
+  }
+  FollowerLoad<T> follower() const {
+    return {mass, spring_rate, spring_preload, load, angular_speed};
+  }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(stroke, motion);
+  }
+  /// The roller's centre, on the pitch curve: w = e + i y, w1 = y + i (s' - e), w2 = 2 s' - e +
+  /// i (s'' - y) with y = y_0 + s.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    const X y = f.s + lowest_height();
+    return {X(number<X>(0) + offset), y, y, f.ds - offset, number<T>(2) * f.ds - offset, f.dds - y};
+  }
+  /// (M6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s).
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    return atan((f.ds - offset) / (f.s + lowest_height()));
+  }
+  /// (M37) What friction in the guide takes of the force along the way, |tan alpha| mu
+  /// (2 a + l_g) / l_g with the overhang a - s, signed as the velocity. At 1 a rising follower
+  /// jams.
+  template <class X>
+  X guide_share(const FollowerMotion<X>& f) const {
+    const X slope = (f.ds - offset) / (f.s + lowest_height());
+    const X size = is_number(offset, 0) ? slope : along(f.ds, slope);
+    return guide_friction * (number<T>(2) * ((overhang - f.s) / guide_length) + number<T>(1)) *
+           size;
+  }
+  /// (M9), (M38) Force between roller and cam, N: N = F / (cos alpha (1 - q)), q the guide's share
+  /// where F is above 0 and its negative below. NaN where the follower jams.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    const CamCurve<X> w = pitch_curve(f);
+    return driving_force(f) * w.speed() / w.y;
+  }
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m: N cos alpha s'.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return driving_force(f) * f.ds;
+  }
+
+ private:
+  /// N cos alpha: the force along the way with the guide's friction.
+  template <class X>
+  X driving_force(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X force = follower().force(f);
+    if (is_number(guide_friction, 0)) return force;
+    const X share = guide_share(f), one = number<X>(1);
+    const X left = by_side(force, X(one - share), X(one + share)), root = sqrt(left);
+    return force / (root * root);  // a root of what is below 0 is not a number
+  }
+};
+
+}  // namespace camlaw

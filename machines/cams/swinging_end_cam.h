@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <numbers>
+
+#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_contact.h"
+
+namespace camlaw {
+
+/// An end (face) or barrel cam with a roller on an arm that swings about an axis square to the
+/// cam's (docs/theory.md, "Arm on an end cam"), developed at the mean radius R of the roller's
+/// track. eta is the angle of the arm, of length l, to the track's circumference: beta - Psi / 2 at
+/// the lowest place, beta - Psi / 2 + Psi s at displacement s. With the tilt beta = 0 the arm is
+/// square to the cam's axis at mid-swing. Fields in SI units.
+/// The cam turns so that its surface runs under the arm away from the pivot (a trailing arm).
+///
+/// Valid while eta stays between plus and minus a right angle. The developed track is exact for
+/// a plate; on the cylinder it takes x / R for the angle asin(x / R) at the distance x from the
+/// plane through the axis square to the arm's, and asks of the roller the depth x^2 / (2 R).
+template <class T>
+struct SwingingEndCam {
+  T swing = number<T>(0.35);                      ///< Psi, rad
+  T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
+  T arm_length = number<T>(0.080);                ///< l, m
+  T tilt = number<T>(0);                          ///< beta, rad, of the arm at mid-swing
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
+  T spring_rate = number<T>(0);                   ///< c, N m/rad
+  T spring_preload = number<T>(0);                ///< M_0, N m
+  T load = number<T>(0);                          ///< M_L, N m
+  T face_width = number<T>(0.015);                ///< b, m
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m
+
+  bool is_possible() const {
+    const double middle = value_of(tilt), half = value_of(swing) / 2, right = std::numbers::pi / 2;
+    return value_of(radius) > 0 && value_of(arm_length) > 0 && middle - half > -right &&
+           middle + half < right;
+  }
+  T lowest_angle() const { return tilt - swing / number<T>(2); }
+  /// What swings counts as what slides: J for m, torques for forces.
+  FollowerLoad<T> follower() const {
+    return {inertia, spring_rate, spring_preload, load, angular_speed};
+  }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(swing, motion);
+  }
+  /// (M23) The roller's centre from the pivot, x along the circumference: with
+  /// E = l exp(-i eta), w = -E, w1 = R + i eta' E, w2 = (eta'^2 + i eta'') E.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    using std::cos;
+    using std::sin;
+    const X eta = f.s + lowest_angle(), square = f.ds * f.ds;
+    const X c = arm_length * cos(eta), s = arm_length * sin(eta);
+    return {-c, s, f.ds * s + radius, f.ds * c, square * c + f.dds * s, f.dds * c - square * s};
+  }
+  /// A point of a curve on the cam, developed: x along the circumference.
+  template <class X>
+  std::pair<X, X> placed(const CamPoint<X>& p, const X& phi) const {
+    return {p.x + radius * phi, p.y};
+  }
+  /// (M24) Pressure angle, rad: tan alpha = tan eta + l eta' / (R cos eta).
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    using std::cos;
+    using std::sin;
+    const X eta = f.s + lowest_angle();
+    return atan((sin(eta) + arm_length / radius * f.ds) / cos(eta));
+  }
+  /// (M25) Force between roller and cam, N, signed as the torque: N = M / (l cos alpha).
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    using std::cos;
+    return follower().force(f) / (arm_length * cos(pressure_angle(f)));
+  }
+};
+
+}  // namespace camlaw

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/swinging_flat_cam.h"
+
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/face_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<SwingingFlatCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &SwingingFlatCam<T>::swing,          &SwingingFlatCam<T>::base_radius,
+      &SwingingFlatCam<T>::face_offset,    &SwingingFlatCam<T>::pivot_distance,
+      &SwingingFlatCam<T>::angular_speed,  &SwingingFlatCam<T>::inertia,
+      &SwingingFlatCam<T>::spring_rate,    &SwingingFlatCam<T>::spring_preload,
+      &SwingingFlatCam<T>::load,           &SwingingFlatCam<T>::face_width,
+      &SwingingFlatCam<T>::youngs_modulus, &SwingingFlatCam<T>::poisson_ratio,
+      &SwingingFlatCam<T>::density,        &SwingingFlatCam<T>::bore_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<SwingingFlatCam>::parameters() {
+  static const Parameters all =
+      joined({swing_parameter(),
+              base_parameter(),
+              {{"face_offset", "f", "mm", "m",
+                "distance of the face from the pivot, above 0 towards the cam", 0, -1e5, 1e5},
+               {"pivot_distance", "d", "mm", "m",
+                "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
+              speed_parameter(),
+              swinging_load(0.2, 3),
+              contact_parameters(),
+              blank_parameters()});
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+
+enum class Curve { ContactLever, ContactForce };
+
+MechanismResponse curve(Curve which, ResponseAbout about) {
+  return listed_curve<SwingingFlatCam>(
+      std::move(about), turn_of_the_cam(), which,
+      [](const auto& cam, Curve wanted, const auto& motion) {
+        const auto f = cam.over_angle(motion);
+        return wanted == Curve::ContactLever ? cam.contact_lever(f) : cam.contact_force(f);
+      });
+}
+
+}  // namespace
+
+Mechanism swinging_flat_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<SwingingFlatCam>(kSwinging);
+  responses.push_back(curve(
+      Curve::ContactLever,
+      {"contact_lever", "mm", "m", "where the face touches, along it from the foot of the pivot"}));
+  responses.push_back(profile_radius_response<SwingingFlatCam>({}));
+  responses.push_back(
+      curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
+  append(responses, face_contact_responses<SwingingFlatCam>());
+  append(responses, drawn_responses<SwingingFlatCam>(false));
+  append(responses, blank_responses<SwingingFlatCam>());
+  return {.name = "disc-cam-swinging-flat",
+          .title = "disc cam with an oscillating flat-faced follower",
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<SwingingFlatCam>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                     "least radius of curvature of the profile"},
+                    {"longest_lever", "contact_lever", Part::Highest,
+                     "how far from the pivot the face must reach"},
+                    {"shortest_lever", "contact_lever", Part::Lowest,
+                     "how near to the pivot the face must begin"},
+                    peak_torque(),
+                    peak_stress(),
+                    least_torque()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <numbers>
+
+#include "machines/cams/cam_motion.h"
+#include "machines/contact/hertz.h"
+
+namespace camlaw {
+
+/// A disc cam with an oscillating flat-faced follower (docs/theory.md, "Flat face on an arm"). The
+/// pivot stands at the distance d from the cam's centre, the face at the distance f from the pivot,
+/// towards the cam where f is above 0. psi is the angle of the face to the line of centres, psi_0
+/// at the lowest place, psi_0 + Psi s at displacement s. Fields in SI units.
+/// The cam turns so that its surface runs along the face away from the pivot (a trailing arm); in
+/// the rise cam and arm turn opposite ways.
+///
+/// Valid while r_b + f is less than d and psi stays below a right angle.
+template <class T>
+struct SwingingFlatCam {
+  T swing = number<T>(0.35);                      ///< Psi, rad
+  T base_radius = number<T>(0.040);               ///< r_b, m
+  T face_offset = number<T>(0);                   ///< f, m
+  T pivot_distance = number<T>(0.120);            ///< d, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
+  T spring_rate = number<T>(10);                  ///< c, N m/rad
+  T spring_preload = number<T>(3);                ///< M_0, N m
+  T load = number<T>(0);                          ///< M_L, N m
+  T face_width = number<T>(0.015);                ///< b, m, along the cam's axis
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
+
+  /// (M19) sin psi_0 = (r_b + f) / d.
+  T sin_lowest() const { return (base_radius + face_offset) / pivot_distance; }
+  T lowest_angle() const {
+    using std::asin;
+    return asin(sin_lowest());
+  }
+  bool is_possible() const {
+    const double s = value_of(sin_lowest());
+    return value_of(base_radius) > 0 && value_of(pivot_distance) > 0 && s > -1 && s < 1 &&
+           value_of(lowest_angle() + swing) < std::numbers::pi / 2;
+  }
+  /// What swings counts as what slides: J for m, torques for forces.
+  FollowerLoad<T> follower() const {
+    return {inertia, spring_rate, spring_preload, load, angular_speed};
+  }
+  LineContact<T> contact() const { return {youngs_modulus, poisson_ratio}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(swing, motion);
+  }
+  /// (M20) Lever arm of the contact, m along the face from the foot of the pivot:
+  /// d cos psi / (1 + psi'). The face must reach from the shortest to the longest.
+  template <class X>
+  X contact_lever(const FollowerMotion<X>& f) const {
+    using std::cos;
+    return pivot_distance * cos(f.s + lowest_angle()) / rate(f);
+  }
+  /// (M21) Radius of curvature of the profile, m: d sin psi (1 + 2 psi') / (1 + psi')^2 +
+  /// d psi'' cos psi / (1 + psi')^3 - f. The cam can be made while it is above 0. NaN where
+  /// 1 + psi' is below 0; it falls without bound before that.
+  template <class X>
+  X profile_radius(const FollowerMotion<X>& f) const {
+    using std::cos;
+    using std::sin;
+    const X psi = f.s + lowest_angle(), turning = rate(f), square = turning * turning;
+    const X bent = f.dds * cos(psi) / (square * turning);
+    const X straight = sin(psi) * (f.ds + turning) / square;
+    return pivot_distance * (straight + bent) - face_offset;
+  }
+  /// The profile, the pivot on the x axis: p = d - i f exp(-i psi) - lambda exp(-i psi); it runs
+  /// along the face, p1 = rho (1 + psi') exp(-i psi).
+  template <class X>
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    using std::cos;
+    using std::sin;
+    const X psi = f.s + lowest_angle(), lever = contact_lever(f);
+    const X c = cos(psi), s = sin(psi);
+    const X length = profile_radius(f) * rate(f);
+    return {pivot_distance - (face_offset * s + lever * c), lever * s - face_offset * c, length * c,
+            -(length * s)};
+  }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+  /// (M22) Force between face and cam, N: N = M / lambda.
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    return follower().force(f) / contact_lever(f);
+  }
+  template <class X>
+  X contact_stress(const FollowerMotion<X>& f) const {
+    return contact().pressure(contact_force(f) / face_width, number<X>(1) / profile_radius(f));
+  }
+  template <class X>
+  X contact_half_width(const FollowerMotion<X>& f) const {
+    return contact().half_width(contact_force(f) / face_width, number<X>(1) / profile_radius(f));
+  }
+
+ private:
+  /// 1 + psi': how fast the face turns over the cam; NaN below 0, where no cam gives the motion.
+  template <class X>
+  X rate(const FollowerMotion<X>& f) const {
+    using std::sqrt;
+    const X root = sqrt(f.ds + number<T>(1));
+    return root * root;
+  }
+};
+
+}  // namespace camlaw

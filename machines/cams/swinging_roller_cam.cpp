@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/cams.h"
+#include "machines/cams/drawn_responses.h"
+#include "machines/cams/follower_responses.h"
+#include "machines/cams/leading_roller_cam.h"
+#include "machines/cams/roller_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<SwingingRollerCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &SwingingRollerCam<T>::swing,          &SwingingRollerCam<T>::base_radius,
+      &SwingingRollerCam<T>::roller_radius,  &SwingingRollerCam<T>::arm_length,
+      &SwingingRollerCam<T>::pivot_distance, &SwingingRollerCam<T>::angular_speed,
+      &SwingingRollerCam<T>::inertia,        &SwingingRollerCam<T>::spring_rate,
+      &SwingingRollerCam<T>::spring_preload, &SwingingRollerCam<T>::load,
+      &SwingingRollerCam<T>::face_width,     &SwingingRollerCam<T>::youngs_modulus,
+      &SwingingRollerCam<T>::poisson_ratio,  &SwingingRollerCam<T>::cutter_radius,
+      &SwingingRollerCam<T>::density,        &SwingingRollerCam<T>::bore_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::parameters() {
+  static const Parameters all =
+      joined({swing_parameter(),
+              base_parameter(),
+              roller_parameter(),
+              {{"arm_length", "l", "mm", "m", "length of the arm", 80, 1e-3, 1e5},
+               {"pivot_distance", "d", "mm", "m",
+                "distance of the arm's pivot from the cam's centre", 100, 1e-3, 1e5}},
+              speed_parameter(),
+              swinging_load(0.2, 3),
+              contact_parameters(),
+              cutter_parameter(),
+              blank_parameters()});
+  return all;
+}
+
+/// The same fields, as members of the derived machine.
+template <>
+struct MachineTraits<LeadingRollerCam> {
+  static const std::vector<MechanismParameter>& parameters() {
+    return MachineTraits<SwingingRollerCam>::parameters();
+  }
+  template <class T>
+  static constexpr auto fields = [] {
+    constexpr auto& base = MachineTraits<SwingingRollerCam>::fields<T>;
+    std::array<T LeadingRollerCam<T>::*, base.size()> all{};
+    for (std::size_t i = 0; i < base.size(); ++i) all[i] = base[i];
+    return all;
+  }();
+};
+
+namespace {
+
+template <template <class> class M>
+Mechanism swinging_mechanism(const char* name, const char* title) {
+  std::vector<MechanismResponse> responses = follower_responses<M>(kSwinging);
+  append(responses, roller_responses<M>({}));
+  append(responses, drawn_responses<M>(true));
+  append(responses, blank_responses<M>());
+  return {.name = name,
+          .title = title,
+          .source = "docs/theory.md, Cams",
+          .parameters = MachineTraits<M>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                    least_torque(), peak_outer_undercut(), peak_groove_stress()},
+          .moved_by = MovedBy::Program};
+}
+
+}  // namespace
+
+Mechanism swinging_roller_cam_mechanism() {
+  return swinging_mechanism<SwingingRollerCam>(
+      "disc-cam-swinging-roller", "disc cam with an oscillating roller follower, trailing");
+}
+
+Mechanism leading_roller_cam_mechanism() {
+  return swinging_mechanism<LeadingRollerCam>(
+      "disc-cam-leading-roller", "disc cam with an oscillating roller follower, leading");
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_contact.h"
+
+namespace camlaw {
+
+/// A disc cam with an oscillating roller follower (docs/theory.md, "Roller on an arm"). The arm of
+/// length l turns about a pivot at the distance d from the cam's centre; psi is its angle to the
+/// line of centres, psi_0 at the lowest place, psi_0 + Psi s at displacement s. Fields in SI units.
+/// A trailing arm: the cam turns so that the roller's centre moves as the arm does in the rise;
+/// LeadingRollerCam turns the other way.
+///
+/// Valid while arm, distance and prime radius make a triangle.
+template <class T>
+struct SwingingRollerCam {
+  T swing = number<T>(0.35);                      ///< Psi, rad
+  T base_radius = number<T>(0.040);               ///< r_b, m
+  T roller_radius = number<T>(0.010);             ///< r_r, m
+  T arm_length = number<T>(0.080);                ///< l, m
+  T pivot_distance = number<T>(0.100);            ///< d, m
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s
+  T inertia = number<T>(0.002);                   ///< J, kg m^2, of all that swings
+  T spring_rate = number<T>(10);                  ///< c, N m/rad
+  T spring_preload = number<T>(3);                ///< M_0, N m
+  T load = number<T>(0);                          ///< M_L, N m
+  T face_width = number<T>(0.015);                ///< b, m
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< nu
+  T cutter_radius = number<T>(0.010);             ///< r_c, m
+  T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
+  T bore_radius = number<T>(0.010);               ///< r_0, m
+
+  T prime_radius() const { return base_radius + roller_radius; }
+  /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).
+  T cos_lowest() const {
+    const T rp = prime_radius();
+    return (arm_length * arm_length + pivot_distance * pivot_distance - rp * rp) /
+           (number<T>(2) * arm_length * pivot_distance);
+  }
+  bool is_possible() const {
+    const double c = value_of(cos_lowest());
+    return c > -1 && c < 1 && value_of(prime_radius()) > 0;
+  }
+  T lowest_angle() const {
+    using std::asin;
+    return pi<T>() / number<T>(2) - asin(cos_lowest());
+  }
+  /// What swings counts as what slides: J for m, torques for forces.
+  FollowerLoad<T> follower() const {
+    return {inertia, spring_rate, spring_preload, load, angular_speed};
+  }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
+  CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(swing, motion);
+  }
+  /// The roller's centre, the pivot on the x axis: with E = l exp(-i psi), w = d - E,
+  /// w1 = -i d + i (1 + psi') E, w2 = -d + ((1 + psi')^2 + i psi'') E.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    const auto [c, s] = arm(f);
+    const X rate = f.ds + number<T>(1), square = rate * rate;
+    const X none = number<X>(0);
+    return {none - c + pivot_distance,
+            s,
+            rate * s,
+            rate * c - pivot_distance,
+            square * c + f.dds * s - pivot_distance,
+            f.dds * c - square * s};
+  }
+  /// (M14) Pressure angle, rad, between the normal and the path of the roller's centre:
+  /// tan alpha = (l (1 + psi') - d cos psi) / (d sin psi).
+  template <class X>
+  X pressure_angle(const FollowerMotion<X>& f) const {
+    using std::atan;
+    const auto [c, s] = arm(f);
+    const X along = arm_length * (f.ds + number<T>(1)) - pivot_distance * unit(c);
+    return atan(along / (pivot_distance * unit(s)));
+  }
+  /// (M15) Force between roller and cam, N: N = M / (l cos alpha).
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    using std::cos;
+    return follower().force(f) / (arm_length * cos(pressure_angle(f)));
+  }
+
+ private:
+  /// l cos psi, l sin psi.
+  template <class X>
+  std::pair<X, X> arm(const FollowerMotion<X>& f) const {
+    using std::cos;
+    using std::sin;
+    const X psi = f.s + lowest_angle();
+    return {arm_length * cos(psi), arm_length * sin(psi)};
+  }
+  template <class X>
+  X unit(const X& length) const {
+    return length / arm_length;
+  }
+};
+
+}  // namespace camlaw

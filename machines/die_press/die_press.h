@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "kinematics/law.h"
+#include "machines/contact/hertz.h"
+
+namespace camlaw {
+
+/// Line contact as the die-press paper computes it: the coefficients of Poisson's ratio 0.3,
+/// rounded. Equations (Jn) are those of docs/theory.md, "Die press". Of two steel cylinders with
+/// radii R1 and R2 under the line load w.
+template <class T>
+struct PublishedLineContact {
+  T youngs_modulus;  ///< E, Pa
+  T poisson_ratio;   ///< mu; only (J3) has it, 0.42 and 1.52 stand for 0.3
+  T radius;          ///< R1, m
+  T other_radius;    ///< R2, m
+
+  /// 1 / R1 + 1 / R2, 1/m.
+  T curvature() const { return number<T>(1) / radius + number<T>(1) / other_radius; }
+  /// (J1) Contact stress, Pa: sigma = 0.42 sqrt(w E (R1 + R2) / (R1 R2)). NaN for a load below 0.
+  template <class X>
+  X stress(const X& line_load) const {
+    using std::sqrt;
+    return ratio<T>(42, 100) * sqrt(youngs_modulus * curvature() * line_load);
+  }
+  /// (J2) Half the contact's width, m: a = 1.52 sqrt(w R1 R2 / ((R1 + R2) E)).
+  template <class X>
+  X half_width(const X& line_load) const {
+    using std::sqrt;
+    return width_factor() * sqrt(line_load / (youngs_modulus * curvature()));
+  }
+  /// (J3) Elastic approach, m: delta = 2 (1 - mu^2) / (pi E) w (ln(4 R1 R2 / a^2) + 0.815), with
+  /// (J2) put in: 4 R1 R2 / a^2 = 4 (R1 + R2) E / (1.52^2 w). For a load above 0.
+  template <class X>
+  X approach(const X& line_load) const {
+    using std::log;
+    const T plane = number<T>(1) - poisson_ratio * poisson_ratio;
+    const T factor = number<T>(2) * plane / (pi<T>() * youngs_modulus);
+    const T scale =
+        number<T>(4) * (radius + other_radius) * youngs_modulus / (width_factor() * width_factor());
+    return factor * (line_load * (log(number<X>(1) / line_load * scale) + ratio<T>(815, 1000)));
+  }
+
+ private:
+  static T width_factor() { return ratio<T>(152, 100); }
+};
+
+/// The contact of cam and rollers in the drive of a flat die-cutting press: a cam parts two rollers
+/// on wedging levers that raise the platen, a spring keeps them on the cam.
+///
+/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Source: "Study of
+/// the elastic deformation amount of the flat die-cutting press parts being in constant contact",
+/// Ukrainian Academy of Printing. The first three fields are a load as the paper gives it, a force
+/// on the cam and a spring force; stroke and what follows it make the load from a law. The paper
+/// prints no mass, stroke, speed or spring: those here give the cosine law an inertia force of
+/// 754 N, near its printed 750 N.
+template <class T>
+struct DiePress {
+  T cam_force = number<T>(815.48);                ///< F_k, N
+  T spring_force = number<T>(354.08);             ///< F_s, N
+  T load_factor = number<T>(0.8);                 ///< k, share of F_s in the load
+  T roller_radius = number<T>(0.050);             ///< R1, m
+  T segment_radius = number<T>(0.350);            ///< R2, m, of the cam's largest segment
+  T face_width = number<T>(0.030);                ///< b, m
+  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
+  T poisson_ratio = number<T>(0.3);               ///< mu
+  T stroke = number<T>(0.040);                    ///< h, m
+  T angular_speed = number<T>(13.0899693899575);  ///< omega, rad/s, of the cam
+  T mass = number<T>(220);                        ///< m, kg, reduced to the rollers' path
+  T spring_rate = number<T>(10000);               ///< c, N/m
+  T spring_preload = number<T>(700);              ///< F_0, N, at the lowest place
+
+  PublishedLineContact<T> published() const {
+    return {youngs_modulus, poisson_ratio, roller_radius, segment_radius};
+  }
+  LineContact<T> exact() const { return {youngs_modulus, poisson_ratio}; }
+
+  /// (J4) Load of the contact, N: F = F_k + k F_s.
+  T load() const { return cam_force + load_factor * spring_force; }
+  /// Line load, N/m: w = F / b.
+  template <class X>
+  X line_load(const X& force) const {
+    return force / face_width;
+  }
+  /// (J5) Force between cam and roller from a law whose stretch takes half a turn, N:
+  /// F = m h (omega / pi)^2 s'' + c h s + F_0. Below 0 the roller leaves the cam.
+  template <class X>
+  X running_force(const Motion<X>& motion) const {
+    const T frequency = angular_speed / pi<T>();
+    return mass * stroke * frequency * frequency * motion.a + spring_rate * stroke * motion.s +
+           spring_preload;
+  }
+
+  /// (J1) to (J3) from a force, in SI units.
+  template <class X>
+  X stress(const X& force) const {
+    return published().stress(line_load(force));
+  }
+  template <class X>
+  X half_width(const X& force) const {
+    return published().half_width(line_load(force));
+  }
+  template <class X>
+  X approach(const X& force) const {
+    return published().approach(line_load(force));
+  }
+  /// The same after Hertz, (K2) to (K4).
+  template <class X>
+  X exact_stress(const X& force) const {
+    return exact().pressure(line_load(force), constant<X>(published().curvature()));
+  }
+  template <class X>
+  X exact_half_width(const X& force) const {
+    return exact().half_width(line_load(force), constant<X>(published().curvature()));
+  }
+  template <class X>
+  X exact_approach(const X& force) const {
+    return exact().approach(line_load(force), roller_radius, segment_radius);
+  }
+
+ private:
+  template <class X>
+  static X constant(const T& value) {
+    return X(number<X>(0) + value);
+  }
+};
+
+}  // namespace camlaw

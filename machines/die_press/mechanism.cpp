@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "machines/die_press/mechanism.h"
+
+#include "machines/die_press/die_press.h"
+#include "machines/model/listed_responses.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<DiePress> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &DiePress<T>::cam_force,      &DiePress<T>::spring_force,   &DiePress<T>::load_factor,
+      &DiePress<T>::roller_radius,  &DiePress<T>::segment_radius, &DiePress<T>::face_width,
+      &DiePress<T>::youngs_modulus, &DiePress<T>::poisson_ratio,  &DiePress<T>::stroke,
+      &DiePress<T>::angular_speed,  &DiePress<T>::mass,           &DiePress<T>::spring_rate,
+      &DiePress<T>::spring_preload};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<DiePress>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"cam_force", "F_k", "N", "N", "given force on the cam", 815.48, 0, 1e9},
+      {"spring_force", "F_s", "N", "N", "given force of the spring", 354.08, 0, 1e9},
+      {"load_factor", "k", "1", "1", "share of the spring's force in the load", 0.8, 0, 10},
+      {"roller_radius", "R1", "mm", "m", "radius of the roller", 50, 1e-3, 1e5},
+      {"segment_radius", "R2", "mm", "m", "radius of the cam's segment", 350, 1e-3, 1e5},
+      {"face_width", "b", "mm", "m", "width of the contact along the cam's axis", 30, 1e-3, 1e4},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus of cam and roller", 210, 1e-3, 1e4},
+      {"poisson_ratio", "mu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5},
+      {"stroke", "h", "mm", "m", "stroke of the rollers", 40, 1e-6, 1e5},
+      {"speed", "n", "rpm", "rad/s", "speed of the cam", 125, 1e-3, 1e6},
+      {"mass", "m", "kg", "kg", "moved mass, reduced to the rollers' path", 220, 0, 1e6},
+      {"spring_rate", "c", "N/mm", "N/m", "rate of the spring", 10, 0, 1e6},
+      {"spring_preload", "F_0", "N", "N", "force of the spring at the lowest place", 700, 0, 1e9}};
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+enum class Quantity {
+  Force,
+  LineLoad,
+  Stress,
+  HalfWidth,
+  Approach,
+  ExactStress,
+  ExactHalfWidth,
+  ExactApproach
+};
+
+/// A quantity of the contact under a force.
+template <class Machine, class X>
+X under(const Machine& press, Quantity wanted, const X& force) {
+  switch (wanted) {
+    case Quantity::Force:
+      return force;
+    case Quantity::LineLoad:
+      return press.line_load(force);
+    case Quantity::Stress:
+      return press.stress(force);
+    case Quantity::HalfWidth:
+      return press.half_width(force);
+    case Quantity::Approach:
+      return press.approach(force);
+    case Quantity::ExactStress:
+      return press.exact_stress(force);
+    case Quantity::ExactHalfWidth:
+      return press.exact_half_width(force);
+    case Quantity::ExactApproach:
+      break;
+  }
+  return press.exact_approach(force);
+}
+
+MechanismResponse given(Quantity which, ResponseAbout about) {
+  return number_response<DiePress>(
+      std::move(about), [which](const auto& press) { return under(press, which, press.load()); });
+}
+
+const Cycle& turn() {
+  static const Cycle turn{"deg", {{0, 180}, {180, 360, true}}};
+  return turn;
+}
+
+MechanismResponse running(Quantity which, ResponseAbout about) {
+  return listed_curve<DiePress>(std::move(about), turn(), which,
+                                [](const auto& press, Quantity wanted, const auto& motion) {
+                                  return under(press, wanted, press.running_force(motion));
+                                });
+}
+
+MechanismResponse displacement() {
+  const ResponseAbout about{"displacement",
+                            "mm",
+                            "m",
+                            "travel of the rollers from their lowest position",
+                            {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}};
+  return listed_curve<DiePress>(
+      about, turn(), Quantity{},
+      [](const auto& press, Quantity, const auto& motion) { return press.stroke * motion.s; });
+}
+
+struct Row {
+  Quantity quantity;
+  const char *number, *curve, *unit, *stored, *meaning;
+  S in_radii;  ///< form in the two radii; docs/theory.md, "Die press"
+};
+
+constexpr Row kRows[] = {
+    {Quantity::Stress, "contact_stress", "running_stress", "MPa", "Pa",
+     "contact stress, as published", S::Convex},
+    {Quantity::HalfWidth, "contact_half_width", "running_half_width", "mm", "m",
+     "half the contact's width, as published", S::Concave},
+    {Quantity::Approach, "elastic_approach", "running_approach", "um", "m",
+     "elastic approach of cam and roller, as published", S::Concave},
+    {Quantity::ExactStress, "exact_contact_stress", "running_exact_stress", "MPa", "Pa",
+     "contact stress after Hertz", S::Convex},
+    {Quantity::ExactHalfWidth, "exact_contact_half_width", "running_exact_half_width", "mm", "m",
+     "half the contact's width after Hertz", S::Concave},
+    {Quantity::ExactApproach, "exact_elastic_approach", "running_exact_approach", "um", "m",
+     "approach of the axes after Hertz", S::Concave}};
+
+std::vector<MechanismResponse> responses() {
+  const std::vector<std::string> forces{"cam_force", "spring_force"};
+  std::vector<ShapeStatement> linear{{forces, S::Linear}, {{"load_factor"}, S::Linear}};
+  std::vector<MechanismResponse> all{
+      given(Quantity::Force, {"load", "N", "N", "load of the contact, F_k + k F_s", linear}),
+      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "load per width", linear}),
+      running(Quantity::Force, {"running_force",
+                                "N",
+                                "N",
+                                "force between cam and roller; below 0 the roller leaves the cam",
+                                {{{"law"}, S::Linear},
+                                 {{"stroke"}, S::Linear},
+                                 {{"mass", "spring_rate", "spring_preload"}, S::Linear},
+                                 {{"speed"}, S::Quasilinear}}})};
+  all.push_back(displacement());
+  const std::vector<std::string> radii{"roller_radius", "segment_radius"};
+  for (const Row& row : kRows) {
+    const std::vector<ShapeStatement> shapes{{radii, row.in_radii}};
+    all.push_back(given(row.quantity, {row.number, row.unit, row.stored, row.meaning, shapes}));
+    all.push_back(running(row.quantity, {row.curve, row.unit, row.stored, row.meaning, shapes}));
+  }
+  return all;
+}
+
+}  // namespace
+
+Mechanism die_press_mechanism() {
+  return {
+      .name = "die-press",
+      .title = "cam and rollers of a flat die-cutting press",
+      .source =
+          "Study of the elastic deformation amount of the flat die-cutting press parts "
+          "being in constant contact, Ukrainian Academy of Printing",
+      .parameters = MachineTraits<DiePress>::parameters(),
+      .responses = responses(),
+      .peaks = {
+          {"least_force", "running_force", Part::Lowest,
+           "least force between cam and roller; above 0 the spring keeps contact"},
+          {"peak_force", "running_force", Part::Highest, "greatest force between cam and roller"},
+          {"peak_stress", "running_stress", Part::Highest, "greatest contact stress"},
+          {"peak_approach", "running_approach", Part::Highest, "greatest elastic approach"}}};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "machines/follower_train/follower_train.h"
+
+namespace camlaw {
+
+/// A follower train in a machine: a mass behind the stiffness of all between it and the cam, and a
+/// damper, over one rise (docs/theory.md, "Elastic follower train"). Fields in SI units.
+template <class T>
+struct ElasticFollower {
+  T mass = number<T>(2);                          ///< m, kg
+  T stiffness = number<T>(200000);                ///< c, N/m
+  T damping_ratio = number<T>(0.05);              ///< zeta
+  T stroke = number<T>(0.020);                    ///< h, m
+  T rise_angle = number<T>(1.5707963267949);      ///< beta, rad, of the cam
+  T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s, of the cam
+
+  bool is_possible() const {
+    const double zeta = value_of(damping_ratio);
+    return value_of(mass) > 0 && value_of(stiffness) > 0 && zeta >= 0 && zeta < 1 &&
+           value_of(rise_angle) > 0 && value_of(angular_speed) > 0;
+  }
+  /// (U2) Undamped natural frequency, Hz: sqrt(c / m) / (2 pi).
+  T natural_frequency() const {
+    using std::sqrt;
+    return sqrt(stiffness / mass) / (number<T>(2) * pi<T>());
+  }
+  /// Time of the rise, s.
+  T rise_time() const { return rise_angle / angular_speed; }
+  /// (U3) tau, the rise's time over the natural period.
+  T period_ratio() const { return rise_time() * natural_frequency(); }
+  FollowerTrain<T> train() const { return {period_ratio(), damping_ratio}; }
+};
+
+}  // namespace camlaw

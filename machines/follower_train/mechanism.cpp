@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "machines/follower_train/mechanism.h"
+
+#include "machines/follower_train/machine.h"
+#include "machines/follower_train/train_curve.h"
+#include "machines/model/law_number.h"
+
+namespace camlaw::problems {
+
+const std::vector<MechanismParameter>& MachineTraits<ElasticFollower>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"mass", "m", "kg", "kg", "mass at the end of the train", 2, 1e-6, 1e6},
+      {"stiffness", "c_f", "N/mm", "N/m", "stiffness between cam and mass", 200, 1e-3, 1e9},
+      {"damping_ratio", "zeta", "1", "1", "damping over the critical", 0.05, 0, 0.99},
+      {"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5},
+      {"rise_angle", "beta", "deg", "rad", "angle of the cam for the rise", 90, 1e-3, 360},
+      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6}};
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+enum class Number { Frequency, RiseTime, PeriodRatio };
+
+MechanismResponse number_of(Number which, ResponseAbout about) {
+  return number_response<ElasticFollower>(std::move(about), [which](const auto& follower) {
+    if (which == Number::Frequency) return follower.natural_frequency();
+    if (which == Number::RiseTime) return follower.rise_time();
+    return follower.period_ratio();
+  });
+}
+
+enum class Residual { Displacement, Velocity, Amplitude, Acceleration };
+
+/// What is left when the rise is over.
+MechanismResponse residual(Residual which, ResponseAbout about) {
+  return law_number<ElasticFollower>(
+      std::move(about), [which](const auto& follower, const auto& law) {
+        const auto train = follower.train();
+        const auto time = follower.rise_time();
+        if (which == Residual::Amplitude || which == Residual::Acceleration) {
+          const auto amplitude = follower.stroke * train.amplitude(train.after(law));
+          if (which == Residual::Amplitude) return amplitude;
+          return follower.stiffness / follower.mass * amplitude;
+        }
+        const auto state = train.after(law);
+        return which == Residual::Displacement ? follower.stroke * state.z
+                                               : follower.stroke / time * state.rate;
+      });
+}
+
+std::vector<MechanismResponse> numbers() {
+  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear}, {{"stroke"}, S::Linear}};
+  const std::vector<ShapeStatement> convex{{{"law"}, S::Convex}, {{"stroke"}, S::Linear}};
+  return {number_of(Number::Frequency, {"natural_frequency", "Hz", "Hz", "without damping"}),
+          number_of(Number::RiseTime, {"rise_time", "s", "s", "time of the rise"}),
+          number_of(Number::PeriodRatio,
+                    {"period_ratio", "1", "1", "time of the rise over the natural period"}),
+          residual(Residual::Displacement,
+                   {"residual_displacement", "mm", "m",
+                    "of the mass from its place when the rise is over", linear}),
+          residual(Residual::Velocity, {"residual_velocity", "m/s", "m/s",
+                                        "of the mass when the rise is over", linear}),
+          residual(Residual::Amplitude, {"residual_amplitude", "mm", "m",
+                                         "amplitude of the vibration that is left", convex}),
+          residual(Residual::Acceleration,
+                   {"residual_acceleration", "m/s2", "m/s2",
+                    "greatest acceleration of the vibration that is left, undamped", convex})};
+}
+
+/// A curve that the law decides as a whole.
+MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
+  const UnitFactor factor(about.stored, about.unit);
+  MechanismResponse response = detail::described<ElasticFollower>(std::move(about));
+  response.along = "1";
+  response.sees_law = true;
+  response.uses = detail::used_parameters<ElasticFollower>([&](const ElasticFollower<Dual>& f) {
+    const Dual train = f.period_ratio() + f.damping_ratio;
+    if (which == TrainQuantity::Amplification) return train;
+    return which == TrainQuantity::MassAcceleration ? train + f.stroke + f.rise_time()
+                                                    : train + f.stroke;
+  });
+  response.curve = [which, factor](const Binding& binding, optim::Shape shape) {
+    return std::make_shared<TrainCurve>(which, factor, binding, shape);
+  };
+  return response;
+}
+
+}  // namespace
+
+Mechanism follower_train_mechanism() {
+  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear}, {{"stroke"}, S::Linear}};
+  std::vector<MechanismResponse> responses = numbers();
+  using Q = TrainQuantity;
+  responses.push_back(curve(
+      Q::Deviation, {"deviation", "mm", "m", "of the mass from where the cam wants it", linear}));
+  responses.push_back(curve(Q::MassDisplacement,
+                            {"mass_displacement", "mm", "m", "displacement of the mass", linear}));
+  responses.push_back(curve(Q::MassAcceleration, {"mass_acceleration", "m/s2", "m/s2",
+                                                  "acceleration of the mass", linear}));
+  responses.push_back(curve(
+      Q::Amplification,
+      {"amplified_acceleration", "1", "1", "acceleration of the mass over the cam's greatest"}));
+  return {.name = "follower-train",
+          .title = "elastic follower train with one mass, over a rise from rest",
+          .source = "docs/theory.md, Elastic follower train",
+          .parameters = MachineTraits<ElasticFollower>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"peak_deviation", "deviation", Part::Magnitude,
+                     "greatest deviation during the rise"},
+                    {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
+                     "greatest acceleration of the mass during the rise"},
+                    {"amplification", "amplified_acceleration", Part::Magnitude,
+                     "greatest acceleration of the mass over the cam's"}}};
+}
+
+}  // namespace camlaw::problems

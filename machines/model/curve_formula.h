@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <type_traits>
+
+#include "kinematics/law.h"
+#include "numerics/scalar/series.h"
+
+namespace camlaw::problems {
+
+/// A motion as Taylor series along x.
+template <class T, std::size_t N>
+using MotionSeries = Motion<Series<T, N>>;
+
+/// A follower's motion at a place of the law: what formulas of curves are given.
+template <class X>
+struct PlaceOf {
+  Motion<X> motion;
+  X x;  ///< of the law, 0 to 1 over its stretch
+};
+template <class T, std::size_t N>
+using PlaceSeries = PlaceOf<Series<T, N>>;
+
+/// formula(motion, x), or formula(motion) where the place itself does not matter.
+template <class F, class X>
+X applied(const F& formula, const PlaceOf<X>& place) {
+  if constexpr (std::is_invocable_v<const F&, const Motion<X>&, const X&>) {
+    return formula(place.motion, place.x);
+  } else {
+    return formula(place.motion);
+  }
+}
+
+/// A curve's formula with the machine of one design worked in: from the follower's motion to the
+/// response, in every scalar that a trace needs.
+class CurveFormula {
+ public:
+  virtual ~CurveFormula() = default;
+  virtual Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const = 0;
+  virtual Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const = 0;
+  virtual Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const = 0;
+  virtual Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const = 0;
+};
+
+/// The same from two generic callables, one with the machine in double, one in Interval.
+template <class Plain, class Enclosing>
+class GenericCurveFormula final : public CurveFormula {
+ public:
+  GenericCurveFormula(Plain plain, Enclosing enclosing)
+      : plain_(std::move(plain)), enclosing_(std::move(enclosing)) {}
+
+  Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const override {
+    return plain_(place);
+  }
+  Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const override {
+    return enclosing_(place);
+  }
+  Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const override {
+    return enclosing_(place);
+  }
+  Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const override {
+    return enclosing_(place);
+  }
+
+ private:
+  Plain plain_;
+  Enclosing enclosing_;
+};
+
+/// Series of s, v, a, j from the derivatives of s by x.
+template <std::size_t N, class T, std::size_t M>
+MotionSeries<T, N> motion_series(const std::array<T, M>& d) {
+  static_assert(N <= 3 && M >= N + 3);
+  const auto series = [&](std::size_t k) {
+    Series<T, N> result(d[k]);
+    if constexpr (N > 1) result.c[1] = d[k + 1];
+    if constexpr (N > 2) result.c[2] = 0.5 * d[k + 2];
+    return result;
+  };
+  return {series(0), series(1), series(2), series(3)};
+}
+
+}  // namespace camlaw::problems

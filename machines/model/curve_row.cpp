@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/curve_row.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camlaw::problems {
+namespace {
+
+using optim::packed, optim::packed_size;
+using Four = std::array<double, 4>;
+
+void negate(std::vector<Four>& all) {
+  for (Four& four : all) {
+    for (double& x : four) x = -x;
+  }
+}
+
+bool matters(const Four& derivatives, const std::array<bool, 4>& uses) {
+  for (std::size_t m = 0; m < 4; ++m) {
+    if (uses[m] && derivatives[m] != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+MotionDerivatives follower_motion(const Stretch& stretch, MotionDerivatives law) {
+  const Motion<double> follower =
+      follower_motion<double>(stretch, {law.value[0], law.value[1], law.value[2], law.value[3]});
+  law.value = {follower.s, follower.v, follower.a, follower.j};
+  if (!stretch.returning) return law;
+  negate(law.gradient);
+  negate(law.hessian);
+  return law;
+}
+
+MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
+  if (!stretch.returning) return law;
+  for (double& derivative : law.value) derivative = -derivative;
+  negate(law.gradient);
+  return law;
+}
+
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
+                         optim::Place place, const std::array<bool, 4>& uses)
+    : law_(std::move(law)), stretch_(stretch), place_(law_place(stretch, place)) {
+  std::vector<double> own;
+  for (const LawVariable& v : law_->variables()) {
+    own.push_back(law_->member().arguments.list(v.parameter)[v.element]);
+  }
+  if (law_->is_linear()) {
+    expansion_ = follower_motion(stretch_, law_->motion(place_.x, place_.side, own, 1));
+  }
+  std::vector<Four> kept;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (law_->is_linear()) {
+      if (!matters(expansion_.gradient[i], uses)) continue;
+      kept.push_back(expansion_.gradient[i]);
+      origin_.push_back(own[i]);
+    }
+    variables_.push_back(i);
+  }
+  expansion_.gradient = std::move(kept);
+}
+
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
+                         std::size_t piece, Side side)
+    : law_(std::move(law)), stretch_(stretch), place_{0, side}, joint_(piece) {
+  for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
+}
+
+MotionDerivatives PlaceMotion::linear_at(std::span<const double> values) const {
+  MotionDerivatives motion = expansion_;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t m = 0; m < 4; ++m) {
+      motion.value[m] += (values[i] - origin_[i]) * motion.gradient[i][m];
+    }
+  }
+  return motion;
+}
+
+MotionDerivatives PlaceMotion::at(std::span<const double> values, int order) const {
+  if (joint_) {
+    return follower_motion(stretch_, law_->joint_motion(*joint_, place_.side, values, order));
+  }
+  if (law_->is_linear()) return linear_at(values);
+  return follower_motion(stretch_, law_->motion(place_.x, place_.side, values, order));
+}
+
+std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Bounds> box) const {
+  // Of the terms that a law's motion is summed from, those inside the law among them: s is of order
+  // 1, and each derivative a few times the one before.
+  constexpr double kRounding = 1e-13;
+  double inside = 1;
+  if (joint_ || !law_->is_linear()) return {};
+  Range result{{}, expansion_.gradient, place_.x};
+  for (std::size_t m = 0; m < 4; ++m) {
+    Interval sum(expansion_.value[m]);
+    double terms = std::abs(expansion_.value[m]);
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const Interval step = Interval(box[i].lower, box[i].upper) - origin_[i];
+      sum += expansion_.gradient[i][m] * step;
+      terms += std::abs(expansion_.gradient[i][m]) * (magnitude(step) + std::abs(origin_[i]));
+    }
+    result.motion[m] = sum + kRounding * (terms + inside) * Interval(-1, 1);
+    inside *= 10;
+  }
+  return result;
+}
+
+MotionDerivatives PlaceMotion::place_at(std::span<const double> values, int order) const {
+  if (joint_) return law_->end_place({*joint_, true}, values, order);
+  MotionDerivatives fixed;
+  fixed.value = {place_.x};
+  fixed.gradient.assign(values.size(), {});
+  return fixed;
+}
+
+CurveRow::CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,
+                   PlaceMotion motion, bool uses_place)
+    : point_(std::move(point)),
+      machine_(machine_arguments),
+      motion_(std::move(motion)),
+      numbers_(uses_place ? 5 : 4),
+      inner_(machine_ + numbers_),
+      uses_place_(uses_place) {}
+
+CurveRow::Point CurveRow::point(std::span<const double> values, int order) const {
+  const MotionDerivatives motion = motion_.at(values, order);
+  const auto with = [](const Four& four, double x) {
+    return Numbers{four[0], four[1], four[2], four[3], x};
+  };
+  MotionDerivatives place;
+  if (uses_place_) place = motion_.place_at(values, order);
+  const auto x_of = [](const std::vector<Four>& all, std::size_t i) {
+    return all.empty() ? 0 : all[i][0];
+  };
+  Point result{with(motion.value, uses_place_ ? place.value[0] : 0), {}, {}};
+  result.gradient.reserve(motion.gradient.size());
+  for (std::size_t i = 0; i < motion.gradient.size(); ++i) {
+    result.gradient.push_back(with(motion.gradient[i], x_of(place.gradient, i)));
+  }
+  result.hessian.reserve(motion.hessian.size());
+  for (std::size_t i = 0; i < motion.hessian.size(); ++i) {
+    result.hessian.push_back(with(motion.hessian[i], x_of(place.hessian, i)));
+  }
+  return result;
+}
+
+std::vector<double> CurveRow::point_at(std::span<const double> u, const Point& point) const {
+  std::vector<double> result(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(machine_));
+  result.insert(result.end(), point.value.begin(),
+                point.value.begin() + static_cast<std::ptrdiff_t>(numbers_));
+  return result;
+}
+
+double CurveRow::value(std::span<const double> u) const {
+  return point_->value(point_at(u, point(u.subspan(machine_), 0)));
+}
+
+double CurveRow::gradient(std::span<const double> u, std::span<double> g) const {
+  const Point here = point(u.subspan(machine_), 1);
+  std::vector<double> inner(inner_);
+  const double result = point_->gradient(point_at(u, here), inner);
+  chain_gradient(inner, here, g);
+  return result;
+}
+
+double CurveRow::hessian(std::span<const double> u, std::span<double> g,
+                         std::span<double> h) const {
+  const Point here = point(u.subspan(machine_), 2);
+  std::vector<double> inner(inner_), inner_second(packed_size(inner_));
+  const double result = point_->hessian(point_at(u, here), inner, inner_second);
+  chain_gradient(inner, here, g);
+  chain_hessian(inner, inner_second, here, h);
+  return result;
+}
+
+optim::BoxRange CurveRow::range(std::span<const optim::Bounds> box) const {
+  const auto motion = motion_.range(box.subspan(machine_));
+  if (!motion) return Kernel::range(box);
+  std::vector<optim::Bounds> arguments(box.begin(),
+                                       box.begin() + static_cast<std::ptrdiff_t>(machine_));
+  for (const Interval& range : motion->motion) arguments.push_back({range.lower(), range.upper()});
+  if (uses_place_) arguments.push_back({motion->x, motion->x});
+  const optim::BoxRange inner = point_->range(arguments);
+  optim::BoxRange result{inner.value, {}};
+  for (std::size_t i = 0; i < machine_; ++i) result.slopes.push_back(inner.slopes[i]);
+  for (const Four& slopes : motion->slopes) {
+    Interval sum(0.0);
+    for (std::size_t m = 0; m < 4; ++m) {
+      const optim::Bounds& by_motion = inner.slopes[machine_ + m];
+      if (slopes[m] != 0) sum += slopes[m] * Interval(by_motion.lower, by_motion.upper);
+    }
+    result.slopes.push_back({sum.lower(), sum.upper()});
+  }
+  return result;
+}
+
+void CurveRow::chain_gradient(std::span<const double> inner, const Point& point,
+                              std::span<double> g) const {
+  std::copy_n(inner.begin(), machine_, g.begin());
+  for (std::size_t i = 0; i < point.gradient.size(); ++i) {
+    g[machine_ + i] = 0;
+    for (std::size_t m = 0; m < numbers_; ++m) {
+      g[machine_ + i] += inner[machine_ + m] * point.gradient[i][m];
+    }
+  }
+}
+
+void CurveRow::chain_hessian(std::span<const double> inner, std::span<const double> inner_second,
+                             const Point& point, std::span<double> h) const {
+  std::copy_n(inner_second.begin(), packed_size(machine_), h.begin());
+  const auto& slopes = point.gradient;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    Numbers bent{};  // its slopes times the second derivatives by the motion
+    for (std::size_t m = 0; m < numbers_; ++m) {
+      for (std::size_t n = 0; n < numbers_; ++n) {
+        bent[m] += slopes[i][n] *
+                   inner_second[packed(machine_ + std::max(m, n), machine_ + std::min(m, n))];
+      }
+    }
+    for (std::size_t k = 0; k < machine_; ++k) {
+      double& mixed = h[packed(machine_ + i, k)] = 0;
+      for (std::size_t m = 0; m < numbers_; ++m)
+        mixed += slopes[i][m] * inner_second[packed(machine_ + m, k)];
+    }
+    for (std::size_t k = 0; k <= i; ++k) {
+      double& second = h[packed(machine_ + i, machine_ + k)] = 0;
+      for (std::size_t m = 0; m < numbers_; ++m) {
+        second += bent[m] * slopes[k][m];
+        if (!point.hessian.empty()) second += inner[machine_ + m] * point.hessian[packed(i, k)][m];
+      }
+    }
+  }
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "numerics/scalar/series.h"
+#include "optim/problem/function.h"
+
+namespace camlaw::problems {
+
+/// Both hold; what is not a number says nothing.
+inline Interval both(const Interval& a, const Interval& b) {
+  const auto higher = [](double p, double q) { return p >= q || std::isnan(q) ? p : q; };
+  const auto lower = [](double p, double q) { return p <= q || std::isnan(q) ? p : q; };
+  Interval result;
+  result.assign(higher(a.lower(), b.lower()), lower(a.upper(), b.upper()));
+  return result;
+}
+
+/// Bounds of a function f over a stretch (docs/theory.md, "Enclosing a stretch"): from its series
+/// over the whole stretch, its values at the two ends where it is monotone, else from
+/// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius of the middle c.
+/// low() and high() -> Interval, middle() -> Series<Interval, 2>.
+template <class Low, class High, class Middle>
+optim::Bounds enclosed(const Series<Interval, 3>& over, double radius, const Low& low,
+                       const High& high, const Middle& middle) {
+  Interval range = both(Interval::whole(), over.c[0]);
+  if (over.c[1].lower() >= 0 || over.c[1].upper() <= 0) {
+    range = both(range, boost::numeric::hull(low(), high()));
+  } else {
+    const Series<Interval, 2> at = middle();
+    const Interval bend = over.c[2] * Interval(0, step_up(radius * radius));
+    range = both(range, at.c[0] + at.c[1] * Interval(-radius, radius) + bend);
+  }
+  return {range.lower(), range.upper()};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "kinematics/laws/catalogue.h"
+
+namespace camlaw::problems {
+
+/// A parameter of a law family that varies: which, which element of a list, and the design variable
+/// behind it.
+struct LawVariable {
+  std::size_t parameter;
+  std::size_t element = 0;
+  std::size_t variable = 0;
+};
+
+/// s, v, a, j of a law at one x with their derivatives by the varying parameters.
+struct MotionDerivatives {
+  std::array<double, 4> value;
+  std::vector<std::array<double, 4>> gradient;  ///< by each varying parameter
+  std::vector<std::array<double, 4>> hessian;   ///< packed; empty where the law is linear
+};
+
+/// An end of a piece of a law.
+struct PieceEnd {
+  std::size_t piece;
+  bool is_end;  ///< whether the piece ends there; else it begins there
+};
+
+/// A law whose parameters are design variables. Where the law is linear in all that vary, its
+/// derivatives are worked out once; else by dual numbers at each design, the laws of the last few
+/// designs kept. Const functions may be called in several threads at once.
+class LawBinding {
+ public:
+  /// Throws std::invalid_argument where a parameter has no such element or no derivatives, and
+  /// where the member is not a law.
+  LawBinding(Member member, std::vector<LawVariable> variables);
+
+  const Member& member() const { return member_; }
+  const std::vector<LawVariable>& variables() const { return variables_; }
+  /// Whether the law is linear in everything that varies.
+  bool is_linear() const { return linear_; }
+  /// The varying parameters of a design, in the order of variables().
+  std::vector<double> values_at(std::span<const double> design) const;
+  /// The member at a design.
+  Member member_at(std::span<const double> design) const { return with_values(values_at(design)); }
+  /// Throws std::invalid_argument where the design makes no law.
+  template <class S>
+  Law<S> law_at(std::span<const double> design) const {
+    return member_at(design).template law<S>();
+  }
+  /// The family's arguments for values of the varying parameters that carry derivatives of their
+  /// own.
+  template <class S>
+  Arguments<S> arguments_of(std::span<const S> values) const {
+    Arguments<S> arguments = member_.arguments.as<S>();
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      arguments.values()[variables_[i].parameter][variables_[i].element] = values[i];
+    }
+    return arguments;
+  }
+  /// The law for such values. Throws std::invalid_argument where they make none.
+  template <class S>
+  Law<S> law_of(std::span<const S> values) const {
+    return member_.family->make(arguments_of(values));
+  }
+  /// The law with derivatives by the varying parameters, one for each kDualWidth of them; none
+  /// where the values make no law.
+  std::vector<Law<Dual>> first_laws(std::span<const double> values) const;
+  /// Motion at x with derivatives, order 0, 1 or 2, at values of the varying parameters; at a break
+  /// the limit from the given side. NaN where the values make no law.
+  MotionDerivatives motion(double x, Side side, std::span<const double> values, int order) const;
+  /// The same where a piece of the law meets the next one, from the given side, with the
+  /// derivatives by what moves this joint. order 0, 1 or 2.
+  MotionDerivatives joint_motion(std::size_t piece, Side side, std::span<const double> values,
+                                 int order) const;
+  /// The derivative of s of an order below kEndOrders at an end of a piece, in [0] of value,
+  /// gradient and hessian; `derivatives` is 0, 1 or 2.
+  MotionDerivatives end_derivative(PieceEnd end, std::size_t order, std::span<const double> values,
+                                   int derivatives) const;
+  static constexpr std::size_t kEndOrders = 8;
+  /// The x of an end of a piece, wherever that moves, in [0] of value, gradient and hessian.
+  MotionDerivatives end_place(PieceEnd end, std::span<const double> values, int derivatives) const;
+  /// v, a, j and the derivative of j: the motion's own derivatives by x, with theirs by the varying
+  /// parameters, first order.
+  MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
+
+ private:
+  struct Laws;
+
+  Member with_values(std::span<const double> values) const;
+  template <class S, class Seed>
+  std::optional<Law<S>> seeded(std::span<const double> values, const Seed& seed) const;
+  std::vector<Law<Dual2>> second_laws(std::span<const double> values) const;
+  /// `look`: takes a law in any scalar to the four numbers that are wanted of it.
+  template <class Look>
+  void fill_value(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  void fill_gradient(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  void fill_hessian(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
+  template <class Look>
+  MotionDerivatives filled(const Look& look, std::span<const double> values, int order) const;
+  MotionDerivatives linear_motion(double x, Side side, std::span<const double> values,
+                                  std::size_t first) const;
+  template <class Look>
+  MotionDerivatives linear_look(const Look& look, std::size_t piece,
+                                std::span<const double> values) const;
+
+  Member member_;
+  std::vector<LawVariable> variables_;
+  bool linear_;
+  std::vector<double> values_;  ///< the member's own
+  std::shared_ptr<Laws> laws_;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/mechanism.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "kinematics/laws/catalogue.h"
+#include "numerics/text/names.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part;
+
+template <class Named>
+const Named* find_named(const std::vector<Named>& all, std::string_view name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Named& named) { return named.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const MechanismParameter* find_parameter(const Mechanism& mechanism, std::string_view name) {
+  const auto& all = mechanism.parameters;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const MechanismParameter& p) {
+    return p.name == name || p.symbol == name;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// Parts that people ask for in words.
+struct PartWord {
+  std::string_view word;
+  Part part;
+};
+constexpr PartWord kPartWords[] = {
+    {"peak ", Part::Magnitude}, {"highest ", Part::Highest}, {"lowest ", Part::Lowest}};
+
+ResponseName response_name(std::string_view asked, const MechanismResponse& response, Part part) {
+  return {.name = std::string(asked), .response = &response, .part = part, .unit = response.unit};
+}
+
+std::vector<std::string> known_responses(const Mechanism& mechanism) {
+  std::vector<std::string> known;
+  for (const auto& response : mechanism.responses) known.push_back(response.name);
+  for (const auto& peak : mechanism.peaks) known.push_back(peak.name);
+  for (const auto& parameter : mechanism.parameters) known.push_back(parameter.name);
+  return known;
+}
+
+/// A curve asked for by one of the words for its parts; null response where it is none.
+ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
+  for (const auto& [word, part] : kPartWords) {
+    if (!name.starts_with(word)) continue;
+    const std::string_view curve = trimmed(name.substr(word.size()));
+    const MechanismResponse* response = find_named(mechanism.responses, curve);
+    if (response == nullptr) {
+      std::vector<std::string> curves;
+      for (const auto& r : mechanism.responses) {
+        if (r.curve) curves.push_back(r.name);
+      }
+      refuse_name(fmt::format("{}: there is no curve", mechanism.name), curve, curves);
+    }
+    if (!response->curve) {
+      throw std::invalid_argument(
+          fmt::format("'{}': {} is a number, it has no parts", name, response->name));
+    }
+    return response_name(name, *response, part);
+  }
+  return {};
+}
+
+}  // namespace
+
+void set_defined_while(std::vector<MechanismResponse>& responses,
+                       const std::vector<std::string>& names, const ValidityLimit& limit) {
+  for (MechanismResponse& response : responses) {
+    const bool named = std::find(names.begin(), names.end(), response.name) != names.end();
+    if (named) response.defined_while.push_back(limit);
+  }
+}
+
+std::size_t Mechanism::parameter(std::string_view parameter_name) const {
+  if (const auto* found = find_parameter(*this, parameter_name)) {
+    return static_cast<std::size_t>(found - parameters.data());
+  }
+  std::vector<std::string> known;
+  for (const auto& p : parameters) known.push_back(fmt::format("{} ({})", p.name, p.symbol));
+  refuse_name(fmt::format("{}: no parameter is called", name), parameter_name, known);
+}
+
+ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
+  const std::string_view name = trimmed(asked);
+  if (const auto* response = find_named(mechanism.responses, name)) {
+    return response_name(name, *response, Part::Value);
+  }
+  if (const auto* peak = find_named(mechanism.peaks, name)) {
+    return response_name(name, *find_named(mechanism.responses, peak->curve), peak->part);
+  }
+  if (const auto* parameter = find_parameter(mechanism, name)) {
+    return {.name = parameter->name,
+            .parameter = static_cast<std::size_t>(parameter - mechanism.parameters.data()),
+            .unit = parameter->unit};
+  }
+  if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
+  refuse_name(fmt::format("{}: no response is called", mechanism.name), name,
+              known_responses(mechanism),
+              "'camlaw evaluate FILE' lists all, for a file without this name");
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "machines/model/law_binding.h"
+#include "optim/problem/problem.h"
+
+/// Mechanisms as problem files and programs see them: parameters and responses by name. The
+/// formulas are in the machine's folder too; names, units and ranges are joined to them once.
+namespace camlaw::problems {
+
+/// A number that describes the machine.
+struct MechanismParameter {
+  std::string name, symbol;  ///< "stroke", "S_f": both are understood
+  std::string unit;          ///< the one it is listed in, and that problems count in
+  std::string stored;        ///< the one that the formulas use
+  std::string meaning;
+  double standard;   ///< in the listed unit, as are the ends of the range
+  double low, high;  ///< accepted values, ends included
+  bool whole = false;
+};
+
+/// A statement about a response's form: it holds where, of all that the response depends on,
+/// nothing varies but what is named. "law" stands for all parameters in which the law is linear.
+struct ShapeStatement {
+  std::vector<std::string> varying;
+  optim::Shape shape;
+};
+
+/// What of a design varies, and what the rest is: a mechanism and a law bound to design variables.
+struct Binding {
+  std::vector<double> constants;  ///< of every parameter, in its listed unit; variables overwrite
+  std::vector<std::size_t> parameters;  ///< parameters that vary, increasing ...
+  std::vector<std::size_t> variables;   ///< ... and the design variable behind each
+  std::shared_ptr<const LawBinding> law;
+};
+
+/// A response that must not pass a bound: beyond it formulas do not hold, of the whole mechanism or
+/// of another response. A problem that they matter to has it among its limits, unless it states a
+/// tighter one.
+struct ValidityLimit {
+  std::string response;
+  double upper = optim::kInfinity;  ///< in the listed unit
+  double lower = -optim::kInfinity;
+};
+
+struct MechanismResponse {
+  std::string name;
+  std::string unit;  ///< listed
+  std::string meaning;
+  std::vector<ShapeStatement> shapes;
+  std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
+  /// The parameters that decide whether there is such a machine, increasing: it is a number only
+  /// where there is.
+  std::vector<std::size_t> possible_by = {};
+  std::string along = {};  ///< of a curve: the unit of its places, "deg" of cam angle
+  bool sees_law = false;   ///< whether the law, or the program, matters to it
+  std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
+  /// One of the two makes the response for a binding, in which only what it uses, and what it is
+  /// possible by, varies.
+  std::function<optim::Function(const Binding&, optim::Shape)> number = {};
+  std::function<std::shared_ptr<const optim::Curve>(const Binding&, optim::Shape)> curve = {};
+};
+
+/// A name for a part of a curve: "peak_inertia_force" is the magnitude of "inertia_force".
+struct NamedPeak {
+  std::string name, curve;
+  optim::Part part;
+  std::string meaning;
+};
+
+/// What a mechanism's follower takes its motion from.
+enum class MovedBy {
+  Law,      ///< a law, run once in each stretch of the mechanism's own cycle
+  Program,  ///< a motion program over the whole cycle
+  Nothing,  ///< it moves as its geometry makes it; x is the driving side's uniform progress
+};
+
+/// Says of the responses of these names where they are numbers.
+void set_defined_while(std::vector<MechanismResponse>& responses,
+                       const std::vector<std::string>& names, const ValidityLimit& limit);
+
+struct Mechanism {
+  std::string name, title, source;
+  std::vector<MechanismParameter> parameters;
+  std::vector<MechanismResponse> responses;
+  std::vector<NamedPeak> peaks;
+  MovedBy moved_by = MovedBy::Law;
+  std::vector<ValidityLimit> validity = {};
+
+  /// Index by name or symbol; throws std::invalid_argument with near and known names.
+  std::size_t parameter(std::string_view parameter_name) const;
+};
+
+/// A response asked for by name: one of the mechanism's, a named peak, "peak X", "highest X" or
+/// "lowest X" of a curve X, or a parameter of the mechanism (a number that the design holds).
+struct ResponseName {
+  std::string name;                             ///< as asked for
+  const MechanismResponse* response = nullptr;  ///< null for a parameter
+  std::size_t parameter = 0;                    ///< where response is null
+  optim::Part part = optim::Part::Value;        ///< of a curve; Value: the curve itself, everywhere
+  std::string unit;                             ///< listed
+};
+
+/// Throws std::invalid_argument with near and known names, and where a part is asked of a number.
+ResponseName find_response(const Mechanism& mechanism, std::string_view name);
+
+/// The response over a binding's design variables. A curve is given whole, whatever the part.
+optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,
+                              const Binding& binding);
+
+}  // namespace camlaw::problems

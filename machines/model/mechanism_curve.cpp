@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/mechanism_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "machines/model/arguments.h"
+#include "machines/model/curve_row.h"
+#include "machines/model/law_of.h"
+#include "machines/model/mechanism_trace.h"
+#include "machines/model/rests.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr std::size_t kMostPieces = 1U << 16U;  // of a law
+
+}  // namespace
+
+MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape)
+    : parts_(std::move(parts)), variables_(binding.variables), law_(binding.law), shape_(shape) {}
+
+/// Joints are those inside the stretches, each of which runs the whole law: that of piece i in
+/// stretch k is k times the most pieces, and i.
+optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
+  if (law_->is_linear()) return place;
+  const auto law = law_of<double>(law_->member_at(x));
+  if (!law) return place;
+  const Stretch& stretch = parts_.cycle.stretch_at(place);
+  const auto index = static_cast<std::size_t>(&stretch - parts_.cycle.stretches.data());
+  const double at = law_place(stretch, place).x;
+  constexpr double kBeside = 1e-14;
+  for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
+    if (std::abs(at - law->pieces()[i].end) > kBeside) continue;
+    place.joint = static_cast<int>(index * kMostPieces + i);
+  }
+  return place;
+}
+
+std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {
+  return rests_of(parts_, variables_, law_, bound, x);
+}
+
+PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
+  if (place.joint < 0) {
+    return {law_, parts_.cycle.stretch_at(place), place, parts_.uses};
+  }
+  const std::size_t joint = static_cast<std::size_t>(place.joint);
+  return {law_, parts_.cycle.stretches[joint / kMostPieces], joint % kMostPieces,
+          place.from_left ? Side::Left : Side::Right};
+}
+
+optim::Function MechanismCurve::at(optim::Place place) const {
+  PlaceMotion motion = motion_at(place);
+  std::vector<std::size_t> variables = variables_;
+  for (const std::size_t i : motion.variables()) {
+    variables.push_back(law_->variables()[i].variable);
+  }
+  auto row = std::make_shared<CurveRow>(parts_.point, variables_.size(), std::move(motion),
+                                        parts_.uses_place);
+  return function_of(variables, std::move(row), shape_);
+}
+
+/// With f the formula, m its arguments of the machine and q the motion: f_angle = rate * f_q q', so
+///   d f_angle / dm = rate * f_mq q',
+///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p),
+/// x counting among q, with x' = 1 and x_p = 0.
+std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
+  const Stretch& stretch = parts_.cycle.stretch_at(place);
+  const auto [at, side] = law_place(stretch, place);
+  const std::vector<double> values = law_->values_at(x);
+  const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
+  const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
+  const std::size_t machine = variables_.size();
+  const std::size_t inner = machine + (parts_.uses_place ? 5 : 4);
+  std::vector<double> u, g(inner), h(optim::packed_size(inner));
+  for (const std::size_t variable : variables_) u.push_back(x[variable]);
+  u.insert(u.end(), motion.value.begin(), motion.value.end());
+  if (parts_.uses_place) u.push_back(at);
+  parts_.point->hessian(u, g, h);
+  // The place itself, the last argument where it is one, moves at the rate 1.
+  const auto by_place = [&](std::size_t k) {
+    return parts_.uses_place ? h[optim::packed(machine + 4, k)] : 0.0;
+  };
+  std::array<double, 4> bent{};  // f_qq q'
+  std::vector<double> result(x.size(), 0.0);
+  for (std::size_t k = 0; k < machine; ++k) {
+    result[variables_[k]] += by_place(k) / stretch.length();
+  }
+  for (std::size_t m = 0; m < 4; ++m) {
+    bent[m] = by_place(machine + m);
+    for (std::size_t n = 0; n < 4; ++n) {
+      bent[m] +=
+          h[optim::packed(machine + std::max(m, n), machine + std::min(m, n))] * rate.value[n];
+    }
+    for (std::size_t k = 0; k < machine; ++k) {
+      result[variables_[k]] += h[optim::packed(machine + m, k)] * rate.value[m] / stretch.length();
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      result[law_->variables()[i].variable] +=
+          (bent[m] * motion.gradient[i][m] + g[machine + m] * rate.gradient[i][m]) /
+          stretch.length();
+    }
+  }
+  return result;
+}
+
+std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
+  std::vector<double> arguments;
+  for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
+  const Member member = law_->member_at(x);
+  return std::make_unique<MechanismTrace>(
+      parts_.cycle, parts_.uses, law_of<double>(member),
+      [member] { return law_of<Interval>(member); }, parts_.formula(arguments));
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "machines/model/curve_formula.h"
+#include "machines/model/cycle.h"
+#include "machines/model/mechanism.h"
+#include "optim/problem/curve.h"
+
+namespace camlaw::problems {
+
+class PlaceMotion;
+
+/// What a curve of a mechanism is made of.
+struct CurveParts {
+  Cycle cycle;
+  std::array<bool, 4> uses = {true, true, true, true};  ///< which of s, v, a, j
+  bool uses_place = false;                              ///< whether x itself matters
+  /// The formula in the machine's arguments, s, v, a, j, and x where that matters.
+  std::shared_ptr<const optim::Kernel> point;
+  /// The formula for given arguments of the machine.
+  std::function<std::unique_ptr<const CurveFormula>(std::span<const double>)> formula;
+};
+
+/// A curve of a mechanism over the variables of a binding.
+class MechanismCurve final : public optim::Curve {
+ public:
+  MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape);
+
+  optim::Function at(optim::Place place) const override;
+  std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
+  bool breaks_move() const override { return !law_->is_linear(); }
+  optim::Place tied(optim::Place place, optim::Design x) const override;
+  std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
+  std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
+  optim::Shape shape() const override { return shape_; }
+
+ private:
+  PlaceMotion motion_at(optim::Place place) const;
+
+  CurveParts parts_;
+  std::vector<std::size_t> variables_;  ///< behind the machine's arguments
+  std::shared_ptr<const LawBinding> law_;
+  optim::Shape shape_;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/mechanism_trace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "machines/model/enclosed.h"
+#include "machines/model/pulse.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+MechanismTrace::MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses,
+                               std::optional<Law<double>> law,
+                               std::function<std::optional<Law<Interval>>()> enclosing,
+                               std::unique_ptr<const CurveFormula> formula)
+    : cycle_(std::move(cycle)),
+      law_(std::move(law)),
+      enclosing_(std::move(enclosing)),
+      formula_(std::move(formula)) {
+  for (std::size_t i = 0; i < cycle_.stretches.size(); ++i) add_sections(i);
+  if (law_) pulse_ = pulse_place(cycle_, *law_, uses);
+}
+
+const std::vector<PieceExpander>& MechanismTrace::expanders() const {
+  if (enclosing_) {
+    const auto law = law_ ? enclosing_() : std::nullopt;
+    if (law && law->pieces().size() == law_->pieces().size()) {
+      for (const auto& piece : law->pieces()) expanders_.emplace_back(piece);
+    }
+    enclosing_ = {};
+  }
+  return expanders_;
+}
+
+void MechanismTrace::add_sections(std::size_t index) {
+  const Stretch& stretch = cycle_.stretches[index];
+  const std::size_t pieces = law_ ? law_->pieces().size() : 1;
+  double begin = stretch.begin;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double end =
+        i + 1 == pieces ? stretch.end : stretch.begin + stretch.length() * law_->pieces()[i].end;
+    if (end > begin) sections_.push_back({begin, end, index, i});
+    begin = end;
+  }
+}
+
+std::vector<double> MechanismTrace::breaks() const {
+  std::vector<double> result;
+  for (const Section& section : sections_) result.push_back(section.begin);
+  result.push_back(sections_.back().end);
+  return result;
+}
+
+const MechanismTrace::Section& MechanismTrace::section_at(optim::Place place) const {
+  const auto after =
+      std::partition_point(sections_.begin(), sections_.end() - 1, [&](const Section& section) {
+        return section.end < place.angle || (section.end == place.angle && !place.from_left);
+      });
+  return *after;
+}
+
+/// Of a pulse at one end of the cycle the other end shows the other side.
+std::optional<double> MechanismTrace::pulse_at(optim::Place place) const {
+  if (!pulse_) return {};
+  const double begin = sections_.front().begin, end = sections_.back().end;
+  const bool at_ends = *pulse_ == begin || *pulse_ == end;
+  const bool there =
+      place.angle == *pulse_ || (at_ends && (place.angle == begin || place.angle == end));
+  if (!there) return {};
+  return place.from_left ? -kInfinity : kInfinity;
+}
+
+std::array<double, 3> MechanismTrace::at(optim::Place place) const {
+  if (!law_) return {kNaN, kNaN, kNaN};
+  if (const auto pulse = pulse_at(place)) return {*pulse, 0, 0};
+  const Section& section = section_at(place);
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const double x = law_place(stretch, place).x;
+  const auto d = derivatives<6>(law_->pieces()[section.piece], x);
+  const auto f = (*formula_)(
+      {follower_motion(stretch, motion_series<3>(d)), Series<double, 3>::variable(x, 1)});
+  const double rate = 1 / stretch.length();
+  return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
+}
+
+/// The x of a range of places. At the section's ends it reaches over the break as far as that is
+/// not known exactly.
+Interval MechanismTrace::law_range(const Section& section, double from, double to) const {
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const auto& piece = expanders_[section.piece].piece();
+  const Interval begin(stretch.begin);
+  const Interval x = (Interval(from, to) - begin) / (Interval(stretch.end) - begin);
+  const double low = from <= section.begin ? std::min(x.lower(), piece.begin.lower()) : x.lower();
+  const double high = to >= section.end ? std::max(x.upper(), piece.end.upper()) : x.upper();
+  return {std::max(low, 0.0), std::min(high, 1.0)};
+}
+
+Interval MechanismTrace::value_at(const Section& section, double x) const {
+  const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
+  return (*formula_)({follower_motion(cycle_.stretches[section.stretch], motion),
+                      Series<Interval, 1>(Interval(x))})
+      .c[0];
+}
+
+std::string MechanismTrace::why_unbounded() const {
+  if (!pulse_) return {};
+  return fmt::format("it has a pulse at {:.6g}{}, where the motion jumps", *pulse_,
+                     cycle_.unit == "1" ? "" : " " + cycle_.unit);
+}
+
+optim::Bounds MechanismTrace::enclose(double from, double to) const {
+  if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
+  const Section& section = section_at({std::midpoint(from, to)});
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const Interval x = law_range(section, from, to);
+  const Expansion motion = expanders_[section.piece](x);
+  const Interval one(1.0);
+  const auto over = (*formula_)({follower_motion(stretch, motion_series<3>(motion.over)),
+                                 Series<Interval, 3>::variable(x, one)});
+  return enclosed(
+      over, motion.radius, [&] { return value_at(section, x.lower()); },
+      [&] { return value_at(section, x.upper()); },
+      [&] {
+        return (*formula_)({follower_motion(stretch, motion_series<2>(motion.at)),
+                            Series<Interval, 2>::variable(Interval(motion.middle), one)});
+      });
+}
+
+}  // namespace camlaw::problems

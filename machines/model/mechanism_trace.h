@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "kinematics/expansion.h"
+#include "machines/model/curve_formula.h"
+#include "machines/model/cycle.h"
+#include "optim/problem/curve.h"
+
+namespace camlaw::problems {
+
+/// A mechanism's curve for one design (docs/theory.md, "Enclosing a stretch"). A design that makes
+/// no law is NaN everywhere and bounded nowhere. At a pulse (pulse_place) the curve is -infinite
+/// from the left and infinite from the right: bounded neither way.
+class MechanismTrace final : public optim::Trace {
+ public:
+  /// `uses` tells which of s, v, a, j the formula depends on.
+  MechanismTrace(Cycle cycle, const std::array<bool, 4>& uses, std::optional<Law<double>> law,
+                 std::function<std::optional<Law<Interval>>()> enclosing,
+                 std::unique_ptr<const CurveFormula> formula);
+
+  std::vector<double> breaks() const override;
+  std::array<double, 3> at(optim::Place place) const override;
+  optim::Bounds enclose(double from, double to) const override;
+  std::string why_unbounded() const override;
+
+ private:
+  /// A part of the cycle in which one piece of the law runs.
+  struct Section {
+    double begin, end;
+    std::size_t stretch, piece;
+  };
+
+  void add_sections(std::size_t stretch);
+  /// Infinite beside the pulse; elsewhere none.
+  std::optional<double> pulse_at(optim::Place place) const;
+  const Section& section_at(optim::Place place) const;
+  Interval law_range(const Section& section, double from, double to) const;
+  Interval value_at(const Section& section, double x) const;
+
+  const std::vector<PieceExpander>& expanders() const;
+
+  Cycle cycle_;
+  std::optional<Law<double>> law_;
+  /// Makes the law in intervals, when something is first enclosed; then empty.
+  mutable std::function<std::optional<Law<Interval>>()> enclosing_;
+  mutable std::vector<PieceExpander> expanders_;  ///< of each piece; empty: nothing is enclosed
+  std::unique_ptr<const CurveFormula> formula_;
+  std::vector<Section> sections_;
+  std::optional<double> pulse_;  ///< its place
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "numerics/scalar/scalar.h"
+
+namespace camlaw::problems {
+
+/// The conversion from one unit to another of the same kind, asked of udunits once.
+class UnitFactor {
+ public:
+  /// Throws std::invalid_argument where the units are of different kinds.
+  UnitFactor(const std::string& from, const std::string& to);
+
+  /// The factor; an interval encloses the true one, which udunits gives to the last digits.
+  template <class T>
+  T as() const {
+    if constexpr (std::is_same_v<T, Interval>) {
+      if (factor_ != 1) {
+        const double wide = 4 * std::numeric_limits<double>::epsilon() * factor_;
+        return {factor_ - wide, factor_ + wide};
+      }
+    }
+    return number<T>(factor_);
+  }
+
+ private:
+  double factor_;
+};
+
+}  // namespace camlaw::problems

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "machines/normalised_law/normalised_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machines/follower_train/follower_train.h"
+#include "machines/model/enclosed.h"
+#include "machines/model/law_number.h"
+#include "machines/model/mean_square.h"
+#include "machines/model/norm_kernel.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// What a law is looked at with: undamped followers of up to three natural periods.
+template <class T>
+struct Followers {
+  T first = number<T>(2), second = number<T>(3), third = number<T>(4);  ///< period ratios
+};
+
+}  // namespace
+
+template <>
+struct MachineTraits<Followers> {
+  static const std::vector<MechanismParameter>& parameters() {
+    const auto ratio = [](const char* name, const char* symbol, double standard) {
+      return MechanismParameter{
+          name,     symbol, "1", "1", "time of the law over a follower's natural period",
+          standard, 1e-3,   1000};
+    };
+    static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
+                                                     ratio("period_ratio_2", "tau_2", 3),
+                                                     ratio("period_ratio_3", "tau_3", 4)};
+    return all;
+  }
+  template <class T>
+  static constexpr std::array<T Followers<T>::*, 3> fields{
+      &Followers<T>::first, &Followers<T>::second, &Followers<T>::third};
+};
+
+namespace {
+
+using optim::Shape;
+
+template <class F>
+MechanismResponse law_curve(const char* name, const char* meaning, Shape shape, F motion) {
+  static const Cycle cycle{"1", {{0, 1}}};
+  return curve_response<Followers>({name, "1", "1", meaning, {{{"law"}, shape}}}, cycle,
+                                   [motion](const auto&) { return motion; });
+}
+
+std::vector<MechanismResponse> curves() {
+  return {law_curve("displacement", "s", Shape::Linear, [](const auto& m) { return m.s; }),
+          law_curve("velocity", "s'", Shape::Linear, [](const auto& m) { return m.v; }),
+          law_curve("acceleration", "s''", Shape::Linear, [](const auto& m) { return m.a; }),
+          law_curve("jerk", "s'''; infinite where s'' jumps inside", Shape::Linear,
+                    [](const auto& m) { return m.j; }),
+          law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
+}
+
+/// A response with a kernel of its own over laws that are linear in what varies, where it is
+/// convex: special(binding, general), `general` the kernel of the formula.
+template <class F, class Special>
+MechanismResponse convex_number(ResponseAbout about, F formula, Special special) {
+  about.shapes = {{{"law"}, Shape::Convex}};
+  MechanismResponse response = law_number<Followers>(about, formula);
+  response.number = [=, general = response.number](const Binding& binding, Shape shape) {
+    if (shape != Shape::Convex) return general(binding, shape);
+    return function_of(detail::law_number_variables(binding),
+                       special(binding, detail::law_number_kernel<Followers>(
+                                            binding, UnitFactor("1", "1"), formula, shape)),
+                       shape);
+  };
+  return response;
+}
+
+/// A mean square; over a law that is linear in what varies a quadratic form.
+MechanismResponse mean_square_of(const char* name, const char* meaning, int order) {
+  return convex_number(
+      {name, "1", "1", meaning},
+      [order](const auto&, const auto& law) { return mean_square(law, order); },
+      [order](const Binding& binding, auto general) {
+        return mean_square_kernel(binding.law, order, std::move(general));
+      });
+}
+
+enum class Part { Cosine, Sine };
+
+/// The same integrals, enclosed piece by piece in closed form: by parts int q cos(Wx) dx is
+/// q sin(Wx)/W + q' cos(Wx)/W^2 - q'' sin(Wx)/W^3 - ..., and with sin(Wx) - cos, sin, cos, ... The
+/// state of the follower would be turned at each joint, by which intervals grow with exp(W).
+Interval part_by_pieces(const Law<Interval>& law, const Interval& W, Part part) {
+  Interval sum(0.0);
+  for (const Piece<Interval>& piece : law.pieces()) {
+    for (const bool at_end : {false, true}) {
+      const Interval x = at_end ? piece.end : piece.begin, t = x - piece.origin;
+      const Interval wave[2] = {sin(W * x), cos(W * x)};
+      std::vector<Interval> q = detail::derived(piece.polynomial, 2);
+      Interval power = W;
+      for (int k = part == Part::Cosine ? 0 : 3; !q.empty(); ++k) {
+        Interval value(0.0);
+        for (std::size_t i = q.size(); i-- > 0;) value = value * t + q[i];
+        const bool negative = (k % 4 >= 2) == at_end;
+        const Interval term = value * wave[k % 2] / power;
+        sum += negative ? -term : term;
+        q = detail::derived(std::move(q), 1);
+        power *= W;
+      }
+    }
+  }
+  return sum / W;
+}
+
+bool is_polynomial(const Law<Interval>& law) {
+  return std::all_of(law.pieces().begin(), law.pieces().end(), [](const auto& piece) {
+    return piece.harmonics.empty() && piece.curves.empty();
+  });
+}
+
+/// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
+/// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
+template <class T>
+T residual_part(const Law<T>& law, const T& period_ratio, Part part) {
+  using std::cos;
+  using std::sin;
+  const TrainState<T> end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
+  const T W = number<T>(2) * pi<T>() * period_ratio;
+  const T rate = end.rate / W;
+  const T result =
+      part == Part::Cosine ? -(cos(W) * rate) - sin(W) * end.z : cos(W) * end.z - sin(W) * rate;
+  if constexpr (std::is_same_v<T, Interval>) {
+    if (is_polynomial(law)) return both(result, part_by_pieces(law, W, part));
+  }
+  return result;
+}
+
+/// The period ratio of a follower, counted from 0.
+template <class T>
+const T& ratio_of(const Followers<T>& followers, int which) {
+  return which == 0 ? followers.first : which == 1 ? followers.second : followers.third;
+}
+
+auto part_formula(Part part, int which) {
+  return [part, which](const auto& followers, const auto& law) {
+    return residual_part(law, ratio_of(followers, which), part);
+  };
+}
+
+std::string numbered(const std::string& name, int which) {
+  return which == 0 ? name : fmt::format("{}_{}", name, which + 1);
+}
+
+MechanismResponse residual_part(const char* name, Part part, int which) {
+  return law_number<Followers>(
+      {numbered(name, which),
+       "1",
+       "1",
+       fmt::format("{} part of the vibration left at {}", part == Part::Cosine ? "cosine" : "sine",
+                   numbered("period_ratio", which)),
+       {{{"law"}, Shape::Linear}}},
+      part_formula(part, which));
+}
+
+/// The size of both parts; over a law that is linear in what varies the norm of two linear numbers.
+MechanismResponse residual_amplitude(int which) {
+  return convex_number(
+      {numbered("residual_amplitude", which), "1", "1",
+       "amplitude of the vibration left, undamped, in parts of the stroke"},
+      [which](const auto& followers, const auto& law) {
+        using T = std::decay_t<decltype(followers.first)>;
+        const T& ratio = ratio_of(followers, which);
+        const FollowerTrain<T> train{ratio, number<T>(0)};
+        const T result = train.amplitude(train.after(law));
+        if constexpr (std::is_same_v<T, Interval>) {
+          const T c = residual_part(law, ratio, Part::Cosine);
+          const T s = residual_part(law, ratio, Part::Sine);
+          return both(result, sqrt(boost::numeric::square(c) + boost::numeric::square(s)));
+        } else {
+          return result;
+        }
+      },
+      [which](const Binding& binding, auto general) -> std::shared_ptr<const optim::Kernel> {
+        const auto part = [&](Part p) {
+          return detail::law_number_kernel<Followers>(binding, UnitFactor("1", "1"),
+                                                      part_formula(p, which), Shape::Linear);
+        };
+        return std::make_shared<NormKernel>(part(Part::Cosine), part(Part::Sine),
+                                            std::move(general));
+      });
+}
+
+std::vector<MechanismResponse> responses() {
+  std::vector<MechanismResponse> all = curves();
+  all.push_back(mean_square_of("mean_square_velocity", "mean of s'^2", 1));
+  all.push_back(mean_square_of("mean_square_acceleration", "mean of s''^2", 2));
+  all.push_back(mean_square_of("mean_square_jerk", "mean of s'''^2", 3));
+  for (int which = 0; which < 3; ++which) {
+    all.push_back(residual_part("residual_cosine", Part::Cosine, which));
+    all.push_back(residual_part("residual_sine", Part::Sine, which));
+    all.push_back(residual_amplitude(which));
+  }
+  return all;
+}
+
+}  // namespace
+
+Mechanism normalised_law_mechanism() {
+  using P = optim::Part;
+  return {.name = "law",
+          .title = "a motion law alone, normalised",
+          .source = "VDI 2143",
+          .parameters = MachineTraits<Followers>::parameters(),
+          .responses = responses(),
+          .peaks = {{"B", "velocity", P::Magnitude, "peak velocity, C_v in VDI 2143"},
+                    {"C", "acceleration", P::Magnitude, "peak acceleration, C_a"},
+                    {"D", "jerk", P::Magnitude, "peak jerk, C_j"},
+                    {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}}};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "machines/registry.h"
+
+#include <array>
+#include <iterator>
+#include <mutex>
+
+#include "machines/balancing_cam/mechanism.h"
+#include "machines/cams/cams.h"
+#include "machines/die_press/mechanism.h"
+#include "machines/follower_train/mechanism.h"
+#include "machines/geneva/mechanism.h"
+#include "machines/normalised_law/normalised_law.h"
+#include "machines/sheet_delivery/mechanism.h"
+#include "machines/signature_feeder/mechanism.h"
+#include "machines/spine_cutter/mechanism.h"
+#include "machines/springs/springs.h"
+#include "numerics/text/names.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// Mechanisms by name, in the order of the listing. Each is made when it is first asked for: to
+/// find out what their responses depend on takes time.
+struct Listed {
+  const char* name;
+  Mechanism (*make)();
+};
+constexpr Listed kListed[] = {{"spine-cutter", spine_cutter_mechanism},
+                              {"balancing-cam", planar_balancing_cam_mechanism},
+                              {"balancing-cam-spherical", spherical_balancing_cam_mechanism},
+                              {"geneva", planar_geneva_mechanism},
+                              {"geneva-spherical", spherical_geneva_mechanism},
+                              {"die-press", die_press_mechanism},
+                              {"sheet-delivery", sheet_delivery_mechanism},
+                              {"signature-feeder", signature_feeder_mechanism},
+                              {"disc-cam-roller", roller_cam_mechanism},
+                              {"disc-cam-flat", flat_cam_mechanism},
+                              {"disc-cam-knife", knife_cam_mechanism},
+                              {"disc-cam-conjugate", conjugate_cam_mechanism},
+                              {"disc-cam-swinging-roller", swinging_roller_cam_mechanism},
+                              {"disc-cam-leading-roller", leading_roller_cam_mechanism},
+                              {"disc-cam-swinging-flat", swinging_flat_cam_mechanism},
+                              {"end-cam", end_cam_mechanism},
+                              {"end-cam-swinging", swinging_end_cam_mechanism},
+                              {"linear-cam", linear_cam_mechanism},
+                              {"disc-springs", disc_springs_mechanism},
+                              {"helical-spring", helical_spring_mechanism},
+                              {"follower-train", follower_train_mechanism},
+                              {"law", normalised_law_mechanism}};
+constexpr std::size_t kMechanisms = std::size(kListed);
+
+std::vector<Mechanism>& storage() {
+  static std::vector<Mechanism> all(kMechanisms);
+  return all;
+}
+
+const Mechanism& made(std::size_t i) {
+  static std::array<std::once_flag, kMechanisms> flags;
+  std::call_once(flags[i], [i] { storage()[i] = kListed[i].make(); });
+  return storage()[i];
+}
+
+}  // namespace
+
+const std::vector<Mechanism>& mechanisms() {
+  for (std::size_t i = 0; i < kMechanisms; ++i) made(i);
+  return storage();
+}
+
+const Mechanism& find_mechanism(std::string_view name) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < kMechanisms; ++i) {
+    if (kListed[i].name == name) return made(i);
+    known.push_back(kListed[i].name);
+  }
+  refuse_name("no mechanism is called", name, known);
+}
+
+}  // namespace camlaw::problems

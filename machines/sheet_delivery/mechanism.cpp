@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "machines/sheet_delivery/mechanism.h"
+
+#include "machines/model/append.h"
+#include "machines/model/listed_responses.h"
+#include "machines/sheet_delivery/sheet_delivery.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<SheetDelivery> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array fields{
+      &SheetDelivery<T>::guide_ratio,      &SheetDelivery<T>::rod_angle_max,
+      &SheetDelivery<T>::slide_friction_A, &SheetDelivery<T>::slide_friction_B,
+      &SheetDelivery<T>::joint_friction_A, &SheetDelivery<T>::joint_friction_B,
+      &SheetDelivery<T>::joint_friction_O, &SheetDelivery<T>::joint_radius_A,
+      &SheetDelivery<T>::joint_radius_B,   &SheetDelivery<T>::joint_radius_O};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<SheetDelivery>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"guide_ratio", "lambda", "1", "1", "offset of the guide over the length of its stretch", 0.4,
+       1e-3, 100},
+      {"rod_angle_max", "alpha_max", "deg", "rad", "angle of the rod at the greatest offset", 60,
+       0.1, 89},
+      {"slide_friction_A", "f_A'", "1", "1", "friction of the chain's link in its guide", 0.1, 0,
+       10},
+      {"slide_friction_B", "f_B'", "1", "1", "friction of the carriage in its guide", 0.1, 0, 10},
+      {"joint_friction_A", "f_A", "1", "1", "friction in the joint of rod and link", 0.15, 0, 10},
+      {"joint_friction_B", "f_B", "1", "1", "friction in the joint of rod and carriage", 0.15, 0,
+       10},
+      {"joint_friction_O", "f_O", "1", "1", "friction in the sprocket's bearing", 0.15, 0, 10},
+      {"joint_radius_A", "r_A", "1", "1", "radius of that joint over the rod's length", 0.1, 0, 1},
+      {"joint_radius_B", "r_B", "1", "1", "radius of that joint over the rod's length", 0.1, 0, 1},
+      {"joint_radius_O", "r_O", "1", "1", "radius of the bearing over the sprocket's", 0.1, 0, 1}};
+  return all;
+}
+
+namespace {
+
+using optim::Part;
+using S = optim::Shape;
+
+enum class Quantity {
+  RodAngle,
+  GuideAngle,
+  RelativeSpeed,
+  SpeedRatio,
+  SlowSpeedRatio,
+  EfficiencyA,
+  EfficiencyB,
+  Efficiency,
+  ReverseEfficiency,
+  PrintedEfficiencyA,
+  PrintedEfficiencyB,
+  PrintedEfficiency,
+  PrintedReverseEfficiency
+};
+
+template <class Machine, class X>
+X efficiency(const Machine& drive, Quantity wanted, const RodPlace<X>& at, Friction friction) {
+  switch (wanted) {
+    case Quantity::EfficiencyA:
+    case Quantity::PrintedEfficiencyA:
+      return drive.efficiency_A(at, friction);
+    case Quantity::EfficiencyB:
+    case Quantity::PrintedEfficiencyB:
+      return drive.efficiency_B(at, friction);
+    case Quantity::Efficiency:
+    case Quantity::PrintedEfficiency:
+      return drive.efficiency(at, friction);
+    default:
+      return drive.reverse_efficiency(at, friction);
+  }
+}
+
+template <class Machine, class X>
+X along_guide(const Machine& drive, Quantity wanted, const Motion<X>& motion) {
+  switch (wanted) {
+    case Quantity::RodAngle:
+      return drive.rod_angle(motion);
+    case Quantity::GuideAngle:
+      return drive.guide_angle(motion);
+    default:
+      break;
+  }
+  const auto at = drive.place(motion);
+  switch (wanted) {
+    case Quantity::RelativeSpeed:
+      return drive.relative_speed(at);
+    case Quantity::SpeedRatio:
+      return drive.speed_ratio(at);
+    case Quantity::SlowSpeedRatio:
+      return drive.slow_speed_ratio(at);
+    case Quantity::PrintedEfficiencyA:
+    case Quantity::PrintedEfficiencyB:
+    case Quantity::PrintedEfficiency:
+    case Quantity::PrintedReverseEfficiency:
+      return efficiency(drive, wanted, at, Friction::AsPrinted);
+    default:
+      return efficiency(drive, wanted, at, Friction::Dissipates);
+  }
+}
+
+MechanismResponse curve(Quantity which, ResponseAbout about) {
+  static const Cycle stretch{"1", {{0, 1}}};
+  return listed_curve<SheetDelivery>(std::move(about), stretch, which,
+                                     [](const auto& drive, Quantity wanted, const auto& motion) {
+                                       return along_guide(drive, wanted, motion);
+                                     });
+}
+
+std::vector<MechanismResponse> numbers() {
+  return {number_response<SheetDelivery>(
+              {"slow_down",
+               "1",
+               "1",
+               "fraction of its travel by which the carriage falls behind the chain in a stretch",
+               {{{"guide_ratio"}, S::Linear}}},
+              [](const auto& drive) { return drive.slow_down(); }),
+          number_response<SheetDelivery>(
+              {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
+              [](const auto& drive) { return drive.efficiency_O(); }),
+          number_response<SheetDelivery>(
+              {"boundary_efficiency", "1", "1", "efficiency where running up and braking meet"},
+              [](const auto& drive) { return drive.boundary_efficiency(); })};
+}
+
+std::vector<MechanismResponse> curves() {
+  using Q = Quantity;
+  const std::vector<std::string> frictions{"slide_friction_B", "joint_friction_B"};
+  return {
+      curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
+      curve(Q::GuideAngle, {"guide_angle",
+                            "deg",
+                            "rad",
+                            "angle of the curved guide, beta",
+                            {{{"law"}, S::Quasilinear}, {{"guide_ratio"}, S::Quasilinear}}}),
+      curve(Q::RelativeSpeed,
+            {"relative_speed", "1", "1", "speed of the carriage about the link over the chain's"}),
+      curve(Q::SpeedRatio,
+            {"speed_ratio", "1", "1", "speed of the carriage over the chain's, running up"}),
+      curve(Q::SlowSpeedRatio, {"slow_speed_ratio", "1", "1",
+                                "speed of the carriage over the chain's on the mirrored stretch, "
+                                "slowing down"}),
+      curve(Q::EfficiencyA, {"efficiency_A", "1", "1", "efficiency of the link's joint and guide"}),
+      curve(Q::EfficiencyB, {"efficiency_B",
+                             "1",
+                             "1",
+                             "efficiency of the carriage's joint and guide",
+                             {{frictions, S::Linear}}}),
+      curve(Q::Efficiency, {"efficiency", "1", "1",
+                            "efficiency from the motor to the carriage; not above 0, the drive "
+                            "locks itself"}),
+      curve(Q::ReverseEfficiency,
+            {"reverse_efficiency", "1", "1", "efficiency from the carriage to the motor"}),
+      curve(Q::PrintedEfficiencyA,
+            {"printed_efficiency_A", "1", "1", "efficiency_A with the signs of the print"}),
+      curve(Q::PrintedEfficiencyB, {"printed_efficiency_B",
+                                    "1",
+                                    "1",
+                                    "efficiency_B with the signs of the print",
+                                    {{frictions, S::Linear}}}),
+      curve(Q::PrintedEfficiency,
+            {"printed_efficiency", "1", "1", "efficiency with the signs of the print"}),
+      curve(Q::PrintedReverseEfficiency, {"printed_reverse_efficiency", "1", "1",
+                                          "reverse_efficiency with the signs of the print"})};
+}
+
+}  // namespace
+
+Mechanism sheet_delivery_mechanism() {
+  std::vector<MechanismResponse> responses = numbers();
+  append(responses, curves());
+  return {.name = "sheet-delivery",
+          .title = "delivery carriage on a rod from a chain in curved guides",
+          .source =
+              "Analytical study of the efficiency of sheet-delivery conveyors with "
+              "curvilinear chain guides, Polihrafiia i vydavnycha sprava, received "
+              "29.12.1982",
+          .parameters = MachineTraits<SheetDelivery>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"least_efficiency", "efficiency", Part::Lowest,
+                     "least efficiency from the motor to the carriage"},
+                    {"least_reverse_efficiency", "reverse_efficiency", Part::Lowest,
+                     "least efficiency from the carriage to the motor"},
+                    {"greatest_efficiency", "efficiency", Part::Highest,
+                     "greatest efficiency from the motor to the carriage"}}};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "kinematics/law.h"
+#include "numerics/scalar/absolute.h"
+
+namespace camlaw {
+
+/// Whether friction terms count as dissipation, by their size, or signed as the paper prints them.
+enum class Friction { Dissipates, AsPrinted };
+
+/// Where the rod of a sheet delivery stands: sine, cosine and tangent of the rod angle alpha, the
+/// same of the guide angle beta.
+template <class X>
+struct RodPlace {
+  X sin_alpha, cos_alpha, tan_alpha, sin_beta, cos_beta, tan_beta;
+};
+
+/// The carriage of a sheet delivery, pulled by a rod from a chain link A that runs at constant
+/// speed along a curved guide; the carriage B runs straight. The guide's offset follows a law, y =
+/// y_max s(x), over one stretch x from 0 to 1, and y_max = l sin(alpha_max) for the rod's length l.
+///
+/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Equations (Nn)
+/// are those of docs/theory.md, "Sheet delivery"; source: "Analytical study of the efficiency of
+/// sheet-delivery conveyors with curvilinear chain guides", Polihrafiia i vydavnycha sprava,
+/// received 29.12.1982. Valid for 0 < alpha_max < 90 degrees and s within 0 and 1; where an
+/// efficiency is not above 0, the drive locks itself.
+template <class T>
+struct SheetDelivery {
+  T guide_ratio = number<T>(0.4);            ///< lambda = y_max / x_max
+  T rod_angle_max = pi<T>() / number<T>(3);  ///< alpha_max, rad
+  T slide_friction_A = number<T>(0.1);       ///< f_A', of the link in its guide
+  T slide_friction_B = number<T>(0.1);       ///< f_B', of the carriage in its guide
+  T joint_friction_A = number<T>(0.15);      ///< f_A
+  T joint_friction_B = number<T>(0.15);      ///< f_B
+  T joint_friction_O = number<T>(0.15);      ///< f_O, of the sprocket's shaft
+  T joint_radius_A = number<T>(0.1);         ///< r_A, over the rod's length
+  T joint_radius_B = number<T>(0.1);         ///< r_B, over the rod's length
+  T joint_radius_O = number<T>(0.1);         ///< r_O, over the sprocket's radius
+
+  bool is_possible() const {
+    const double angle = value_of(rod_angle_max);
+    return angle > 0 && angle < std::numbers::pi / 2;
+  }
+
+  /// (N1) sin alpha = s sin(alpha_max), tan beta = lambda s'.
+  template <class X>
+  RodPlace<X> place(const Motion<X>& motion) const {
+    using std::sqrt;
+    const T one = number<T>(1);
+    RodPlace<X> at;
+    at.sin_alpha = sin_alpha_max() * motion.s;
+    at.cos_alpha = sqrt((one - at.sin_alpha) * (one + at.sin_alpha));
+    at.tan_alpha = at.sin_alpha / at.cos_alpha;
+    at.tan_beta = guide_ratio * motion.v;
+    at.cos_beta = number<X>(1) / sqrt(one + at.tan_beta * at.tan_beta);
+    at.sin_beta = at.tan_beta * at.cos_beta;
+    return at;
+  }
+  template <class X>
+  X rod_angle(const Motion<X>& motion) const {
+    using std::asin;
+    return asin(sin_alpha_max() * motion.s);
+  }
+  template <class X>
+  X guide_angle(const Motion<X>& motion) const {
+    using std::atan;
+    return atan(guide_ratio * motion.v);
+  }
+  /// (N2) Turning of the rod, speed of B about A over that of the chain: sin beta / cos alpha.
+  template <class X>
+  X relative_speed(const RodPlace<X>& at) const {
+    return at.sin_beta / at.cos_alpha;
+  }
+  /// (N3) Speed of the carriage over that of the chain, K = cos(alpha - beta) / cos alpha: running
+  /// up, the rod draws aside ahead of the carriage.
+  template <class X>
+  X speed_ratio(const RodPlace<X>& at) const {
+    return at.cos_beta + at.sin_beta * at.tan_alpha;
+  }
+  /// The same on the mirrored stretch, slowing down: cos(alpha + beta) / cos alpha.
+  template <class X>
+  X slow_speed_ratio(const RodPlace<X>& at) const {
+    return at.cos_beta - at.sin_beta * at.tan_alpha;
+  }
+  /// (N4) By how much the carriage falls behind the chain in a stretch of slowing down, or gains in
+  /// one of running up, over the stretch's length: lambda tan(alpha_max / 2).
+  T slow_down() const {
+    using std::tan;
+    return guide_ratio * tan(rod_angle_max / number<T>(2));
+  }
+
+  /// (N5) Efficiency of the carriage's joint and guide, power from the motor to the carriage:
+  /// 1 - f_B' tan alpha - f_B r_B sin beta / (K cos^2 alpha).
+  template <class X>
+  X efficiency_B(const RodPlace<X>& at, Friction friction) const {
+    return number<T>(1) - loss_B(at, friction);
+  }
+  /// (N6) Of the link's: 1 / (1 + f_A' tan(alpha - beta) + f_A r_A sin beta / (cos alpha
+  /// cos(alpha - beta))).
+  template <class X>
+  X efficiency_A(const RodPlace<X>& at, Friction friction) const {
+    return number<X>(1) / (number<T>(1) + loss_A(at, friction));
+  }
+  /// (N7) Of the sprocket's shaft: 1 / (1 + f_O r_O).
+  T efficiency_O() const { return number<T>(1) / (number<T>(1) + loss_O()); }
+  /// Of all three.
+  template <class X>
+  X efficiency(const RodPlace<X>& at, Friction friction) const {
+    return efficiency_O() * (efficiency_B(at, friction) * efficiency_A(at, friction));
+  }
+  /// (N8) The same with the power from the carriage to the motor:
+  /// (1 - f_O r_O) (1 - loss_A) / (1 + loss_B).
+  template <class X>
+  X reverse_efficiency(const RodPlace<X>& at, Friction friction) const {
+    const T one = number<T>(1);
+    return (one - loss_O()) * ((one - loss_A(at, friction)) / (one + loss_B(at, friction)));
+  }
+  /// (N9) Efficiency where the guide is straight and the rod in line, s = s' = 0: eta_O alone.
+  T straight_efficiency() const { return efficiency_O(); }
+  /// (N10) Efficiency at the boundary of running up and slowing down, s = 1, s' = 0:
+  /// eta_O (1 - f_B' tan alpha_max) / (1 + f_A' tan alpha_max).
+  T boundary_efficiency() const {
+    using std::tan;
+    const T one = number<T>(1), t = tan(rod_angle_max);
+    return efficiency_O() * (one - slide_friction_B * t) / (one + slide_friction_A * t);
+  }
+
+ private:
+  T sin_alpha_max() const {
+    using std::sin;
+    return sin(rod_angle_max);
+  }
+  T loss_O() const { return joint_friction_O * joint_radius_O; }
+  template <class X>
+  static X counted(const X& term, Friction friction) {
+    return friction == Friction::Dissipates ? absolute(term) : term;
+  }
+  /// Turning in a joint: sin beta / (K cos^2 alpha), which is sin beta / (cos alpha cos(alpha -
+  /// beta)).
+  template <class X>
+  X turning(const RodPlace<X>& at) const {
+    return at.sin_beta / (speed_ratio(at) * (at.cos_alpha * at.cos_alpha));
+  }
+  template <class X>
+  X loss_B(const RodPlace<X>& at, Friction friction) const {
+    return slide_friction_B * counted(at.tan_alpha, friction) +
+           joint_friction_B * joint_radius_B * counted(turning(at), friction);
+  }
+  /// tan(alpha - beta) = (tan alpha - tan beta) / (1 + tan alpha tan beta).
+  template <class X>
+  X loss_A(const RodPlace<X>& at, Friction friction) const {
+    const X slope = (at.tan_alpha - at.tan_beta) / (number<T>(1) + at.tan_alpha * at.tan_beta);
+    return slide_friction_A * counted(slope, friction) +
+           joint_friction_A * joint_radius_A * counted(turning(at), friction);
+  }
+};
+
+}  // namespace camlaw

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "machines/spine_cutter/mechanism.h"
+
+#include "machines/model/append.h"
+#include "machines/model/responses.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part, optim::Shape;
+
+std::vector<MechanismResponse> numbers() {
+  // Forms: docs/theory.md, "Spine cutter".
+  return {number_response<SpineCutter>({"chord_of_contact",
+                                        "mm",
+                                        "m",
+                                        "chord of the cutter's contact",
+                                        {{{"depth", "cutter_diameter"}, Shape::Concave}}},
+                                       [](const auto& m) { return m.chord_of_contact(); }),
+          number_response<SpineCutter>({"contact_angle",
+                                        "deg",
+                                        "rad",
+                                        "angle of the cutter's contact",
+                                        {{{"depth", "cutter_diameter"}, Shape::Quasilinear}}},
+                                       [](const auto& m) { return m.contact_angle(); }),
+          number_response<SpineCutter>({"blades_in_contact",
+                                        "1",
+                                        "1",
+                                        "blades in contact at a time",
+                                        {{{"blades"}, Shape::Linear},
+                                         {{"depth", "cutter_diameter"}, Shape::Quasilinear},
+                                         {{"blades", "depth"}, Shape::Quasiconcave}}},
+                                       [](const auto& m) { return m.blades_in_contact(); }),
+          number_response<SpineCutter>({"path_per_revolution",
+                                        "mm",
+                                        "m",
+                                        "path of the block in one revolution",
+                                        {{{"depth", "cutter_diameter"}, Shape::Linear}}},
+                                       [](const auto& m) { return m.path_per_revolution(); }),
+          number_response<SpineCutter>(
+              {"angular_velocity",
+               "rad/s",
+               "rad/s",
+               "angular velocity of the cutter",
+               {{{"block_speed"}, Shape::Linear},
+                {{"block_speed", "depth", "cutter_diameter"}, Shape::Quasilinear}}},
+              [](const auto& m) { return m.angular_velocity(); })};
+}
+
+/// A curve over one revolution of the cam: `scale` of the machine times `part` of the motion.
+template <class Scale, class PartOf>
+MechanismResponse scaled_curve(ResponseAbout about, Scale scale, PartOf part) {
+  static const Cycle revolution{"deg", {{0, 180}, {180, 360, true}}};
+  return curve_response<SpineCutter>(
+      std::move(about), revolution, [scale, part](const auto& machine) {
+        return [factor = scale(machine), part](const auto& motion) { return part(factor, motion); };
+      });
+}
+
+std::vector<MechanismResponse> curves() {
+  const std::vector<std::string> speeds{"block_speed", "depth", "cutter_diameter"};
+  return {scaled_curve(
+              {"cam_pressure_angle",
+               "deg",
+               "rad",
+               "pressure angle on the cam",
+               {{{"law", "cam_radius"}, Shape::Quasilinear},
+                {{"stroke", "cam_radius"}, Shape::Quasilinear}}},
+              [](const auto& m) { return m.pressure_scale(); },
+              [](const auto& scale, const auto& motion) {
+                using std::atan;
+                return atan(scale * motion.v);
+              }),
+          scaled_curve(
+              {"required_cam_radius",
+               "mm",
+               "m",
+               "cam radius that the permissible pressure angle asks for, signed as s'",
+               {{{"law"}, Shape::Linear},
+                {{"stroke"}, Shape::Linear},
+                {{"pressure_angle"}, Shape::Quasilinear}}},
+              [](const auto& m) { return m.radius_scale(); },
+              [](const auto& scale, const auto& motion) { return scale * motion.v; }),
+          scaled_curve(
+              {"inertia_force",
+               "N",
+               "N",
+               "inertia force of the moved mass",
+               {{{"law"}, Shape::Linear},
+                {{"stroke"}, Shape::Linear},
+                {{"mass"}, Shape::Linear},
+                {speeds, Shape::Quasilinear}}},
+              [](const auto& m) { return m.force_scale(); },
+              [](const auto& scale, const auto& motion) { return scale * motion.a; }),
+          scaled_curve(
+              {"drive_torque",
+               "N m",
+               "N m",
+               "torque of the inertia force on the cam's axis",
+               {{{"mass"}, Shape::Linear},
+                {{"stroke"}, Shape::Quasilinear},
+                {speeds, Shape::Quasilinear}}},
+              [](const auto& m) { return m.torque_scale(); },
+              [](const auto& scale, const auto& motion) { return scale * (motion.v * motion.a); }),
+          scaled_curve(
+              {"displacement",
+               "mm",
+               "m",
+               "axial displacement of the cutter",
+               {{{"law"}, Shape::Linear}, {{"stroke"}, Shape::Linear}}},
+              [](const auto& m) { return m.stroke; },
+              [](const auto& scale, const auto& motion) { return scale * motion.s; })};
+}
+
+}  // namespace
+
+const std::vector<MechanismParameter>& spine_cutter_parameters() {
+  static const std::vector<MechanismParameter> parameters{
+      {"cutter_diameter", "D_f", "mm", "m", "outer diameter of the cutter", 50, 1e-3, 1e4},
+      {"blades", "z", "1", "1", "number of blades", 17, 1, 1e4, true},
+      {"stroke", "S_f", "mm", "m", "axial stroke, one way", 40, 1e-3, 1e4},
+      {"block_speed", "V", "m/s", "m/s", "speed of the book block", 0.3, 1e-6, 1e3},
+      {"depth", "h", "mm", "m", "depth of the notches", 0.4, 1e-6, 1e4},
+      {"mass", "m", "kg", "kg", "mass that the cam moves", 2.4, 1e-6, 1e6},
+      {"pressure_angle", "v", "deg", "rad", "permissible pressure angle", 30, 0.1, 89.9},
+      {"cam_radius", "R", "mm", "m", "radius of the cam", 35, 1e-3, 1e4}};
+  return parameters;
+}
+
+Mechanism spine_cutter_mechanism() {
+  std::vector<MechanismResponse> responses = numbers();
+  append(responses, curves());
+  return {.name = "spine-cutter",
+          .title = "spine-notching cutter stroked by a face cam",
+          .source = "Tekhnolohiia i tekhnika drukarstva, 2020, No. 4(70)",
+          .parameters = spine_cutter_parameters(),
+          .responses = std::move(responses),
+          .peaks = {{"minimum_cam_radius", "required_cam_radius", Part::Magnitude,
+                     "least cam radius at the permissible pressure angle"},
+                    {"peak_inertia_force", "inertia_force", Part::Magnitude, "peak inertia force"},
+                    {"peak_drive_torque", "drive_torque", Part::Magnitude, "peak drive torque"}}};
+}
+
+}  // namespace camlaw::problems

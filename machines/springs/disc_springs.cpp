@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/append.h"
+#include "machines/model/responses.h"
+#include "machines/springs/disc_spring_stack.h"
+#include "machines/springs/linear.h"
+#include "machines/springs/springs.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// A stack that works between two deflections, with its fields in one row.
+template <class T>
+struct DiscSprings : DiscSpring<T> {
+  T parallel, series, preload_deflection, working_deflection;
+  T density, surface_friction, edge_friction;
+
+  DiscSpringStack<T> stack() const {
+    return {*this, parallel, series, surface_friction, edge_friction};
+  }
+  bool is_possible() const { return stack().is_possible(); }
+};
+
+}  // namespace
+
+template <>
+struct MachineTraits<DiscSprings> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array<T DiscSprings<T>::*, 14> fields{&DiscSprings<T>::outer_diameter,
+                                                              &DiscSprings<T>::inner_diameter,
+                                                              &DiscSprings<T>::thickness,
+                                                              &DiscSprings<T>::cone_height,
+                                                              &DiscSprings<T>::parallel,
+                                                              &DiscSprings<T>::series,
+                                                              &DiscSprings<T>::preload_deflection,
+                                                              &DiscSprings<T>::working_deflection,
+                                                              &DiscSprings<T>::youngs_modulus,
+                                                              &DiscSprings<T>::poisson_ratio,
+                                                              &DiscSprings<T>::density,
+                                                              &DiscSprings<T>::thickness_ratio,
+                                                              &DiscSprings<T>::surface_friction,
+                                                              &DiscSprings<T>::edge_friction};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"outer_diameter", "D_e", "mm", "m", "outer diameter", 50, 1e-3, 1e5},
+      {"inner_diameter", "D_i", "mm", "m", "inner diameter", 25.4, 1e-3, 1e5},
+      {"thickness", "t", "mm", "m", "thickness of a disc", 2, 1e-4, 1e4},
+      {"cone_height", "h_0", "mm", "m", "free height of a disc less its thickness", 1.4, 1e-4, 1e4},
+      {"parallel", "n", "1", "1", "discs nested in a packet", 1, 1, 1000, true},
+      {"series", "i", "1", "1", "packets in a row", 10, 1, 10000, true},
+      {"preload_deflection", "s_1", "mm", "m", "least deflection of the stack", 2.1, 0, 1e5},
+      {"working_deflection", "s_2", "mm", "m", "greatest deflection of the stack", 10.5, 0, 1e5},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus", 206, 1e-3, 1e4},
+      {"poisson_ratio", "mu", "1", "1", "Poisson's ratio", 0.3, 0, 0.5},
+      {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
+      {"thickness_ratio", "r_t", "1", "1",
+       "reduced thickness over thickness; below 1 with contact flats", 1, 0.5, 1},
+      {"surface_friction", "w_M", "1", "1", "share of force lost between nested discs", 0.01, 0,
+       0.5},
+      {"edge_friction", "w_R", "1", "1", "share of force lost at the loaded edges", 0.03, 0, 0.5}};
+  return all;
+}
+
+namespace {
+
+using S = optim::Shape;
+
+enum class At { Preload, Working };
+
+template <class T>
+const T& deflection(const DiscSprings<T>& springs, At at) {
+  return at == At::Preload ? springs.preload_deflection : springs.working_deflection;
+}
+
+template <class F>
+MechanismResponse plain(ResponseAbout about, F formula) {
+  return number_response<DiscSprings>(std::move(about), formula);
+}
+
+template <class F>
+MechanismResponse loaded(At at, ResponseAbout about, F value) {
+  return plain(std::move(about), [at, value](const auto& springs) {
+    return value(springs.stack(), deflection(springs, at));
+  });
+}
+
+/// The value at the working deflection less that at the preload.
+template <class F>
+MechanismResponse between(ResponseAbout about, F value) {
+  return plain(std::move(about), [value](const auto& springs) {
+    const auto stack = springs.stack();
+    return value(stack, springs.working_deflection) - value(stack, springs.preload_deflection);
+  });
+}
+
+std::vector<MechanismResponse> forces() {
+  const auto shapes = linear({{"parallel"}, {"youngs_modulus"}});
+  const auto force = [](const auto& stack, const auto& s) { return stack.force(s); };
+  const auto rate = [](const auto& stack, const auto& s) { return stack.rate(s); };
+  return {loaded(At::Preload,
+                 {"preload_force", "N", "N", "force at the preload deflection", shapes}, force),
+          loaded(At::Working,
+                 {"working_force", "N", "N", "force at the working deflection", shapes}, force),
+          loaded(At::Working,
+                 {"loading_force", "N", "N", "the same with friction, while the stack is pressed"},
+                 [](const auto& stack, const auto& s) { return stack.loading_force(s); }),
+          loaded(At::Preload,
+                 {"return_force", "N", "N",
+                  "force at the preload deflection with friction, while the stack comes back"},
+                 [](const auto& stack, const auto& s) { return stack.return_force(s); }),
+          loaded(At::Preload,
+                 {"preload_rate", "N/mm", "N/m", "rate at the preload deflection", shapes}, rate),
+          loaded(At::Working,
+                 {"working_rate", "N/mm", "N/m", "rate at the working deflection", shapes}, rate),
+          between({"work", "J", "J", "work taken up between the deflections", shapes},
+                  [](const auto& stack, const auto& s) { return stack.work(s); })};
+}
+
+template <class T>
+T stress_lower_inner(const DiscSpringStack<T>& stack, const T& s) {
+  return stack.spring.stress_lower_inner(s / stack.series);
+}
+template <class T>
+T stress_lower_outer(const DiscSpringStack<T>& stack, const T& s) {
+  return stack.spring.stress_lower_outer(s / stack.series);
+}
+
+/// Stresses at the working deflection. In it they are parabolas: docs/theory.md, "Disc springs".
+std::vector<MechanismResponse> stresses() {
+  const auto about = [](const char* name, const char* meaning, S in_deflection) {
+    return ResponseAbout{
+        name,
+        "MPa",
+        "Pa",
+        meaning,
+        {{{"working_deflection"}, in_deflection}, {{"youngs_modulus"}, S::Linear}}};
+  };
+  const auto inner = [](const auto& stack, const auto& s) { return stress_lower_inner(stack, s); };
+  const auto outer = [](const auto& stack, const auto& s) { return stress_lower_outer(stack, s); };
+  const auto modulus = linear({{"youngs_modulus"}});
+  return {
+      loaded(At::Working,
+             about("stress_OM", "stress in the middle of the upper side, below 0", S::Linear),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_middle(s / stack.series);
+             }),
+      loaded(At::Working, about("stress_I", "stress at the upper inner edge, below 0", S::Convex),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_inner(s / stack.series);
+             }),
+      loaded(At::Working, about("stress_II", "stress at the lower inner edge", S::Convex), inner),
+      loaded(At::Working, about("stress_III", "stress at the lower outer edge", S::Concave), outer),
+      loaded(At::Working, about("stress_IV", "stress at the upper outer edge", S::Concave),
+             [](const auto& stack, const auto& s) {
+               return stack.spring.stress_upper_outer(s / stack.series);
+             }),
+      between({"stress_range_II", "MPa", "Pa",
+               "stress at the lower inner edge less that at the preload deflection", modulus},
+              inner),
+      between({"stress_range_III", "MPa", "Pa",
+               "stress at the lower outer edge less that at the preload deflection", modulus},
+              outer)};
+}
+
+MechanismResponse flattening(At at, const char* name, const char* along, const char* meaning) {
+  return plain(
+      {name,
+       "1",
+       "1",
+       meaning,
+       {{{along}, S::Linear},
+        {{along, "series"}, S::Quasilinear},
+        {{along, "cone_height", "thickness"}, S::Quasilinear}}},
+      [at](const auto& springs) { return springs.stack().flattening(deflection(springs, at)); });
+}
+
+std::vector<MechanismResponse> sizes() {
+  return {flattening(At::Preload, "preload_flattening", "preload_deflection",
+                     "preload deflection over that to flat"),
+          flattening(At::Working, "flattening", "working_deflection",
+                     "working deflection over that to flat; plates stop the discs at 1"),
+          plain({"stroke", "mm", "m", "working deflection less preload deflection",
+                 linear({{"preload_deflection", "working_deflection"}})},
+                [](const auto& springs) {
+                  return springs.working_deflection - springs.preload_deflection;
+                }),
+          plain({"springs", "1", "1", "discs in all", linear({{"parallel"}, {"series"}})},
+                [](const auto& springs) { return springs.stack().springs(); }),
+          plain({"free_length", "mm", "m", "length of the stack without load",
+                 linear({{"series"}, {"parallel"}, {"cone_height", "thickness"}})},
+                [](const auto& springs) { return springs.stack().free_length(); }),
+          plain({"working_length", "mm", "m", "length of the stack at the working deflection",
+                 linear({{"working_deflection", "series"},
+                         {"working_deflection", "parallel"},
+                         {"working_deflection", "cone_height", "thickness"}})},
+                [](const auto& springs) {
+                  return springs.stack().free_length() - springs.working_deflection;
+                }),
+          plain({"flat_length", "mm", "m", "length of the stack pressed flat",
+                 linear({{"series"}, {"parallel"}, {"thickness"}})},
+                [](const auto& springs) { return springs.stack().flat_length(); }),
+          plain({"mass", "kg", "kg", "mass of the stack",
+                 linear({{"series"}, {"parallel"}, {"thickness"}, {"density"}})},
+                [](const auto& springs) { return springs.stack().mass(springs.density); })};
+}
+
+}  // namespace
+
+Mechanism disc_springs_mechanism() {
+  std::vector<MechanismResponse> responses = forces();
+  for (auto make : {&stresses, &sizes}) append(responses, make());
+  return {.name = "disc-springs",
+          .title = "stack of disc springs between two deflections",
+          .source =
+              "J. O. Almen, A. Laszlo, The uniform-section disk spring, Trans. ASME 58 "
+              "(1936); DIN 2092, EN 16984",
+          .parameters = MachineTraits<DiscSprings>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {},
+          .moved_by = MovedBy::Nothing,
+          .validity = {{"flattening", 1}}};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "machines/springs/helical_spring.h"
+
+#include "machines/model/append.h"
+#include "machines/model/responses.h"
+#include "machines/springs/linear.h"
+#include "machines/springs/springs.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// A spring that works between two deflections, no longer than its least gaps ask for.
+template <class T>
+struct WorkingSpring : HelicalSpring<T> {
+  T preload_deflection, working_deflection, gap_factor, seating;
+
+  T gaps() const { return gap_factor * HelicalSpring<T>::least_gaps(); }
+  T free_length() const { return HelicalSpring<T>::free_length(working_deflection, gap_factor); }
+};
+
+}  // namespace
+
+template <>
+struct MachineTraits<WorkingSpring> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array<T WorkingSpring<T>::*, 11> fields{
+      &WorkingSpring<T>::wire_diameter,
+      &WorkingSpring<T>::mean_diameter,
+      &WorkingSpring<T>::active_coils,
+      &WorkingSpring<T>::end_coils,
+      &WorkingSpring<T>::preload_deflection,
+      &WorkingSpring<T>::working_deflection,
+      &WorkingSpring<T>::shear_modulus,
+      &WorkingSpring<T>::youngs_modulus,
+      &WorkingSpring<T>::density,
+      &WorkingSpring<T>::gap_factor,
+      &WorkingSpring<T>::seating};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<WorkingSpring>::parameters() {
+  static const std::vector<MechanismParameter> all{
+      {"wire_diameter", "d", "mm", "m", "diameter of the wire", 2, 1e-3, 1e3},
+      {"mean_diameter", "D", "mm", "m", "mean diameter of the coils", 24, 1e-3, 1e4},
+      {"active_coils", "n", "1", "1", "coils that are deflected", 8.5, 0.1, 1e4},
+      {"end_coils", "n_e", "1", "1", "coils at the ends that are not", 2, 0, 100},
+      {"preload_deflection", "s_1", "mm", "m", "least deflection", 10, 0, 1e5},
+      {"working_deflection", "s_2", "mm", "m", "greatest deflection", 30, 0, 1e5},
+      {"shear_modulus", "G", "GPa", "Pa", "shear modulus", 81.5, 1e-3, 1e4},
+      {"youngs_modulus", "E", "GPa", "Pa", "Young's modulus, above the shear modulus", 206, 1e-3,
+       1e4},
+      {"density", "rho", "kg/m3", "kg/m3", "density", 7850, 1, 1e5},
+      {"gap_factor", "k_a", "1", "1",
+       "gaps between coils at the working deflection over the least ones; 1.5 where it varies", 1,
+       0, 1000},
+      {"seating", "nu", "1", "1", "buckling length over free length: 0.5, 0.7, 1 or 2", 1, 0.1,
+       10}};
+  return all;
+}
+
+namespace {
+
+using S = optim::Shape;
+
+template <class F>
+MechanismResponse plain(ResponseAbout about, F formula) {
+  return number_response<WorkingSpring>(std::move(about), formula);
+}
+
+/// R s and the like: linear in G and in s, convex in the coils, whose powers are all below 0.
+std::vector<ShapeStatement> of_rate(const std::vector<std::string>& deflection) {
+  auto shapes = linear({{"shear_modulus"}});
+  if (!deflection.empty()) shapes.push_back({deflection, S::Linear});
+  shapes.push_back({{"mean_diameter", "active_coils"}, S::Convex});
+  shapes.push_back({{"wire_diameter"}, S::Convex});
+  return shapes;
+}
+
+std::vector<MechanismResponse> forces() {
+  return {plain({"rate", "N/mm", "N/m", "rate", of_rate({})},
+                [](const auto& spring) { return spring.rate(); }),
+          plain({"preload_force", "N", "N", "force at the preload deflection",
+                 of_rate({"preload_deflection"})},
+                [](const auto& spring) { return spring.force(spring.preload_deflection); }),
+          plain({"working_force", "N", "N", "force at the working deflection",
+                 of_rate({"working_deflection"})},
+                [](const auto& spring) { return spring.force(spring.working_deflection); }),
+          plain({"stroke", "mm", "m", "working deflection less preload deflection",
+                 linear({{"preload_deflection", "working_deflection"}})},
+                [](const auto& spring) {
+                  return spring.working_deflection - spring.preload_deflection;
+                }),
+          plain({"work",
+                 "J",
+                 "J",
+                 "work taken up between the deflections",
+                 {{{"shear_modulus"}, S::Linear},
+                  {{"working_deflection"}, S::Convex},
+                  {{"preload_deflection"}, S::Concave}}},
+                [](const auto& spring) {
+                  return spring.work(spring.working_deflection) -
+                         spring.work(spring.preload_deflection);
+                })};
+}
+
+std::vector<MechanismResponse> stresses() {
+  const auto corrected = [](const auto& spring, const auto& deflection) {
+    return spring.shear_stress(spring.force(deflection));
+  };
+  const auto uncorrected = [](const auto& spring, const auto& deflection) {
+    return spring.uncorrected_stress(spring.force(deflection));
+  };
+  const auto shapes = [](std::vector<std::string> deflections) {
+    return linear({{"shear_modulus"}, std::move(deflections)});
+  };
+  std::vector<ShapeStatement> of_static = shapes({"working_deflection"});
+  of_static.push_back({{"wire_diameter"}, S::Linear});
+  of_static.push_back({{"mean_diameter", "active_coils"}, S::Convex});
+  return {plain({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection",
+                 shapes({"preload_deflection"})},
+                [=](const auto& spring) { return corrected(spring, spring.preload_deflection); }),
+          plain({"working_stress", "MPa", "Pa", "corrected stress at the working deflection",
+                 shapes({"working_deflection"})},
+                [=](const auto& spring) { return corrected(spring, spring.working_deflection); }),
+          plain({"stress_range", "MPa", "Pa", "working stress less preload stress",
+                 shapes({"preload_deflection", "working_deflection"})},
+                [=](const auto& spring) {
+                  return corrected(spring, spring.working_deflection - spring.preload_deflection);
+                }),
+          plain({"static_stress", "MPa", "Pa", "stress at the working deflection, not corrected",
+                 of_static},
+                [=](const auto& spring) { return uncorrected(spring, spring.working_deflection); }),
+          plain({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected",
+                 shapes({"working_deflection", "gap_factor"})},
+                [=](const auto& spring) {
+                  return uncorrected(spring, spring.working_deflection + spring.gaps());
+                })};
+}
+
+std::vector<MechanismResponse> sizes() {
+  const auto of_coils = linear({{"active_coils", "end_coils"}, {"wire_diameter"}});
+  const auto of_use = linear(
+      {{"working_deflection", "active_coils", "end_coils"}, {"working_deflection", "gap_factor"}});
+  const std::vector<std::string> wire_and_mean{"wire_diameter", "mean_diameter"};
+  return {
+      plain({"index",
+             "1",
+             "1",
+             "mean diameter over wire diameter",
+             {{{"mean_diameter"}, S::Linear}, {wire_and_mean, S::Quasilinear}}},
+            [](const auto& spring) { return spring.index(); }),
+      plain({"outer_diameter", "mm", "m", "outer diameter without load", linear({wire_and_mean})},
+            [](const auto& spring) { return spring.outer_diameter(); }),
+      plain({"inner_diameter", "mm", "m", "inner diameter without load", linear({wire_and_mean})},
+            [](const auto& spring) { return spring.inner_diameter(); }),
+      plain({"solid_length", "mm", "m", "length with all coils touching", of_coils},
+            [](const auto& spring) { return spring.solid_length(); }),
+      plain({"working_length", "mm", "m", "length at the working deflection",
+             linear({{"active_coils", "end_coils"}, {"gap_factor"}})},
+            [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
+      plain({"preload_length", "mm", "m", "length at the preload deflection"},
+            [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
+      plain({"free_length", "mm", "m", "length without load that leaves the gaps", of_use},
+            [](const auto& spring) { return spring.free_length(); }),
+      plain({"buckling", "1", "1",
+             "nearness of the working deflection to buckling; above 1 the spring buckles"},
+            [](const auto& spring) {
+              return spring.buckling_share(spring.working_deflection, spring.free_length(),
+                                           spring.seating);
+            })};
+}
+
+std::vector<MechanismResponse> masses() {
+  return {plain({"mass", "kg", "kg", "mass of the spring",
+                 linear({{"mean_diameter"}, {"active_coils", "end_coils"}, {"density"}})},
+                [](const auto& spring) { return spring.mass(); }),
+          plain({"active_mass", "kg", "kg", "mass of the active coils",
+                 linear({{"mean_diameter"}, {"active_coils"}, {"density"}})},
+                [](const auto& spring) { return spring.active_mass(); }),
+          plain({"surge_frequency",
+                 "Hz",
+                 "Hz",
+                 "lowest natural frequency, both ends held",
+                 {{{"wire_diameter"}, S::Linear}, {{"mean_diameter", "active_coils"}, S::Convex}}},
+                [](const auto& spring) { return spring.surge_frequency(); })};
+}
+
+}  // namespace
+
+Mechanism helical_spring_mechanism() {
+  std::vector<MechanismResponse> responses = forces();
+  for (auto make : {&stresses, &sizes, &masses}) append(responses, make());
+  return {.name = "helical-spring",
+          .title = "helical compression spring of round wire between two deflections",
+          .source =
+              "EN 13906-1, Cylindrical helical springs made from round wire and bar, "
+              "calculation and design, part 1: compression springs",
+          .parameters = MachineTraits<WorkingSpring>::parameters(),
+          .responses = std::move(responses),
+          .peaks = {},
+          .moved_by = MovedBy::Nothing};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace camlaw {
+
+/// A file that is installed with the program, by its whole path: beside the running program, in
+/// libexec/camlaw of its prefix or of the prefixes that camlaw was built for; for a program that
+/// runs in the build folder, in plugins/ of that. None where it is in none of these, or cannot be
+/// read.
+std::optional<std::string> own_file(const std::string& name);
+
+/// The same for a file that can be executed.
+std::optional<std::string> own_program(const std::string& name);
+
+}  // namespace camlaw

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "numerics/scalar/absolute.h"
+
+/// Formulas that depend on the sign of something, in any scalar.
+namespace camlaw {
+
+/// `pushing` where the force is 0 or above, `pulling` where it is below.
+template <class X>
+X by_side(const X& force, const X& pushing, const X& pulling) {
+  return value_of(force) < 0 ? pulling : pushing;
+}
+
+inline Interval by_side(const Interval& force, const Interval& pushing, const Interval& pulling) {
+  if (boost::numeric::empty(force)) return Interval::whole();
+  if (force.lower() >= 0) return pushing;
+  if (force.upper() < 0) return pulling;
+  return boost::numeric::hull(pushing, pulling);
+}
+
+/// Over a box in which the force may change its sign nothing is known of the derivatives.
+template <std::size_t N>
+Series<Interval, N> by_side(const Series<Interval, N>& force, const Series<Interval, N>& pushing,
+                            const Series<Interval, N>& pulling) {
+  if (force.c[0].lower() >= 0) return pushing;
+  if (force.c[0].upper() < 0) return pulling;
+  Series<Interval, N> result(by_side(force.c[0], pushing.c[0], pulling.c[0]));
+  for (std::size_t k = 1; k < N; ++k) result.c[k] = Interval::whole();
+  return result;
+}
+
+/// |x| with the sign of a direction: 0 where there is none.
+template <class X>
+X along(const X& direction, const X& x) {
+  const double way = value_of(direction);
+  return way == 0 ? number<X>(0) : way < 0 ? -absolute(x) : absolute(x);
+}
+
+inline Interval along(const Interval& direction, const Interval& x) {
+  if (boost::numeric::empty(direction)) return Interval::whole();
+  const Interval size = absolute(x);
+  if (direction.lower() > 0) return size;
+  if (direction.upper() < 0) return -size;
+  if (direction.lower() == 0 && direction.upper() == 0) return Interval(0.0);
+  return boost::numeric::hull(size, -size);
+}
+
+/// Over a box in which the direction may change nothing is known of the derivatives.
+template <std::size_t N>
+Series<Interval, N> along(const Series<Interval, N>& direction, const Series<Interval, N>& x) {
+  const Interval& way = direction.c[0];
+  if (way.lower() > 0) return absolute(x);
+  if (way.upper() < 0) return -absolute(x);
+  Series<Interval, N> result(along(way, x.c[0]));
+  const bool resting = way.lower() == 0 && way.upper() == 0;
+  for (std::size_t k = 1; k < N; ++k) result.c[k] = resting ? Interval(0.0) : Interval::whole();
+  return result;
+}
+
+}  // namespace camlaw

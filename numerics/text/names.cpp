@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/text/names.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace camlaw {
+namespace {
+
+/// The small letter of one that UTF-8 writes in two bytes; the same where it has none.
+unsigned small_letter(unsigned code) {
+  if (code >= 0xC0 && code <= 0xDE && code != 0xD7) return code + 0x20;  // Latin-1
+  if (code >= 0x391 && code <= 0x3A9) return code + 0x20;                // Greek
+  if (code >= 0x410 && code <= 0x42F) return code + 0x20;                // Cyrillic A to Ya
+  if (code >= 0x400 && code <= 0x40F) return code + 0x50;                // Ukrainian Ye, I, Yi
+  if (code == 0x490) return 0x491;                                       // G with upturn
+  return code;
+}
+
+/// Likeness of two names, 0 to 1: Dice's coefficient on pairs of neighbouring bytes, the ends
+/// marked.
+double likeness(const std::string& a, const std::string& b) {
+  const auto pairs = [](const std::string& name) {
+    const std::string marked = "^" + name + "$";
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i + 1 < marked.size(); ++i) result.push_back(marked.substr(i, 2));
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto pairs_a = pairs(a), pairs_b = pairs(b);
+  std::vector<std::string> common;
+  std::set_intersection(pairs_a.begin(), pairs_a.end(), pairs_b.begin(), pairs_b.end(),
+                        std::back_inserter(common));
+  return 2.0 * static_cast<double>(common.size()) /
+         static_cast<double>(pairs_a.size() + pairs_b.size());
+}
+
+}  // namespace
+
+std::string folded(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool is_pair = c >= 0xC0 && c < 0xE0 && i + 1 < text.size() &&
+                         (static_cast<unsigned char>(text[i + 1]) & 0xC0U) == 0x80;
+    if (!is_pair) {  // one byte, one of several, or no UTF-8
+      const bool is_large = c >= 'A' && c <= 'Z';
+      result += static_cast<char>(is_large ? c + ('a' - 'A') : c);
+      continue;
+    }
+    const unsigned trail = static_cast<unsigned char>(text[++i]) & 0x3FU;
+    const unsigned code = small_letter((c & 0x1FU) << 6U | trail);
+    result += static_cast<char>(0xC0 | (code >> 6U));
+    result += static_cast<char>(0x80 | (code & 0x3FU));
+  }
+  return result;
+}
+
+std::vector<std::string> near_names(std::string_view typed, const std::vector<std::string>& known) {
+  const std::string wanted = folded(typed);
+  constexpr double kNear = 0.3;
+  std::vector<std::pair<double, std::string>> ranked;
+  for (const std::string& name : known) {
+    const double alike = likeness(wanted, folded(name));
+    if (alike >= kNear) ranked.emplace_back(alike, name);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> result;
+  for (const auto& [alike, name] : ranked) {
+    if (result.size() < 3) result.push_back(name);
+  }
+  return result;
+}
+
+void refuse_name(const std::string& what, std::string_view name,
+                 const std::vector<std::string>& known, const std::string& list) {
+  const auto near = near_names(name, known);
+  const bool all = near.empty() || list.empty();
+  throw std::invalid_argument(
+      fmt::format("{} '{}'{}; {}", what, name,
+                  near.empty() ? "" : fmt::format("; near: {}", fmt::join(near, ", ")),
+                  all ? fmt::format("known are {}", fmt::join(known, ", ")) : list));
+}
+
+std::string_view trimmed(std::string_view text, std::string_view characters) {
+  const std::size_t first = text.find_first_not_of(characters);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(characters) - first + 1);
+}
+
+}  // namespace camlaw

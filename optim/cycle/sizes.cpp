@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "optim/cycle/sizes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "optim/cycle/maxima_at.h"
+#include "optim/problem/starts.h"
+
+namespace camlaw::optim {
+namespace {
+
+double or_one(double size) { return size > 0 && std::isfinite(size) ? size : 1; }
+
+/// Scales of what varies; zero for what is fixed.
+std::vector<double> free_scales(const Problem& problem, std::vector<double> scales) {
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    if (problem.variables[i].lower == problem.variables[i].upper) scales[i] = 0;
+  }
+  return scales;
+}
+
+/// The problem's variables in a neighbourhood of a design, one typical change to each side.
+Problem neighbourhood(const Problem& problem, Design about, const std::vector<double>& scales) {
+  Problem near;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    Variable v = problem.variables[i];
+    v.start = std::clamp(about[i], v.lower, v.upper);
+    v.lower = std::max(v.lower, v.start - scales[i]);
+    v.upper = std::min(v.upper, v.start + scales[i]);
+    near.variables.push_back(std::move(v));
+  }
+  return near;
+}
+
+/// How large a response is at a design: of a curve its highest |value|, of a number what its
+/// variables contribute to it, to first order.
+double magnitude(const Response& response, MaximaAt& maxima, Design x,
+                 const std::vector<double>& own) {
+  if (response.is_curve()) {
+    return std::abs(maxima.extreme_of(response.curve(), Part::Magnitude).value);
+  }
+  const Function& f = response.function();
+  std::vector<double> g(f.inputs().size());
+  f.gradient(x, g);
+  double sum = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) sum += std::abs(g[k]) * own[f.inputs()[k]];
+  return sum;
+}
+
+/// Zero where there are no values.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What typical changes make of responses at one design and about it.
+class Changes {
+ public:
+  Changes(const Problem& problem, Design about)
+      : scales_(free_scales(problem, typical_scales(problem, about))),
+        about_(about.begin(), about.end()) {
+    constexpr std::size_t kSampled = 300;
+    constexpr int kDesigns = 8;
+    if (scales_.size() > kSampled) return;
+    box_ = starts(neighbourhood(problem, about, scales_), kDesigns + 1, 1);
+    box_.erase(box_.begin());
+  }
+
+  /// About the design: the median of what is a number and not zero; zero where there is none.
+  double typical(const Response& response) const {
+    // What is linear, and changes nowhere else, changes alike at every design.
+    if (box_.empty()) return 0;
+    if (is_alike(response)) return or_zero(typical_change(response, about_, scales_));
+    std::vector<double> changes;
+    for (const auto& x : box_) {
+      const double change = typical_change(response, x, scales_);
+      if (change > 0 && std::isfinite(change)) changes.push_back(change);
+    }
+    return median(std::move(changes));
+  }
+
+  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
+  /// those about it (a curve may be brought to zero); zero where it is not a number.
+  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+    std::vector<double> values;
+    for (const auto& x : box_) {
+      MaximaAt there(x);
+      const double value = magnitude(curve, there, x, own);
+      if (std::isfinite(value)) values.push_back(value);
+    }
+    return std::max(median(std::move(values)), or_zero(magnitude(curve, here, about_, own)));
+  }
+
+  double at_design(const Response& response) const {
+    constexpr double kFar = 100;
+    const double here = typical_change(response, about_, scales_);
+    const double usual = is_alike(response) ? 0 : typical(response);
+    if (usual == 0) return here;
+    return here > 0 ? std::clamp(here, usual / kFar, usual * kFar) : usual;
+  }
+
+ private:
+  static bool is_alike(const Response& response) {
+    const bool moves = response.is_curve() && response.curve().breaks_move();
+    return response.shape() == Shape::Linear && !moves;
+  }
+  static double or_zero(double change) { return std::isfinite(change) ? change : 0; }
+
+  std::vector<double> scales_, about_;
+  std::vector<std::vector<double>> box_;
+};
+
+double larger_bound(const Constraint& c) {
+  return std::max(std::abs(c.lower.value_or(0)), std::abs(c.upper.value_or(0)));
+}
+
+void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::vector<double>& own,
+                   ConstraintSize& size) {
+  constexpr double kShare = 1e-6;
+  constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
+  const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
+  const double usual =
+      kShare *
+      (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0) : or_one(whole));
+  size.tolerance = c.tolerance.value_or(usual);
+  size.default_tolerance = std::min(usual, size.tolerance);
+}
+
+/// What is known of each curve, which many limits may be on.
+struct CurveChange {
+  double at_design, whole;
+};
+using CurveChanges = std::map<const Curve*, CurveChange>;
+
+/// Of a curve no more than a hundred times what it is and may be: what changes by more stands
+/// beside a pole, and its slope is not the size of anything.
+double size_of(const Constraint& c, const Changes& changes, MaximaAt& maxima,
+               const std::vector<double>& own, CurveChanges& known) {
+  constexpr double kLeast = 1e-3, kMost = 100;  // of the bound; of bound and highest |value|
+  if (c.scale) return *c.scale;
+  const double bound = larger_bound(c);
+  if (!c.response.is_curve()) {
+    return or_one(std::max(changes.at_design(c.response), kLeast * bound));
+  }
+  auto curve = known.find(&c.response.curve());
+  if (curve == known.end()) {
+    const CurveChange fresh{changes.at_design(c.response), changes.whole(c.response, maxima, own)};
+    curve = known.emplace(&c.response.curve(), fresh).first;
+  }
+  const double change = std::max(curve->second.at_design, kLeast * bound);
+  const double whole = std::max(bound, curve->second.whole);
+  return or_one(whole > 0 ? std::min(change, kMost * whole) : change);
+}
+
+/// What a change of the objective is a share of where its value is near zero: a typical change, of
+/// a curve no more than how large it is. Beside a pole, such as the acceleration of a phase that
+/// hardly lasts, a slope says nothing of that.
+double objective_typical(const Objective& objective, double typical, const Changes& changes,
+                         MaximaAt& maxima, const std::vector<double>& own) {
+  if (!objective.response.is_curve()) return typical;
+  const double whole = changes.whole(objective.response, maxima, own);
+  return whole > 0 ? std::min(typical, whole) : typical;
+}
+
+double objective_tolerance(const Objective& objective, double typical, Design x) {
+  constexpr double kShare = 1e-7;
+  if (objective.tolerance) return *objective.tolerance;
+  const double value = std::abs(objective_value(objective, x));
+  return kShare * (std::isfinite(value) ? std::max(value, typical) : typical);
+}
+
+/// Highest value of sign * number or curve at a design.
+double peak_of(const Response& response, double sign, MaximaAt& maxima, Design x) {
+  if (!response.is_curve()) return sign * response.function().value(x);
+  return sign * maxima.highest(response.curve(), sign).value;
+}
+
+}  // namespace
+
+double typical_change(const Function& function, Design x, const std::vector<double>& scales) {
+  std::vector<double> g(function.inputs().size());
+  function.gradient(x, g);
+  double largest = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const double change = std::abs(g[k]) * scales[function.inputs()[k]];
+    if (std::isfinite(change)) largest = std::max(largest, change);
+  }
+  return largest;
+}
+
+double typical_change(const Response& response, Design x, const std::vector<double>& scales) {
+  if (!response.is_curve()) return typical_change(response.function(), x, scales);
+  constexpr int kPlaces = 5;       // in each smooth stretch
+  constexpr double kShort = 1e-6;  // of the cycle: what goes on in less has no size of its own
+  const auto breaks = response.curve().trace(x)->breaks();
+  const double shortest = kShort * (breaks.back() - breaks.front());
+  double largest = 0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    if (breaks[k + 1] - breaks[k] < shortest) continue;
+    for (int i = 0; i < kPlaces; ++i) {
+      const double angle = breaks[k] + (breaks[k + 1] - breaks[k]) * (i + 0.5) / kPlaces;
+      largest = std::max(largest, typical_change(response.curve().at({angle}), x, scales));
+    }
+  }
+  return largest;
+}
+
+double objective_value(const Objective& objective, Design x) {
+  if (!objective.response.is_curve()) return objective.response.function().value(x);
+  const double value = extreme_of(*objective.response.curve().trace(x), objective.part).value;
+  return objective.part == Part::Magnitude ? std::abs(value) : value;
+}
+
+double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {
+  MaximaAt maxima(x);
+  double worst = -kInfinity;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const Constraint& c = problem.constraints[i];
+    const double size = sizes.constraints[i].size;
+    if (c.upper) worst = std::max(worst, (peak_of(c.response, 1, maxima, x) - *c.upper) / size);
+    if (c.lower) worst = std::max(worst, (peak_of(c.response, -1, maxima, x) + *c.lower) / size);
+  }
+  return worst;
+}
+
+std::vector<double> own_magnitudes(const Problem& problem, Design x) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    const double range = v.upper > v.lower ? v.upper - v.lower : kInfinity;
+    result.push_back(v.scale.value_or(std::max(std::abs(x[i]), std::min(1.0, range))));
+  }
+  return result;
+}
+
+std::vector<double> typical_scales(const Problem& problem, Design x) {
+  std::vector<double> result = own_magnitudes(problem, x);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    if (!v.scale && v.upper > v.lower) result[i] = std::min(result[i], v.upper - v.lower);
+  }
+  return result;
+}
+
+Sizes sizes(const Problem& problem, Design about) {
+  const Changes changes(problem, about);
+  MaximaAt maxima(about);
+  CurveChanges known;
+  const Response& objective = problem.objective.response;
+  Sizes result;
+  result.variables = typical_scales(problem, about);
+  result.own = own_magnitudes(problem, about);
+  result.objective = or_one(changes.at_design(objective));
+  const double typical = changes.typical(objective);
+  result.objective_typical = objective_typical(
+      problem.objective, typical > 0 ? typical : result.objective, changes, maxima, result.own);
+  result.objective_tolerance =
+      objective_tolerance(problem.objective, result.objective_typical, about);
+  for (const Constraint& c : problem.constraints) {
+    result.constraints.push_back({size_of(c, changes, maxima, result.own, known), 0, 0});
+    set_tolerance(c, maxima, about, result.own, result.constraints.back());
+  }
+  return result;
+}
+
+Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
+  sizes.own = own_magnitudes(problem, x);
+  sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
+  MaximaAt maxima(x);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    set_tolerance(problem.constraints[i], maxima, x, sizes.own, sizes.constraints[i]);
+  }
+  return sizes;
+}
+
+}  // namespace camlaw::optim

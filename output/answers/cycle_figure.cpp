@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/cycle_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/cycle/extremes.h"
+#include "output/answers/limit_text.h"
+#include "output/document/text_table.h"
+
+namespace camlaw::cli {
+namespace {
+
+Line even_line(const optim::Trace& trace, int points) {
+  Line line;
+  const auto breaks = trace.breaks();
+  const double cycle = breaks.back() - breaks.front();
+  const int least = std::clamp(points / static_cast<int>(breaks.size()), 1, 4);
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double share = (breaks[k + 1] - breaks[k]) / cycle;
+    const int steps = std::max(least, static_cast<int>(points * share));
+    for (int i = 0; i <= steps; ++i) {
+      const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], steps, i);
+      line.x.push_back(place.angle);
+      line.y.push_back(trace.at(place)[0]);
+    }
+  }
+  return line;
+}
+
+/// Puts a peak and places about it, closer and closer, among the points of a line.
+void add_peak(const optim::Trace& trace, double peak, Line& line) {
+  constexpr int kHalvings = 12;
+  const auto after = std::upper_bound(line.x.begin(), line.x.end(), peak);
+  if (after == line.x.begin() || after == line.x.end()) return;
+  const double before = *(after - 1), behind = *after;
+  std::vector<double> places;
+  for (int k = 1; k <= kHalvings; ++k) places.push_back(std::lerp(peak, before, std::exp2(-k)));
+  places.push_back(peak);
+  for (int k = kHalvings; k >= 1; --k) places.push_back(std::lerp(peak, behind, std::exp2(-k)));
+  std::vector<double> values;
+  for (const double place : places) values.push_back(trace.at({place})[0]);
+  const auto at = after - line.x.begin();
+  line.x.insert(line.x.begin() + at, places.begin(), places.end());
+  line.y.insert(line.y.begin() + at, values.begin(), values.end());
+}
+
+/// Even points, and more about a highest or lowest value that these would not show.
+Line curve_line(const optim::Trace& trace, int points) {
+  constexpr double kSeen = 1e-3;  // of the range
+  Line line = even_line(trace, points);
+  const auto [low, high] = std::minmax_element(line.y.begin(), line.y.end());
+  const double lowest = *low, highest = *high, range = highest - lowest;
+  if (!std::isfinite(range)) return line;
+  const double size = std::max(std::abs(lowest), std::abs(highest));
+  for (const double sign : {1.0, -1.0}) {
+    const optim::Extreme peak = optim::proved_highest(trace, sign, size).peak;
+    const double seen = sign > 0 ? highest : -lowest;
+    if (std::isfinite(peak.value) && sign * peak.value > seen + kSeen * range) {
+      add_peak(trace, peak.place.angle, line);
+    }
+  }
+  return line;
+}
+
+/// A dashed line across a panel.
+Line level(const Panel& panel, double value) {
+  Line line{.name = "limit", .x = {*panel.x.lower, *panel.x.upper}, .y = {value, value}};
+  line.colour = "#b00020";
+  line.dashed = true;
+  line.width = 1.2;
+  return line;
+}
+
+Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit,
+                  int points = kCyclePoints) {
+  Panel panel;
+  const auto breaks = trace.breaks();
+  panel.x = {.label = breaks.back() > 1 ? "angle" : "x",
+             .unit = breaks.back() > 1 ? "deg" : "",
+             .lower = breaks.front(),
+             .upper = breaks.back()};
+  panel.y = {.label = name, .unit = shown_unit(unit)};
+  panel.lines.push_back(curve_line(trace, points));
+  panel.lines.back().colour = "#0072b2";
+  return panel;
+}
+
+}  // namespace
+
+Figure cycle_figure(const Answer& answer) {
+  Figure figure;
+  figure.title = answer.bound.statement().title;
+  const optim::Assessment& assessment = answer.optimum.found.assessment;
+  const problems::ResponseName& sought = answer.bound.statement().objectives.front().response;
+  figure.subtitle =
+      fmt::format("{}: {} = {}", to_string(assessment.verdict), sought.name,
+                  with_unit(fmt::format("{:.6g}", assessment.objective.value), sought.unit));
+  figure.panel_height = 190;
+  const optim::Problem& problem = answer.optimum.problem;
+  const problems::ProblemStatement& statement = answer.bound.statement();
+  const auto& x = answer.optimum.found.x;
+  const auto add = [&](const optim::Response& response, const problems::ResponseName& stated,
+                       std::vector<double> levels) {
+    if (!response.is_curve() || x.empty()) return;
+    const auto trace = response.curve().trace(x);
+    const std::string& curve = stated.response->name;  // X of "peak X"
+    Panel* panel = nullptr;
+    for (Panel& known : figure.panels) {
+      if (known.y.label == curve) panel = &known;
+    }
+    if (panel == nullptr) {
+      figure.panels.push_back(curve_panel(*trace, curve, response.unit));
+      panel = &figure.panels.back();
+    }
+    for (const double value : levels) panel->lines.push_back(level(*panel, value));
+  };
+  add(problem.objective.response, statement.objectives.front().response, {});
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const optim::Constraint& c = problem.constraints[i];
+    std::vector<double> levels;
+    if (c.upper) levels.push_back(*c.upper);
+    if (c.lower) levels.push_back(*c.lower);
+    add(c.response, statement.constraints[i].response, levels);
+  }
+  return figure;
+}
+
+Figure curves_figure(const problems::ProblemStatement& statement, int points) {
+  Figure figure;
+  figure.title = statement.title;
+  figure.subtitle = statement.mechanism->name;
+  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
+    figure.subtitle += ", " + statement.laws.front().label();
+  }
+  figure.panel_height = 150;
+  for (const optim::Response& response : problems::curves_of(statement)) {
+    figure.panels.push_back(
+        curve_panel(*response.curve().trace({}), response.name, response.unit, points));
+  }
+  return figure;
+}
+
+void draw_limits(const problems::ProblemStatement& statement, Figure& figure) {
+  for (const problems::ConstraintStatement& limit : statement.constraints) {
+    if (limit.response.response == nullptr) continue;
+    const auto panel =
+        std::find_if(figure.panels.begin(), figure.panels.end(),
+                     [&](const Panel& p) { return p.y.label == limit.response.response->name; });
+    if (panel == figure.panels.end()) continue;
+    if (limit.lower) panel->lines.push_back(level(*panel, *limit.lower));
+    if (limit.upper) panel->lines.push_back(level(*panel, *limit.upper));
+    const bool both_ways = limit.response.part == optim::Part::Magnitude && limit.upper;
+    if (both_ways) panel->lines.push_back(level(*panel, -*limit.upper));
+  }
+}
+
+std::string curves_csv(const problems::ProblemStatement& statement, int steps) {
+  const auto curves = problems::curves_of(statement);
+  std::vector<std::vector<std::string>> rows(1);
+  if (curves.empty()) return to_csv(rows);
+  std::vector<std::unique_ptr<optim::Trace>> traces;
+  rows.front().push_back(problems::place_name(statement));
+  for (const optim::Response& curve : curves) {
+    rows.front().push_back(fmt::format("{} [{}]", curve.name, curve.unit));
+    traces.push_back(curve.curve().trace({}));
+  }
+  const auto breaks = traces.front()->breaks();
+  for (int i = 0; i <= steps; ++i) {
+    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), steps, i);
+    rows.emplace_back(1, exact(place.angle));
+    for (const auto& trace : traces) rows.back().push_back(exact(trace->at(place)[0]));
+  }
+  return to_csv(rows);
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/export_output.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "output/document/text_table.h"
+#include "problems/law_files/law_file.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::Chords, problems::ExportedCurve;
+
+constexpr const char* kFormat = "camlaw export 1";
+
+bool has_law(const Exported& e) {
+  return e.design.statement.mechanism->moved_by != problems::MovedBy::Nothing;
+}
+
+/// Four digits that are not below the number, nor above what it is known to be within.
+std::string not_below(double value, double within) {
+  const double up = value * 1.0005;
+  return fmt::format("{:.4g}", value <= within ? std::min(up, within) : up);
+}
+
+std::string size_text(const ExportedCurve& curve) {
+  if (std::holds_alternative<Chords>(curve.path)) return fmt::format("{} points", curve.size());
+  const bool arcs = std::holds_alternative<problems::ArcPath>(curve.path);
+  return fmt::format("{} {}", curve.size(), arcs ? "arcs and lines" : "cubics");
+}
+
+Json provenance(const Exported& e) {
+  const problems::ProblemStatement& statement = e.design.statement;
+  const bool holds = e.design.verdict && e.settings.empty();
+  return {{"file", e.file},
+          {"problem", statement.source},
+          {"mechanism", statement.mechanism->name},
+          {"verdict", holds ? Json(*e.design.verdict) : Json(nullptr)},
+          {"set", e.settings}};
+}
+
+Json curve_json(const ExportedCurve& curve, const Exported& e) {
+  Json angles = Json::array(), x = Json::array(), y = Json::array();
+  for (const auto& point : std::get<Chords>(curve.path).points) {
+    angles.push_back(point.angle);
+    x.push_back(point.at.x());
+    y.push_back(point.at.y());
+  }
+  Json result{{"name", curve.name},
+              {"closed", curve.closed},
+              {"worst_deviation_mm", curve.worst()},
+              {"cam_angle_deg", std::move(angles)},
+              {"x_mm", std::move(x)},
+              {"y_mm", std::move(y)}};
+  if (!e.accuracy.step) result["tolerance_mm"] = e.accuracy.tolerance;
+  return result;
+}
+
+/// The motion that a controller would be given; null where the mechanism has none.
+Json motion_json(const Exported& e) {
+  try {
+    const auto table = problems::motion_table(e.design.statement, {}, {}, e.accuracy.decimals);
+    return {{"master", table.master},
+            {"slave", table.slave},
+            {"closed", table.closed},
+            {"places", table.places},
+            {"values", table.values}};
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> curve_lines(const Exported& e) {
+  std::vector<std::string> lines;
+  const double within = e.accuracy.step ? 0 : e.accuracy.tolerance;
+  for (const ExportedCurve& curve : e.curves) {
+    lines.push_back(fmt::format("{}: {}, {}, within {} mm of the exact curve", curve.name,
+                                size_text(curve), curve.closed ? "closed" : "open",
+                                not_below(curve.worst(), within)));
+  }
+  lines.insert(lines.end(), e.notes.begin(), e.notes.end());
+  return lines;
+}
+
+std::vector<std::string> comments_of(const Exported& e) {
+  const problems::ProblemStatement& statement = e.design.statement;
+  std::vector<std::string> lines;
+  if (!statement.title.empty()) lines.push_back(statement.title);
+  lines.push_back(fmt::format("{} of {}", statement.mechanism->name, e.file));
+  if (e.design.verdict) {
+    lines.push_back((e.settings.empty() ? "" : "before the changes: ") + *e.design.verdict);
+  }
+  if (!e.settings.empty()) lines.push_back(fmt::format("set {}", fmt::join(e.settings, ", ")));
+  if (has_law(e)) lines.push_back(statement.laws.front().listed().label());
+  for (std::string& line : curve_lines(e)) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::string export_csv(const Exported& e) {
+  std::vector<std::vector<std::string>> rows{{"curve", "cam_angle [deg]", "x [mm]", "y [mm]",
+                                              "r [mm]", "theta [deg]",
+                                              "deviation to the next point [mm]"}};
+  const int decimals = e.accuracy.decimals;
+  const auto fixed = [&](double value) {
+    return fmt::format("{:.{}f}", problems::rounded(value, decimals), decimals);
+  };
+  for (const ExportedCurve& curve : e.curves) {
+    for (const auto& point : std::get<Chords>(curve.path).points) {
+      const double theta = std::atan2(point.at.y(), point.at.x()) * 180 / std::numbers::pi;
+      rows.push_back({curve.name, exact(point.angle), fixed(point.at.x()), fixed(point.at.y()),
+                      fixed(point.at.norm()), fixed(theta),
+                      fmt::format("{:.3e}", point.deviation)});
+    }
+  }
+  return to_csv(rows);
+}
+
+Json export_json(const Exported& e) {
+  const problems::ProblemStatement& statement = e.design.statement;
+  Json curves = Json::array();
+  for (const ExportedCurve& curve : e.curves) curves.push_back(curve_json(curve, e));
+  Json law = nullptr;
+  if (has_law(e)) {
+    const Member member = statement.laws.front().listed();
+    law = problems::law_file(member.law(), member.label(), provenance(e));
+  }
+  return {{"format", kFormat},    {"title", statement.title},    {"provenance", provenance(e)},
+          {"notes", e.notes},     {"curves", std::move(curves)}, {"motion", motion_json(e)},
+          {"law", std::move(law)}};
+}
+
+}  // namespace camlaw::cli

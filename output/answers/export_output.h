@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/answers/law_json.h"
+#include "output/export/motion_table.h"
+#include "output/export/tool_path.h"
+#include "problems/results/recorded_design.h"
+
+/// What camlaw export writes as CSV and JSON, and says about it.
+namespace camlaw::cli {
+
+/// What is exported, and where it comes from.
+struct Exported {
+  const problems::ReadDesign& design;
+  std::string file;                   ///< the problem's or result's name, without folders
+  std::vector<std::string> settings;  ///< those of --set
+  std::vector<problems::ExportedCurve> curves = {};
+  std::optional<problems::ToolPath> tool_path = {};  ///< of G-code
+  problems::ExportAccuracy accuracy = {};
+  std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
+};
+
+/// The lines of a comment: title, mechanism and file, verdict, settings, law; of each curve how
+/// many points or pieces it has, and how far it is from the exact curve at most.
+std::vector<std::string> comments_of(const Exported& exported);
+/// Of the curves alone.
+std::vector<std::string> curve_lines(const Exported& exported);
+
+/// A row for each point: curve, cam angle, x, y, r, theta, how far the curve departs from the
+/// straight line to the next point.
+std::string export_csv(const Exported& exported);
+
+/// The points, the motion as a table where the mechanism has one, and the law as a law file has it.
+Json export_json(const Exported& exported);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/front_answer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "output/answers/warnings.h"
+
+namespace camlaw::cli {
+
+using optim::FrontPoint;
+
+FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const optim::Front& found)
+    : study(of),
+      front(found),
+      ruler(problems::front_ruler(of.bound().statement())),
+      warnings(warnings_of(*this)) {}
+
+FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredFront& stored)
+    : FrontAnswer(of, stored.front) {
+  faults = stored.faults;
+  notes = stored.notes;
+  resuming = stored.resuming;
+}
+
+double FrontAnswer::value(std::size_t i, double cost) const {
+  return front.objectives[i].sense == optim::Sense::Minimize ? cost : -cost;
+}
+
+std::vector<FrontAnswer::Value> FrontAnswer::values(const FrontPoint& point) const {
+  const auto& space = study.space();
+  const auto options = space.options(point.part);
+  std::vector<Value> result;
+  for (std::size_t i = 0; i < space.choices.size(); ++i) {
+    const optim::Choice& choice = space.choices[i];
+    result.push_back({choice.name, choice.unit, choice.options[options[i]],
+                      choice.values.empty() ? std::nan("") : choice.values[options[i]]});
+  }
+  const optim::MultiProblem problem = space.problem(options);
+  for (std::size_t i = 0; i < point.x.size(); ++i) {
+    const optim::Variable& v = problem.variables[i];
+    result.push_back({v.name, v.unit, fmt::format("{:.7g}", point.x[i]), point.x[i]});
+  }
+  return result;
+}
+
+std::string FrontAnswer::law(const FrontPoint& point) const {
+  const auto law = study.law(point);
+  if (!law) return "";
+  const bool program = study.bound().statement().mechanism->moved_by == problems::MovedBy::Program;
+  return program ? law->family->formula : law->label();
+}
+
+std::string FrontAnswer::family(const FrontPoint& point) const {
+  const auto& statement = study.bound().statement();
+  if (statement.mechanism->moved_by == problems::MovedBy::Program) {
+    if (statement.laws.size() == 1) return "program";
+    return fmt::format("program {}", study.space().options(point.part).front() + 1);
+  }
+  const std::string its_law = law(point);
+  return its_law.substr(0, its_law.find(' '));
+}
+
+std::vector<optim::Costs> FrontAnswer::costs() const { return optim::costs_of(front.points); }
+
+}  // namespace camlaw::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/fronts/front_study.h"
+#include "problems/fronts/ruler.h"
+#include "problems/fronts/stored_front.h"
+
+namespace camlaw::cli {
+
+/// A front with what it is the front of.
+struct FrontAnswer {
+  const problems::FrontStudy& study;
+  const optim::Front& front;
+  std::optional<problems::FrontRuler> ruler;
+  std::vector<std::string> warnings;       ///< what stands beside the verdicts, warnings_of(*this)
+  std::vector<optim::RecordFault> faults;  ///< of the record that it was read from
+  std::vector<std::string> notes;          ///< what is to be said of that record
+  problems::Resuming resuming = problems::Resuming::NoRecord;
+
+  FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
+  /// Of a record.
+  FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
+
+  /// A point's option of each choice and the values of its variables, with units.
+  struct Value {
+    std::string name, unit, text;
+    double number;  ///< NaN for a choice in words
+  };
+  std::vector<Value> values(const optim::FrontPoint& point) const;
+  /// The law of a point in a few words, of a program its segments; empty where the mechanism takes
+  /// none.
+  std::string law(const optim::FrontPoint& point) const;
+  /// Its family's name; of programs, where there are several, "program 2".
+  std::string family(const optim::FrontPoint& point) const;
+  std::vector<optim::Costs> costs() const;
+  /// A cost as the objective's value.
+  double value(std::size_t objective, double cost) const;
+};
+
+}  // namespace camlaw::cli

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/law_json.h"
+
+#include "kinematics/limits.h"
+#include "kinematics/shape.h"
+
+namespace camlaw::cli {
+
+Json to_json(double value) {
+  if (std::isnan(value)) return nullptr;
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+Json to_json(const std::vector<double>& values) {
+  Json result = Json::array();
+  for (const double value : values) result.push_back(to_json(value));
+  return result;
+}
+
+namespace {
+
+Json parameters_to_json(const Member& member) {
+  Json result = Json::array();
+  for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
+    const Parameter& p = member.family->parameters[i];
+    const auto& values = member.arguments.list(i);
+    result.push_back({{"name", p.name},
+                      {"unit", p.unit},
+                      {"low", to_json(p.low)},
+                      {"high", to_json(p.high)},
+                      {"standard", p.list ? to_json(p.standard) : to_json(p.standard.front())},
+                      {"value", p.list ? to_json(values) : to_json(values.front())},
+                      {"list", p.list},
+                      {"meaning", p.meaning}});
+  }
+  return result;
+}
+
+Json place(const Peak<double>& peak) { return to_json(peak.position); }
+
+void add_constants(Json& object, const Peaks<double>& peak) {
+  const auto lambda = limit_index(peak);
+  object["B"] = to_json(peak.B());
+  object["C_max"] = to_json(peak.high(Quantity::Acceleration).value);
+  object["C_min"] = to_json(peak.low(Quantity::Acceleration).value);
+  object["D_max"] = to_json(peak.high(Quantity::Jerk).value);
+  object["D_min"] = to_json(peak.low(Quantity::Jerk).value);
+  object["Cm"] = to_json(peak.Cm());
+  object["lambda"] = lambda ? to_json(*lambda) : Json(nullptr);
+  object["D_inside_max"] = to_json(peak.jerk_inside_highest.value);
+  object["D_inside_min"] = to_json(peak.jerk_inside_lowest.value);
+  object["positions"] = {{"B", place(peak.absolute(Quantity::Velocity))},
+                         {"C_max", place(peak.high(Quantity::Acceleration))},
+                         {"C_min", place(peak.low(Quantity::Acceleration))},
+                         {"D_max", place(peak.high(Quantity::Jerk))},
+                         {"D_min", place(peak.low(Quantity::Jerk))},
+                         {"Cm", place(peak.absolute(Quantity::Moment))}};
+}
+
+}  // namespace
+
+Json law_to_json(const Member& member) {
+  const Law<double> law = member.law();
+  Json object{{"name", member.family->name},
+              {"member", member.name()},
+              {"aliases", member.family->aliases},
+              {"formula", member.family->formula},
+              {"parameters", parameters_to_json(member)}};
+  add_constants(object, peaks(law));
+  object["ends"] = to_string(law.ends());
+  const int smooth = continuity(law);
+  object["continuity"] = smooth == kSmooth ? Json("smooth") : Json(smooth);
+  object["symmetric"] = is_symmetric(law);
+  object["data"] = law.is_data();
+  object["source"] = member.family->source;
+  return object;
+}
+
+Json enclosures_to_json(const Peaks<Interval>& peak) {
+  const auto both = [](const Interval& x) { return Json{to_json(x.lower()), to_json(x.upper())}; };
+  return {{"B", both(peak.B())},
+          {"C_max", both(peak.high(Quantity::Acceleration).value)},
+          {"C_min", both(peak.low(Quantity::Acceleration).value)},
+          {"D_max", both(peak.high(Quantity::Jerk).value)},
+          {"D_min", both(peak.low(Quantity::Jerk).value)},
+          {"Cm", both(peak.Cm())}};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "optim/search/optimise.h"
+#include "output/answers/law_json.h"
+#include "output/figure/chart.h"
+#include "problems/statement/bind.h"
+
+/// The answer to a problem file, for people, for programs and as a picture.
+namespace camlaw::cli {
+
+/// An answer with what it answers.
+struct Answer {
+  const problems::BoundProblem& bound;
+  const optim::ProblemSpace& space;
+  const optim::Optimum& optimum;
+  std::string asked;  ///< the solver asked for, or "auto"
+  std::uint64_t seed;
+  std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
+
+  /// Option or variable by name, with units: the design.
+  struct Value {
+    std::string name, unit, text;
+    double number;  ///< NaN for a choice in words
+  };
+  std::vector<Value> values() const;
+  /// The law of the design with all its parameters; none where the model gave no design.
+  std::optional<Member> law() const;
+  /// The limits, turned as they were stated.
+  std::vector<optim::LimitReport> limits() const;
+};
+
+std::string answer_text(const Answer& answer);
+Json answer_json(const Answer& answer);
+
+/// The sizes that variables and limits are divided by, and the tolerances.
+std::string scaling_text(const optim::Problem& problem);
+
+}  // namespace camlaw::cli

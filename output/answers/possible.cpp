@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/possible.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+
+void check_possible(const std::string& file, const problems::ProblemStatement& statement,
+                    const std::vector<problems::EvaluatedResponse>& responses) {
+  const bool possible = std::any_of(responses.begin(), responses.end(), [](const auto& r) {
+    return !std::isnan(r.is_curve ? r.highest : r.value);
+  });
+  if (possible) return;
+  std::vector<std::string> values;
+  const auto& parameters = statement.mechanism->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    values.push_back(fmt::format("{} = {}", parameters[i].name,
+                                 problems::with_unit(statement.constants[i], parameters[i].unit)));
+  }
+  throw std::invalid_argument(fmt::format("{}: {} is not possible with these values: {}", file,
+                                          statement.mechanism->name, fmt::join(values, ", ")));
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fitting/motions/fault_words.h"
+#include "fitting/samples/turn.h"
+#include "output/answers/fit_output.h"
+#include "output/document/text_table.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::FaultyRow;
+
+constexpr std::size_t kListedRows = 5;
+
+std::string stray_text(const problems::MotionRecord& record) {
+  if (record.stray.empty()) return "";
+  const std::string& unit = record.samples.place_unit;
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < std::min(kListedRows, record.stray.size()); ++i) {
+    const FaultyRow& row = record.stray[i];
+    rows.push_back(
+        fmt::format("line {} at {}", row.line, with_unit(in_digits(row.place, 12), unit)));
+  }
+  return fmt::format("{} row{} far from all others left out: {}{}\n", record.stray.size(),
+                     record.stray.size() == 1 ? "" : "s", fmt::join(rows, ", "),
+                     record.stray.size() > kListedRows ? ", ..." : "");
+}
+
+std::string far_text(const problems::MotionRecord& record) {
+  if (record.far.empty()) return "";
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < std::min(kListedRows, record.far.size()); ++i) {
+    rows.push_back(problems::told(record.far[i], record.samples));
+  }
+  return fmt::format("{} row{} off the curve of the others left out: {}{}\n", record.far.size(),
+                     record.far.size() == 1 ? "" : "s", fmt::join(rows, ", "),
+                     record.far.size() > kListedRows ? ", ..." : "");
+}
+
+/// Of a cam's profile in mm, whatever its follower's unit is.
+std::string centre_unit(const SamplesAnswer& answer) {
+  return answer.cam() != nullptr ? "mm" : answer.motion()->record.samples.unit;
+}
+
+std::string centre_text(const SamplesAnswer& answer) {
+  const auto& centre = answer.centre();
+  if (!centre) return "";
+  const double towards = problems::in_turn(std::arg(centre->place)) / problems::kDegree;
+  return fmt::format("centre fitted along: {} off, towards {} deg (x {} +- {}, y {} +- {})\n",
+                     with_unit(number(std::abs(centre->place)), centre_unit(answer)),
+                     in_digits(towards, 4), number(centre->place.real()),
+                     in_digits(centre->x_error(), 2), number(centre->place.imag()),
+                     in_digits(centre->y_error(), 2));
+}
+
+Json rows_json(const std::vector<FaultyRow>& rows) {
+  Json list = Json::array();
+  for (const FaultyRow& row : rows) {
+    list.push_back({{"line", row.line > 0 ? Json(row.line) : Json(nullptr)},
+                    {"place", to_json(row.place)},
+                    {"value", to_json(row.value)},
+                    {"distance", to_json(row.distance)}});
+  }
+  return list;
+}
+
+std::string kind_name(problems::FaultKind kind) {
+  switch (kind) {
+    case problems::FaultKind::Drift:
+      return "drift";
+    case problems::FaultKind::OffCentre:
+      return "off-centre";
+    case problems::FaultKind::OwnSize:
+      return "size of the follower";
+  }
+  return "";
+}
+
+Json fault_json(const problems::FaultTest& test) {
+  Json unknowns = Json::array();
+  for (std::size_t i = 0; i < test.fault.names.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    unknowns.push_back({{"name", test.fault.names[i]},
+                        {"value", to_json(test.size[k])},
+                        {"standard_deviation", to_json(std::sqrt(test.covariance(k, k)))}});
+  }
+  return {{"kind", kind_name(test.fault.kind)},
+          {"gain", to_json(test.gain)},
+          {"unknowns", std::move(unknowns)}};
+}
+
+}  // namespace
+
+std::string record_faults_text(const SamplesAnswer& answer) {
+  std::string text;
+  for (const std::string& note : answer.notes) text += note + "\n";
+  if (answer.motion() != nullptr) {
+    text += stray_text(answer.motion()->record) + far_text(answer.motion()->record);
+  }
+  return text + centre_text(answer);
+}
+
+void add_record_faults(const SamplesAnswer& answer, Json& result) {
+  const problems::RecordedMotion* motion = answer.motion();
+  result["notes"] = answer.notes;
+  result["stray_rows"] =
+      rows_json(motion != nullptr ? motion->record.stray : std::vector<FaultyRow>{});
+  result["far_rows"] = rows_json(motion != nullptr ? motion->record.far : std::vector<FaultyRow>{});
+  result["faults"] = Json::array();
+  for (const auto& test : answer.faults()) result["faults"].push_back(fault_json(test));
+  const auto& centre = answer.centre();
+  result["centre"] = !centre ? Json(nullptr)
+                             : Json{{"x", to_json(centre->place.real())},
+                                    {"y", to_json(centre->place.imag())},
+                                    {"x_standard_deviation", to_json(centre->x_error())},
+                                    {"y_standard_deviation", to_json(centre->y_error())},
+                                    {"unit", centre_unit(answer)}};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/rulers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/limits.h"
+#include "output/document/text_table.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+
+/// What a law must be like to take the free law's place.
+struct Wanted {
+  int continuity;   ///< inside, at most 2
+  bool rest[2][2];  ///< whether s' and s'' vanish at the beginning and at the end
+};
+
+/// Whether s .. s^(order) do not jump inside.
+bool is_smooth(const Law<double>& law, int order) {
+  constexpr double kRounding = 1e-7;
+  const auto& pieces = law.pieces();
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const auto left = derivatives<3>(pieces[i], pieces[i].end);
+    const auto right = derivatives<3>(pieces[i + 1], pieces[i].end);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
+      const double size = 1 + std::abs(left[k]) + std::abs(right[k]);
+      if (!(std::abs(left[k] - right[k]) <= kRounding * size)) return false;
+    }
+  }
+  return true;
+}
+
+bool vanishes(const Law<double>& law, bool at_end, std::size_t order) {
+  constexpr double kRounding = 1e-7;
+  const auto d = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
+  return std::abs(d[order]) <= kRounding;
+}
+
+Wanted wanted_of(const Law<double>& free) {
+  Wanted wanted{2, {}};
+  while (wanted.continuity > 0 && !is_smooth(free, wanted.continuity)) --wanted.continuity;
+  for (const bool end : {false, true}) {
+    for (const std::size_t order : {1U, 2U})
+      wanted.rest[end][order - 1] = vanishes(free, end, order);
+  }
+  return wanted;
+}
+
+bool fits(const Law<double>& law, const Wanted& wanted) {
+  for (const bool end : {false, true}) {
+    for (const std::size_t order : {1U, 2U}) {
+      if (wanted.rest[end][order - 1] && !vanishes(law, end, order)) return false;
+    }
+  }
+  return is_smooth(law, wanted.continuity);
+}
+
+/// The laws of the catalogue that can take the free law's place.
+std::vector<Member> rivals_of(const Law<double>& free) {
+  const Wanted wanted = wanted_of(free);
+  std::vector<Member> result;
+  for (const Family& family : catalogue()) {
+    if (family.name == "b-spline" || family.name == "table") continue;
+    const Member member{&family, family.standard()};
+    if (fits(member.law(), wanted)) result.push_back(member);
+  }
+  return result;
+}
+
+/// Combinations of choices that each rival is tried with at most: beyond that the rivals would take
+/// far longer than the answer.
+constexpr double kMostChoices = 100;
+
+/// Combinations of the choices of a problem.
+double choices_of(const ProblemStatement& statement) {
+  double product = 1;
+  for (const auto& v : statement.variables) {
+    if (!v.values.empty()) product *= static_cast<double>(v.values.size());
+    if (v.values.empty() && v.integer) product *= std::floor(v.upper) - std::ceil(v.lower) + 1;
+  }
+  return product;
+}
+
+/// The answer's problem with other laws: nothing of a law varies, and where `held` no choice.
+ProblemStatement with_laws(const Answer& answer, std::vector<Member> laws, bool held) {
+  ProblemStatement statement = answer.bound.at(answer.optimum.options, answer.optimum.found.x);
+  std::erase_if(statement.variables, [&](const auto& variable) {
+    return variable.of_law || (held && (variable.integer || !variable.values.empty()));
+  });
+  if (laws.size() == 1) laws.push_back(laws.front());  // a choice wants two
+  statement.laws = std::move(laws);
+  return statement;
+}
+
+bool is_stopped(const optim::OptimiseOptions& search) {
+  return search.stop != nullptr && *search.stop;
+}
+
+/// Tries the rivals.
+void try_rivals(const Answer& answer, std::vector<Member> rivals,
+                const optim::OptimiseOptions& search, Rulers& result) {
+  result.finished = !is_stopped(search) && !(search.time_limit && *search.time_limit <= 0);
+  if (!result.finished) return;
+  ProblemStatement free = with_laws(answer, rivals, false);
+  result.held = choices_of(free) > kMostChoices;
+  const problems::BoundProblem bound(result.held ? with_laws(answer, std::move(rivals), true)
+                                                 : std::move(free));
+  result.reoptimised = !bound.statement().variables.empty();
+  const optim::Optimum best = optim::optimise(bound.space(), search);
+  result.finished = !is_stopped(search) &&
+                    !(search.time_limit && search.spent + best.wall_s >= *search.time_limit);
+  if (optim::is_feasible(best.found.assessment)) {
+    result.best = {bound.statement().laws[best.options.front()].label(),
+                   best.found.assessment.objective.value};
+  }
+}
+
+/// The least acceleration for a law's velocity: a limit for laws that begin and end at rest,
+/// whether or not the acceleration vanishes there too.
+std::optional<double> least_for(const Law<double>& law, const Peaks<double>& peak) {
+  const bool rests = vanishes(law, false, 1) && vanishes(law, true, 1);
+  if (!rests || !std::isfinite(peak.C())) return {};
+  return least_acceleration(peak.B());
+}
+
+/// A share in percent, without what is rounding.
+std::string percent(double share) {
+  return fmt::format("{:.3g} %", std::abs(share) < 1e-9 ? 0 : 100 * share);
+}
+
+}  // namespace
+
+std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search) {
+  const std::optional<Member> law = answer.law();
+  if (!law) return {};
+  const Law<double> shape = law->law();
+  const auto peak = peaks(shape);
+  Rulers result{peak, limit_index(peak)};
+  result.least_acceleration = least_for(shape, peak);
+  // What the free law has at its start it has everywhere.
+  const auto& laws = answer.bound.statement().laws;
+  const auto free = std::find_if(laws.begin(), laws.end(),
+                                 [](const Member& m) { return bool(m.family->listed); });
+  std::vector<Member> rivals = rivals_of(free->law());
+  result.rivals = static_cast<int>(rivals.size());
+  if (!rivals.empty()) try_rivals(answer, std::move(rivals), search, result);
+  return result;
+}
+
+std::string rulers_text(const Answer& answer, const Rulers& r) {
+  std::string text = fmt::format(
+      "\nthe law\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n", r.peaks.B(), r.peaks.C(),
+      std::isinf(r.peaks.D()) ? "infinite: acceleration jumps" : fmt::format("{:.7g}", r.peaks.D()),
+      r.peaks.Cm());
+  if (r.lambda) {
+    text += fmt::format("  lambda = {:.6f}, {} below 1, which no law passes\n", *r.lambda,
+                        percent(1 - *r.lambda));
+  }
+  if (r.least_acceleration) {
+    // Beyond 2 the least is that of 2: a law need not use all the velocity.
+    text += fmt::format("  C is {} above {:.7g}, the least for {}\n",
+                        percent(r.peaks.C() / *r.least_acceleration - 1), *r.least_acceleration,
+                        r.peaks.B() > 2 ? "a velocity of at most B" : "this B");
+  }
+  const std::string among =
+      fmt::format("{} laws of the catalogue{}{}", r.rivals,
+                  r.reoptimised ? ", what else varies searched again for each" : "",
+                  r.held ? ", choices as in the answer" : "");
+  if (!r.finished) text += "  rulers not finished: stopped before every named law was tried\n";
+  if (!r.best && !r.finished) return text;
+  if (!r.best) return text + fmt::format("  no named law meets the limits, of {}\n", among);
+  const double own = answer.optimum.found.assessment.objective.value;
+  return text + fmt::format("  the best named law is {} with {} = {:.7g}{}, {} {} (of {})\n",
+                            r.best->law, answer.bound.statement().objectives.front().response.name,
+                            r.best->objective,
+                            answer.optimum.problem.objective.response.unit == "1"
+                                ? ""
+                                : " " + answer.optimum.problem.objective.response.unit,
+                            percent(std::abs(r.best->objective / own - 1)),
+                            r.best->objective >= own ? "more" : "less", among);
+}
+
+Json rulers_json(const Rulers& r) {
+  Json best = nullptr;
+  if (r.best) best = {{"law", r.best->law}, {"objective", to_json(r.best->objective)}};
+  return {{"B", to_json(r.peaks.B())},
+          {"C", to_json(r.peaks.C())},
+          {"D", to_json(r.peaks.D())},
+          {"Cm", to_json(r.peaks.Cm())},
+          {"lambda", r.lambda ? to_json(*r.lambda) : Json(nullptr)},
+          {"least_C_for_B", r.least_acceleration ? to_json(*r.least_acceleration) : Json(nullptr)},
+          {"named_laws", r.rivals},
+          {"reoptimised", r.reoptimised},
+          {"choices_held", r.held},
+          {"finished", r.finished},
+          {"best_named", std::move(best)}};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/study_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "output/answers/law_json.h"
+#include "output/document/text_table.h"
+#include "output/figure/law_figure.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::SpineCutterStudy;
+using problems::StudyRow;
+
+std::string marks(const StudyRow& row) {
+  return fmt::format("{}{}{}", row.non_dominated ? '*' : ' ', row.smooth_non_dominated ? 'o' : ' ',
+                     row.published ? 'p' : ' ');
+}
+
+/// Whether a published law stands at the same point (the cosine and its turn-to-turn twin).
+bool hidden_by_published(const SpineCutterStudy& study, const StudyRow& row) {
+  return !row.published &&
+         std::any_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& other) {
+           return other.published && other.cam_radius == row.cam_radius &&
+                  other.inertia_force == row.inertia_force;
+         });
+}
+
+}  // namespace
+
+std::string study_text(const SpineCutterStudy& study) {
+  std::string text = "Spine cutter: which motion law for the cam?\n\ngivens\n";
+  for (const auto& given : problems::givens(study.cutter)) {
+    text += fmt::format("  {:<16} {:<4} = {:g}{}  ({})\n", given.name, given.symbol, given.value,
+                        given.unit == "1" ? "" : " " + given.unit, given.meaning);
+  }
+  TextTable table({{"law", TextTable::Align::Left},
+                   {"", TextTable::Align::Left},
+                   {"B"},
+                   {"C"},
+                   {"D"},
+                   {"Cm"},
+                   {"lambda"},
+                   {"R, mm"},
+                   {"F, N"},
+                   {"F by (7), N"},
+                   {"torque, N m"},
+                   {"above limit, %"}});
+  for (const StudyRow& row : study.rows) {
+    table.add({row.label, marks(row), shown(row.peaks.B(), 4), shown(row.peaks.C(), 4),
+               shown(row.peaks.D(), 2), shown(row.peaks.Cm(), 4),
+               row.limit_index ? shown(*row.limit_index, 3) : "-", shown(row.cam_radius * 1e3, 2),
+               shown(row.inertia_force, 3), shown(row.printed_inertia_force, 3),
+               shown(row.drive_torque, 4), shown(row.above_limit * 100, 1)});
+  }
+  text += "\n" + table.text();
+  text += fmt::format(
+      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration   "
+      "p  in the paper\n"
+      "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
+      "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
+      "{}\n",
+      study.recommendation);
+  return text;
+}
+
+namespace {
+
+/// A row's columns, for CSV and JSON alike.
+Json row_to_json(const StudyRow& row) {
+  return {{"law", row.law},
+          {"B", to_json(row.peaks.B())},
+          {"C", to_json(row.peaks.C())},
+          {"D", to_json(row.peaks.D())},
+          {"Cm", to_json(row.peaks.Cm())},
+          {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
+          {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
+          {"inertia_force_N", to_json(row.inertia_force)},
+          {"printed_inertia_force_N", to_json(row.printed_inertia_force)},
+          {"drive_torque_Nm", to_json(row.drive_torque)},
+          {"above_limit", to_json(row.above_limit)},
+          {"smooth", row.smooth},
+          {"non_dominated", row.non_dominated},
+          {"smooth_non_dominated", row.smooth_non_dominated},
+          {"published", row.published}};
+}
+
+std::string cell_text(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+  return exact(value.get<double>());
+}
+
+}  // namespace
+
+std::string study_csv(const SpineCutterStudy& study) {
+  std::vector<std::vector<std::string>> rows(1);
+  for (const StudyRow& row : study.rows) {
+    const Json columns = row_to_json(row);
+    std::vector<std::string> cells;
+    for (const auto& [name, value] : columns.items()) {
+      if (rows.size() == 1) rows.front().push_back(name);
+      cells.push_back(cell_text(value));
+    }
+    rows.push_back(std::move(cells));
+  }
+  return to_csv(rows);
+}
+
+Json study_json(const SpineCutterStudy& study) {
+  Json givens = Json::array(), rows = Json::array();
+  for (const auto& given : problems::givens(study.cutter)) {
+    givens.push_back({{"name", given.name},
+                      {"symbol", given.symbol},
+                      {"value", given.value},
+                      {"unit", given.unit}});
+  }
+  for (const StudyRow& row : study.rows) rows.push_back(row_to_json(row));
+  return {{"study", "spine-cutter"},
+          {"givens", std::move(givens)},
+          {"rows", std::move(rows)},
+          {"smallest_cam", study.rows[study.smallest_cam].law},
+          {"least_force", study.rows[study.least_force].law},
+          {"compromise", study.rows[study.compromise].law},
+          {"recommendation", study.recommendation}};
+}
+
+Figure trade_off_figure(const SpineCutterStudy& study) {
+  // The frame holds B from 1.1 to 2.35 and C from 3.7 (below the least possible) to 9.5, where
+  // nearly all laws lie; the few outliers would squeeze the rest into a corner.
+  const double smallest = study.cutter.minimum_cam_radius(1.1) * 1e3;
+  const double largest = study.cutter.minimum_cam_radius(2.35) * 1e3;
+  const double floor = study.cutter.peak_inertia_force(3.7);
+  const double ceiling = study.cutter.peak_inertia_force(9.5);
+  Panel panel;
+  panel.x = {.label = "cam radius R", .unit = "mm", .lower = smallest, .upper = largest};
+  panel.y = {.label = "peak inertia force F", .unit = "N", .lower = floor, .upper = ceiling};
+  Line limit{.name = "least force of any law", .x = {}, .y = {}, .colour = "#000000"};
+  constexpr int kSteps = 400;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double R = std::lerp(smallest, largest, i / double(kSteps));
+    limit.x.push_back(R);
+    limit.y.push_back(problems::least_inertia_force(study.cutter, R * 1e-3));
+  }
+  panel.lines.push_back(std::move(limit));
+  Markers published{.name = "the paper's six laws",
+                    .points = {},
+                    .colour = "#0072b2",
+                    .shape = MarkerShape::Square,
+                    .size = 5};
+  Markers smooth{.name = "non-dominated among laws of continuous acceleration",
+                 .points = {},
+                 .colour = "#d55e00",
+                 .shape = MarkerShape::Circle,
+                 .size = 4.5};
+  Markers on_front{.name = "non-dominated among all",
+                   .points = {},
+                   .colour = "#000000",
+                   .shape = MarkerShape::Diamond};
+  Markers others{.name = "other laws",
+                 .points = {},
+                 .colour = "#7f7f7f",
+                 .shape = MarkerShape::Circle,
+                 .filled = false,
+                 .size = 3.5};
+  for (const StudyRow& row : study.rows) {
+    if (!std::isfinite(row.inertia_force) || hidden_by_published(study, row)) continue;
+    Markers& series = row.published              ? published
+                      : row.smooth_non_dominated ? smooth
+                      : row.non_dominated        ? on_front
+                                                 : others;
+    const bool named = row.published || row.smooth_non_dominated;
+    series.points.push_back({row.cam_radius * 1e3, row.inertia_force, named ? row.label : "",
+                             fmt::format("{}: R {:.2f} mm, F {:.3f} N", row.label,
+                                         row.cam_radius * 1e3, row.inertia_force)});
+  }
+  panel.markers = {std::move(published), std::move(smooth), std::move(on_front), std::move(others)};
+  Figure figure;
+  figure.title = "Spine cutter: cam size against inertia force";
+  figure.subtitle = fmt::format(
+      "stroke {:g} mm, block speed {:g} m/s, depth {:g} mm, pressure angle {:g} deg; "
+      "points beyond the frame are in the table",
+      study.cutter.stroke * 1e3, study.cutter.block_speed, study.cutter.depth * 1e3,
+      study.cutter.pressure_angle * 180 / std::numbers::pi);
+  figure.panels.push_back(std::move(panel));
+  figure.panel_width = 900;
+  figure.panel_height = 560;
+  return figure;
+}
+
+Figure study_motion_figure(const SpineCutterStudy& study) {
+  std::vector<NamedLaw> laws;
+  const auto add = [&](const std::string& name, bool dashed) {
+    const bool there = std::any_of(laws.begin(), laws.end(),
+                                   [&](const NamedLaw& law) { return law.name == name; });
+    if (!there) laws.push_back({name, find_law(name).law(), dashed});
+  };
+  // The law for the smallest cam alone is left out: its jerk would flatten all the others.
+  add(study.rows[study.compromise].law, false);
+  add(study.rows[study.least_force].law, false);
+  for (const std::string& published : problems::published_laws()) add(published, true);
+  return motion_figure("The compromise, the law of least force, and the paper's six (dashed)",
+                       laws);
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optim/verdict/tolerance.h"
+#include "output/answers/front_output.h"
+
+/// What becomes of a design of a front that is not made as it was meant.
+namespace camlaw::cli {
+
+/// Tolerances of a hundredth of each value; of a zero one of its range.
+std::vector<double> hundredths(const std::vector<optim::Variable>& variables, optim::Design x);
+
+/// Tolerances of a point's variables from "name=value" with units; of those that are not named,
+/// none; without any assignment hundredths. Throws
+/// std::invalid_argument for names and values that are not accepted.
+std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
+                                  const std::vector<std::string>& assignments);
+
+optim::ToleranceReport tolerances_at(const FrontAnswer& answer, const optim::FrontPoint& point,
+                                     const std::vector<double>& tolerances);
+
+std::string tolerance_text(const FrontAnswer& answer, const optim::FrontPoint& point,
+                           const std::vector<double>& tolerances,
+                           const optim::ToleranceReport& report);
+Json tolerance_json(const std::vector<double>& tolerances, const optim::ToleranceReport& report);
+
+}  // namespace camlaw::cli

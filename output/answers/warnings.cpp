@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/warnings.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "output/document/printing.h"
+#include "problems/statement/cautions.h"
+#include "problems/statement/doubtful_limits.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+namespace {
+
+void add_cautions(const problems::ProblemStatement& design, Warnings& warnings) {
+  for (const problems::Caution& caution : problems::cautions(design)) {
+    warnings.push_back(caution.text());
+  }
+}
+
+/// "point 3", "points 1, 2 and 5", of many "17 points, the first of them 3".
+std::string points_text(const std::vector<std::size_t>& points) {
+  constexpr std::size_t kNamed = 6;
+  if (points.size() == 1) return fmt::format("point {}", points.front() + 1);
+  if (points.size() > kNamed) {
+    return fmt::format("{} points, the first of them {}", points.size(), points.front() + 1);
+  }
+  std::vector<std::string> numbers;
+  for (const std::size_t k : points) numbers.push_back(fmt::format("{}", k + 1));
+  return "points " + problems::listed(numbers);
+}
+
+}  // namespace
+
+Warnings doubts_of(const problems::ProblemStatement& problem) {
+  try {
+    return problems::doubtful_limits(problems::BoundProblem(problem, true));
+  } catch (const std::invalid_argument&) {
+    return {};  // more combinations than can be searched: that is said where one searches
+  }
+}
+
+Warnings warnings_of(const problems::ProblemStatement& design) {
+  Warnings warnings;
+  add_cautions(design, warnings);
+  const Warnings doubts = doubts_of(design);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  return warnings;
+}
+
+Warnings warnings_of(const Answer& answer) {
+  const optim::Optimum& optimum = answer.optimum;
+  const optim::Verdict verdict = optimum.found.assessment.verdict;
+  const bool has_design =
+      verdict == optim::Verdict::Certified || verdict == optim::Verdict::Feasible;
+  Warnings warnings;
+  if (has_design) add_cautions(answer.bound.at(optimum.options, optimum.found.x), warnings);
+  const Warnings doubts = problems::doubtful_limits(answer.bound);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  return warnings;
+}
+
+Warnings warnings_of(const FrontAnswer& answer) {
+  struct Shared {
+    std::vector<std::size_t> points;
+    std::string detail;  ///< of the first of them
+  };
+  std::map<std::string, Shared> all;
+  for (std::size_t k = 0; k < answer.front.points.size(); ++k) {
+    for (const auto& caution : problems::cautions(answer.study.design(answer.front.points[k]))) {
+      Shared& shared = all[caution.what];
+      if (shared.points.empty()) shared.detail = caution.detail;
+      shared.points.push_back(k);
+    }
+  }
+  Warnings warnings;
+  if (!answer.front.remark.empty()) warnings.push_back(answer.front.remark);
+  for (const auto& [what, shared] : all) {
+    warnings.push_back(fmt::format("at {} {}: {}{}", points_text(shared.points), what,
+                                   shared.points.size() > 1 ? "at the first " : "", shared.detail));
+  }
+  const Warnings doubts = problems::doubtful_limits(answer.study.bound());
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  return warnings;
+}
+
+std::string warnings_text(const Warnings& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) {
+    text += fmt::format("{}: {}\n", shaded(kWarningWord, Shade::Unsure), warning);
+  }
+  return text;
+}
+
+}  // namespace camlaw::cli

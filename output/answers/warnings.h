@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/answers/front_answer.h"
+#include "output/answers/law_json.h"
+#include "output/answers/optimum_output.h"
+#include "output/figure/chart.h"
+
+/// What stands in amber beside a verdict: what the design's machine does not bear though no limit
+/// forbids it, and limits whose unit is most likely wrong.
+namespace camlaw::cli {
+
+using Warnings = std::vector<std::string>;
+
+/// The word that stands before each.
+inline constexpr const char* kWarningWord = "caution";
+
+/// Of a problem's limits alone.
+Warnings doubts_of(const problems::ProblemStatement& problem);
+/// Of a design that nobody searched for.
+Warnings warnings_of(const problems::ProblemStatement& design);
+/// Of an answer; of one without a design, what concerns its limits.
+Warnings warnings_of(const Answer& answer);
+/// Of a front: what holds of some of its points, with their numbers.
+Warnings warnings_of(const FrontAnswer& answer);
+
+/// Each on a line of its own; empty where there are none.
+std::string warnings_text(const Warnings& warnings);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "output/document/text_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+namespace camlaw::cli {
+namespace {
+
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a UTF-8 continuation
+  }));
+}
+
+/// Spreadsheets take a cell that begins like this for a formula and carry it out.
+bool looks_like_formula(const std::string& cell) {
+  if (cell.empty() || std::string_view("=+-@\t").find(cell.front()) == std::string_view::npos) {
+    return false;
+  }
+  char* end = nullptr;
+  std::strtod(cell.c_str(), &end);
+  return *end != 0 || end == cell.c_str();
+}
+
+std::string quoted(const std::string& text) {
+  const std::string cell = looks_like_formula(text) ? "'" + text : text;
+  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
+  std::string result = "\"";
+  for (const char c : cell) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  result += '"';
+  return result;
+}
+
+}  // namespace
+
+void TextTable::add(std::vector<std::string> cells) {
+  cells.resize(columns_.size());
+  rows_.push_back(std::move(cells));
+}
+
+std::string TextTable::text() const {
+  std::vector<std::size_t> widths;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    widths.push_back(width_of(columns_[i].title));
+    for (const auto& row : rows_) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string result;
+  const auto add_line = [&](const auto& cell_at) {
+    std::string line;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string& cell = cell_at(i);
+      const std::string pad(widths[i] - width_of(cell), ' ');
+      line += i == 0 ? "" : "  ";
+      line += columns_[i].align == Align::Right ? pad + cell : cell + pad;
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    result += line + '\n';
+  };
+  add_line([&](std::size_t i) -> const std::string& { return columns_[i].title; });
+  for (const auto& row : rows_) {
+    add_line([&](std::size_t i) -> const std::string& { return row[i]; });
+  }
+  return result;
+}
+
+std::string to_csv(const std::vector<std::vector<std::string>>& rows) {
+  std::string result;
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) result += ',';
+      result += quoted(row[i]);
+    }
+    result += '\n';
+  }
+  return result;
+}
+
+std::string markdown_cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string shown(double value, int decimals) {
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+std::string significant(double value, double size, int digits) {
+  if (!std::isfinite(value)) return shown(value, 0);
+  constexpr double kLeast = 1e-290;  // smaller ones have no quantum
+  if (size > kLeast && std::isfinite(size)) {
+    const double quantum = std::pow(10, std::floor(std::log10(size)) - 6);
+    if (std::abs(value) < 0.5 * quantum) value = 0;
+    // Above, as many digits as reach down to the quantum.
+    if (value != 0) {
+      const double own = std::floor(std::log10(std::abs(value)) - std::log10(quantum)) + 1;
+      digits = std::clamp(static_cast<int>(own), 1, digits);
+    }
+  }
+  return fmt::format("{:.{}g}", value + 0.0, digits);
+}
+
+std::string in_digits(double value, int digits) {
+  if (!std::isfinite(value)) return shown(value, 0);
+  return fmt::format("{:.{}g}", value + 0.0, digits);
+}
+
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit == "1" || unit.empty() ? text : text + " " + unit;
+}
+
+std::string exact(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+}  // namespace camlaw::cli

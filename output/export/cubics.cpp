@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "output/export/cubics.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Eigen::Vector2d;
+
+/// De Casteljau.
+Vector2d point_of(const CubicPiece& piece, double share) {
+  std::array<Vector2d, 4> p = piece.control;
+  for (std::size_t level = 3; level > 0; --level) {
+    for (std::size_t i = 0; i < level; ++i) p[i] += share * (p[i + 1] - p[i]);
+  }
+  return p[0];
+}
+
+CubicPiece cubic_of(const CurveSpan& span) {
+  const double third = (span.to.angle - span.from.angle) / 3;
+  const Vector2d a = span.begin.at, b = span.end.at;
+  return {span.from.angle,
+          span.to.angle,
+          {a, a + third * span.begin.slope, b - third * span.end.slope, b},
+          0};
+}
+
+}  // namespace
+
+CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
+  // A jump takes no angle; a spline's knots must rise all the same.
+  const double jump = 1e-9 * (curve.end() - curve.begin());
+  auto fit = fitted(
+      curve, tolerance,
+      [&](const CurveSpan& span) {
+        CubicPiece piece = cubic_of(span);
+        const double length = span.to.angle - span.from.angle;
+        piece.deviation = worst_over(curve, span, [&](optim::Place place, const Vector2d& p) {
+          return (p - point_of(piece, (place.angle - span.from.angle) / length)).norm();
+        });
+        return piece;
+      },
+      [&](double angle, const CurvePoint& a, const CurvePoint& b) {
+        const Vector2d third = (b.at - a.at) / 3;
+        return CubicPiece{angle - jump, angle, {a.at, a.at + third, b.at - third, b.at}, 0};
+      });
+  if (curve.is_closed()) fit.pieces.back().control[3] = fit.pieces.front().control[0];
+  return {std::move(fit.pieces), fit.worst};
+}
+
+bool CubicPath::is_smooth(std::size_t i) const {
+  constexpr double kRounding = 1e-9;
+  const CubicPiece &a = pieces[i], &b = pieces[i + 1];
+  const Vector2d before = (a.control[3] - a.control[2]) / (a.to - a.from);
+  const Vector2d after = (b.control[1] - b.control[0]) / (b.to - b.from);
+  return (before - after).norm() <= kRounding * std::max(before.norm(), after.norm());
+}
+
+std::vector<double> CubicPath::knots() const {
+  std::vector<double> knots(4, pieces.front().from);
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    knots.insert(knots.end(), is_smooth(i) ? 2 : 3, pieces[i + 1].from);
+  }
+  knots.insert(knots.end(), 4, pieces.back().to);
+  return knots;
+}
+
+std::vector<Vector2d> CubicPath::control_points() const {
+  std::vector<Vector2d> points{pieces.front().control[0]};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto& control = pieces[i].control;
+    points.insert(points.end(), {control[1], control[2]});
+    if (i + 1 == pieces.size() || !is_smooth(i)) points.push_back(control[3]);
+  }
+  return points;
+}
+
+}  // namespace camlaw::problems

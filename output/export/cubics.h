@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "output/export/curve_fit.h"
+
+/// Curves as splines of degree 3.
+namespace camlaw::problems {
+
+/// A cubic over a stretch of the cam angle, deg, by its Bezier points, mm.
+struct CubicPiece {
+  double from, to;
+  std::array<Eigen::Vector2d, 4> control;
+  double deviation;
+};
+
+struct CubicPath {
+  std::vector<CubicPiece> pieces;
+  double worst = 0;  ///< of points at the same angle: no point is farther from the path, mm
+
+  /// As one B-spline: knots (each end four times; inside twice, or three times where the curve's
+  /// speed changes at once, so that it interpolates with a continuous derivative) and control
+  /// points.
+  std::vector<double> knots() const;
+  std::vector<Eigen::Vector2d> control_points() const;
+
+ private:
+  bool is_smooth(std::size_t i) const;  ///< where the pieces i and i + 1 meet
+};
+
+/// Hermite cubics through points of the curve with the curve's derivatives there, as few as
+/// bisection finds within a tolerance, mm.
+CubicPath cubics_within(const PlaneCurve& curve, double tolerance);
+
+}  // namespace camlaw::problems

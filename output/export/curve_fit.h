@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "output/export/plane_curve.h"
+
+/// Curves replaced by pieces that stay within a tolerance of them: chords, arcs, cubics.
+namespace camlaw::problems {
+
+/// A stretch of a curve between two of its breaks.
+struct CurveSpan {
+  optim::Place from, to;
+  CurvePoint begin, end;
+};
+
+inline CurveSpan span_of(const PlaneCurve& curve, double from, double to) {
+  const optim::Place low{from}, high{to, true};
+  return {low, high, curve.at(low), curve.at(high)};
+}
+
+/// The top of value(x) between two places on both sides of a higher one, by golden sections.
+template <class Value>
+double top_between(double low, double high, const Value& value) {
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSections = 16;  // which leave 1e-3 of the way, and 1e-6 of the rise over it
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  double at_left = value(left), at_right = value(right);
+  for (int i = 0; i < kSections; ++i) {
+    if (at_left > at_right) {
+      high = right, right = left, at_right = at_left;
+      left = high - kGolden * (high - low), at_left = value(left);
+    } else {
+      low = left, left = right, at_left = at_right;
+      right = low + kGolden * (high - low), at_right = value(right);
+    }
+  }
+  return std::max(at_left, at_right);
+}
+
+/// The largest distance(place, point) over a span: looked for at 17 even places, then around each
+/// that is higher than its neighbours.
+template <class Distance>
+double worst_over(const PlaneCurve& curve, const CurveSpan& span, const Distance& distance) {
+  constexpr std::size_t kLooks = 16;
+  const auto look = [&](double place) {
+    const double share = place / kLooks;
+    const double angle = span.from.angle + (span.to.angle - span.from.angle) * share;
+    const optim::Place here{angle, share == 1};
+    return distance(here, curve.at(here).at);
+  };
+  std::array<double, kLooks + 1> values;
+  for (std::size_t i = 0; i <= kLooks; ++i) values[i] = look(static_cast<double>(i));
+  double worst = *std::max_element(values.begin(), values.end());
+  for (std::size_t i = 1; i < kLooks; ++i) {
+    // Others, at half the highest, are not the highest in between.
+    if (values[i] < values[i - 1] || values[i] < values[i + 1] || values[i] < worst / 2) continue;
+    const auto place = static_cast<double>(i);
+    worst = std::max(worst, top_between(place - 1, place + 1, look));
+  }
+  return worst;
+}
+
+/// Pieces that follow one another, and how far the curve is from them at most, mm.
+template <class Piece>
+struct CurveFit {
+  std::vector<Piece> pieces;
+  double worst = 0;
+};
+
+/// Divides a curve until each piece_of(span) has a deviation within the tolerance, mm. Where the
+/// curve jumps, of a closed one at its end too, join(angle, point, point) bridges it. Throws
+/// std::invalid_argument where that takes more than 200,000 pieces.
+template <class PieceOf, class Join>
+auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, const Join& join) {
+  using Piece = decltype(piece_of(std::declval<const CurveSpan&>()));
+  constexpr std::size_t kMostPieces = 200'000;
+  constexpr double kFirst = 1.0 / 36, kLeast = 1e-9;  // of the cycle
+  const double cycle = curve.end() - curve.begin();
+  CurveFit<Piece> fit;
+  const auto divide = [&](auto& self, double from, double to) -> void {
+    const Piece piece = piece_of(span_of(curve, from, to));
+    if (piece.deviation <= tolerance) {
+      fit.worst = std::max(fit.worst, piece.deviation);
+      fit.pieces.push_back(piece);
+      return;
+    }
+    if (fit.pieces.size() >= kMostPieces || to - from < kLeast * cycle) {
+      throw std::invalid_argument(fmt::format(
+          "the {} cannot be followed within {:.6g} mm at {:.6g} deg; a larger tolerance is wanted",
+          curve.name(), tolerance, from));
+    }
+    const double middle = std::midpoint(from, to);
+    self(self, from, middle);
+    self(self, middle, to);
+  };
+  const auto bridge = [&](double angle, const CurvePoint& before, const CurvePoint& after) {
+    if ((after.at - before.at).norm() <= PlaneCurve::kJump) return;
+    fit.pieces.push_back(join(angle, before, after));
+  };
+  const std::vector<double>& breaks = curve.breaks();
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    if (k > 0) bridge(breaks[k], curve.at({breaks[k], true}), curve.at({breaks[k]}));
+    const double length = breaks[k + 1] - breaks[k];
+    const int count = static_cast<int>(std::ceil(length / (kFirst * cycle) - kLeast));
+    for (int i = 0; i < std::max(count, 1); ++i) {
+      const int n = std::max(count, 1);
+      divide(divide, optim::even_place(breaks[k], breaks[k + 1], n, i).angle,
+             optim::even_place(breaks[k], breaks[k + 1], n, i + 1).angle);
+    }
+  }
+  if (curve.is_closed()) {
+    bridge(curve.end(), curve.at({curve.end(), true}), curve.at({curve.begin()}));
+  }
+  return fit;
+}
+
+/// The distance of a point from the straight line between two others.
+inline double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                               const Eigen::Vector2d& b) {
+  const Eigen::Vector2d way = b - a;
+  const double length = way.squaredNorm();
+  const double share = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0;
+  return (p - a - share * way).norm();
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "output/export/exported_curve.h"
+
+/// Curves as a drawing: DXF of AutoCAD 2000 (AC1015; Autodesk, DXF Reference), in mm, one layer for
+/// each curve.
+namespace camlaw::problems {
+
+/// Lines are one LWPOLYLINE, closed where the curve is; arcs single ARC and LINE entities in their
+/// order; a spline one SPLINE of degree 3 by its control points. `comments` stand at the beginning.
+std::string dxf_text(const std::vector<ExportedCurve>& curves,
+                     const std::vector<std::string>& comments);
+
+/// The layer of a curve: "PITCH_CURVE".
+std::string dxf_layer(const std::string& curve);
+
+}  // namespace camlaw::problems

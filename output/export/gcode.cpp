@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "output/export/gcode.h"
+
+#include <iterator>
+
+namespace camlaw::problems {
+namespace {
+
+using Eigen::Vector2d;
+
+class Program {
+ public:
+  explicit Program(const GcodeSettings& settings) : settings_(settings) {}
+
+  void comment(const std::string& text) { line(fmt::format("({})", plain_text(text))); }
+  void line(const std::string& text) { text_ += text + "\n"; }
+  /// A place or a length as the program has it.
+  std::string number(double value) const {
+    return fmt::format("{:.{}f}", rounded(value, settings_.decimals), settings_.decimals);
+  }
+  std::string place(const Vector2d& p) const {
+    return fmt::format("X{} Y{}", number(p.x()), number(p.y()));
+  }
+  void straight(const Vector2d& to) { line(fmt::format("G1 {}", place(to))); }
+  void arc(const ArcPiece& piece) {
+    // What rounds to a full turn would be one.
+    if (place(piece.from) == place(piece.to)) return;
+    if (piece.is_line()) return straight(piece.to);
+    const Vector2d start = rounded(piece.from, settings_.decimals);
+    const Vector2d centre = piece.centre - start;
+    line(fmt::format("G{} {} I{} J{}", piece.sweep > 0 ? 3 : 2, place(piece.to), number(centre.x()),
+                     number(centre.y())));
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  const GcodeSettings& settings_;
+  std::string text_ = "%\n";
+};
+
+void follow(const ExportedCurve& curve, Program& program) {
+  if (const auto* arcs = std::get_if<ArcPath>(&curve.path)) {
+    for (const ArcPiece& piece : arcs->pieces) program.arc(piece);
+    return;
+  }
+  const auto points = std::get<Chords>(curve.path).points;
+  for (std::size_t i = 1; i < points.size(); ++i) program.straight(points[i].at);
+}
+
+}  // namespace
+
+double gcode_rounding(int decimals) { return 1.5 * std::pow(10.0, -decimals); }
+
+std::string gcode_text(const ToolPath& path, const GcodeSettings& settings,
+                       const std::vector<std::string>& comments) {
+  const ExportedCurve& curve = path.exported();
+  if (std::holds_alternative<CubicPath>(curve.path)) {
+    throw std::invalid_argument("G-code has no splines; arcs and lines are accepted");
+  }
+  Program program(settings);
+  for (const std::string& comment : comments) program.comment(comment);
+  program.line("G21 G17 G90 G40 G94");
+  program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
+  program.line(fmt::format("G0 {}", program.place(curve.joints().front())));
+  program.line(fmt::format("G1 Z{} F{:.6g}", program.number(-settings.depth), settings.feed));
+  follow(curve, program);
+  program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
+  program.line("M30");
+  program.line("%");
+  return program.take();
+}
+
+}  // namespace camlaw::problems

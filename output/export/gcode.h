@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "output/export/tool_path.h"
+
+/// The path of a tool as a program of a milling machine (ISO 6983; RS274/NGC).
+namespace camlaw::problems {
+
+struct GcodeSettings {
+  double feed = 100;     ///< mm/min
+  double clearance = 5;  ///< Z at which the tool moves freely, mm
+  double depth = 0;      ///< the cut is at Z = -depth, mm
+  int decimals = 4;      ///< of coordinates in mm
+};
+
+/// Controllers take no larger radius, mm.
+inline constexpr double kMostArcRadius = 99999;
+
+/// G21 G17 G90 G40 G94; to the start at the clearance, down, along lines (G1) and arcs (G2, G3 with
+/// I and J from the start of the arc), up again; M30. A closed curve ends at its start to the last
+/// digit. Lines must be rounded to the settings' decimals already, and no arc may be larger than
+/// kMostArcRadius; rounding moves arcs by at most gcode_rounding(). Throws std::invalid_argument
+/// for splines.
+std::string gcode_text(const ToolPath& path, const GcodeSettings& settings,
+                       const std::vector<std::string>& comments);
+
+/// How far rounding of ends and centres moves an arc at most, mm: half a last digit of each
+/// coordinate of its start and its centre, and as much between its end and the circle.
+double gcode_rounding(int decimals);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "output/export/plane_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "problems/statement/bind.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr int kLooks = 720;  ///< places for what is asked of a curve as a whole
+
+const optim::Response* find_curve(const std::vector<optim::Response>& curves,
+                                  const std::string& name) {
+  const auto found = std::find_if(curves.begin(), curves.end(),
+                                  [&](const auto& curve) { return curve.name == name; });
+  return found == curves.end() ? nullptr : &*found;
+}
+
+Eigen::Vector2d left_of(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// What the way from the cam's centre to the curve turns by over the cycle, rad.
+double angle_about_centre(const PlaneCurve& curve) {
+  double angle = 0;
+  Eigen::Vector2d before = curve.look({curve.begin()}).at;
+  for (int i = 1; i <= kLooks; ++i) {
+    const Eigen::Vector2d here =
+        curve.look(optim::even_place(curve.begin(), curve.end(), kLooks, i)).at;
+    angle += std::atan2(cross(before, here), before.dot(here));
+    before = here;
+  }
+  return angle;
+}
+
+}  // namespace
+
+PlaneCurve::PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y)
+    : name_(std::move(name)), x_(x.curve().trace({})), y_(y.curve().trace({})) {
+  std::set<double> all;
+  for (const auto* trace : {x_.get(), y_.get()}) {
+    for (const double place : trace->breaks()) all.insert(place);
+  }
+  breaks_.assign(all.begin(), all.end());
+  closed_ = std::abs(angle_about_centre(*this)) > std::numbers::pi;
+}
+
+CurvePoint PlaneCurve::look(optim::Place place) const {
+  const auto x = x_->at(place), y = y_->at(place);
+  CurvePoint point{{x[0], y[0]}, {x[1], y[1]}};
+  if (left_ != 0) {
+    const Eigen::Vector2d bend(x[2], y[2]);
+    const double speed = point.slope.norm();
+    const double curvature = cross(point.slope, bend) / (speed * speed * speed);
+    point.at += left_ * left_of(point.slope) / speed;
+    point.slope *= 1 - left_ * curvature;
+  }
+  return point;
+}
+
+CurvePoint PlaneCurve::at(optim::Place place) const {
+  const CurvePoint point = look(place);
+  if (!point.at.allFinite()) {
+    throw std::invalid_argument(
+        fmt::format("the {} has no point at {:.6g} deg: the motion jumps there, or the cam is "
+                    "not possible",
+                    name_, place.angle));
+  }
+  return point;
+}
+
+std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
+  std::vector<std::pair<double, double>> result;
+  for (std::size_t k = 1; k < breaks_.size(); ++k) {
+    const bool last = k + 1 == breaks_.size();
+    if (last && !closed_) break;
+    const double way = (at({breaks_[last ? 0 : k]}).at - at({breaks_[k], true}).at).norm();
+    if (way > kJump) result.emplace_back(breaks_[k], way);
+  }
+  return result;
+}
+
+PlaneCurve PlaneCurve::beside(std::string name, double distance) const {
+  PlaneCurve result = *this;
+  result.name_ = std::move(name);
+  result.left_ += distance;
+  return result;
+}
+
+const std::vector<CurveKind>& curve_kinds() {
+  static const std::vector<CurveKind> kinds{{"profile", "profile", "profile"},
+                                            {"second-profile", "second_profile", "second profile"},
+                                            {"pitch", "pitch", "pitch curve"},
+                                            {"cutter", "cutter", "cutter path"}};
+  return kinds;
+}
+
+std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::string_view option) {
+  std::vector<PlaneCurve> result;
+  bool known = option == "all";
+  std::string options = "all";
+  const auto curves = curves_of(statement);
+  for (const CurveKind& kind : curve_kinds()) {
+    options += fmt::format(", {}", kind.option);
+    known |= option == kind.option;
+    if (option != "all" && option != kind.option) continue;
+    const auto* x = find_curve(curves, fmt::format("{}_x", kind.response));
+    const auto* y = find_curve(curves, fmt::format("{}_y", kind.response));
+    if (x != nullptr && y != nullptr) result.emplace_back(kind.name, *x, *y);
+  }
+  if (!known) {
+    throw std::invalid_argument(fmt::format("no curve '{}'; there are {}", option, options));
+  }
+  return result;
+}
+
+std::optional<double> turns_back(const PlaneCurve& curve) {
+  constexpr double kStep = 0.1;  // deg
+  Eigen::Vector2d before(0, 0);  // the last slope that there was
+  const auto turns = [&](optim::Place place) {
+    const Eigen::Vector2d slope = curve.at(place).slope;
+    const bool back = slope.dot(before) < 0;
+    if (slope.norm() > 0) before = slope;
+    return back;
+  };
+  for (std::size_t k = 0; k + 1 < curve.breaks().size(); ++k) {
+    const double from = curve.breaks()[k], to = curve.breaks()[k + 1];
+    const int count = static_cast<int>(std::ceil((to - from) / kStep));
+    for (int i = 0; i <= count; ++i) {
+      const optim::Place place = optim::even_place(from, to, count, i);
+      if (turns(place)) return place.angle;
+    }
+  }
+  if (curve.is_closed() && turns({curve.begin()})) return curve.end();
+  return {};
+}
+
+PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
+  // To the right of a path that runs counterclockwise is outside; a plate's runs to greater x, and
+  // above it is to the left.
+  const bool closed = profile.is_closed();
+  const double along =
+      profile.at({profile.end(), true}).at.x() - profile.at({profile.begin()}).at.x();
+  const bool right = closed ? angle_about_centre(profile) > 0 : along < 0;
+  return profile.beside("cutter path", right ? -tool_radius : tool_radius);
+}
+
+}  // namespace camlaw::problems

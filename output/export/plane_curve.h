@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "optim/problem/problem.h"
+#include "problems/statement/statement.h"
+
+/// What is drawn of a cam, and cut, as curves in the plane of its own coordinates.
+namespace camlaw::problems {
+
+/// A point of a curve, mm, and its derivative by the cam angle, mm/deg.
+struct CurvePoint {
+  Eigen::Vector2d at, slope;
+};
+
+/// A curve x(phi), y(phi) over the cam angle phi, deg. Between two breaks it is smooth; at a break
+/// it may turn, or jump.
+class PlaneCurve {
+ public:
+  static constexpr double kJump = 1e-6;  ///< mm: what is less is rounding
+
+  /// Of two responses that are curves over the same angle, in a design in which nothing varies.
+  PlaneCurve(std::string name, const optim::Response& x, const optim::Response& y);
+
+  const std::string& name() const { return name_; }
+  /// Increasing angles, deg, first and last the ends of the cycle.
+  const std::vector<double>& breaks() const { return breaks_; }
+  double begin() const { return breaks_.front(); }
+  double end() const { return breaks_.back(); }
+  /// Throws std::invalid_argument that names curve and angle where it has no point.
+  CurvePoint at(optim::Place place) const;
+  /// The same, without numbers where it has no point.
+  CurvePoint look(optim::Place place) const;
+  /// Whether it goes round the cam's centre, as a disc's does; one that is developed does not.
+  bool is_closed() const { return closed_; }
+  /// Where it jumps, of a closed one at its end too, as profiles do where the velocity jumps:
+  /// angle, deg, and distance, mm.
+  std::vector<std::pair<double, double>> jumps() const;
+
+  /// The curve parallel to this one at a distance, mm, to the left of its direction: q = p + d n
+  /// with q' = p' (1 - d k), n the unit normal and k the curvature.
+  PlaneCurve beside(std::string name, double distance) const;
+
+ private:
+  std::string name_;
+  std::shared_ptr<const optim::Trace> x_, y_;
+  std::vector<double> breaks_;
+  double left_ = 0;  ///< mm
+  bool closed_ = false;
+};
+
+/// A kind of curve, as people ask for it: "profile", "second-profile", "pitch", "cutter".
+struct CurveKind {
+  const char *option, *response, *name;
+};
+/// All kinds, in the order in which they are drawn.
+const std::vector<CurveKind>& curve_kinds();
+
+/// The cam's curves of a kind's option, or of "all"; empty where the mechanism has none. Names are
+/// those of the kinds. Throws std::invalid_argument with the known options.
+std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::string_view option);
+
+/// Where a curve turns back, deg, as an undercut profile does, or that of a tool too
+/// large for a hollow; none: it nowhere does. Looked for at steps of a tenth of a degree and over
+/// every break, of a closed curve from its end to its beginning too: where the acceleration jumps a
+/// whole stretch may run backwards.
+std::optional<double> turns_back(const PlaneCurve& curve);
+
+/// The path of the middle of a tool of a radius, mm, that cuts the profile from outside: of a disc
+/// away from its centre, else above the profile.
+PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius);
+
+}  // namespace camlaw::problems

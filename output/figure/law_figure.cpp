@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "output/figure/law_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kinematics/peaks.h"
+#include "output/document/text_table.h"
+
+namespace camlaw::cli {
+namespace {
+
+/// One curve, piece by piece, so that jumps are drawn as gaps.
+Line motion_line(const NamedLaw& named, std::size_t order, int points) {
+  const int least = std::clamp(points / static_cast<int>(named.law.pieces().size()), 1, 8);
+  Line line;
+  line.name = named.name;
+  line.dashed = named.dashed;
+  for (const auto& piece : named.law.pieces()) {
+    const int steps = std::max(least, static_cast<int>(points * (piece.end - piece.begin)));
+    for (int i = 0; i <= steps; ++i) {
+      const double x =
+          i == steps ? piece.end : std::lerp(piece.begin, piece.end, i / double(steps));
+      line.x.push_back(x);
+      line.y.push_back(derivatives<4>(piece, x)[order]);
+    }
+    const double next = derivatives<4>(piece, piece.end)[order];
+    const auto& last = named.law.pieces().back();
+    if (&piece == &last) continue;
+    const double after = named.law.derivatives<4>(piece.end, Side::Right)[order];
+    if (std::abs(after - next) > 1e-9 * std::max(1.0, std::abs(next))) {
+      line.x.push_back(piece.end);
+      line.y.push_back(std::nan(""));
+    }
+  }
+  return line;
+}
+
+/// Limits the scale of a curve that runs off to infinity, so that the rest of it can be seen: drawn
+/// up to twice the value that nine points in ten stay below.
+void limit_scale(Panel& panel) {
+  std::vector<double> sizes;
+  for (const Line& line : panel.lines) {
+    for (const double y : line.y) {
+      if (std::isfinite(y)) sizes.push_back(std::abs(y));
+    }
+  }
+  if (sizes.empty()) return;
+  const auto tenth = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+  std::nth_element(sizes.begin(), tenth, sizes.end());
+  const double bound = 2 * *tenth;
+  if (!(bound > 0)) return;  // level but for a few places: the chart's own scale will do
+  panel.y.lower = -bound;
+  panel.y.upper = bound;
+}
+
+/// What a panel must say of peaks that a curve cannot show.
+void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>& laws) {
+  if (order < 2) return;
+  const auto q = order == 2 ? Quantity::Acceleration : Quantity::Jerk;
+  bool jumps = false, singular = false;
+  for (const NamedLaw& named : laws) {
+    const auto peak = peaks(named.law);
+    const double inside = q == Quantity::Jerk ? std::max(peak.jerk_inside_highest.value,
+                                                         -peak.jerk_inside_lowest.value)
+                                              : peak.C();
+    singular = singular || std::isinf(inside);
+    jumps = jumps || (std::isinf(peak.absolute(q).value) && !std::isinf(inside));
+  }
+  if (singular) limit_scale(panel);
+  if (singular) panel.title = "a curve that leaves the frame has no bound there";
+  if (jumps && !singular) panel.title = "not drawn: the pulses of jerk where an acceleration jumps";
+}
+
+}  // namespace
+
+Figure motion_figure(const std::string& title, const std::vector<NamedLaw>& laws, int points) {
+  struct Row {
+    const char *title, *unit;
+  };
+  constexpr std::array kRows{Row{"s", "S"}, Row{"v = s'", "S/T"}, Row{"a = s''", "S/T²"},
+                             Row{"j = s'''", "S/T³"}};
+  Figure figure;
+  figure.title = title;
+  figure.panel_height = 170;
+  for (std::size_t order = 0; order < kRows.size(); ++order) {
+    Panel panel;
+    panel.x = {.label = "x = t / T", .unit = "", .lower = 0.0, .upper = 1.0};
+    panel.y = {.label = kRows[order].title, .unit = kRows[order].unit};
+    for (const NamedLaw& law : laws) panel.lines.push_back(motion_line(law, order, points));
+    mark_unbounded(panel, order, laws);
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+std::vector<MotionSample> motion_samples(const Law<double>& law, int count) {
+  if (count < 2) throw std::invalid_argument("samples: at least 2 are needed");
+  std::vector<MotionSample> result;
+  for (int i = 0; i < count; ++i) {
+    const double x = i / (count - 1.0);
+    result.push_back({x, law(x, i + 1 == count ? Side::Left : Side::Right)});
+  }
+  return result;
+}
+
+std::string motion_csv(const Law<double>& law, int count) {
+  std::vector<std::vector<std::string>> rows{{"x", "s", "v", "a", "j"}};
+  for (const auto& [x, m] : motion_samples(law, count)) {
+    rows.push_back({exact(x), exact(m.s), exact(m.v), exact(m.a), exact(m.j)});
+  }
+  return to_csv(rows);
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "output/report/scene.h"
+
+// Disc cams: profile and pitch curve turn about the origin, the follower stands on them. Places
+// come from the model's own curves; the frame's axes are those of docs/theory.md, "Cams".
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+using Kind = BodyMotion::Kind;
+
+/// Of followers that move along y.
+const BodyMotion kLift{Kind::Slide, 1, {0, 1}, "displacement"};
+
+/// What is drawn, with what is known of it.
+struct Disc {
+  const ProblemStatement& design;
+  const SceneCurves& curves;
+  double zero, lowest, highest;  ///< displacement at the drawn pose; its range
+  double size;                   ///< greatest radius of the cam
+
+  double operator[](const char* parameter) const {
+    return problems::constant_of(design, parameter);
+  }
+  /// Where the follower's point is at the drawn pose: the cam has not turned yet.
+  Point follower() const { return curves.points("pitch").front(); }
+};
+
+/// p turned about a pivot by an angle in degrees.
+Point turned(Point p, Point pivot, double degrees) {
+  const double a = degrees * std::numbers::pi / 180, c = std::cos(a), s = std::sin(a);
+  const Point d{p.x - pivot.x, p.y - pivot.y};
+  return {pivot.x + d.x * c - d.y * s, pivot.y + d.x * s + d.y * c};
+}
+
+void draw_cam(Scene& scene, const Disc& disc, double turning) {
+  scene.body("cam", {{Kind::Turn, turning}});
+  if (disc.curves.has("second_profile_x")) {
+    scene.polyline("cam second", disc.curves.points("second_profile"), true);
+  }
+  scene.polyline("cam", disc.curves.points("profile"), true);
+  if (disc.curves.has("pitch_x")) scene.polyline("pitch", disc.curves.points("pitch"), true);
+  if (has_parameter(disc.design, "bore_radius")) {
+    scene.circle("bore", {0, 0}, disc["bore_radius"]);
+  }
+  scene.segment("mark", {0, 0}, disc.curves.points("profile").front());
+  scene.include({0, 0}, disc.size);
+}
+
+/// The straight way of a follower's point, at its x, up and down its stroke.
+void draw_way(Scene& scene, Point point, const Disc& disc) {
+  scene.body("path of the follower");
+  const double low = point.y - disc.zero + disc.lowest, high = point.y - disc.zero + disc.highest;
+  scene.segment("way", {point.x, low}, {point.x, high});
+  scene.include({point.x, low}), scene.include({point.x, high});
+}
+
+void draw_roller(Scene& scene, const Disc& disc, Point centre) {
+  const double radius = disc["roller_radius"], rise = disc.highest - disc.zero;
+  draw_way(scene, centre, disc);
+  draw_pushed_roller(scene, centre, radius, "displacement");
+  scene.include({centre.x, centre.y + rise}, 2.4 * radius);
+}
+
+void draw_knife(Scene& scene, const Disc& disc) {
+  const Point tip = disc.follower();
+  const double length = 0.3 * disc.size, half = 0.06 * disc.size;
+  draw_way(scene, tip, disc);
+  scene.body("knife edge", {kLift});
+  scene.polyline("roller",
+                 {tip, {tip.x - half, tip.y + 2 * half}, {tip.x + half, tip.y + 2 * half}}, true);
+  scene.segment("stem", {tip.x, tip.y + 2 * half}, {tip.x, tip.y + length});
+  scene.include({tip.x, tip.y + length + disc.highest - disc.zero}, half);
+}
+
+void draw_flat(Scene& scene, const Disc& disc) {
+  const double face = disc["base_radius"] + disc.zero;
+  const std::vector<double>& offsets = disc.curves.values("contact_offset");
+  const auto [left, right] = std::minmax_element(offsets.begin(), offsets.end());
+  draw_way(scene, {0, face}, disc);
+  scene.body("flat face, as long as the contact needs it", {kLift});
+  scene.segment("face", {*left, face}, {*right, face});
+  scene.segment("stem", {0, face}, {0, face + 0.4 * disc.size});
+  scene.include({*left, face + disc.highest - disc.zero + 0.4 * disc.size});
+  scene.include({*right, face});
+}
+
+void draw_conjugate(Scene& scene, const Disc& disc) {
+  const double prime = disc["base_radius"] + disc["roller_radius"], e = disc["offset"];
+  const Point upper{e, std::sqrt(prime * prime - e * e) + disc.zero};
+  const Point lower{e, upper.y - disc["roller_distance"]};
+  const double radius = disc["roller_radius"];
+  draw_way(scene, upper, disc);
+  scene.body("carriage with two rollers", {kLift});
+  scene.segment("stem", lower, upper);
+  for (const Point& centre : {upper, lower}) {
+    scene.roller(centre, radius);
+    scene.include({centre.x, centre.y + disc.highest - disc.zero}, 1.2 * radius);
+    scene.include({centre.x, centre.y + disc.lowest - disc.zero}, 1.2 * radius);
+  }
+}
+
+void draw_arm(Scene& scene, const Disc& disc) {
+  const Point pivot{disc["pivot_distance"], 0}, centre = disc.follower();
+  const double radius = disc["roller_radius"];
+  draw_roller_arm(scene, pivot, centre, radius);
+  for (const double at : {disc.lowest, disc.highest}) {
+    scene.include(turned(centre, pivot, disc.zero - at), radius);
+  }
+  scene.include(pivot, 0.5 * radius);
+}
+
+void draw_flat_arm(Scene& scene, const Disc& disc) {
+  const Point pivot{disc["pivot_distance"], 0};
+  const double sine = (disc["base_radius"] + disc["face_offset"]) / pivot.x;
+  const double psi = std::asin(sine) + disc.zero * std::numbers::pi / 180;
+  const std::vector<double>& levers = disc.curves.values("contact_lever");
+  const auto [least, most] = std::minmax_element(levers.begin(), levers.end());
+  // d - i f exp(-i psi) is the foot of the pivot on the face, -exp(-i psi) the face's direction.
+  const double f = disc["face_offset"], c = std::cos(psi), s = std::sin(psi);
+  const Point foot{pivot.x - f * s, -f * c};
+  const auto along = [&](double t) { return Point{foot.x - t * c, foot.y + t * s}; };
+  scene.body("arm with its face, as long as the contact needs it",
+             {{Kind::Turn, -1, pivot, "displacement"}});
+  scene.segment("arm", pivot, foot);
+  scene.segment("arm", foot, along(*least));
+  scene.segment("face", along(*least), along(*most));
+  scene.body("pivot");
+  scene.circle("pivot", pivot, 0.04 * pivot.x);
+  for (const double at : {disc.lowest, disc.highest}) {
+    scene.include(turned(along(*most), pivot, disc.zero - at));
+  }
+  scene.include(pivot, 0.05 * pivot.x);
+}
+
+}  // namespace
+
+std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
+  const std::string& name = design.mechanism->name;
+  if (!name.starts_with("disc-cam-")) return {};
+  const SceneCurves curves(design, points);
+  const std::vector<double>& displacement = curves.values("displacement");
+  const auto [lowest, highest] = std::minmax_element(displacement.begin(), displacement.end());
+  double size = 0;
+  for (const char* curve : {"profile", "second_profile", "pitch"}) {
+    if (!curves.has(std::string(curve) + "_x")) continue;
+    for (const Point& p : curves.points(curve)) size = std::max(size, std::hypot(p.x, p.y));
+  }
+  if (!std::isfinite(size) || !(size > 0)) return {};
+  const Disc disc{design, curves, displacement.front(), *lowest, *highest, size};
+  Scene scene(fmt::format("{}, drawn to scale", design.mechanism->title));
+  scene.drawn_at("displacement", disc.zero);
+  draw_cam(scene, disc, name == "disc-cam-leading-roller" ? -1 : 1);
+  if (name == "disc-cam-roller") draw_roller(scene, disc, disc.follower());
+  if (name == "disc-cam-knife") draw_knife(scene, disc);
+  if (name == "disc-cam-flat") draw_flat(scene, disc);
+  if (name == "disc-cam-conjugate") draw_conjugate(scene, disc);
+  if (name == "disc-cam-swinging-flat") draw_flat_arm(scene, disc);
+  if (name.ends_with("-swinging-roller") || name.ends_with("-leading-roller")) {
+    draw_arm(scene, disc);
+  }
+  return scene;
+}
+
+}  // namespace camlaw::cli

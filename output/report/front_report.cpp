@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/answers/front_output.h"
+#include "output/answers/warnings.h"
+#include "output/document/text_table.h"
+#include "output/figure/chart_svg.h"
+#include "output/report/figure_json.h"
+#include "output/report/front_data.h"
+#include "output/report/html.h"
+#include "output/report/problem_sections.h"
+#include "output/report/report.h"
+#include "output/report/sensitivity_section.h"
+
+namespace camlaw::cli {
+namespace {
+
+using optim::FrontPoint;
+using Align = HtmlTable::Align;
+
+/// Values beyond which designs are not listed one by one.
+constexpr std::size_t kListed = 6;
+
+std::string points_table(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
+  std::vector<HtmlTable::Column> columns{{"#"}};
+  for (const auto& o : answer.front.objectives)
+    columns.push_back({named_with_unit(o.name, o.unit)});
+  columns.push_back({"verdict", Align::Left});
+  columns.push_back({"law", Align::Left});
+  columns.push_back({"design", Align::Left});
+  HtmlTable table(std::move(columns));
+  for (const std::size_t k : shown) {
+    const FrontPoint& point = answer.front.points[k];
+    std::vector<std::string> cells{fmt::format("{}", k + 1)}, design;
+    for (const double value : point.objectives) cells.push_back(in_digits(value));
+    for (const auto& v : answer.values(point)) {
+      if (v.name == "law") continue;
+      design.push_back(fmt::format("{} = {}", plain_name(v.name), with_unit(v.text, v.unit)));
+    }
+    cells.push_back(verdict_words(point));
+    cells.push_back(answer.family(point));
+    cells.push_back(design.size() > kListed ? fmt::format("{} variables", design.size())
+                                            : fmt::format("{}", fmt::join(design, ", ")));
+    table.add(cells);
+  }
+  return table.html();
+}
+
+/// The charts, who is chosen, and what is compared.
+std::string front_html(const Figure& still) {
+  std::string charts;
+  for (std::size_t i = 0; i < still.panels.size(); ++i) {
+    const Panel& panel = still.panels[i];
+    charts += fmt::format(
+        "<figure class=\"front\" data-pair=\"{}\"><div class=\"canvas tall\"><canvas role=\"img\" "
+        "aria-label=\"The front: {} over {}\"></canvas></div></figure>\n",
+        i, xml_escape(plain_name(panel.y.label)), xml_escape(plain_name(panel.x.label)));
+  }
+  return "<div class=\"fronts\">\n" + charts +
+         "</div>\n<div class=\"controls\"><label>design A <select "
+         "id=\"design-a\"></select></label>\n"
+         "<label>design B <select id=\"design-b\"></select></label>\n"
+         "<fieldset><legend>a click chooses</legend>"
+         "<label><input type=\"radio\" name=\"chooses\" value=\"a\" checked> A</label> "
+         "<label><input type=\"radio\" name=\"chooses\" value=\"b\"> B</label></fieldset></div>\n"
+         "<div class=\"table\" tabindex=\"0\"><table id=\"compare\" aria-live=\"polite\"></table>"
+         "</div>\n<noscript>" +
+         (still.panels.empty() ? "" : to_svg(still)) + "</noscript>\n";
+}
+
+std::string lead(const FrontAnswer& answer) {
+  const optim::Front& front = answer.front;
+  std::vector<std::string> ranges;
+  for (std::size_t i = 0; i < front.objectives.size(); ++i) {
+    const auto& o = front.objectives[i];
+    const auto text = [&](double cost) { return in_digits(answer.value(i, cost), 5); };
+    ranges.push_back(fmt::format("{} from {} to {}", plain_name(o.name), text(front.ideal[i]),
+                                 with_unit(text(front.nadir[i]), o.unit)));
+  }
+  const bool all = front.certified() == front.points.size();
+  const std::string certified =
+      fmt::format("{} of {} points certified", front.certified(), front.points.size());
+  std::string badges = badge(all ? "good" : "plain", certified);
+  if (front.stopped) {
+    badges += badge("bad", "not finished");
+  } else if (!front.complete) {
+    badges += badge("plain", "not complete");
+  }
+  std::string notes;
+  for (const std::string& note : answer.notes) {
+    notes += fmt::format("<p>{} {}</p>\n", badge("bad", "record"), escaped(note));
+  }
+  return fmt::format("<p>{}</p>\n", badges) + notes + warnings_html(answer.warnings) +
+         paragraph(fmt::format("{}.", fmt::join(ranges, "; ")));
+}
+
+ReportSection points_section(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
+  constexpr std::size_t kFewPoints = 12;
+  std::string html = points_table(answer, shown);
+  if (shown.size() > kFewPoints) html = details(fmt::format("All {} points", shown.size()), html);
+  if (shown.size() < answer.front.points.size()) {
+    html += paragraph(fmt::format("{} of {} points are shown, evenly chosen.", shown.size(),
+                                  answer.front.points.size()));
+  }
+  return {"points", "Points", html};
+}
+
+ReportSection knee_sensitivity(const FrontAnswer& answer) {
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
+  const std::size_t k = knee ? knee->point : 0;
+  const FrontPoint& point = answer.front.points[k];
+  const auto& space = answer.study.space();
+  ReportSection section = sensitivity_section(space.problem(space.options(point.part)), point.x);
+  section.html =
+      paragraph(fmt::format("Of point {}{}.", k + 1, knee ? ", the knee" : "")) + section.html;
+  return section;
+}
+
+Facts facts_of(const FrontAnswer& answer, const std::string& file) {
+  const auto settings = answer.study.settings();
+  return {{"study", file},
+          {"points wanted", settings.at("points")},
+          {"method", settings.at("method")},
+          {"seed", settings.at("seed")},
+          {"solver asked for", settings.at("solver")},
+          {"made with", settings.at("versions")},
+          {"problem file", settings.at("source")}};
+}
+
+}  // namespace
+
+ReportPage front_report(const FrontAnswer& answer, const std::string& file) {
+  const problems::ProblemStatement& stated = answer.study.bound().statement();
+  const auto shown = shown_points(answer);
+  const auto [figure, words] = front_panels(answer, shown);
+  const Figure still = front_figure(answer);
+  ReportPage page{.title = stated.title.empty() ? "Front" : stated.title,
+                  .lead = lead(answer),
+                  .sections = {problem_section(stated), {"front", "The front", front_html(still)}},
+                  .data = {{"panels", panels_json(figure, words)},
+                           {"designs", designs_json(answer, shown, figure)},
+                           {"front", objectives_json(answer, shown, still)}}};
+  if (!figure.panels.empty()) {
+    page.sections.push_back(motion_section(stated, page.data["designs"].front()["scene"]));
+    page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});
+  }
+  page.sections.push_back(points_section(answer, shown));
+  page.sections.push_back(
+      {"measures", "The front as a whole", preformatted(front_summary(answer))});
+  page.sections.push_back(knee_sensitivity(answer));
+  page.sections.push_back(provenance_section(facts_of(answer, file), "The problem file",
+                                             answer.study.settings().at("problem")));
+  return page;
+}
+
+}  // namespace camlaw::cli

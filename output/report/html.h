@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Parts of an HTML page. What is called text is escaped here; what is called html is taken as it
+/// is.
+namespace camlaw::cli {
+
+/// A name of the program for readers: "peak_pressure_angle" as "peak pressure angle".
+std::string plain_name(std::string_view name);
+
+/// Text for a cell or an attribute.
+std::string escaped(std::string_view text);
+std::string paragraph(std::string_view text);
+/// Each sentence of a text that has one on a line.
+std::string list_of_lines(std::string_view text);
+/// Text as it stands, lines kept.
+std::string preformatted(std::string_view text);
+/// Closed until it is opened; printed open.
+std::string details(std::string_view summary, std::string_view html);
+/// A word that is coloured by `kind`: "good", "bad", "unsure" or "plain".
+std::string badge(std::string_view kind, std::string_view text);
+/// What stands beside a verdict, each warning a paragraph of its own.
+std::string warnings_html(const std::vector<std::string>& warnings);
+/// Things side by side: a term and what it is.
+std::string definitions(const std::vector<std::pair<std::string, std::string>>& pairs);
+
+/// A table that scrolls sideways where the page is narrow.
+class HtmlTable {
+ public:
+  enum class Align { Left, Right };
+  struct Column {
+    std::string title;
+    Align align = Align::Right;
+  };
+
+  explicit HtmlTable(std::vector<Column> columns, std::string caption = {})
+      : columns_(std::move(columns)), caption_(std::move(caption)) {}
+  /// Adds a row of texts; missing cells are empty.
+  void add(const std::vector<std::string>& cells);
+  /// The same with cells that are HTML.
+  void add_html(std::vector<std::string> cells);
+  bool empty() const { return rows_.empty(); }
+  std::string html() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::string caption_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace camlaw::cli

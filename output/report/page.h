@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/answers/law_json.h"
+
+namespace camlaw::cli {
+
+/// One section of a report.
+struct ReportSection {
+  std::string id, title;
+  std::string html;  ///< without its heading
+};
+
+/// A report as one HTML file: words, tables and still pictures stand in it for every reader; curves
+/// and fronts are drawn from `data` by the scripts that it carries along.
+struct ReportPage {
+  std::string title;
+  std::string lead;  ///< html under the title: the answer in a line or two
+  std::vector<ReportSection> sections;
+  Json data;  ///< as report/assets/page.js takes it
+};
+
+/// The whole file. It loads nothing: styles, scripts and data are inside, and its own policy
+/// forbids everything else.
+std::string page_html(const ReportPage& page);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/report/scene.h"
+
+// Cams that are developed, or are plates: the profile travels along x under a roller. And the mark
+// on its way that stands for a follower of unknown shape.
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+using Kind = BodyMotion::Kind;
+
+/// The profile three times over, as a body with a straight back.
+std::vector<Point> repeated(const std::vector<Point>& profile, double period, double back) {
+  std::vector<Point> outline{{profile.front().x - period, back}};
+  for (const int turn : {-1, 0, 1}) {
+    for (const Point& p : profile) outline.push_back({p.x + turn * period, p.y});
+  }
+  outline.push_back({profile.back().x + period, back});
+  return outline;
+}
+
+}  // namespace
+
+std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
+  const std::string& name = design.mechanism->name;
+  if (!name.starts_with("end-cam") && name != "linear-cam") return {};
+  const SceneCurves curves(design, points);
+  const std::vector<Point> profile = curves.points("profile"), pitch = curves.points("pitch");
+  const double period = pitch.back().x - pitch.front().x;
+  const double radius = problems::constant_of(design, "roller_radius");
+  double low = profile.front().y, high = pitch.front().y;
+  for (const Point& p : profile) low = std::min(low, p.y);
+  for (const Point& p : pitch) high = std::max(high, p.y);
+  if (!std::isfinite(low) || !std::isfinite(high) || !(period > 0)) return {};
+  const bool arm = name == "end-cam-swinging";
+  const double back = low - 1.5 * radius, centre = pitch.front().x;
+  Scene scene(fmt::format("{}, developed, drawn to scale", design.mechanism->title));
+  scene.drawn_at("displacement", curves.values("displacement").front());
+  scene.body("cam, developed", {{Kind::Slide, -period / 360, {1, 0}}});
+  scene.polyline("cam", repeated(profile, period, back), true);
+  scene.polyline("pitch", pitch, false);
+  scene.segment("mark", {profile.front().x, back}, profile.front());
+  if (arm) {
+    draw_roller_arm(scene, {0, 0}, pitch.front(), radius);
+    scene.include({0, 0}, radius);
+  } else {
+    draw_pushed_roller(scene, pitch.front(), radius, "displacement");
+  }
+  scene.include({centre - period / 2, back});
+  scene.include({centre + period / 2, high + 2.6 * radius});
+  return scene;
+}
+
+std::optional<Scene> slider_scene(const ProblemStatement& design, int points) {
+  const SceneCurves curves(design, points);
+  if (!curves.has("displacement")) return {};
+  for (const auto& declared : design.mechanism->responses) {
+    if (declared.name == "displacement" && declared.unit != "mm") return {};
+  }
+  const std::vector<double>& displacement = curves.values("displacement");
+  const auto [low, high] = std::minmax_element(displacement.begin(), displacement.end());
+  const double stroke = *high - *low, zero = displacement.front();
+  if (!std::isfinite(stroke) || !(stroke > 0)) return {};
+  Scene scene(fmt::format("{}: where its follower is on its path", design.mechanism->title));
+  scene.drawn_at("displacement", zero);
+  const double half = 0.05 * stroke, thick = 0.015 * stroke;
+  scene.body("path of the follower");
+  scene.segment("way", {*low, 0}, {*high, 0});
+  for (const double end : {*low, *high}) scene.segment("way", {end, -half}, {end, half});
+  scene.body("follower", {{Kind::Slide, 1, {1, 0}, "displacement"}});
+  scene.polyline(
+      "roller",
+      {{zero - thick, -half}, {zero + thick, -half}, {zero + thick, half}, {zero - thick, half}},
+      true);
+  scene.include({*low - 2 * thick, -1.5 * half});
+  scene.include({*high + 2 * thick, 1.5 * half});
+  return scene;
+}
+
+}  // namespace camlaw::cli

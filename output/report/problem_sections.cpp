@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/problem_sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/limits.h"
+#include "output/answers/limit_text.h"
+#include "output/document/text_table.h"
+#include "output/report/html.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+using Align = HtmlTable::Align;
+
+/// A margin as a share of the bound: to the right of the middle what is left, to the left what is
+/// passed.
+std::string margin_bar(const optim::LimitReport& limit) {
+  const double size = std::max(std::abs(limit.bound), std::abs(limit.value));
+  const double share =
+      std::isfinite(limit.margin) && size > 0 ? std::clamp(limit.margin / size, -1.0, 1.0) : 0;
+  const double width = std::max(1.0, 50 * std::abs(share));
+  return fmt::format(
+      "<svg class=\"bar {}\" viewBox=\"0 0 100 10\" width=\"100\" height=\"10\" "
+      "aria-hidden=\"true\"><rect class=\"track\" width=\"100\" height=\"10\"/>"
+      "<rect x=\"{:.1f}\" width=\"{:.1f}\" height=\"10\"/>"
+      "<path d=\"M50 0V10\"/></svg>",
+      limit.met ? "good" : "bad", share < 0 ? 50 - width : 50, width);
+}
+
+HtmlTable limit_table(bool priced) {
+  std::vector<HtmlTable::Column> columns{{"limit", Align::Left},
+                                         {"", Align::Left},
+                                         {"value"},
+                                         {"bound"},
+                                         {"margin"},
+                                         {"unit", Align::Left},
+                                         {"worst at"},
+                                         {"", Align::Left},
+                                         {"proved", Align::Left}};
+  if (priced) columns.push_back({"price"});
+  return HtmlTable(std::move(columns));
+}
+
+/// "\u2264 30" of "<= 30".
+std::string with_sign(const std::string& bound) {
+  const char* sign = bound.starts_with("<=") ? "\u2264" : bound.starts_with(">=") ? "\u2265" : "=";
+  return sign + bound.substr(2);
+}
+
+std::vector<std::string> limit_row(const optim::LimitReport& limit, const LimitText& text,
+                                   bool priced, const std::vector<std::string>& blamed) {
+  const bool is_blamed = std::find(blamed.begin(), blamed.end(), limit.name) != blamed.end();
+  const std::string price =
+      priced && limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "";
+  return {escaped(plain_name(limit.name)),
+          (limit.met ? badge("good", "met") : badge("bad", "not met")) +
+              (is_blamed ? fmt::format(" {}", badge("bad", "blamed")) : ""),
+          text.value,
+          with_sign(text.bound),
+          text.margin,
+          escaped(shown_unit(limit.unit)),
+          text.place,
+          margin_bar(limit),
+          limit.proved ? "yes" : "no",
+          price};
+}
+
+/// How a design stands against the side of a limit from both sides that its report is not about.
+std::optional<optim::LimitReport> other_side(const ProblemStatement& design, std::size_t i,
+                                             const optim::LimitReport& nearer) {
+  ProblemStatement alone = design;
+  alone.constraints = {design.constraints[i]};
+  problems::ConstraintStatement& c = alone.constraints.front();
+  if (nearer.is_equation || !c.lower || !c.upper) return {};
+  (nearer.is_upper ? c.upper : c.lower).reset();
+  optim::LimitReport other = problems::standing(alone).front();
+  other.name = nearer.name;
+  return other;
+}
+
+/// Where a design stands among its bounds, "10 to 120".
+std::string bounds_text(const problems::VariableStatement& v) {
+  return v.values.empty() ? fmt::format("{:.6g} to {:.6g}", v.lower, v.upper)
+                          : problems::values_text(v.values, "1");
+}
+
+std::string ruler_words(const Peaks<double>& peak, std::optional<double> lambda) {
+  std::string text =
+      "The law against what is physically possible. B, C and D are the greatest velocity, "
+      "acceleration and jerk of the law over a "
+      "unit stroke in unit time, Cm the greatest product of velocity and acceleration.";
+  if (lambda) {
+    text += fmt::format(
+        " lambda = {:.4f}: no motion from rest to rest with these peaks takes less "
+        "than {:.2f} % of the time that this law takes.",
+        *lambda, 100 * *lambda);
+  }
+  if (std::isinf(peak.D())) text += " D is infinite: the acceleration jumps.";
+  return text;
+}
+
+/// A variable's value in the design.
+double value_of_variable(const ProblemStatement& design, const problems::VariableStatement& v) {
+  return v.of_law ? v.start : design.constants[v.parameter];
+}
+
+/// The law or the program of a design.
+std::string law_words(const ProblemStatement& design) {
+  if (design.mechanism->moved_by == problems::MovedBy::Nothing) return "";
+  const Member law = design.laws.front().listed();
+  return design.mechanism->moved_by == problems::MovedBy::Program
+             ? definitions({{"program", law.family->formula}})
+             : definitions({{"motion law", law.label()}});
+}
+
+std::string parameter_table(const ProblemStatement& design) {
+  HtmlTable table(
+      {{"parameter", Align::Left}, {"value"}, {"unit", Align::Left}, {"meaning", Align::Left}});
+  const auto& parameters = design.mechanism->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    table.add({plain_name(parameters[i].name), in_digits(design.constants[i]),
+               shown_unit(parameters[i].unit), parameters[i].meaning});
+  }
+  return table.html();
+}
+
+}  // namespace
+
+ReportSection problem_section(const ProblemStatement& statement) {
+  ProblemStatement untitled = statement;
+  untitled.title.clear();
+  return {"problem", "The problem", list_of_lines(problems::in_words(untitled))};
+}
+
+ReportSection values_section(const ProblemStatement& design) {
+  HtmlTable varied({{"variable", Align::Left}, {"value"}, {"unit", Align::Left}, {"between"}});
+  for (const auto& v : design.variables) {
+    varied.add({plain_name(v.name), in_digits(value_of_variable(design, v)), shown_unit(v.unit),
+                bounds_text(v)});
+  }
+  const std::string machine = details("Every parameter of the machine", parameter_table(design));
+  constexpr std::size_t kMany = 24;
+  const std::size_t count = design.variables.size();
+  std::string variables = varied.empty() ? "" : varied.html();
+  if (count > kMany) variables = details(fmt::format("All {} variables", count), variables);
+  return {"values", "The design", variables + law_words(design) + machine};
+}
+
+ReportSection limits_section(const ProblemStatement& design,
+                             const std::vector<optim::LimitReport>& limits, bool priced,
+                             const std::vector<std::string>& blamed) {
+  if (limits.empty()) return {"limits", "Limits", paragraph("The problem states no limits.")};
+  HtmlTable table = limit_table(priced);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const problems::ConstraintStatement& stated = design.constraints[i];
+    table.add_html(limit_row(limits[i], limit_text(limits[i], stated), priced, blamed));
+    if (const auto other = other_side(design, i, limits[i])) {
+      table.add_html(limit_row(*other, limit_text(*other, stated), priced, {}));
+    }
+  }
+  std::string notes =
+      "The bar is the margin as a share of the bound: to the right what is left, to the left what "
+      "is "
+      "passed. Proved: by intervals, over the whole cycle, rounding included.";
+  if (!blamed.empty()) notes += " Blamed: the search found that it cannot be met, or not together.";
+  if (priced) notes += " Price: what the objective gains per unit by which the bound is eased.";
+  return {"limits", "Limits", table.html() + paragraph(notes)};
+}
+
+ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated) {
+  HtmlTable table(
+      {{"number", Align::Left}, {"value"}, {"unit", Align::Left}, {"meaning", Align::Left}});
+  for (const auto& r : evaluated) {
+    if (r.is_curve) continue;
+    table.add({plain_name(r.name), significant(r.value, std::abs(r.value)), shown_unit(r.unit),
+               r.meaning});
+  }
+  return {"numbers", "Numbers", table.empty() ? "" : table.html()};
+}
+
+std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
+  if (design.mechanism->moved_by != problems::MovedBy::Law) return {};
+  const Peaks<double> peak = peaks(design.laws.front().law());
+  const std::optional<double> lambda = limit_index(peak);
+  HtmlTable table({{"constant", Align::Left}, {"of this law"}, {"least of any law"}, {"above it"}});
+  const auto row = [&](const char* name, double value, std::optional<double> least) {
+    const bool measured = lambda && least && std::isfinite(value) && std::isfinite(*least);
+    table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
+               measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : ""});
+  };
+  row("B", peak.B(), 1.0);
+  row("C", peak.C(), least_acceleration(peak.B()));
+  row("D", peak.D(),
+      std::isfinite(peak.D()) ? std::optional(least_jerk(peak.B(), peak.C())) : std::nullopt);
+  row("Cm", peak.Cm(), {});
+  return ReportSection{
+      "rulers", "Rulers",
+      table.html() + paragraph(ruler_words(peak, lambda)) +
+          (lambda ? paragraph("Least of any law from rest to rest: of B at all, of "
+                              "C for this B, of D for this B and C.")
+                  : "")};
+}
+
+ReportSection motion_section(const ProblemStatement& design, const std::string& svg) {
+  const std::string place = problems::place_name(design);
+  const std::string stage = "<div class=\"stage\">" + svg + "</div>\n";
+  std::string html = "<div class=\"motion\">\n" + (svg.empty() ? "" : stage);
+  html +=
+      "<div class=\"controls\"><button type=\"button\" id=\"play\" "
+      "aria-pressed=\"false\">Play</button>\n<label>" +
+      plain_name(place.substr(0, place.find(" ["))) +
+      " <input type=\"range\" id=\"place\" min=\"0\" max=\"1000\" value=\"0\"></label>\n"
+      "<output id=\"place-text\"></output></div>\n</div>\n";
+  return {"motion", svg.empty() ? "Through the cycle" : "In motion",
+          html + paragraph("The slider takes the arrow keys. The same place is marked in "
+                           "every curve below; a click on a curve goes there.")};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "output/report/page.h"
+
+namespace camlaw::cli {
+
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+/// Where a report comes from: the program and its libraries, these facts, when it was written, and
+/// the text of the input. The time is that of SOURCE_DATE_EPOCH where that is set, so that reports
+/// can be made the same to the last byte.
+ReportSection provenance_section(Facts facts, const std::string& input_name,
+                                 const std::string& input_text);
+
+}  // namespace camlaw::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "output/answers/claim_output.h"
+#include "output/answers/front_answer.h"
+#include "output/report/page.h"
+#include "output/report/provenance.h"
+#include "problems/published/table/reproduction.h"
+#include "problems/results/recorded_design.h"
+
+/// What reports are written about, one page each.
+namespace camlaw::cli {
+
+/// A design and where it comes from.
+struct ReportedDesign {
+  problems::ReadDesign read;  ///< its verdict is the search's, of all combinations of its choices
+  std::string file;           ///< as it was named
+  Facts facts = {};           ///< of the search that found it
+  ClaimReview review = {};    ///< of the result as a record
+};
+
+/// A design judged again: verdict, limits, curves, the mechanism in motion, rulers, sensitivities.
+/// Throws std::invalid_argument for a design that cannot be at all.
+ReportPage design_report(const ReportedDesign& reported);
+
+/// A front with the curves of its designs, of which two can be compared.
+ReportPage front_report(const FrontAnswer& answer, const std::string& file);
+
+/// Published tables beside what the program computes.
+ReportPage reproduction_report(const std::vector<problems::SystemReproduction>& results);
+
+}  // namespace camlaw::cli

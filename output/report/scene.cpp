@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "output/figure/chart_svg.h"
+
+namespace camlaw::cli {
+namespace {
+
+const char* kind_text(BodyMotion::Kind kind) {
+  using K = BodyMotion::Kind;
+  return kind == K::Turn ? "turn" : kind == K::Slide ? "slide" : "harmonic";
+}
+
+/// As motion.js reads it: the kind, the curve or "cycle", its value as drawn, then the numbers.
+std::string step_text(const BodyMotion& step, const std::map<std::string, double>& drawn_at) {
+  const bool by_cycle = step.curve.empty();
+  return fmt::format("{} {} {:.9g} {:.9g} {:.6g} {:.6g} {:.9g}", kind_text(step.kind),
+                     by_cycle ? "cycle" : step.curve, by_cycle ? 0 : drawn_at.at(step.curve),
+                     step.factor, step.about.x, step.about.y, step.phase);
+}
+
+}  // namespace
+
+void Scene::body(std::string_view name, const std::vector<BodyMotion>& steps) {
+  std::string motion;
+  for (const BodyMotion& step : steps) {
+    motion += (motion.empty() ? "" : "; ") + step_text(step, drawn_at_);
+  }
+  if (open_) bodies_ += "</g>\n";
+  bodies_ += fmt::format("<g class=\"body\"{}><title>{}</title>\n",
+                         motion.empty() ? "" : fmt::format(" data-motion=\"{}\"", motion),
+                         xml_escape(name));
+  open_ = true;
+}
+
+std::set<std::string> Scene::follows() const {
+  std::set<std::string> curves;
+  for (const auto& [curve, value] : drawn_at_) curves.insert(curve);
+  return curves;
+}
+
+void Scene::polyline(std::string_view kind, const std::vector<Point>& points, bool closed) {
+  std::string path;
+  for (const Point& p : points) {
+    path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? "M" : "L", p.x, p.y);
+  }
+  bodies_ += fmt::format("<path class=\"{}\" d=\"{}{}\"/>\n", kind, path, closed ? "Z" : "");
+}
+
+void Scene::circle(std::string_view kind, Point centre, double radius) {
+  bodies_ += fmt::format("<circle class=\"{}\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"/>\n", kind,
+                         centre.x, centre.y, radius);
+}
+
+void Scene::segment(std::string_view kind, Point from, Point to) {
+  bodies_ +=
+      fmt::format("<line class=\"{}\" x1=\"{:.3f}\" y1=\"{:.3f}\" x2=\"{:.3f}\" y2=\"{:.3f}\"/>\n",
+                  kind, from.x, from.y, to.x, to.y);
+}
+
+void Scene::roller(Point centre, double radius) {
+  circle("roller", centre, radius);
+  circle("pin", centre, 0.15 * radius);
+}
+
+void Scene::include(Point p) {
+  if (!window_) window_ = {p, p};
+  auto& [low, high] = *window_;
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+void Scene::include(Point centre, double radius) {
+  include({centre.x - radius, centre.y - radius});
+  include({centre.x + radius, centre.y + radius});
+}
+
+std::string Scene::svg() const {
+  const auto& [low, high] = window_.value();
+  const double margin = 0.04 * std::max(high.x - low.x, high.y - low.y);
+  const double width = high.x - low.x + 2 * margin, height = high.y - low.y + 2 * margin;
+  return fmt::format(
+             "<svg class=\"scene\" role=\"img\" aria-label=\"{}\" viewBox=\"{:.2f} {:.2f} {:.2f} "
+             "{:.2f}\">\n<g transform=\"scale(1,-1)\">\n",
+             xml_escape(title_), low.x - margin, -(high.y + margin), width, height) +
+         bodies_ + (open_ ? "</g>\n" : "") + "</g></svg>\n";
+}
+
+SceneCurves::SceneCurves(const problems::ProblemStatement& design, int points)
+    : curves_(problems::curves_of(design)), points_(points) {}
+
+bool SceneCurves::has(const std::string& name) const {
+  return std::any_of(curves_.begin(), curves_.end(),
+                     [&](const optim::Response& curve) { return curve.name == name; });
+}
+
+const std::vector<double>& SceneCurves::values(const std::string& name) const {
+  const auto known = known_.find(name);
+  return known != known_.end() ? known->second : known_[name] = sampled(name);
+}
+
+std::vector<double> SceneCurves::sampled(const std::string& name) const {
+  const auto curve =
+      std::find_if(curves_.begin(), curves_.end(),
+                   [&](const optim::Response& response) { return response.name == name; });
+  if (curve == curves_.end()) throw std::logic_error("no curve " + name);
+  const auto trace = curve->curve().trace({});
+  const std::vector<double> breaks = trace->breaks();
+  std::vector<double> result;
+  for (int i = 0; i <= points_; ++i) {
+    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), points_, i);
+    result.push_back(trace->at(place)[0]);
+  }
+  return result;
+}
+
+std::vector<Point> SceneCurves::points(const std::string& name) const {
+  const std::vector<double>&x = values(name + "_x"), &y = values(name + "_y");
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back({x[i], y[i]});
+  return result;
+}
+
+bool has_parameter(const problems::ProblemStatement& design, std::string_view name) {
+  const auto& all = design.mechanism->parameters;
+  return std::any_of(all.begin(), all.end(), [&](const auto& p) { return p.name == name; });
+}
+
+void draw_pushed_roller(Scene& scene, Point centre, double radius, const std::string& curve) {
+  scene.body("roller", {{BodyMotion::Kind::Slide, 1, {0, 1}, curve}});
+  scene.roller(centre, radius);
+  scene.segment("stem", centre, {centre.x, centre.y + 2.2 * radius});
+}
+
+void draw_roller_arm(Scene& scene, Point pivot, Point centre, double radius) {
+  scene.body("arm with its roller", {{BodyMotion::Kind::Turn, -1, pivot, "displacement"}});
+  scene.segment("arm", pivot, centre);
+  scene.roller(centre, radius);
+  scene.body("pivot");
+  scene.circle("pivot", pivot, 0.3 * radius);
+}
+
+std::optional<Scene> scene_of(const problems::ProblemStatement& design, int points) {
+  for (const auto& draw : {balancing_scene, disc_scene, feeder_scene, geneva_scene, plate_scene,
+                           spherical_geneva_scene, slider_scene}) {
+    if (std::optional<Scene> scene = draw(design, points)) return scene;
+  }
+  return {};
+}
+
+std::string scene_svg(const problems::ProblemStatement& design, int points) {
+  const std::optional<Scene> scene = scene_of(design, points);
+  return scene ? scene->svg() : "";
+}
+
+}  // namespace camlaw::cli

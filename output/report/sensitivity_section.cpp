@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "output/report/sensitivity_section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/answers/tolerance_output.h"
+#include "output/document/text_table.h"
+#include "output/report/html.h"
+
+namespace camlaw::cli {
+namespace {
+
+using Align = HtmlTable::Align;
+
+/// Variables beyond which a table has no column for each.
+constexpr std::size_t kListed = 6;
+
+std::string number(double value) { return fmt::format("{:.4g}", value + 0.0); }
+
+/// A number of a spread, beside whose values rounding shows as such.
+std::string number(double value, const optim::Spread& spread) {
+  double size = 0;
+  for (const double other : {spread.nominal, spread.lowest, spread.highest}) {
+    if (std::isfinite(other)) size = std::max(size, std::abs(other));
+  }
+  return significant(value, size, 4);
+}
+
+std::string name_of(const optim::Spread& spread) {
+  return (spread.is_margin ? "margin of " : "") + plain_name(spread.name);
+}
+
+std::string change_table(const std::vector<optim::Variable>& variables,
+                         const std::vector<double>& tolerances,
+                         const optim::ToleranceReport& report) {
+  std::vector<HtmlTable::Column> columns{{"change of", Align::Left}, {"unit", Align::Left}};
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    columns.push_back({fmt::format("by {} \u00b1 {}", plain_name(variables[i].name),
+                                   with_unit(number(tolerances[i]), variables[i].unit))});
+  }
+  HtmlTable table(std::move(columns));
+  for (const optim::Spread& spread : report.spreads) {
+    std::vector<std::string> cells{name_of(spread), shown_unit(spread.unit)};
+    for (const double change : spread.by_variable) cells.push_back(number(change, spread));
+    table.add(cells);
+  }
+  return table.html();
+}
+
+std::string spread_table(const optim::ToleranceReport& report) {
+  HtmlTable table({{"", Align::Left},
+                   {"as meant"},
+                   {"lowest"},
+                   {"highest"},
+                   {"5 %"},
+                   {"95 %"},
+                   {"unit", Align::Left}});
+  for (const optim::Spread& s : report.spreads) {
+    const std::string none = "not possible";
+    table.add({name_of(s), number(s.nominal, s),
+               s.possible || !s.worst_is_lowest ? number(s.lowest, s) : none,
+               s.possible || s.worst_is_lowest ? number(s.highest, s) : none, number(s.low, s),
+               number(s.high, s), shown_unit(s.unit)});
+  }
+  return table.html();
+}
+
+}  // namespace
+
+ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Design x) {
+  constexpr std::size_t kSamples = 300;  // a page is to be there at once
+  const auto& variables = problem.variables;
+  const std::vector<double> tolerances = hundredths(variables, x);
+  const optim::ToleranceReport report = optim::tolerance_report(problem, x, tolerances, kSamples);
+  std::string html = paragraph(fmt::format(
+      "What becomes of the design when {} off by up to a hundredth of {} value, up or down.",
+      variables.size() == 1 ? plain_name(variables.front().name) + " is"
+                            : "each continuous variable is",
+      "its"));
+  if (variables.size() <= kListed) html += change_table(variables, tolerances, report);
+  html += spread_table(report);
+  std::string notes = fmt::format(
+      "Lowest and highest over {}; the rest over {} samples, of which {:.1f} % meet every limit.",
+      report.all_corners ? "every corner of the tolerances"
+                         : "the corners that single changes point to",
+      report.samples, 100 * report.yield);
+  if (report.impossible_corners + report.impossible_samples > 0) {
+    notes += fmt::format(" Not possible: {} of the corners and {} of the samples.",
+                         report.impossible_corners, report.impossible_samples);
+  }
+  return {"sensitivity", "Tolerances", html + paragraph(notes)};
+}
+
+}  // namespace camlaw::cli

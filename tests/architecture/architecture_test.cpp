@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// The rules that docs/design.md, "Rooms", states of the house, read from its sources.
+namespace camlaw::architecture_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// The libraries and the program, the lowest first, each with those that it may include.
+const std::map<std::string, Names>& rooms() {
+  static const std::map<std::string, Names> known = [] {
+    std::map<std::string, Names> all{{"numerics", {}},
+                                     {"kinematics", {"numerics"}},
+                                     {"optim", {"numerics"}},
+                                     {"machines", {"numerics", "kinematics", "optim"}}};
+    Names below{"numerics", "kinematics", "optim", "machines"};
+    for (const char* room : {"problems", "fitting", "output", "cli"}) {
+      all[room] = below;
+      below.insert(room);
+    }
+    return all;
+  }();
+  return known;
+}
+
+/// Who may include headers of these libraries: files, or folders that end in a slash.
+const std::map<std::string, Names>& libraries() {
+  static const std::map<std::string, Names> known{
+      {"CLI/", {"cli/command_line.cpp", "cli/version_text.cpp"}},
+      {"toml++/", {"problems/statement/toml_entry.cpp"}},
+      {"nlohmann/", {"problems/law_files/json_text.h", "cli/version_text.cpp"}},
+      {"udunits", {"numerics/text/units.cpp"}},
+      {"Ip", {"optim/solvers/ipopt.cpp"}},
+      {"nlopt", {"optim/solvers/nlopt_methods.h"}},
+      {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
+      {"SQLite", {"optim/study/"}},
+      {"ceres/",
+       {"numerics/scalar/scalar.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h",
+        "optim/problem/plain_numbers.h"}}};
+  return known;
+}
+
+struct Include {
+  std::string from, to;  ///< files, from the root
+  bool is_own;           ///< in quotes
+};
+
+std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
+std::string room_of(const std::string& file) { return file.substr(0, file.find('/')); }
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// The sources of a folder, from the root.
+std::vector<std::string> sources_of(const std::string& folder) {
+  std::vector<std::string> files;
+  const fs::path root = CAMLAW_SOURCE_DIR;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".h" || extension == ".cpp") {
+      files.push_back(fs::relative(entry.path(), root).string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The sources of the rooms.
+std::vector<std::string> sources() {
+  std::vector<std::string> files;
+  for (const auto& [room, below] : rooms()) {
+    for (std::string& file : sources_of(room)) files.push_back(std::move(file));
+  }
+  return files;
+}
+
+std::vector<Include> includes_of(const std::vector<std::string>& files) {
+  static const std::regex line(R"(#include ([<"])([^>"]+)[>"])");
+  std::vector<Include> all;
+  for (const std::string& file : files) {
+    const std::string text = text_of(fs::path(CAMLAW_SOURCE_DIR) / file);
+    for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
+      all.push_back({file, (*i)[2], (*i)[1] == "\""});
+    }
+  }
+  return all;
+}
+
+std::vector<Include> includes() { return includes_of(sources()); }
+
+/// The words of a file, without brackets.
+Names words_of(const fs::path& file) {
+  static const std::regex word(R"([^\s()]+)");
+  const std::string text = text_of(file);
+  Names words;
+  for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) {
+    words.insert(i->str());
+  }
+  return words;
+}
+
+/// Whether `goal` is reached from `folder` along the includes of folders.
+bool reaches(const std::map<std::string, Names>& graph, const std::string& folder,
+             const std::string& goal, Names& seen) {
+  const auto next = graph.find(folder);
+  if (next == graph.end() || !seen.insert(folder).second) return false;
+  return next->second.count(goal) > 0 ||
+         std::any_of(next->second.begin(), next->second.end(),
+                     [&](const std::string& to) { return reaches(graph, to, goal, seen); });
+}
+
+bool allows(const Names& files, const std::string& file) {
+  return std::any_of(files.begin(), files.end(), [&](const std::string& known) {
+    return known == file || (known.back() == '/' && file.starts_with(known));
+  });
+}
+
+TEST_CASE("rooms include only what lies below them", "[architecture]") {
+  for (const Include& include : includes()) {
+    const std::string from = room_of(include.from), to = room_of(include.to);
+    if (!include.is_own || rooms().count(to) == 0 || from == to) continue;
+    INFO(include.from << " includes " << include.to);
+    CHECK(rooms().at(from).count(to) == 1);
+  }
+}
+
+TEST_CASE("no folder includes itself by way of others", "[architecture]") {
+  std::map<std::string, Names> graph;
+  for (const Include& include : includes()) {
+    const std::string from = folder_of(include.from), to = folder_of(include.to);
+    if (include.is_own && rooms().count(room_of(include.to)) > 0 && from != to) {
+      graph[from].insert(to);
+    }
+  }
+  REQUIRE(graph.size() > 20);
+  for (const auto& [folder, next] : graph) {
+    Names seen;
+    INFO(folder);
+    CHECK_FALSE(reaches(graph, folder, folder, seen));
+  }
+}
+
+TEST_CASE("each library's headers are included where the list says", "[architecture]") {
+  Names unused;
+  for (const auto& [library, files] : libraries()) {
+    for (const std::string& file : files) unused.insert(library + " in " + file);
+  }
+  for (const Include& include : includes()) {
+    for (const auto& [library, files] : libraries()) {
+      if (!include.to.starts_with(library)) continue;
+      INFO(include.from << " includes " << include.to);
+      CHECK(allows(files, include.from));
+      std::erase_if(unused, [&](const std::string& entry) {
+        return entry.starts_with(library + " in ") &&
+               include.from.starts_with(entry.substr(library.size() + 4));
+      });
+    }
+  }
+  CHECK(unused == Names{});
+}
+
+TEST_CASE("every source is compiled, every header is included somewhere", "[architecture]") {
+  const fs::path root = CAMLAW_SOURCE_DIR;
+  std::vector<std::string> files = sources();
+  for (const char* folder : {"tests", "examples", "benchmarks"}) {
+    for (std::string& file : sources_of(folder)) files.push_back(std::move(file));
+  }
+  Names included;
+  for (const Include& include : includes_of(files)) {
+    if (include.is_own) included.insert(include.to);
+  }
+  for (const std::string& file : sources()) {
+    INFO(file);
+    const std::string room = room_of(file);
+    if (file.ends_with(".cpp")) {
+      CHECK(words_of(root / room / "CMakeLists.txt").count(file.substr(room.size() + 1)) == 1);
+    } else {
+      CHECK(included.count(file) == 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace camlaw::architecture_test

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// From a table of a measured cam to its motion program: cams drawn by their own formulas, measured
+// with noise, wrong points and wear.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "fitting/cams/found_program.h"
+#include "fitting/constants/constants_fit.h"
+#include "machines/registry.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/standard_machine.h"
+#include "tests/problems/complaint.h"
+#include "tests/random_numbers.h"
+
+namespace camlaw::problems::measured_cam_test {
+namespace {
+
+using Catch::Contains;
+using testing::Random;
+
+constexpr double kPi = std::numbers::pi;
+
+struct Point {
+  double x, y, angle;  ///< mm, of the cam in deg
+};
+
+/// A dwell-rise-dwell-return cam of a mechanism, with its standard sizes but for `sizes`.
+ProblemStatement machine_of(const std::string& mechanism, const std::string& sizes = "") {
+  return read_problem("mechanism = '" + mechanism + "'\n[constants]\n" + sizes + R"(
+[[program.segments]]
+angle = "50 deg"
+[[program.segments]]
+angle = "100 deg"
+law = "modified-sine"
+[[program.segments]]
+angle = "60 deg"
+[[program.segments]]
+angle = "110 deg"
+law = "cycloidal"
+[[program.segments]]
+)",
+                      "cam.toml");
+}
+
+const optim::Curve& curve_of(const std::vector<optim::Response>& curves, const std::string& name) {
+  for (const optim::Response& curve : curves) {
+    if (curve.name == name) return curve.curve();
+  }
+  FAIL("no curve " << name);
+  std::terminate();
+}
+
+/// Points of the profile at even cam angles, the noise along the ray.
+std::vector<Point> measured(const ProblemStatement& machine, int n, double noise, unsigned seed) {
+  const auto curves = curves_of(machine);
+  const auto x = curve_of(curves, "profile_x").trace({}),
+             y = curve_of(curves, "profile_y").trace({});
+  Random random(seed);
+  std::vector<Point> points;
+  for (int i = 0; i < n; ++i) {
+    const optim::Place place{360.0 * i / n};
+    const double px = x->at(place)[0], py = y->at(place)[0];
+    const double far = 1 + noise * random.normal() / std::hypot(px, py);
+    points.push_back({far * px, far * py, place.angle});
+  }
+  return points;
+}
+
+void shift(Point& p, double outwards) {
+  const double far = 1 + outwards / std::hypot(p.x, p.y);
+  p.x *= far, p.y *= far;
+}
+
+SampleTable table_of(const std::vector<Point>& points) {
+  std::string text = "x [mm], y [mm]\n";
+  for (const Point& p : points) text += fmt::format("{}, {}\n", p.x, p.y);
+  return parse_samples(text, "cam.csv");
+}
+
+SampleTable polar_table_of(const std::vector<Point>& points) {
+  std::string text = "angle [deg]; radius [in]\n";
+  for (const Point& p : points) {
+    text += fmt::format("{}; {}\n", std::atan2(p.y, p.x) * 180 / kPi, std::hypot(p.x, p.y) / 25.4);
+  }
+  return parse_samples(text, "cam.csv");
+}
+
+CamFit fit_of(const SampleTable& table, const ProblemStatement& machine) {
+  return fit_cam(measured_cam(table, machine), laws_to_try());
+}
+
+}  // namespace
+
+TEST_CASE("a table shows a profile by a radius or by two lengths x and y", "[measured-cam]") {
+  const auto shows = [](const std::string& header) {
+    return shows_profile(parse_samples(header + "\n1,2\n3,4\n", "t"));
+  };
+  CHECK(shows("angle [deg], radius [mm]"));
+  CHECK(shows("R [in], theta [rad]"));
+  CHECK(shows("x [mm], y [mm]"));
+  CHECK(shows("profile_x [mm], profile_y [mm]"));
+  CHECK_FALSE(shows("x [deg], y [mm]"));
+  CHECK_FALSE(shows("x, y"));
+  CHECK_FALSE(shows("angle [deg], lift [mm]"));
+}
+
+TEST_CASE("rounded coordinates are not wear, and no points are wrong that are exact",
+          "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-knife");
+  for (const int decimals : {2, 4, 12}) {
+    INFO(decimals << " decimals");
+    std::string text = "angle [deg], radius [mm]\n";
+    for (const Point& p : measured(machine, 360, 0, 1)) {
+      const double angle = std::atan2(p.y, p.x) * 180 / kPi;
+      text += fmt::format("{}, {:.{}f}\n", angle, std::hypot(p.x, p.y), decimals);
+    }
+    const CamFit fit = fit_of(parse_samples(text, "cam.csv"), machine);
+    CHECK(fit.cam.outlying.empty());
+    CHECK(fit.departures.empty());
+    REQUIRE(fit.cycle.fits.size() == 2);
+    CHECK(fit.cycle.fits[0].best().law.name() == "modified-sine");
+    CHECK(fit.cycle.fits[1].best().law.name() == "cycloidal");
+  }
+}
+
+TEST_CASE("points that are there twice count once", "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-knife");
+  std::vector<Point> points = measured(machine, 360, 0.003, 5), twice;
+  for (const Point& p : points) twice.insert(twice.end(), {p, p});
+  const MeasuredCam once = measured_cam(polar_table_of(points), machine),
+                    again = measured_cam(polar_table_of(twice), machine);
+  CHECK(again.samples.value == once.samples.value);
+  CHECK(measured_cam(table_of(twice), machine).samples.value.size() ==
+        measured_cam(table_of(points), machine).samples.value.size());
+}
+
+TEST_CASE("each follower's program comes back from its measured cam", "[measured-cam][heavy]") {
+  struct Case {
+    std::string mechanism, sizes;
+    bool is_polar;
+    double noise = 0.003;
+  };
+  for (const Case& c : std::vector<Case>{
+           {"disc-cam-roller", "offset = '6 mm'\n", true},
+           {"disc-cam-knife", "offset = '-5 mm'\nbase_radius = '50 mm'\n", false},
+           {"disc-cam-flat", "base_radius = '80 mm'\n", false},
+           {"disc-cam-swinging-roller", "", false},
+           {"disc-cam-leading-roller", "", true},
+           {"disc-cam-swinging-flat", "swing = '9 deg'\nbase_radius = '60 mm'\n", true}}) {
+    INFO(c.mechanism);
+    const ProblemStatement machine = machine_of(c.mechanism, c.sizes);
+    const auto points = measured(machine, 720, c.noise, 7);
+    // What is known of the cam beside its points are the follower's sizes.
+    ProblemStatement known = machine;
+    const bool swings = c.mechanism.find("swinging") != std::string::npos ||
+                        c.mechanism.find("leading") != std::string::npos;
+    const char* stroke = swings ? "swing" : "stroke";
+    known.constants[known.mechanism->parameter(stroke)] *= 2;
+    known.constants[known.mechanism->parameter("base_radius")] *= 2;
+    const SampleTable table = c.is_polar ? polar_table_of(points) : table_of(points);
+    const CamFit fit = fit_of(table, known);
+    CHECK(fit.departures.empty());
+    REQUIRE(fit.cycle.fits.size() == 2);
+    for (const MotionFit& f : fit.cycle.fits) {
+      const LawFit& law = f.best();
+      INFO(law.law.name());
+      const bool rises = law.to > law.from;
+      CHECK(f.distrust == "");
+      CHECK(law.law.name() == (rises ? "modified-sine" : "cycloidal"));
+      CHECK(law.begin == Approx(rises ? 50 : 210).margin(0.1));
+      CHECK(law.end == Approx(rises ? 150 : 320).margin(0.1));
+      CHECK(std::abs(law.to - law.from) == Approx(constant_of(machine, stroke)).epsilon(2e-4));
+    }
+    // The program that is written is a problem file again, of the same machine.
+    const FoundProgram program = found_program(fit, known);
+    CHECK(program.laws.empty());
+    const ProblemStatement again = read_problem(program.problem, "program.toml");
+    CHECK(constant_of(again, stroke) == Approx(constant_of(machine, stroke)).epsilon(2e-4));
+    CHECK(constant_of(again, "base_radius") ==
+          Approx(constant_of(machine, "base_radius")).margin(0.01));
+    const auto exact = curves_of(machine), found = curves_of(again);
+    const auto s = curve_of(exact, "displacement").trace({});
+    const auto t = curve_of(found, "displacement").trace({});
+    for (double angle = 1; angle < 359; angle += 7.3) {
+      const double at = angle + 50 < 360 ? angle + 50 : angle - 310;
+      CHECK(t->at({angle})[0] ==
+            Approx(s->at({at})[0]).margin(1e-3 * constant_of(machine, stroke)));
+    }
+  }
+}
+
+TEST_CASE("wrong points and worn stretches of a cam are named and left out",
+          "[measured-cam][heavy]") {
+  const ProblemStatement machine = machine_of("disc-cam-roller");
+  auto points = measured(machine, 720, 0.005, 3);
+  const std::vector<std::size_t> wrong{60, 500};
+  for (const std::size_t k : wrong) shift(points[k], 0.2);
+  for (Point& p : points) {  // worn by a tenth of a millimetre over 16 deg of the return
+    if (p.angle > 250 && p.angle < 266) shift(p, -0.1 * std::sin(kPi * (p.angle - 250) / 16));
+  }
+  const CamFit fit = fit_of(table_of(points), machine);
+  REQUIRE(fit.cam.outlying.size() == wrong.size());
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    CHECK(fit.cam.outlying[i].angle == Approx(points[wrong[i]].angle).margin(0.5));
+    CHECK(fit.cam.outlying[i].distance == Approx(0.2).margin(0.03));
+  }
+  REQUIRE(fit.departures.size() == 1);
+  CHECK(fit.departures[0].from == Approx(250).margin(2.5));
+  CHECK(fit.departures[0].to == Approx(266).margin(2.5));
+  // Worn along the normal, read along the follower's path: not the same, but near.
+  CHECK(fit.departures[0].most == Approx(-0.1).margin(0.03));
+  for (const MotionFit& f : fit.cycle.fits) {
+    CHECK(f.distrust == "");
+    CHECK(f.best().law.name() == (f.best().to > f.best().from ? "modified-sine" : "cycloidal"));
+  }
+}
+
+TEST_CASE("a sound cam has no worn stretch", "[measured-cam][heavy]") {
+  const ProblemStatement machine = machine_of("disc-cam-flat", "base_radius = '80 mm'\n");
+  int departures = 0;
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    MeasuredCam cam = measured_cam(table_of(measured(machine, 720, 0.005, 50 + seed)), machine);
+    const std::vector<Member> laws{find_law("modified-sine"), find_law("cycloidal")};
+    departures += static_cast<int>(fit_cam(std::move(cam), laws).departures.size());
+  }
+  CHECK(departures <= 1);
+}
+
+TEST_CASE("a motion that no law follows is written as a spline beside the program",
+          "[measured-cam][heavy]") {
+  ProblemStatement machine = machine_of("disc-cam-roller");
+  const auto points = measured(machine, 720, 0.002, 5);
+  const CamFit fit = fit_cam(measured_cam(table_of(points), machine), {find_law("parabolic")});
+  const FoundProgram program = found_program(fit, machine);
+  REQUIRE(program.laws.size() == 2);
+  for (const ProgramLaw& law : program.laws) {
+    CHECK_THAT(program.problem, Contains("law = \"" + law.name + "\""));
+    const Law<double> exact =
+        find_law(law.name.rfind("rise", 0) == 0 ? "modified-sine" : "cycloidal").law();
+    for (double x = 0.1; x < 1; x += 0.1) CHECK(law.law(x).s == Approx(exact(x).s).margin(0.02));
+  }
+}
+
+TEST_CASE("measured cams that cannot be read are refused by name", "[measured-cam]") {
+  const ProblemStatement machine = machine_of("disc-cam-roller");
+  const auto said = [](const SampleTable& table, const ProblemStatement& m) {
+    return testing::complaint([&] { measured_cam(table, m); });
+  };
+  const SampleTable good = table_of(measured(machine, 360, 0, 1));
+  CHECK_THAT(said(good, standard_machine(find_mechanism("spine-cutter"))),
+             Contains("cam.csv") && Contains("disc-cam-flat"));
+  CHECK_THAT(said(parse_samples("radius [mm], lift [mm]\n40,1\n41,2\n", "cam.csv"), machine),
+             Contains("cam.csv") && Contains("angle"));
+  CHECK_THAT(said(parse_samples("radius [kg], angle [deg]\n40,1\n41,2\n", "cam.csv"), machine),
+             Contains("'radius'") && Contains("mm"));
+  CHECK_THAT(said(parse_samples("radius [mm], angle [deg]\n40,1\n41,2\n", "cam.csv"), machine),
+             Contains("cam.csv") && Contains("2 points are too few"));
+  CHECK_THAT(said(good, machine_of("disc-cam-roller", "offset = '60 mm'\n")), Contains("offset"));
+}
+
+}  // namespace camlaw::problems::measured_cam_test

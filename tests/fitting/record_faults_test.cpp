@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// Records with faults: rows that are slips, drift, a cam off its centre, a follower's size
+// forgotten.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+
+#include "fitting/cams/cam_faults.h"
+#include "fitting/cams/cam_fit.h"
+#include "fitting/constants/constants_fit.h"
+#include "fitting/motions/recorded_motion.h"
+#include "fitting/samples/turn.h"
+#include "kinematics/laws/catalogue.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/statement.h"
+#include "tests/problems/complaint.h"
+#include "tests/random_numbers.h"
+
+namespace camlaw::problems::record_faults_test {
+namespace {
+
+using Catch::Contains;
+using testing::Random;
+
+/// Rises from 50 to 150 deg, rests, returns from 210 to 320 deg and rests, over 20 mm.
+double cycle(double phi, const Law<double>& rise, const Law<double>& back) {
+  if (phi < 50 || phi >= 320) return 0;
+  if (phi < 150) return 20 * rise((phi - 50) / 100).s;
+  if (phi < 210) return 20;
+  return 20 * (1 - back((phi - 210) / 110).s);
+}
+
+MotionRecord recorded(int rows, double noise, unsigned seed) {
+  const Law<double> rise = find_law("modified-sine").law(), back = find_law("cycloidal").law();
+  Random random(seed);
+  MotionRecord record;
+  record.samples.place_unit = "deg";
+  record.samples.unit = record.samples.length_unit = "mm";
+  for (int i = 0; i < rows; ++i) {
+    const double phi = 360.0 * i / rows;
+    record.samples.place.push_back(phi);
+    record.samples.value.push_back(cycle(phi, rise, back) + noise * random.normal());
+    record.lines.push_back(static_cast<std::uint32_t>(i + 2));
+  }
+  return record;
+}
+
+/// One rise over 120 deg and 20 mm.
+MotionRecord rise(int rows, double noise, unsigned seed) {
+  const Law<double> law = find_law("modified-sine").law();
+  Random random(seed);
+  MotionRecord record;
+  record.samples.place_unit = "deg";
+  record.samples.unit = record.samples.length_unit = "mm";
+  for (int i = 0; i < rows; ++i) {
+    const double u = i / (rows - 1.0);
+    record.samples.place.push_back(120 * u);
+    record.samples.value.push_back(20 * law(u).s + noise * random.normal());
+    record.lines.push_back(static_cast<std::uint32_t>(i + 2));
+  }
+  return record;
+}
+
+std::vector<Member> few_laws() {
+  return {find_law("modified-sine"), find_law("cycloidal"), find_law("poly-3-4-5"),
+          find_law("modified-trapezoid")};
+}
+
+ProblemStatement machine_of(const std::string& mechanism, const std::string& sizes) {
+  return read_problem("mechanism = '" + mechanism + "'\n[constants]\n" + sizes + R"(
+[[program.segments]]
+angle = "50 deg"
+[[program.segments]]
+angle = "100 deg"
+law = "modified-sine"
+[[program.segments]]
+angle = "60 deg"
+[[program.segments]]
+angle = "110 deg"
+law = "cycloidal"
+[[program.segments]]
+)",
+                      "cam.toml");
+}
+
+/// Points of a machine's profile at even cam angles about another centre.
+SampleTable profile(const ProblemStatement& machine, int n, double noise, unsigned seed,
+                    std::complex<double> centre) {
+  const auto curves = curves_of(machine);
+  const auto of = [&](const std::string& name) {
+    for (const optim::Response& curve : curves) {
+      if (curve.name == name) return curve.curve().trace({});
+    }
+    throw std::logic_error("no curve " + name);
+  };
+  const auto x = of("profile_x"), y = of("profile_y");
+  Random random(seed);
+  std::string text = "x [mm], y [mm]\n";
+  for (int i = 0; i < n; ++i) {
+    const optim::Place place{360.0 * i / n};
+    std::complex<double> p(x->at(place)[0], y->at(place)[0]);
+    p *= 1 + noise * random.normal() / std::abs(p);
+    p += centre;
+    text += fmt::format("{:.8f}, {:.8f}\n", p.real(), p.imag());
+  }
+  return parse_samples(text, "cam.csv");
+}
+
+const MotionFit& motion(const FittedCycle& cycle, bool rises) {
+  for (const MotionFit& fit : cycle.fits) {
+    if ((fit.best().to > fit.best().from) == rises) return fit;
+  }
+  throw std::logic_error("no such motion");
+}
+
+}  // namespace
+
+TEST_CASE("a row that is off is named by its line and left out", "[record-faults]") {
+  for (const int rows : {15, 121, 400}) {
+    for (const double by : {5.0, -0.6}) {
+      if (rows < 24 && std::abs(by) < 1) continue;  // a cubic through so few rows misses as much
+      INFO(rows << " rows, one off by " << by);
+      MotionRecord record = rise(rows, 0.002, 3);
+      const std::size_t wrong = static_cast<std::size_t>(rows) / 2 - 2;
+      record.samples.value[wrong] += by;
+      const RecordedMotion found = fit_recorded_motion(std::move(record), few_laws());
+      REQUIRE(found.record.far.size() == 1);
+      CHECK(found.record.far[0].line == wrong + 2);
+      CHECK(found.record.far[0].distance == Approx(by).margin(rows < 24 ? 0.5 : 0.02));
+      const MotionFit& fit = found.cycle.fits.front();
+      CHECK(fit.best().to - fit.best().from == Approx(20).margin(0.02));
+      if (rows > 100) CHECK(fit.best().law.name() == "modified-sine");
+      if (rows > 100) CHECK(fit.distrust.empty());
+    }
+  }
+}
+
+TEST_CASE("rows that are off at the ends of a record are found too", "[record-faults]") {
+  for (const std::size_t wrong : {0, 1, 2, 118, 119, 120}) {
+    for (const double by : {4.0, -0.3}) {
+      INFO("row " << wrong << " off by " << by);
+      MotionRecord record = rise(121, 0.004, 3);
+      record.samples.value[wrong] += by;
+      leave_out_far_values(record, 0);
+      REQUIRE(record.far.size() == 1);
+      CHECK(record.far[0].line == wrong + 2);
+      CHECK(record.far[0].distance == Approx(by).margin(0.08));
+    }
+  }
+}
+
+TEST_CASE("sound records keep all their rows", "[record-faults]") {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    for (const char* name : {"modified-sine", "parabolic", "cycloidal", "poly-3-4-5", "cosine"}) {
+      const Law<double> law = find_law(name).law();
+      for (const int rows : {12, 18, 60, 300}) {
+        INFO(name << ", " << rows << " rows, seed " << seed);
+        MotionRecord record = rise(rows, 0, 1);
+        Random random(seed);
+        for (int i = 0; i < rows; ++i) {
+          record.samples.value[static_cast<std::size_t>(i)] =
+              20 * law(i / (rows - 1.0)).s + 0.01 * random.normal();
+        }
+        leave_out_far_values(record, 0);
+        CHECK(record.far.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("many rows that are off are not slips", "[record-faults]") {
+  MotionRecord record = recorded(360, 0.005, 4);
+  for (std::size_t i = 70; i < 140; i += 10) record.samples.value[i] += 3;
+  const RecordedMotion found = fit_recorded_motion(std::move(record), few_laws());
+  CHECK(found.record.far.size() == 7);
+  const MotionFit& up = motion(found.cycle, true);
+  CHECK_THAT(up.distrust, Contains("7 of") && Contains("line ") && Contains("--loss"));
+  CHECK(up.best().law.name() == "modified-sine");
+  CHECK(motion(found.cycle, false).distrust.empty());
+}
+
+TEST_CASE("places far from all others are left out and named", "[record-faults]") {
+  for (const double stray : {1886131.0, -40000.0, 700.0}) {
+    INFO(stray);
+    MotionRecord record = rise(121, 0.002, 3);
+    record.samples.place[60] = stray;
+    leave_out_stray_places(record);
+    REQUIRE(record.stray.size() == 1);
+    CHECK(record.stray[0].line == 62);
+    CHECK(record.stray[0].place == stray);
+    CHECK(record.samples.place.size() == 120);
+    CHECK(record.lines.size() == 120);
+  }
+  // A long pause is not a stray, nor is a half of the record.
+  MotionRecord paused = rise(121, 0.002, 3);
+  for (std::size_t i = 110; i < 121; ++i) paused.samples.place[i] += 200;
+  leave_out_stray_places(paused);
+  CHECK(paused.stray.empty());
+  MotionRecord seconds = rise(121, 0.002, 3);
+  seconds.samples.place_unit = "s";
+  for (std::size_t i = 60; i < 121; ++i) seconds.samples.place[i] += 1e6;
+  leave_out_stray_places(seconds);
+  CHECK(seconds.stray.empty());
+}
+
+TEST_CASE("too few samples are refused", "[record-faults]") {
+  for (const int rows : {2, 3, 4}) {
+    CHECK_THAT(testing::complaint([&] { fit_recorded_motion(rise(rows, 0, 1), few_laws()); }),
+               Contains("5 rows"));
+  }
+  CHECK_NOTHROW(fit_recorded_motion(rise(5, 0, 1), few_laws()));
+}
+
+TEST_CASE("a lift that goes once round per turn is off its centre, which can be fitted",
+          "[record-faults]") {
+  const std::complex<double> centre = std::polar(0.17, 40 * kDegree);
+  MotionRecord record = recorded(360, 0.003, 8);
+  for (std::size_t i = 0; i < 360; ++i) {
+    record.samples.value[i] +=
+        std::real(centre * std::polar(1.0, -record.samples.place[i] * kDegree));
+  }
+  const RecordedMotion plain = fit_recorded_motion(record, few_laws());
+  REQUIRE_FALSE(plain.faults.empty());
+  CHECK(plain.faults.front().fault.kind == FaultKind::OffCentre);
+  for (const MotionFit& fit : plain.cycle.fits) {
+    CHECK_THAT(fit.distrust, Contains("once round per turn") && Contains("--shift centre"));
+  }
+  const RecordedMotion centred = fit_recorded_motion(record, few_laws(), {{}, true});
+  REQUIRE(centred.centre);
+  CHECK(std::abs(centred.centre->place.real() - centre.real()) < 4 * centred.centre->x_error());
+  CHECK(std::abs(centred.centre->place.imag() - centre.imag()) < 4 * centred.centre->y_error());
+  CHECK(centred.centre->x_error() < 0.003);
+  CHECK(centred.faults.empty());
+  CHECK(motion(centred.cycle, true).best().law.name() == "modified-sine");
+  CHECK(motion(centred.cycle, false).best().law.name() == "cycloidal");
+  for (const MotionFit& fit : centred.cycle.fits) CHECK(fit.distrust.empty());
+  // What does not go round has no centre.
+  CHECK_THAT(testing::complaint([&] {
+               fit_recorded_motion(rise(121, 0.002, 1), few_laws(), {{}, true});
+             }),
+             Contains("--shift centre") && Contains("whole turn"));
+}
+
+TEST_CASE("intervals hold where the centre was fitted along", "[record-faults][heavy]") {
+  const std::vector<Member> laws{find_law("modified-sine"), find_law("cycloidal")};
+  int within = 0, all = 0;
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    const std::complex<double> centre = std::polar(0.05 + 0.005 * seed, 0.4 * seed);
+    MotionRecord record = recorded(180, 0.01, 300 + seed);
+    for (std::size_t i = 0; i < 180; ++i) {
+      record.samples.value[i] +=
+          std::real(centre * std::polar(1.0, -record.samples.place[i] * kDegree));
+    }
+    const RecordedMotion found = fit_recorded_motion(std::move(record), laws, {{}, true});
+    REQUIRE(found.cycle.fits.size() == 2);
+    for (const MotionFit& fit : found.cycle.fits) {
+      const bool rises = fit.best().to > fit.best().from;
+      const double truth[] = {rises ? 50.0 : 210.0, rises ? 150.0 : 320.0, rises ? 20.0 : -20.0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& p = fit.best().fit.parameters[k];
+        const double off = k < 2 ? std::remainder(p.value - truth[k], 360) : p.value - truth[k];
+        within += off <= p.value - p.low && -off <= p.high - p.value ? 1 : 0;
+        ++all;
+      }
+    }
+    const std::complex<double> off = found.centre->place - centre;
+    within += std::abs(off.real()) < 1.97 * found.centre->x_error() ? 1 : 0;
+    within += std::abs(off.imag()) < 1.97 * found.centre->y_error() ? 1 : 0;
+    all += 2;
+  }
+  INFO(within << " of " << all);
+  // 128 of them, of which 95 % are expected within four deviations of a binomial.
+  CHECK(within > 0.87 * all);
+}
+
+TEST_CASE("a drift is told from a cam that is off its centre", "[record-faults]") {
+  MotionRecord record = recorded(360, 0.003, 8);
+  for (std::size_t i = 0; i < 360; ++i)
+    record.samples.value[i] += 0.06 * record.samples.place[i] / 360;
+  const RecordedMotion found = fit_recorded_motion(std::move(record), few_laws());
+  REQUIRE_FALSE(found.faults.empty());
+  CHECK(found.faults.front().fault.kind == FaultKind::Drift);
+  CHECK(found.faults.front().size[0] == Approx(0.06).margin(0.01));
+  for (const MotionFit& fit : found.cycle.fits) CHECK_THAT(fit.distrust, Contains("drift"));
+}
+
+TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-faults][heavy]") {
+  struct Case {
+    std::string mechanism, sizes;
+  };
+  for (const Case& c : std::vector<Case>{{"disc-cam-roller", "offset = '6 mm'\n"},
+                                         {"disc-cam-knife", ""},
+                                         {"disc-cam-swinging-roller", ""},
+                                         {"disc-cam-leading-roller", ""}}) {
+    const ProblemStatement machine = machine_of(c.mechanism, c.sizes);
+    const SampleTable table = profile(machine, 360, 0, 1, 0);
+    const MeasuredCam cam = measured_cam(table, machine);
+    const double unit = cam.samples.unit == "deg" ? kDegree : 1;
+    constexpr double kStep = 1e-3;
+    // At fixed angles of the cam, up to the zero, which each cam counts from its own lowest place.
+    const auto compare = [&](const PossibleFault& fault, std::size_t k, const MeasuredCam& plus,
+                             const MeasuredCam& minus) {
+      const auto slope = [&](double phi) {
+        return (plus.lift.coordinate(plus.lift.at(phi * kDegree).s) -
+                minus.lift.coordinate(minus.lift.at(phi * kDegree).s)) /
+               (2 * kStep) / unit;
+      };
+      for (double phi = 3; phi < 360; phi += 11.3) {
+        INFO(c.mechanism << ", " << fault.names[k] << " at " << phi << " deg");
+        CHECK(fault.by[k](phi) == Approx(slope(phi)).margin(2e-3 / unit * (unit < 1 ? 0.02 : 1)));
+      }
+    };
+    for (const PossibleFault& fault : possible_faults(cam)) {
+      if (fault.kind == FaultKind::OffCentre) {
+        // A centre farther to the right makes the points lie farther to the left.
+        compare(fault, 0, measured_cam(table, machine, {-kStep, 0}),
+                measured_cam(table, machine, {kStep, 0}));
+        compare(fault, 1, measured_cam(table, machine, {0, -kStep}),
+                measured_cam(table, machine, {0, kStep}));
+      }
+      const bool is_knife = c.mechanism == "disc-cam-knife" && fault.names[0] == "roller_radius";
+      if (fault.kind != FaultKind::OwnSize || is_knife) continue;  // none has less than no radius
+      const auto& follower = cam.lift.follower();
+      compare(fault, 0, with_follower(cam, with_less(follower, fault.names[0], -kStep)),
+              with_follower(cam, with_less(follower, fault.names[0], kStep)));
+    }
+  }
+}
+
+TEST_CASE("a cam that was clamped off its centre is not a worn one", "[record-faults][heavy]") {
+  const ProblemStatement machine = machine_of("disc-cam-roller", "");
+  const std::complex<double> centre = std::polar(0.17, 0.7);
+  const SampleTable table = profile(machine, 720, 0.003, 5, centre);
+  const CamFit plain = fit_cam(measured_cam(table, machine), laws_to_try());
+  CHECK(plain.departures.empty());
+  REQUIRE_FALSE(plain.faults.empty());
+  CHECK(plain.faults.front().fault.kind == FaultKind::OffCentre);
+  for (const MotionFit& fit : plain.cycle.fits) CHECK_THAT(fit.distrust, Contains("centre"));
+  const CamFit centred = fit_centred_cam(table, machine, laws_to_try());
+  REQUIRE(centred.centre);
+  CHECK(std::abs(centred.centre->place.real() - centre.real()) < 4 * centred.centre->x_error());
+  CHECK(std::abs(centred.centre->place.imag() - centre.imag()) < 4 * centred.centre->y_error());
+  CHECK(motion(centred.cycle, true).best().law.name() == "modified-sine");
+  CHECK(motion(centred.cycle, false).best().law.name() == "cycloidal");
+  CHECK(centred.departures.empty());
+  for (const MotionFit& fit : centred.cycle.fits) {
+    CHECK(fit.distrust.empty());
+    CHECK(std::abs(fit.best().to - fit.best().from) ==
+          Approx(constant_of(machine, "stroke")).margin(0.005));
+  }
+}
+
+TEST_CASE("a size of the follower that was forgotten is named", "[record-faults][heavy]") {
+  struct Case {
+    const char* name;
+    double truth, stated;
+  };
+  for (const Case& c :
+       {Case{"roller_radius", 12, 8}, Case{"offset", 6, 0}, Case{"offset", -4, 1}}) {
+    INFO(c.name << " of " << c.truth << " stated as " << c.stated);
+    const ProblemStatement machine =
+        machine_of("disc-cam-roller", fmt::format("{} = '{} mm'\n", c.name, c.truth));
+    const ProblemStatement stated =
+        machine_of("disc-cam-roller", fmt::format("{} = '{} mm'\n", c.name, c.stated));
+    const SampleTable table = profile(machine, 720, 0.003, 5, 0);
+    const CamFit fit = fit_cam(measured_cam(table, stated), laws_to_try());
+    CHECK(fit.departures.empty());
+    REQUIRE_FALSE(fit.faults.empty());
+    bool is_named = false;
+    for (const FaultTest& test : fit.faults) {
+      if (test.fault.names.front() != c.name) continue;
+      is_named = true;
+      CHECK(c.stated - test.size[0] == Approx(c.truth).margin(0.15));
+    }
+    CHECK(is_named);
+    for (const MotionFit& f : fit.cycle.fits) CHECK_FALSE(f.distrust.empty());
+    CHECK(fit_cam(measured_cam(table, machine), laws_to_try()).faults.empty());
+  }
+}
+
+}  // namespace camlaw::problems::record_faults_test

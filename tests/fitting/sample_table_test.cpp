@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Tables as measuring machines write them, and texts that are none.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "fitting/cams/measured_cam.h"
+#include "fitting/motions/motion_data.h"
+#include "fitting/samples/assumed_units.h"
+#include "fitting/samples/line_source.h"
+#include "fitting/samples/table_layout.h"
+#include "tests/problems/complaint.h"
+
+namespace camlaw::problems::sample_table_test {
+namespace {
+
+using Catch::Contains;
+
+std::string said(const std::string& text) {
+  return testing::complaint([&] { motion_record(parse_samples(text, "t.csv")); });
+}
+
+/// A text in UTF-16 with its byte order mark; ASCII and Latin-1 only.
+std::string utf16(const std::string& latin1, bool big) {
+  std::string result = big ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : latin1) {
+    if (big) result += '\0';
+    result += c;
+    if (!big) result += '\0';
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("one table comes back however it is written", "[samples]") {
+  const std::vector<double> places{0, 0.5, 1}, values{2, 3.25, 4};
+  const std::vector<std::string> texts{
+      "angle [deg], lift [mm]\n0, 2\n0.5, 3.25\n1, 4\n",
+      "angle [deg], lift [mm]\r\n0, 2\r\n0.5, 3.25\r\n1, 4\r\n",
+      "angle [deg], lift [mm]\r0, 2\r0.5, 3.25\r1, 4",
+      "\xEF\xBB\xBF"
+      "angle [deg];lift [mm]\n0;2\n0,5;3,25\n1;4\n",
+      // Lines before the names, blanks around and between cells, a unit in Latin-1.
+      "Messprotokoll 7\nPr\xFC"
+      "fer: M. 12,5\n\nWinkel [\xB0]   Hub [mm]\n  0,0   2,00\n  0,5   3,25 \n  1,0   4,00\n",
+      "Cam angle [deg] Lift [mm]\n0 2\n0.5 3.25\n1 4\n",
+      "Date;1.2.2020;14;30\nangle;lift\ndeg;mm\n0;2\n0.5;3.25\n1;4\n",
+      "Bench 3\nangle\tlift\n[deg]\t[mm]\n0\t2\n0.5\t3.25\n1\t4\n",
+      "# bench 3, morning\n# angle [deg], lift [mm]\n0, 2\n0.5, 3.25\n1, 4\n",
+      "angle [deg];lift [mm];\n0;2;\n0,5;3,25;\n1;4;\n",
+      "angle [deg];lift [mm]\n0;2;\n0,5;3,25;\n1;4;\n",
+      "angle_deg, lift_mm\n0, 2\n0.5, 3.25\n1, 4\n", "φ/°; s/mm\n0;2\n0,5;3,25\n1;4\n",
+      "WINKEL in Grad; HUB in mm\n0;2\n0,5;3,25\n1;4\n",
+      "КУТ [deg]; Переміщення [mm]\n0;2\n0,5;3,25\n1;4\n",
+      "angle [deg], lift [mm]\n\"0\",\"2\"\n\"0,5\",\"3,25\"\n1,4\n",
+      "Teil 5 7\nangle [deg], note, lift [mm]\n0, a, 2\n0.5, b, 3.25\n1, c, 4\n",
+      utf16("Winkel\tHub\r\nGrad\tmm\r\n0\t2\r\n0,5\t3,25\r\n1\t4\r\n", false),
+      utf16("Winkel [\xB0];Hub [mm]\n0;2\n0,5;3,25\n1;4\n", true)};
+  for (const std::string& text : texts) {
+    INFO(text);
+    const MotionRecord record = motion_record(parse_samples(text, "t.csv"));
+    CHECK(record.samples.place == places);
+    CHECK(record.samples.value == values);
+    CHECK(record.samples.place_unit == "deg");
+    CHECK(record.samples.unit == "mm");
+    CHECK(record.lines.size() == 3);
+  }
+}
+
+TEST_CASE("rows know the lines that they stand on", "[samples]") {
+  const SampleTable table =
+      parse_samples("Protocol\r\n\r\nangle, lift\r\n0, 1\r\n# pause\r\n1,\r\n2, 3\r\n", "t");
+  CHECK(table.lines == std::vector<std::uint32_t>{4, 6, 7});
+  CHECK(numbers_of(table, {&table.columns[0], &table.columns[1]}).lines ==
+        std::vector<std::uint32_t>{4, 7});
+}
+
+TEST_CASE("what is not a table says in one line what to change", "[samples]") {
+  CHECK_THAT(said(std::string(100, '\0')), Contains("t.csv:1") && Contains("not a text"));
+  CHECK_THAT(said("angle,lift\n1,2\n" + std::string(kMostLineBytes + 1, '3')),
+             Contains("t.csv:3") && Contains("longer than"));
+  CHECK_THAT(said("Protocol\nDate 1.2.2020\n0 1.5\n1 2.5\n2 4\n"),
+             Contains("t.csv:3") && Contains("names as many columns"));
+  CHECK_THAT(said("cam angle lift\n0 1.5\n1 2.5\n"),
+             Contains("t.csv:2") && Contains("names as many columns"));
+  CHECK_THAT(said("angle,lift\n1,2,3\n2,3,4\n"), Contains("t.csv:2") && Contains("3 cells"));
+  CHECK_THAT(said("angle,lift\n1,2\nmean;12\n"), Contains("t.csv:3") && Contains("1 cells"));
+  std::string wide = "a", row = "1";
+  for (int i = 0; i < 1200; ++i) wide += fmt::format(",a{}", i), row += ",1";
+  CHECK_THAT(said(wide + "\n" + row + "\n"), Contains("1201 columns"));
+  std::string blank(1 << 16, '\n');
+  CHECK_THAT(said(blank), Contains("empty"));
+  std::string words;
+  for (int i = 0; i < 1500; ++i) words += "some text\n";
+  CHECK_THAT(said(words), Contains("one column"));
+}
+
+TEST_CASE("units that are not stated are taken where the values leave no doubt, and said",
+          "[samples]") {
+  SampleTable table = parse_samples("X;Y;Z\n1;2;3\n2;3;4\n", "t");
+  CHECK_FALSE(shows_profile(table));
+  const auto notes = assume_profile_units(table);
+  CHECK(notes.size() == 2);
+  CHECK_THAT(notes[0], Contains("'X'") && Contains("mm"));
+  CHECK(shows_profile(table));
+  SampleTable polar = parse_samples("Winkel;Radius\n0;40\n90;41\n350;40\n", "t");
+  CHECK(shows_profile(polar));
+  CHECK(assume_profile_units(polar).size() == 2);
+  CHECK(polar.columns[0].unit == "deg");
+  SampleTable doubtful = parse_samples("Winkel;Radius\n0;40\n3;41\n6;40\n", "t");
+  CHECK_THAT(testing::complaint([&] { assume_profile_units(doubtful); }),
+             Contains("'Winkel'") && Contains("[rad]"));
+  const MotionRecord record = motion_record(parse_samples("angle,lift\n0,0\n90,1\n180,2\n", "t"));
+  CHECK(record.samples.place_unit == "deg");
+  CHECK(record.notes.size() == 1);
+  CHECK(motion_record(parse_samples("angle,lift\n0,0\n1,1\n", "t")).notes.empty());
+  CHECK(goes_round(parse_samples("x,y\n1,0\n0,1\n-1,0\n0,-1\n1,-0.1\n", "t")));
+  CHECK_FALSE(goes_round(parse_samples("x,y\n1,0\n2,1\n3,2\n", "t")));
+}
+
+TEST_CASE("names of columns give their units in several ways", "[samples]") {
+  const auto named = [](const char* cell) {
+    const ColumnName name = column_name(cell);
+    return name.name + "|" + name.unit;
+  };
+  CHECK(named("lift [mm]") == "lift|mm");
+  CHECK(named("lift(mm)") == "lift|mm");
+  CHECK(named("Hub in mm") == "Hub|mm");
+  CHECK(named("s/mm") == "s|mm");
+  CHECK(named("cam_angle_deg") == "cam_angle|deg");
+  // What may as well be a name stays one: a share of the stroke, a curve of a machine.
+  CHECK(named("s/h") == "s/h|");
+  CHECK(named("drive_torque") == "drive_torque|");
+}
+
+}  // namespace camlaw::problems::sample_table_test

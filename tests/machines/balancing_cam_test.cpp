@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "machines/balancing_cam/balancing_cam.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "machines/registry.h"
+#include "problems/published/balancing_cam/reproduction.h"
+#include "tests/machines/system_fixture.h"
+
+namespace camlaw::problems::balancing_cam_test {
+namespace {
+
+using testing::design_of, testing::response_of, testing::TestDesign;
+constexpr double kPi = std::numbers::pi;
+
+const Mechanism& balancing() { return find_mechanism("balancing-cam"); }
+
+/// Greatest residual torque over a grid, and K with it.
+double coefficient(const PlanarBalancingCam<double>& machine) {
+  const BalancedTurn turn(machine);
+  double greatest = 0;
+  for (int i = 0; i < 7200; ++i) {
+    const double phi = 2 * kPi * i / 7200;
+    greatest =
+        std::max(greatest, std::abs(turn.touching_torque(phi < machine.engagement() ? 1 : 2, phi)));
+  }
+  return turn.peak_torque() / greatest;
+}
+
+}  // namespace
+
+TEST_CASE("curves of the balancing cams have exact derivatives and bounds",
+          "[balancing-cam][problem-files][heavy]") {
+  for (const char* name : {"balancing-cam", "balancing-cam-spherical"}) {
+    INFO(name);
+    const Mechanism& mechanism = find_mechanism(name);
+    TestDesign design =
+        design_of(mechanism, "constant-velocity", {}, testing::all_parameters(mechanism));
+    design.x[design.binding.variables[mechanism.parameter("lift_off")]] = 8;
+    design.x[design.binding.variables[mechanism.parameter("speed")]] = 66;
+    testing::check_curves(mechanism, design, {5.0, 33.0, 60.0, 88.0, 256.0});
+  }
+}
+
+TEST_CASE("numbers of the balancing cam have exact derivatives", "[balancing-cam]") {
+  const TestDesign design = design_of(
+      balancing(), "constant-velocity", {},
+      {"inertia", "friction", "design_speed", "preload_ratio", "cone_height", "thickness"});
+  for (const auto& listed : balancing().responses) {
+    if (!listed.number) continue;
+    INFO(listed.name);
+    const auto function = response_of(balancing(), listed.name, design.binding).function();
+    // Small steps: with another design speed another peak soon is the greatest.
+    testing::check_derivatives(function, design.x, 1e-4, 1e-5);
+    const auto bounds = function.enclose(design.x);
+    const double value = function.value(design.x);
+    CHECK((bounds.lower <= value && value <= bounds.upper));
+    CHECK(bounds.upper - bounds.lower <= 1e-8 * std::abs(value));
+  }
+}
+
+TEST_CASE("the profile touches the roller and nothing of it lies deeper", "[balancing-cam]") {
+  const TestDesign design = design_of(balancing(), "constant-velocity", {}, {});
+  const auto x = response_of(balancing(), "profile_x", design.binding).curve().trace(design.x);
+  const auto y = response_of(balancing(), "profile_y", design.binding).curve().trace(design.x);
+  const PlanarBalancingCam<double> machine;
+  const BalancedTurn turn(machine);
+  for (const double degrees : {10.0, 52.0, 80.0, 200.0}) {
+    const double phi = degrees * kPi / 180;
+    const double height = 85 + 1e3 * turn.roller(phi < machine.engagement() ? 1 : 2, phi).s;
+    double nearest = 1e9;
+    for (int i = 0; i < 36000; ++i) {
+      const double at = i / 100.0;
+      const double px = x->at({at})[0], py = y->at({at})[0];
+      // The cam stands turned by phi; the roller on the frame's y axis.
+      const double fx = px * std::cos(phi) - py * std::sin(phi);
+      const double fy = px * std::sin(phi) + py * std::cos(phi);
+      nearest = std::min(nearest, std::hypot(fx, fy - height));
+    }
+    CHECK(nearest == Approx(25).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("the fewest springs are those of a loop over all",
+          "[balancing-cam][problem-files][heavy]") {
+  const BoundProblem bound = testing::shipped("balancing_cam/fewest_springs.toml");
+  const auto optimum = optim::optimise(bound.space());
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  const auto works = [](int springs) {
+    PlanarBalancingCam<double> machine;
+    machine.springs = springs;
+    const double range = surplus_of(machine.designed()).range;
+    // K grows with the preload here, and so does the deflection.
+    const auto deflected = [&](double psi) {
+      machine.preload_ratio = psi;
+      return machine.deflection(range) - 0.75 * machine.cone_height;
+    };
+    if (deflected(0.6) > 0) return false;
+    machine.preload_ratio = deflected(2) < 0 ? 2 : root_between(deflected, 0.6, 2);
+    return coefficient(machine) >= 9.1;
+  };
+  int springs = 40;
+  while (springs < 60 && !works(springs)) ++springs;
+  CHECK(optimum.found.assessment.objective.value == springs);
+}
+
+TEST_CASE("the least stress of the springs is that of a grid", "[balancing-cam][problem-files]") {
+  const auto optimum = optim::optimise(testing::shipped("balancing_cam/least_stress.toml").space());
+  CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  PlanarBalancingCam<double> machine;
+  machine.springs = 48;
+  double least = 1e18;
+  for (int i = 0; i <= 70; ++i) {
+    for (int k = 0; k <= 35; ++k) {
+      machine.preload_ratio = 0.6 + i / 50.0;
+      machine.cone_height = (0.65 + k / 100.0) * 1e-3;
+      const double f = machine.deflection(surplus_of(machine.designed()).range);
+      if (f > 0.75 * machine.cone_height || coefficient(machine) < 9.1) continue;
+      least = std::min(least, machine.spring().stress_lower_outer(f) * 1e-6);
+    }
+  }
+  CHECK(optimum.found.assessment.objective.value <= least * (1 + 1e-9));
+  CHECK(optimum.found.assessment.objective.value == Approx(least).epsilon(0.01));
+}
+
+TEST_CASE("the printed coefficients name the loads that they would need", "[balancing-cam]") {
+  const SystemReproduction result = reproduce_balancing_cam();
+  REQUIRE(result.values.size() == 2);
+  CHECK(result.unexplained == 2);
+  // Planar, 6 slots: the ratio named gives 7.82 on a grid.
+  const GenevaDrive<double, PlanarGeneva> drive{6, 1, 0.4553, 1};
+  double greatest = 0;
+  for (int i = 0; i <= 7200; ++i) {
+    const double phi = drive.engagement() * i / 7200;
+    greatest = std::max(greatest, drive.torque(drive.wheel(true, phi)));
+  }
+  CHECK(greatest * 6 == Approx(7.82).epsilon(1e-4));
+  CHECK(std::any_of(result.notes.begin(), result.notes.end(),
+                    [](const auto& note) { return note.starts_with("  6 slots: 0.4553"); }));
+}
+
+}  // namespace camlaw::problems::balancing_cam_test

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/conjugate_cam.h"
+
+#include "tests/machines/formulas/drawn_cam.h"
+
+namespace camlaw::conjugate_cam_test {
+
+using namespace testing;
+
+TEST_CASE("both rollers of a carriage stay on their cams at a fixed distance", "[cams]") {
+  for (const double offset : {0.0, 0.012, -0.008}) {
+    ConjugateCam<double> cam;
+    cam.offset = offset;
+    // The rollers as the frame has them, the second one below the shaft.
+    const double lowest = std::sqrt(0.05 * 0.05 - offset * offset), r = cam.roller_radius;
+    const auto roller = [&](double angle, double below) {
+      return on_cam({offset, lowest + motion_at(cam, angle).s - below}, angle);
+    };
+    std::vector<Point> main, second;
+    for (int i = 0; i < kAngles; ++i) {
+      const auto f = motion_at(cam, angle_of(i));
+      const auto [x, y] = cam.main().pitch_curve(f).inside(r).place();
+      main.push_back(on_cam({x, y}, angle_of(i)));
+      const auto [u, v] = cam.second().pitch_curve(cam.second_motion(f)).inside(r).place();
+      second.push_back(on_cam(-Point(u, v), angle_of(i)));
+    }
+    CHECK(nearest(second, 0) == Approx(cam.second_base_radius()).epsilon(1e-9));
+    for (int i = 0; i < kAngles; i += 60) {
+      CHECK(nearest(main, roller(angle_of(i), 0)) == Approx(r).epsilon(1e-5));
+      CHECK(nearest(second, roller(angle_of(i), cam.roller_distance)) == Approx(r).epsilon(1e-5));
+    }
+  }
+}
+
+TEST_CASE("the second cam of a pair has the angle and curvature of its drawn curve", "[cams]") {
+  ConjugateCam<double> cam;
+  cam.offset = 0.011;
+  const double lowest = cam.main().lowest_height();
+  const auto below = [&](double angle) {
+    return on_cam({cam.offset, lowest + motion_at(cam, angle).s - cam.roller_distance}, angle);
+  };
+  for (double angle = 0.1; angle < 6.2; angle += 0.2) {
+    const auto f = cam.second_motion(motion_at(cam, angle));
+    const double h = 1e-3, tiny = 1e-6;
+    const double bend = curvature_of(below(angle - h), below(angle), below(angle + h));
+    CHECK(cam.second().pitch_curve(f).curvature() == Approx(bend).epsilon(2e-3).margin(0.02));
+    const Point normal = Point(0, 1) * (below(angle + tiny) - below(angle - tiny));
+    const double alpha = std::arg(normal * std::polar(1.0, angle) / Point(0, -1));
+    CHECK(cam.second().pressure_angle(f) == Approx(alpha).margin(1e-7));
+  }
+}
+
+TEST_CASE("of a pair the cam bears that pushes the carriage, and gives its power", "[cams]") {
+  ConjugateCam<double> cam;
+  cam.offset = 0.009;
+  const double lowest = cam.main().lowest_height();
+  int of_main = 0, of_second = 0;
+  for (double angle = 0.1; angle < 6.2; angle += 0.1) {
+    const auto f = motion_at(cam, angle);
+    const double force = cam.follower().force(f), h = 1e-6;
+    if (force == 0) continue;
+    ++(force > 0 ? of_main : of_second);
+    const double below = force > 0 ? 0 : cam.roller_distance;
+    const auto at = [&](double a) {
+      return on_cam({cam.offset, lowest + motion_at(cam, a).s - below}, a);
+    };
+    const Point normal =
+        Point(0, 1) * (at(angle + h) - at(angle - h)) / std::abs(at(angle + h) - at(angle - h));
+    const Point push = std::abs(cam.contact_force(f)) * normal * std::polar(1.0, angle);
+    CHECK(push.imag() == Approx(force).epsilon(1e-6));
+    CHECK(cam.contact_force(f) * force > 0);
+    const Point place = at(angle) * std::polar(1.0, angle);
+    CHECK(std::imag(std::conj(place) * push) ==
+          Approx(cam.follower().torque(f)).margin(1e-6).epsilon(1e-5));
+    const double k = force > 0 ? cam.main().pitch_curve(f).curvature()
+                               : cam.second().pitch_curve(cam.second_motion(f)).curvature();
+    CHECK(cam.contact_stress(f) == Approx(cam.roller().stress(std::abs(push), k)).epsilon(1e-5));
+  }
+  CHECK((of_main > 10 && of_second > 10));
+}
+
+TEST_CASE("the second cam of a pair stands on its base circle when the carriage is up", "[cams]") {
+  ConjugateCam<double> cam;
+  cam.stroke = 0.018;
+  CHECK(cam.second_height() == Approx(0.14 - 0.05 - 0.018).epsilon(1e-14));
+  CHECK(cam.second_base_radius() == Approx(0.14 - 0.05 - 0.018 - 0.01).epsilon(1e-14));
+  const FollowerMotion<double> top{0.018, 0, 0, 0};
+  CHECK(cam.second().pitch_curve(cam.second_motion(top)).curvature() ==
+        Approx(1 / (0.14 - 0.05 - 0.018)).epsilon(1e-12));
+  CHECK(cam.is_possible());
+  cam.roller_distance = 0.07;  // the second roller would stand on the shaft
+  CHECK_FALSE(cam.is_possible());
+  cam.roller_distance = 0.077;  // its cam would have no radius
+  CHECK_FALSE(cam.is_possible());
+}
+
+}  // namespace camlaw::conjugate_cam_test

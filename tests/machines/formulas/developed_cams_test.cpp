@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Cams whose track is developed: end cams with a swinging arm, and plates.
+#include "machines/cams/linear_cam.h"
+#include "machines/cams/swinging_end_cam.h"
+#include "tests/machines/formulas/drawn_cam.h"
+
+namespace camlaw::developed_cams_test {
+namespace {
+
+using namespace testing;
+
+SwingingEndCam<double> tilted_cam(double tilt) {
+  SwingingEndCam<double> cam;
+  cam.tilt = tilt;
+  return cam;
+}
+
+const std::vector<SwingingEndCam<double>> kSwinging{tilted_cam(0), tilted_cam(0.3),
+                                                    tilted_cam(-0.25)};
+
+/// From the pivot; the arm lies along the circumference at mid-swing, but for the tilt.
+Point roller_of(const SwingingEndCam<double>& cam, double s) {
+  return -cam.arm_length * std::polar(1.0, -(cam.tilt + s - cam.swing / 2));
+}
+
+/// The same as the developed cam sees it, which slides to the left below.
+auto track_of(const SwingingEndCam<double>& cam) {
+  return
+      [&cam](double angle) { return roller_of(cam, motion_at(cam, angle).s) + cam.radius * angle; };
+}
+
+auto track_of(const LinearCam<double>& cam) {
+  return [&cam](double angle) {
+    return Point(cam.travel * angle / (2 * kPi), motion_at(cam, angle).s);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("a swinging end cam, developed and rolled back, gives the motion", "[cams]") {
+  for (const auto& cam : kSwinging) check_roller_cam(cam, track_of(cam));
+}
+
+TEST_CASE("the pressure angle of a swinging end cam lies between normal and way", "[cams]") {
+  for (const auto& cam : kSwinging) {
+    const auto track = track_of(cam);
+    const double h = 1e-6;
+    for (double angle = 0.1; angle < 6.2; angle += 0.2) {
+      const auto f = motion_at(cam, angle);
+      const Point normal = Point(0, 1) * (track(angle + h) - track(angle - h));
+      const Point way = roller_of(cam, f.s + h) - roller_of(cam, f.s - h);
+      CHECK(cam.pressure_angle(f) == Approx(std::arg(normal / way)).margin(1e-7));
+    }
+  }
+}
+
+TEST_CASE("cams that slide take the power that their followers give", "[cams]") {
+  // The cam yields along -x by its radius per radian.
+  for (const auto& cam : kSwinging) {
+    check_power(cam, track_of(cam),
+                [&](Point, Point normal) { return -cam.radius * normal.real(); });
+  }
+  const LinearCam<double> plate;
+  check_power(plate, track_of(plate),
+              [&](Point, Point normal) { return -plate.travel / (2 * kPi) * normal.real(); });
+}
+
+TEST_CASE("a long arm moves as a roller that slides along the cam's axis", "[cams]") {
+  EndCam<double> end;
+  SwingingEndCam<double> cam;
+  for (const double length : {1e2, 1e3}) {
+    cam.arm_length = length;
+    cam.swing = end.stroke / length;
+    cam.inertia = end.mass * length * length;
+    for (double angle = 0.1; angle < 6.2; angle += 0.2) {
+      const auto f = motion_at(cam, angle), g = motion_at(end, angle);
+      const double close = 1 / length;
+      CHECK(cam.pressure_angle(f) == Approx(end.pressure_angle(g)).margin(close));
+      CHECK(cam.pitch_curve(f).curvature() == Approx(end.pitch_curve(g).curvature()).margin(close));
+      CHECK(cam.contact_force(f) == Approx(end.contact_force(g)).margin(100 * close));
+    }
+  }
+}
+
+TEST_CASE("an arm on a straight track at rest sees no slope but its own tilt", "[cams]") {
+  for (const auto& cam : kSwinging) {
+    const FollowerMotion<double> still{cam.swing, 0, 0, 0};
+    CHECK(cam.pressure_angle(still) == Approx(cam.tilt + cam.swing / 2).epsilon(1e-14));
+    CHECK(cam.pitch_curve(still).curvature() == 0);
+  }
+}
+
+TEST_CASE("a cam plate, rolled back, gives the motion", "[cams]") {
+  const LinearCam<double> cam;
+  check_roller_cam(cam, track_of(cam));
+}
+
+TEST_CASE("a cam plate is an end cam of the radius travel / (2 pi)", "[cams]") {
+  LinearCam<double> cam;
+  EndCam<double> end;
+  end.radius = 0.06;
+  cam.travel = 2 * kPi * end.radius;
+  end.spring_rate = cam.spring_rate;
+  end.spring_preload = cam.spring_preload;
+  for (double angle = 0.1; angle < 6.2; angle += 0.2) {
+    const auto f = motion_at(cam, angle);
+    CHECK(cam.pressure_angle(f) == Approx(end.pressure_angle(f)).epsilon(1e-14));
+    CHECK(cam.pitch_curve(f).curvature() == Approx(end.pitch_curve(f).curvature()).epsilon(1e-12));
+    CHECK(cam.contact_force(f) == Approx(end.contact_force(f)).epsilon(1e-14));
+    // Force along the plate times its way is the follower's work.
+    CHECK(cam.plate_force(f) * end.radius == Approx(end.follower().torque(f)).epsilon(1e-13));
+    CHECK(cam.plate_force(f) ==
+          Approx(cam.contact_force(f) * std::sin(cam.pressure_angle(f))).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a roller on a plate with a circular hump rises as on the circle", "[cams]") {
+  // s = sqrt((rho + r)^2 - u^2) - c around the top, u = R phi: the pitch curve is the circle.
+  const LinearCam<double> cam;
+  const double whole = 0.04 + cam.roller_radius, R = cam.radius();
+  for (double phi = -0.5; phi < 0.51; phi += 0.1) {
+    const double u = R * phi, y = std::sqrt(whole * whole - u * u);
+    const FollowerMotion<double> f{y, -R * u / y, -R * R * whole * whole / (y * y * y), 0};
+    CHECK(cam.pitch_curve(f).curvature() == Approx(1 / whole).epsilon(1e-12));
+    CHECK(cam.roller().profile_curvature(cam.pitch_curve(f).curvature()) ==
+          Approx(1 / 0.04).epsilon(1e-11));
+    CHECK(std::sin(cam.pressure_angle(f)) == Approx(-u / whole).margin(1e-12));
+  }
+}
+
+TEST_CASE("developed cams that cannot be are said to be impossible", "[cams]") {
+  LinearCam<double> plate;
+  CHECK(plate.is_possible());
+  plate.travel = 0;
+  CHECK_FALSE(plate.is_possible());
+  SwingingEndCam<double> cam;
+  CHECK(cam.is_possible());
+  cam.tilt = kPi / 2 - 0.1;  // past square at the top
+  CHECK_FALSE(cam.is_possible());
+  cam = SwingingEndCam<double>();
+  cam.radius = 0;
+  CHECK_FALSE(cam.is_possible());
+}
+
+}  // namespace camlaw::developed_cams_test

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/leading_roller_cam.h"
+
+#include "machines/cams/roller_cam.h"
+#include "tests/machines/formulas/drawn_cam.h"
+
+namespace camlaw::leading_roller_cam_test {
+namespace {
+
+using namespace testing;
+
+auto arm_of(const SwingingRollerCam<double>& cam, double way) {
+  return [&cam, way](double angle) {
+    const double psi = cam.lowest_angle() + motion_at(cam, angle).s;
+    return on_cam(cam.pivot_distance - cam.arm_length * std::polar(1.0, -psi), way * angle);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("a swinging roller cam that turns the other way gives the motion too", "[cams]") {
+  const SwingingRollerCam<double> trailing;
+  check_roller_cam(trailing, arm_of(trailing, 1));
+  const LeadingRollerCam<double> leading;
+  // Drawn backwards, so that the curve runs clockwise again.
+  const auto track = arm_of(leading, -1);
+  const auto cam_at = [&](double angle) { return track(2 * kPi - angle); };
+  const double h = 1e-6, r = leading.roller_radius;
+  std::vector<Point> profile;
+  for (int i = 0; i < kAngles; ++i) {
+    const auto [x, y] = leading.pitch_curve(motion_at(leading, angle_of(i))).inside(r).place();
+    profile.push_back(on_cam({x, y}, -angle_of(i)));
+  }
+  for (int i = 45; i < kAngles; i += 110) {
+    const double angle = angle_of(i), back = 2 * kPi - angle;
+    const auto f = motion_at(leading, angle);
+    const double bend = curvature_of(cam_at(back - 1e-3), cam_at(back), cam_at(back + 1e-3));
+    CHECK(leading.pitch_curve(f).curvature() == Approx(bend).epsilon(2e-3).margin(0.02));
+    CHECK(nearest(profile, track(angle)) == Approx(r).epsilon(1e-5));
+    // The way is square to the arm, away from the cam; signed as the slope of the rise.
+    const Point normal =
+        Point(0, 1) * (cam_at(back + h) - cam_at(back - h)) * std::polar(1.0, -angle);
+    const Point way = Point(0, 1) * std::polar(1.0, -(leading.lowest_angle() + f.s));
+    CHECK(leading.pressure_angle(f) == Approx(std::arg(way / normal)).margin(1e-7));
+    // Power: the force turns the cam, which turns the other way now.
+    const Point place = track(angle) * std::polar(1.0, -angle);
+    const double lever = -std::imag(std::conj(place) * normal / std::abs(normal));
+    CHECK(leading.follower().torque(f) ==
+          Approx(lever * leading.contact_force(f)).margin(1e-6).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a negative offset is the other rotation of a translating follower", "[cams]") {
+  RollerCam<double> one, other;
+  one.offset = 0.012;
+  other.offset = -0.012;
+  // Turned the other way the cam carries the mirrored point with the mirrored angle.
+  for (double angle = 0.1; angle < 6.2; angle += 0.3) {
+    const auto f = motion_at(one, angle);
+    const auto w = other.pitch_curve(f);
+    const Point mirrored = -std::conj(on_cam({w.x, w.y}, angle));
+    const Point turned = on_cam({one.offset, one.lowest_height() + f.s}, -angle);
+    CHECK(std::abs(mirrored - turned) < 1e-15);
+  }
+}
+
+}  // namespace camlaw::leading_roller_cam_test

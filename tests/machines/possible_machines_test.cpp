@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What decides whether there is a machine decides for all of its responses, wherever a search
+// began.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "machines/registry.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+#include "tests/machines/mechanism_fixture.h"
+
+namespace camlaw::problems::possible_machines_test {
+namespace {
+
+using testing::response_of;
+
+/// A response as a function of the design; of a curve, at some place.
+optim::Function function_at(const optim::Response& response, const std::string& along) {
+  return response.is_curve() ? response.curve().at({along == "deg" ? 100.3 : 0.37})
+                             : response.function();
+}
+
+/// Parameters about typical ones: most machines of theirs are possible, some are not.
+std::vector<double> some_parameters(const Mechanism& mechanism, std::mt19937& random) {
+  std::uniform_real_distribution<double> even(-1, 1);
+  std::vector<double> result;
+  for (const MechanismParameter& p : mechanism.parameters) {
+    const double typical = p.standard != 0 ? p.standard : 0.31 * std::min(1.0, p.high);
+    result.push_back(std::clamp(typical * std::exp(1.5 * even(random)), p.low, p.high));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a response is the same wherever the parameters that vary began", "[mechanism]") {
+  std::mt19937 random(20261124);
+  const auto law =
+      std::make_shared<const LawBinding>(find_law("cycloidal"), std::vector<LawVariable>{});
+  int impossible = 0;
+  for (const Mechanism& mechanism : mechanisms()) {
+    for (int i = 0; i < 12; ++i) {
+      const std::vector<double> began = some_parameters(mechanism, random);
+      const std::vector<double> design = some_parameters(mechanism, random);
+      Binding varying{began, {}, {}, law};
+      for (std::size_t k = 0; k < design.size(); ++k) {
+        varying.parameters.push_back(k);
+        varying.variables.push_back(k);
+      }
+      const Binding fixed{design, {}, {}, law};
+      for (const MechanismResponse& response : mechanism.responses) {
+        INFO(mechanism.name << ": " << response.name);
+        const auto moving = response_of(mechanism, response.name, varying);
+        const auto still = response_of(mechanism, response.name, fixed);
+        const double a = function_at(moving, response.along).value(design);
+        const double b = function_at(still, response.along).value({});
+        REQUIRE(std::isnan(a) == std::isnan(b));
+        if (std::isnan(a)) {
+          ++impossible;
+          continue;
+        }
+        CHECK(a == Approx(b).epsilon(1e-9).margin(1e-12));
+      }
+    }
+  }
+  CHECK(impossible > 100);
+}
+
+TEST_CASE("a search begins where the machine is possible if its start is not", "[optimise]") {
+  const std::string motion = R"(
+[[program.segments]]
+angle = 110
+law = "cycloidal"
+[[program.segments]]
+angle = 50
+[[program.segments]]
+angle = 120
+law = "modified-sine"
+[[program.segments]]
+)";
+  SECTION("the objective does not depend on what makes the start impossible") {
+    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-swinging-roller"
+[constants]
+swing = 20
+)" + motion + R"(
+[variables.arm_length]
+lower = 50
+upper = 150
+start = 50
+[variables.pivot_distance]
+lower = 60
+upper = 200
+start = 200
+[objective]
+minimize = "torque_rms"
+[[constraints]]
+response = "peak_pressure_angle"
+upper = 28
+[[constraints]]
+response = "undercut"
+upper = 0.7
+)",
+                                            "test"));
+    const optim::Optimum optimum = optim::optimise(problem.space());
+    INFO(optimum.found.assessment.reason);
+    CHECK(optim::is_feasible(optimum.found.assessment));
+  }
+  SECTION("almost all of the box is impossible") {
+    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-swinging-roller"
+)" + motion + R"(
+[variables.base_radius]
+lower = 0.001
+upper = 100000
+start = 100000
+[objective]
+minimize = "base_radius"
+[[constraints]]
+response = "pressure_angle"
+lower = -35
+upper = 35
+)",
+                                            "test"));
+    const optim::Optimum optimum = optim::optimise(problem.space());
+    INFO(optimum.found.assessment.reason);
+    CHECK(optimum.found.assessment.verdict == optim::Verdict::Certified);
+  }
+}
+
+}  // namespace camlaw::problems::possible_machines_test

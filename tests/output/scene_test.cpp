@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// Scenes of reports: every body, moved as motion.js moves it, is where the model has it.
+#include "output/report/scene.h"
+
+#include <algorithm>
+#include <boost/property_tree/xml_parser.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+#include "problems/statement/statement.h"
+
+namespace camlaw::cli::scene_test {
+namespace {
+
+using boost::property_tree::ptree;
+
+constexpr int kSamples = 360;
+constexpr int kPlaces[] = {0, 17, 90, 123, 180, 251, 270, 333, 360};
+constexpr double kDegree = std::numbers::pi / 180;
+
+double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+double distance_to_segment(Point p, Point from, Point to) {
+  const double x = to.x - from.x, y = to.y - from.y, square = x * x + y * y;
+  if (square == 0) return distance(p, from);
+  const double t = std::clamp(((p.x - from.x) * x + (p.y - from.y) * y) / square, 0.0, 1.0);
+  return distance(p, {from.x + t * x, from.y + t * y});
+}
+
+double distance_to_path(Point p, const std::vector<Point>& path) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    least = std::min(least, distance_to_segment(p, path[i - 1], path[i]));
+  }
+  return least;
+}
+
+/// The words of a text between separators.
+std::vector<std::string> parts(const std::string& text, const std::string& separator) {
+  std::vector<std::string> result;
+  std::size_t from = 0;
+  for (std::size_t at = 0; (at = text.find(separator, from)) != std::string::npos;) {
+    result.push_back(text.substr(from, at - from));
+    from = at + separator.size();
+  }
+  result.push_back(text.substr(from));
+  return result;
+}
+
+/// A shape of a scene: the points of a line or path, the middle of a circle.
+struct Shape {
+  std::string kind;  ///< its class
+  std::vector<Point> points;
+  double radius = 0;
+};
+
+struct Body {
+  std::string name, motion;
+  std::vector<Shape> shapes;
+};
+
+Shape shape_of(const std::string& tag, const ptree& tree) {
+  const auto number = [&](const char* key) {
+    return tree.get<double>(std::string("<xmlattr>.") + key);
+  };
+  Shape shape{tree.get<std::string>("<xmlattr>.class"), {}};
+  if (tag == "circle") {
+    shape.points = {{number("cx"), number("cy")}};
+    shape.radius = number("r");
+  } else if (tag == "line") {
+    shape.points = {{number("x1"), number("y1")}, {number("x2"), number("y2")}};
+  } else {
+    std::string text = tree.get<std::string>("<xmlattr>.d");
+    const bool closed = text.back() == 'Z';
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == 'M' || c == 'L' || c == 'Z'; }, ' ');
+    std::istringstream numbers(text);
+    for (Point p; numbers >> p.x >> p.y;) shape.points.push_back(p);
+    if (closed) shape.points.push_back(shape.points.front());
+  }
+  return shape;
+}
+
+/// A scene as a page has it, to be looked at anywhere in its cycle.
+class Picture {
+ public:
+  explicit Picture(const problems::ProblemStatement& design) : curves_(design, kSamples) {
+    std::istringstream svg(scene_of(design, kSamples).value().svg());
+    ptree tree;
+    read_xml(svg, tree, boost::property_tree::xml_parser::trim_whitespace);
+    for (const auto& [tag, child] : tree.get_child("svg.g")) {
+      if (tag == "g") add_body(child);
+    }
+  }
+
+  const SceneCurves& curves() const { return curves_; }
+  /// What the curve has at a place.
+  double value(const std::string& curve, int place) const {
+    return curves_.values(curve)[static_cast<std::size_t>(place)];
+  }
+  const Body& body(const std::string& name) const {
+    const auto at = std::find_if(bodies_.begin(), bodies_.end(),
+                                 [&](const Body& b) { return b.name.starts_with(name); });
+    if (at == bodies_.end()) throw std::runtime_error("no body " + name);
+    return *at;
+  }
+  /// The shapes of a kind, moved to the place.
+  std::vector<Shape> shapes(const std::string& body_name, const std::string& kind,
+                            int place) const {
+    const Body& of = body(body_name);
+    std::vector<Shape> result;
+    for (Shape shape : of.shapes) {
+      if (shape.kind != kind) continue;
+      for (Point& p : shape.points) p = moved(of, p, place);
+      result.push_back(std::move(shape));
+    }
+    if (result.empty()) throw std::runtime_error("no " + kind + " in " + body_name);
+    return result;
+  }
+  Shape shape(const std::string& body_name, const std::string& kind, int place) const {
+    return shapes(body_name, kind, place).front();
+  }
+
+ private:
+  void add_body(const ptree& tree) {
+    Body body{tree.get<std::string>("title"), tree.get("<xmlattr>.data-motion", ""), {}};
+    for (const auto& [tag, child] : tree) {
+      if (tag == "circle" || tag == "line" || tag == "path") {
+        body.shapes.push_back(shape_of(tag, child));
+      }
+    }
+    bodies_.push_back(std::move(body));
+  }
+  /// As stepAt of motion.js.
+  Point stepped(const std::string& step, Point p, int place) const {
+    std::istringstream words(step);
+    std::string kind, curve;
+    double drawn = 0, factor = 0, x = 0, y = 0, phase = 0;
+    words >> kind >> curve >> drawn >> factor >> x >> y >> phase;
+    if (!words) throw std::runtime_error("no step: " + step);
+    const double now = curve == "cycle" ? 360.0 * place / kSamples : value(curve, place);
+    const double by = factor * (now - drawn);
+    if (kind == "slide") return {p.x + by * x, p.y + by * y};
+    if (kind == "harmonic") {
+      const double gained = std::sin((phase + by) * kDegree) - std::sin(phase * kDegree);
+      return {p.x + gained * x, p.y + gained * y};
+    }
+    if (kind != "turn") throw std::runtime_error("no motion " + kind);
+    const double c = std::cos(by * kDegree), s = std::sin(by * kDegree);
+    return {x + c * (p.x - x) - s * (p.y - y), y + s * (p.x - x) + c * (p.y - y)};
+  }
+  Point moved(const Body& body, Point p, int place) const {
+    if (body.motion.empty()) return p;
+    const std::vector<std::string> steps = parts(body.motion, "; ");
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) p = stepped(*step, p, place);
+    return p;
+  }
+
+  SceneCurves curves_;
+  std::vector<Body> bodies_;
+};
+
+problems::ProblemStatement shipped(const std::string& name) {
+  return problems::read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name +
+                                     ".toml");
+}
+
+/// A roller touches the drawn profile all through the cycle.
+void check_touches(const Picture& picture, const std::string& follower, const std::string& cam) {
+  constexpr double kRounding = 0.03;  // mm, of coordinates and of chords
+  for (const int place : kPlaces) {
+    INFO(place);
+    const Shape roller = picture.shape(follower, "roller", place);
+    const Shape profile = picture.shape(cam, "cam", place);
+    CHECK(distance_to_path(roller.points[0], profile.points) ==
+          Approx(roller.radius).margin(kRounding));
+  }
+}
+
+TEST_CASE("drawn rollers stay on their cams", "[cli][report]") {
+  for (const char* name : {"roller_least_base", "conjugate_least_distance", "leading_least_base",
+                           "swinging_least_peak_angle", "linear_least_travel", "end_rise_share",
+                           "swinging_end_least_radius"}) {
+    INFO(name);
+    const Picture picture(shipped("cams/" + std::string(name)));
+    const std::string mechanism = shipped("cams/" + std::string(name)).mechanism->name;
+    const bool arm = mechanism.find("swinging") != std::string::npos ||
+                     mechanism.find("leading") != std::string::npos;
+    const bool carriage = mechanism == "disc-cam-conjugate";
+    check_touches(picture, arm ? "arm" : carriage ? "carriage" : "roller", "cam");
+  }
+}
+
+TEST_CASE("the second roller of a drawn conjugate cam stays on the second cam", "[cli][report]") {
+  const Picture picture(shipped("cams/conjugate_least_distance"));
+  for (const int place : kPlaces) {
+    const Shape lower = picture.shapes("carriage", "roller", place)[1];
+    const Shape second = picture.shape("cam", "cam second", place);
+    CHECK(distance_to_path(lower.points[0], second.points) == Approx(lower.radius).margin(0.03));
+  }
+}
+
+TEST_CASE("drawn edges and faces touch their cams and no more", "[cli][report]") {
+  const auto least = [](const Shape& face, const Shape& cam) {
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Point& p : cam.points) gap = std::min(gap, distance_to_path(p, face.points));
+    return gap;
+  };
+  const Picture knife(shipped("cams/knife_convex_base"));
+  const Picture flat(shipped("cams/flat_least_base"));
+  const Picture arm(shipped("cams/swinging_flat_least_base"));
+  constexpr double kRounding = 0.03, kSampled = 0.2;  // mm; the cam's samples are apart
+  for (const int place : kPlaces) {
+    INFO(place);
+    const Shape edge = knife.shape("knife", "roller", place);
+    CHECK(distance_to_path(edge.points[0], knife.shape("cam", "cam", place).points) < kRounding);
+    const Shape face = flat.shape("flat face", "face", place);
+    const Shape cam = flat.shape("cam", "cam", place);
+    CHECK(least(face, cam) < kSampled);
+    for (const Point& p : cam.points) CHECK(p.y < face.points[0].y + kRounding);
+    CHECK(least(arm.shape("arm", "face", place), arm.shape("cam", "cam", place)) < kSampled);
+  }
+}
+
+TEST_CASE("a mark on its way is where the displacement says", "[cli][report]") {
+  const Picture picture(shipped("spine_cutter/least_radius"));
+  for (const int place : kPlaces) {
+    const std::vector<Point> mark = picture.shape("follower", "roller", place).points;
+    CHECK((mark[0].x + mark[1].x) / 2 == Approx(picture.value("displacement", place)).margin(0.02));
+  }
+}
+
+TEST_CASE("a drawn balancing cam lifts its roller as the model says", "[cli][report]") {
+  for (const char* name : {"balancing-cam", "balancing-cam-spherical"}) {
+    INFO(name);
+    const Picture picture(problems::read_problem(
+        "mechanism = '" + std::string(name) + "'\n[constants]\nbase_radius = '50 mm'\n", "test"));
+    check_touches(picture, "roller", "cam");
+    for (const int place : kPlaces) {
+      const Point centre = picture.shape("roller", "roller", place).points[0];
+      CHECK(centre.x == 0);
+      CHECK(centre.y == Approx(75 + picture.value("roller_displacement", place)).margin(1e-3));
+    }
+  }
+}
+
+TEST_CASE("the pin of a drawn Geneva runs in a slot while the wheel moves", "[cli][report]") {
+  const Picture picture(shipped("geneva/fastest"));
+  int engaged = 0;
+  for (int place = 0; place <= kSamples; place += 5) {
+    INFO(place);
+    const Shape pin = picture.shape("driver", "roller", place);
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Shape& slot : picture.shapes("wheel", "roller", place)) {
+      gap = std::min(gap, distance_to_path(pin.points[0], slot.points) - pin.radius);
+    }
+    if (picture.value("wheel_velocity", place) == 0) continue;
+    ++engaged;
+    CHECK(gap == Approx(0).margin(0.1));  // of chords round the slot's end
+  }
+  CHECK(engaged > 10);
+}
+
+TEST_CASE("both views of a drawn spherical Geneva have the pin in one place on its sphere",
+          "[cli][report]") {
+  constexpr double kRadius = 100, kMiddle = 230;
+  for (const int slots : {3, 6, 8}) {
+    INFO(slots);
+    const Picture picture(problems::read_problem(
+        "mechanism = 'geneva-spherical'\n[constants]\nslots = " + std::to_string(slots) + "\n",
+        "test"));
+    for (int place = 0; place <= kSamples; place += 5) {
+      INFO(place);
+      const Point above = picture.shape("pin, seen", "pin", place).points[0];
+      const Point beside = picture.shape("driver, seen", "pin", place).points[0];
+      CHECK(above.y == Approx(beside.y).margin(2e-3));
+      CHECK(std::hypot(above.x, above.y, beside.x - kMiddle) == Approx(kRadius).margin(2e-3));
+      if (picture.value("wheel_velocity", place) == 0) continue;
+      double gap = kRadius;
+      for (const Shape& slot : picture.shapes("wheel", "arm", place)) {
+        gap = std::min(gap, distance_to_path(above, slot.points));
+      }
+      CHECK(gap == Approx(0).margin(2e-3));
+    }
+  }
+}
+
+problems::ProblemStatement feeder(const std::string& offset) {
+  return problems::read_problem(
+      "mechanism = 'signature-feeder'\n[constants]\noffset = '" + offset + "'\n", "test");
+}
+
+TEST_CASE("a drawn feeder's crank, rack and guide meet as the model has them", "[cli][report]") {
+  for (const char* offset : {"0 mm", "45 mm", "52 mm"}) {
+    INFO(offset);
+    const Picture picture(feeder(offset));
+    const Point centre = picture.shape("centres", "pivot", 0).points[0], o2{702, 0};
+    CHECK(distance(centre, {0, 0}) == 0);
+    for (const int place : kPlaces) {
+      INFO(place);
+      const double phi = place * kDegree;
+      const Shape rack = picture.shape("rack", "face", place);
+      const Shape guide = picture.shape("guide", "arm", place);
+      const Point pin{92 * std::cos(phi), 92 * std::sin(phi)}, foot = guide.points[1];
+      CHECK(distance(picture.shape("crank", "joint", place).points[0], pin) < 2e-3);
+      CHECK(distance(picture.shape("rack", "joint", place).points[0], pin) < 2e-3);
+      CHECK(distance(rack.points[0], pin) < 2e-3);
+      CHECK(distance(guide.points[0], o2) < 2e-3);
+      CHECK(distance_to_path(foot, rack.points) < 2e-3);
+      CHECK(distance(foot, o2) == Approx(std::stod(offset)).margin(2e-3));
+      CHECK(distance(foot, pin) == Approx(picture.value("guide_length", place)).margin(2e-3));
+    }
+  }
+}
+
+TEST_CASE("a drawn feeder's rack rolls on its pinion where they mesh", "[cli][report]") {
+  const Picture picture(feeder("45 mm"));
+  const Point o2{702, 0};
+  const auto direction = [&](Point to) { return std::atan2(to.y - o2.y, to.x - o2.x); };
+  // Where they touch: so far from the rack's pin, and at this angle of the pinion.
+  const auto rolled = [&](int place) {
+    const Point touching = picture.shape("guide", "arm", place).points[1];
+    const Point mark = picture.shape("pinion", "mark", place).points[1];
+    const double angle = std::remainder(direction(touching) - direction(mark) +
+                                            picture.value("drum_angle", place) * kDegree,
+                                        2 * std::numbers::pi) -
+                         picture.value("drum_angle", place) * kDegree;
+    return distance(picture.shape("rack", "face", place).points[0], touching) + 45 * angle;
+  };
+  for (const int place : kPlaces) CHECK(rolled(place) == Approx(rolled(0)).margin(5e-3));
+}
+
+}  // namespace
+}  // namespace camlaw::cli::scene_test
