@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What the house measures: benchmarks/house.py [TREE] [--build FOLDER]
+
+Prints, for a checkout (this one where none is named), a line for each room: files, statements, lines
+of code and of comments, the longest file and how many have more than 400 lines; then the
+cycles in which folders include one another. With --build FOLDER (a build by Ninja) also objects, the seconds that they took and the weak
+symbols in them.
+"""
+import argparse
+import collections
+import pathlib
+import re
+import subprocess
+
+ROOMS = ["numerics", "kinematics", "optim", "machines", "problems", "fitting", "output", "cli"]
+OTHERS = ["tests", "benchmarks", "examples"]
+TOKENS = re.compile(
+    r'R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*(?s:.*?)\*/')
+
+
+def sources(tree, room):
+    return sorted(p for p in (tree / room).rglob("*") if p.suffix in (".h", ".cpp"))
+
+
+def without_comments(text):
+    """The text without comments and with empty strings, and the lines that hold comments."""
+    comments = 0
+
+    def replaced(match):
+        nonlocal comments
+        token = match.group(0)
+        if token.startswith(("//", "/*")):
+            comments += token.count("\n") + 1
+            return "\n" * token.count("\n")
+        return '""' + "\n" * token.count("\n")
+
+    return TOKENS.sub(replaced, text), comments
+
+
+def statements(code):
+    """Semicolons outside of for's parentheses, and blocks of control."""
+    code = re.sub(r"\bfor \([^{};]*;[^{};]*;", "for (", code)
+    return code.count(";") + len(re.findall(r"\b(?:if|for|while|switch|else|case)\b", code))
+
+
+def circles(edges):
+    """Sets of folders that include one another, by Tarjan's strongly connected components."""
+    index, low, stack, result = {}, {}, [], []
+
+    def visit(folder):
+        index[folder] = low[folder] = len(index)
+        stack.append(folder)
+        for to in edges.get(folder, ()):
+            if to not in index:
+                visit(to)
+                low[folder] = min(low[folder], low[to])
+            elif to in stack:
+                low[folder] = min(low[folder], index[to])
+        if low[folder] == index[folder]:
+            part = stack[stack.index(folder):]
+            del stack[stack.index(folder):]
+            if len(part) > 1:
+                result.append(sorted(part))
+
+    for folder in list(edges):
+        if folder not in index:
+            visit(folder)
+    return result
+
+
+def table(tree):
+    print(f"{'room':<12}{'files':>6}{'statements':>12}{'code':>8}{'comments':>10}{'share':>7}"
+          f"{'longest':>9}{'> 400':>7}")
+    total = collections.Counter()
+    for room in ROOMS + OTHERS:
+        if not (tree / room).is_dir():
+            continue
+        row, longest = collections.Counter(), 0
+        for path in sources(tree, room):
+            text = path.read_text()
+            code, comments = without_comments(text)
+            lines = text.count("\n")
+            longest = max(longest, lines)
+            row.update(files=1, statements=statements(code), comments=comments,
+                       code=sum(1 for line in code.splitlines() if line.strip()),
+                       long=int(lines > 400))
+        if room in ROOMS:
+            total.update(row)
+        print_row(room, row, longest)
+    print_row("product", total, 0)
+
+
+def print_row(name, row, longest):
+    share = row["comments"] / max(1, row["comments"] + row["code"])
+    print(f"{name:<12}{row['files']:>6}{row['statements']:>12}{row['code']:>8}"
+          f"{row['comments']:>10}{share:>7.1%}{longest or '':>9}{row['long']:>7}")
+
+
+def folder_circles(tree):
+    edges = collections.defaultdict(set)
+    for room in ROOMS:
+        for path in sources(tree, room) if (tree / room).is_dir() else []:
+            here = path.parent.relative_to(tree).as_posix()
+            for to in re.findall(r'#include "([^"]+)"', path.read_text()):
+                there = pathlib.PurePosixPath(to).parent.as_posix()
+                if there != here and (tree / to).is_file():
+                    edges[here].add(there)
+    return circles(edges)
+
+
+def built(build):
+    latest = {}  # of an object that was built again
+    for line in (build / ".ninja_log").read_text().splitlines()[1:]:
+        begin, end, _, output, _ = line.split("\t")
+        if output.endswith(".o") and (build / output).is_file():
+            latest[output] = (int(end) - int(begin)) / 1000
+    seconds = collections.Counter()
+    objects = collections.Counter(output.split("/")[0] for output in latest)
+    for output, taken in latest.items():
+        seconds[output.split("/")[0]] += taken
+    print(f"\n{'built':<12}{'objects':>8}{'seconds':>9}")
+    for room, count in objects.items():
+        print(f"{room:<12}{count:>8}{seconds[room]:>9.0f}")
+    weak, distinct = 0, set()
+    for room in ROOMS:
+        for path in (build / room).rglob("*.o"):
+            listing = subprocess.run(["nm", "--defined-only", path], capture_output=True, text=True)
+            names = [l.split()[2] for l in listing.stdout.splitlines() if l.split()[1] in "WVu"]
+            weak += len(names)
+            distinct.update(names)
+    print(f"weak symbols: {weak} emitted, {len(distinct)} distinct")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("tree", nargs="?", default=pathlib.Path(__file__).parents[1],
+                        type=pathlib.Path)
+    parser.add_argument("--build", type=pathlib.Path, help="a build folder of Ninja")
+    arguments = parser.parse_args()
+    table(arguments.tree)
+    found = folder_circles(arguments.tree)
+    print(f"\ninclude cycles of folders: {len(found)}")
+    for circle in found:
+        print("  " + " ".join(circle))
+    if arguments.build:
+        built(arguments.build)
+
+
+if __name__ == "__main__":
+    main()
