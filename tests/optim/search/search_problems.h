@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -87,24 +88,31 @@ class Observed final : public Kernel {
       : f_(std::move(f)), before_(std::move(before)) {}
   double value(std::span<const double> u) const override {
     before_(u);
-    return f_.value(u);
+    return f_.value(design_of(u));
   }
   double gradient(std::span<const double> u, std::span<double> g) const override {
     before_(u);
-    return f_.gradient(u, g);
+    return f_.gradient(design_of(u), g);
   }
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
     before_(u);
-    return f_.hessian(u, g, h);
+    return f_.hessian(design_of(u), g, h);
   }
 
  private:
+  /// A design with these values of the function's inputs.
+  std::vector<double> design_of(std::span<const double> u) const {
+    const std::vector<std::size_t>& inputs = f_.inputs();
+    std::vector<double> x(1 + *std::max_element(inputs.begin(), inputs.end()));
+    for (std::size_t k = 0; k < inputs.size(); ++k) x[inputs[k]] = u[k];
+    return x;
+  }
+
   Function f_;
   std::function<void(std::span<const double>)> before_;
 };
 
-/// f is of all variables, in their order.
 inline Function observed(Function f, std::function<void(std::span<const double>)> before) {
   std::vector<std::size_t> inputs = f.inputs();
   return Function(std::move(inputs), std::make_shared<Observed>(std::move(f), std::move(before)));
