@@ -105,7 +105,9 @@ TEST_CASE("a file's mechanism must be there and known", "[statement]") {
 
 TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
   check({{"mechanism = 'spine-cutter'\nlaws = 3", ":2: laws: unknown key", {"did you mean law?"}},
-         {"zzz = 3", ":1: zzz: unknown key", {"accepted are format, title, mechanism, constants, law"}}});
+         {"zzz = 3",
+          ":1: zzz: unknown key",
+          {"accepted are format, title, mechanism, constants, law"}}});
   check(after_law(
       kAlpha,
       {{variable("alpha", "lwoer = 1"), ":5: variables.alpha.lwoer: ", {"lower"}},
