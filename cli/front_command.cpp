@@ -8,7 +8,6 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
-#include "numerics/text/file_format.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
@@ -69,7 +68,7 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
 /// A point as a result that stands alone, for report and export.
 Json point_result(const FrontAnswer& answer, std::size_t k) {
   const optim::FrontPoint& point = answer.front.points[k];
-  Json object = {{"format", kResultFormat.text()}, {"program", short_version()}};
+  Json object = {{"format", problems::kResultFormat.text()}, {"program", short_version()}};
   object.update(point_json(answer, k));
   object["design"] = problems::recorded_design(answer.study.bound(),
                                                answer.study.space().options(point.part), point.x);

@@ -17,8 +17,4 @@ struct FileFormat {
   void check(std::string_view stated) const;
 };
 
-inline constexpr FileFormat kProblemFormat{"camlaw problem", 1};
-inline constexpr FileFormat kResultFormat{"camlaw result", 1};
-inline constexpr FileFormat kLawFormat{"camlaw law", 1};
-
 }  // namespace camlaw

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/text/file_format.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
@@ -266,7 +265,7 @@ Json answer_json(const Answer& answer) {
                       {"multiplier", to_json(v.multiplier)}});
   }
   return {
-      {"format", kResultFormat.text()},
+      {"format", problems::kResultFormat.text()},
       {"program", short_version()},
       {"title", answer.bound.statement().title},
       {"status", optim::to_string(found.status)},

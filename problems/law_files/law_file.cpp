@@ -10,7 +10,6 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
-#include "numerics/text/file_format.h"
 #include "numerics/text/file_text.h"
 #include "numerics/text/names.h"
 

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "numerics/text/file_format.h"
 #include "numerics/text/file_text.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/choices.h"

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "numerics/text/file_format.h"
 #include "problems/law_files/pieces_json.h"
 #include "problems/results/stated_numbers.h"
 #include "problems/statement/bind.h"
@@ -13,6 +14,8 @@
 /// A design as a result keeps it, so that the result stands alone: the text of the problem, the law
 /// files that it names, and what was chosen (docs/problem-files.md, "Answers").
 namespace camlaw::problems {
+
+inline constexpr FileFormat kResultFormat{"camlaw result", 1};
 
 /// The object that a result has under "design": `source` (the file's name), `problem` (its text),
 /// `set` (what was set beside it, as set_values takes it), `law_files` by name, `law` where there

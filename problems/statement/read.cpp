@@ -11,6 +11,8 @@
 namespace camlaw::problems {
 namespace {
 
+constexpr FileFormat kProblemFormat{"camlaw problem", 1};
+
 std::string known_mechanisms() {
   std::string names;
   for (const Mechanism& mechanism : mechanisms()) {

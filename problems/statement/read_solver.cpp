@@ -15,22 +15,11 @@
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
-namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
-
-}  // namespace
 
 std::string find_solver_name(std::string_view typed) {
   std::vector<std::string> known = optim::solver_names();
   known.insert(known.begin(), "auto");
-  const std::string wanted = lower_case(typed);
+  const std::string wanted = folded(typed);
   if (std::find(known.begin(), known.end(), wanted) != known.end()) return wanted;
   const auto near = near_names(wanted, known);
   throw std::invalid_argument(

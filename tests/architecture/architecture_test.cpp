@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/temporary_folder.h"
 
 /// The rules that docs/design.md, "Rooms", states of the house, read from its sources.
 namespace camlaw::architecture_test {
@@ -59,12 +59,6 @@ struct Include {
 std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
 std::string room_of(const std::string& file) { return file.substr(0, file.find('/')); }
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /// The sources of a folder, from the root.
 std::vector<std::string> sources_of(const std::string& folder) {
   std::vector<std::string> files;
@@ -92,7 +86,7 @@ std::vector<Include> includes_of(const std::vector<std::string>& files) {
   static const std::regex line(R"(#include ([<"])([^>"]+)[>"])");
   std::vector<Include> all;
   for (const std::string& file : files) {
-    const std::string text = text_of(fs::path(CAMLAW_SOURCE_DIR) / file);
+    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / file);
     for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
       all.push_back({file, (*i)[2], (*i)[1] == "\""});
     }
@@ -105,7 +99,7 @@ std::vector<Include> includes() { return includes_of(sources()); }
 /// The words of a file, without brackets.
 Names words_of(const fs::path& file) {
   static const std::regex word(R"([^\s()]+)");
-  const std::string text = text_of(file);
+  const std::string text = testing::read(file);
   Names words;
   for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) {
     words.insert(i->str());

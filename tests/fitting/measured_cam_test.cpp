@@ -13,6 +13,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/standard_machine.h"
+#include "tests/fitting/measured_machine.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
 
@@ -27,24 +28,6 @@ constexpr double kPi = std::numbers::pi;
 struct Point {
   double x, y, angle;  ///< mm, of the cam in deg
 };
-
-/// A dwell-rise-dwell-return cam of a mechanism, with its standard sizes but for `sizes`.
-ProblemStatement machine_of(const std::string& mechanism, const std::string& sizes = "") {
-  return read_problem("mechanism = '" + mechanism + "'\n[constants]\n" + sizes + R"(
-[[program.segments]]
-angle = "50 deg"
-[[program.segments]]
-angle = "100 deg"
-law = "modified-sine"
-[[program.segments]]
-angle = "60 deg"
-[[program.segments]]
-angle = "110 deg"
-law = "cycloidal"
-[[program.segments]]
-)",
-                      "cam.toml");
-}
 
 const optim::Curve& curve_of(const std::vector<optim::Response>& curves, const std::string& name) {
   for (const optim::Response& curve : curves) {

@@ -16,6 +16,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
+#include "tests/fitting/measured_machine.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
 
@@ -67,23 +68,6 @@ MotionRecord rise(int rows, double noise, unsigned seed) {
 std::vector<Member> few_laws() {
   return {find_law("modified-sine"), find_law("cycloidal"), find_law("poly-3-4-5"),
           find_law("modified-trapezoid")};
-}
-
-ProblemStatement machine_of(const std::string& mechanism, const std::string& sizes) {
-  return read_problem("mechanism = '" + mechanism + "'\n[constants]\n" + sizes + R"(
-[[program.segments]]
-angle = "50 deg"
-[[program.segments]]
-angle = "100 deg"
-law = "modified-sine"
-[[program.segments]]
-angle = "60 deg"
-[[program.segments]]
-angle = "110 deg"
-law = "cycloidal"
-[[program.segments]]
-)",
-                      "cam.toml");
 }
 
 /// Points of a machine's profile at even cam angles about another centre.
