@@ -52,9 +52,9 @@ std::string curve_words() {
 }
 
 /// A length or a feed in a range.
-double quantity(const Text& text, const char* name, const char* unit, double standard, double low,
-                double high) {
-  if (!text) return standard;
+double quantity(const Text& text, const char* name, const char* unit, double default_value,
+                double low, double high) {
+  if (!text) return default_value;
   const double value = problems::parse_quantity(*text, unit, unit, name);
   if (value >= low && value <= high) return value;
   throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", name,

@@ -26,8 +26,8 @@ struct FormatRow {
   ExportFormat format;
   const char* name;
   std::vector<const char*> endings;
-  std::vector<problems::CurveForm> forms;  ///< the first is the standard one; none: no curves
-  int decimals;                            ///< the standard ones
+  std::vector<problems::CurveForm> forms;  ///< the first is the default; none: no curves
+  int decimals;                            ///< the defaults
 };
 
 /// What --format says, else the ending of --out.

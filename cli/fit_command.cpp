@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -20,7 +21,7 @@
 #include "output/answers/next_step.h"
 #include "output/document/printing.h"
 #include "problems/law_files/law_file.h"
-#include "problems/statement/standard_machine.h"
+#include "problems/statement/default_machine.h"
 
 namespace camlaw::cli {
 namespace {
@@ -29,6 +30,7 @@ struct FitCommand {
   std::optional<std::string> data, constants, law, mechanism, response, out, loss;
   std::vector<std::string> set, shifts;
   RunLimits limits;
+  std::optional<problems::LawFitOptions::Clock::time_point> deadline;  ///< of trying laws
   bool json = false;
   std::function<void()> answers = [] {};  ///< called when the answer is about to be given
 };
@@ -58,6 +60,7 @@ std::vector<Member> laws_of(const FitCommand& options) {
 problems::LawFitOptions how_of(const FitCommand& options, ProgressLine& line) {
   problems::LawFitOptions how;
   how.loss = loss_of(options);
+  how.deadline = options.deadline;
   how.progress = [&line](double share) { line.show("fitting laws", share); };
   return how;
 }
@@ -275,13 +278,18 @@ int run_fit(const FitCommand& options) {
   };
   const auto limit = time_limit_of(options.limits);
   if (!limit) return work(options);
+  constexpr double kTrying = 0.6;  // of the time: intervals and drawings take the rest
+  using Clock = problems::LawFitOptions::Clock;
+  const auto began = Clock::now();
   const auto ended = watched({limit}, [&](const Teller& teller) {
     FitCommand own = options;
+    own.deadline = began + std::chrono::duration_cast<Clock::duration>(
+                               std::chrono::duration<double>(kTrying * *limit));
     own.answers = [&teller] { teller.answers(); };
     return work(own);
   });
   if (const auto* unfinished = std::get_if<Unfinished>(&ended)) {
-    throw NotSolved(unfinished->why + "; the fit has no answer before its end");
+    throw NotSolved(unfinished->why + "; the fit has no answer yet");
   }
   return std::get<int>(ended);
 }

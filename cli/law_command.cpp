@@ -72,13 +72,14 @@ void print_law(const Member& member) {
   if (!family.parameters.empty()) say("parameters\n");
   print_parameters(member);
   const auto a = Quantity::Acceleration, j = Quantity::Jerk;
-  say("peaks\n{}{}{}{}{}{}", peak_line("B", peak.absolute(Quantity::Velocity), proof.B()),
+  say("peaks\n{}{}{}{}{}{}",
+      peak_line("B", peak.absolute(Quantity::Velocity), proof.max_velocity()),
       peak_line("C+", peak.high(a), proof.high(a).value),
       peak_line("C-", peak.low(a), proof.low(a).value),
       peak_line("D+", peak.high(j), proof.high(j).value),
       peak_line("D-", peak.low(j), proof.low(j).value),
-      peak_line("Cm", peak.absolute(Quantity::Moment), proof.Cm()));
-  if (std::isinf(peak.D()) && std::isfinite(peak.jerk_inside_highest.value) &&
+      peak_line("Cm", peak.absolute(Quantity::Moment), proof.max_dynamic_moment()));
+  if (std::isinf(peak.max_jerk()) && std::isfinite(peak.jerk_inside_highest.value) &&
       std::isfinite(peak.jerk_inside_lowest.value)) {
     say("  acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",
         peak.jerk_inside_lowest.value, peak.jerk_inside_highest.value);
@@ -136,8 +137,8 @@ int show_law(const LawOptions& options) {
     set_argument(member, assignment, read_quantity);
   }
   const Law<double> law = member.law();
-  constexpr int kStandardSamples = 361;
-  const int samples = samples_of(options).value_or(kStandardSamples);
+  constexpr int kDefaultSamples = 361;
+  const int samples = samples_of(options).value_or(kDefaultSamples);
   std::vector<OutputFile> files;
   if (options.csv) files.push_back({*options.csv, motion_csv(law, samples)});
   if (options.svg) {

@@ -18,7 +18,8 @@ std::string parameter_list(const Family& family) {
   std::vector<std::string> names;
   for (const Parameter& p : family.parameters) {
     if (p.name == kCrossover) continue;
-    names.push_back(p.list ? p.name + "..." : fmt::format("{}={:.4g}", p.name, p.standard.front()));
+    names.push_back(p.list ? p.name + "..."
+                           : fmt::format("{}={:.4g}", p.name, p.default_value.front()));
   }
   return fmt::format("{}", fmt::join(names, " "));
 }
@@ -36,19 +37,19 @@ void print_catalogue() {
                    {"Cm"},
                    {"lambda"}});
   const auto add = [&](const Family& family) {
-    const Law<double> law = family.make(family.standard());
+    const Law<double> law = family.make(family.defaults());
     const auto peak = peaks(law);
     const auto lambda = limit_index(peak);
     table.add({family.name, parameter_list(family), to_string(law.ends()),
-               class_name(continuity(law)), shown(peak.B(), 4),
+               class_name(continuity(law)), shown(peak.max_velocity(), 4),
                shown(peak.high(Quantity::Acceleration).value, 4),
                shown(peak.low(Quantity::Acceleration).value, 4),
                shown(peak.high(Quantity::Jerk).value, 3), shown(peak.low(Quantity::Jerk).value, 3),
-               shown(peak.Cm(), 4), lambda ? shown(*lambda, 3) : "-"});
+               shown(peak.max_dynamic_moment(), 4), lambda ? shown(*lambda, 3) : "-"});
   };
   for (const Family& family : catalogue()) add(family);
   for (const Member& law : problems::own_laws()) add(*law.family);
-  say("{}\nConstants are those of the standard parameters. Every R-R law also takes crossover=c.\n"
+  say("{}\nConstants are those of the default parameters. Every R-R law also takes crossover=c.\n"
       "'camlaw law NAME' tells more of one law. Law files in the folder that {} names are laws "
       "too.\n",
       table.text(), problems::kOwnLaws);
@@ -69,19 +70,19 @@ std::string ranges(const Family& family) {
 void print_law_page() {
   say("# Motion laws\n\nPrinted by `camlaw laws --markdown` from the catalogue in the code. "
       "Constants "
-      "are those of the standard\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
+      "are those of the default\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
       "where its acceleration changes sign.\n\n"
       "| law | also called | formula | parameters | ends | class | B | C+ | C- | D+ | D- | Cm | "
       "source |\n|---|---|---|---|---|---|--:|--:|--:|--:|--:|--:|---|\n");
   for (const Family& family : catalogue()) {
-    const Law<double> law = family.make(family.standard());
+    const Law<double> law = family.make(family.defaults());
     const auto peak = peaks(law);
     say("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", family.name,
         fmt::join(family.aliases, ", "), markdown_cell(family.formula), ranges(family),
-        to_string(law.ends()), class_name(continuity(law)), shown(peak.B(), 6),
+        to_string(law.ends()), class_name(continuity(law)), shown(peak.max_velocity(), 6),
         shown(peak.high(Quantity::Acceleration).value, 6),
         shown(peak.low(Quantity::Acceleration).value, 6), shown(peak.high(Quantity::Jerk).value, 5),
-        shown(peak.low(Quantity::Jerk).value, 5), shown(peak.Cm(), 6),
+        shown(peak.low(Quantity::Jerk).value, 5), shown(peak.max_dynamic_moment(), 6),
         markdown_cell(family.source));
   }
 }
@@ -89,7 +90,7 @@ void print_law_page() {
 void print_laws_json() {
   Json result = Json::array();
   for (const Family& family : catalogue()) {
-    result.push_back(law_to_json({&family, family.standard()}));
+    result.push_back(law_to_json({&family, family.defaults()}));
   }
   for (const Member& law : problems::own_laws()) result.push_back(law_to_json(law));
   print_data(result.dump(2) + "\n");

@@ -43,18 +43,25 @@ const char* part_of(optim::Part part) {
   return "value";
 }
 
+/// "\nits earlier name, disc-cam-knife, is accepted too", as the pattern has it.
+std::string accepted_too(const Mechanism& mechanism, const char* pattern) {
+  const std::string_view earlier = problems::earlier_name(mechanism);
+  return earlier.empty() ? "" : fmt::format(fmt::runtime(pattern), earlier);
+}
+
 void print_mechanism(const Mechanism& mechanism) {
-  say("{}: {}\nsource {}; moved by {}\n\n", mechanism.name, mechanism.title, mechanism.source,
-      words_of(mechanism.moved_by));
+  say("{}: {}\nsource {}; moved by {}{}\n\n", mechanism.name, mechanism.title, mechanism.source,
+      words_of(mechanism.moved_by),
+      accepted_too(mechanism, "\nits earlier name, {}, is accepted too"));
   if (!mechanism.parameters.empty()) {
     TextTable parameters({{"parameter", TextTable::Align::Left},
                           {"symbol", TextTable::Align::Left},
-                          {"standard"},
+                          {"default"},
                           {"accepted"},
                           {"unit", TextTable::Align::Left},
                           {"meaning", TextTable::Align::Left}});
     for (const auto& p : mechanism.parameters) {
-      parameters.add({p.name, p.symbol, fmt::format("{:g}", p.standard),
+      parameters.add({p.name, p.symbol, fmt::format("{:g}", p.default_value),
                       fmt::format("{:g} .. {:g}", p.low, p.high), shown_unit(p.unit), p.meaning});
     }
     say("{}\n", parameters.text());
@@ -78,10 +85,10 @@ Json json_of(const Mechanism& mechanism) {
     parameters.push_back({{"name", p.name},
                           {"symbol", p.symbol},
                           {"unit", p.unit},
-                          {"standard", p.standard},
+                          {"default", p.default_value},
                           {"lower", p.low},
                           {"upper", p.high},
-                          {"whole", p.whole},
+                          {"integer", p.integer},
                           {"meaning", p.meaning}});
   }
   for (const auto& r : mechanism.responses) {
@@ -102,9 +109,10 @@ Json json_of(const Mechanism& mechanism) {
   const char* moved_by = mechanism.moved_by == MovedBy::Law       ? "law"
                          : mechanism.moved_by == MovedBy::Program ? "program"
                                                                   : "nothing";
-  return {{"name", mechanism.name}, {"title", mechanism.title}, {"source", mechanism.source},
-          {"moved_by", moved_by},   {"parameters", parameters}, {"responses", responses},
-          {"peaks", peaks}};
+  return {{"name", mechanism.name},   {"earlier_name", problems::earlier_name(mechanism)},
+          {"title", mechanism.title}, {"source", mechanism.source},
+          {"moved_by", moved_by},     {"parameters", parameters},
+          {"responses", responses},   {"peaks", peaks}};
 }
 
 void print_all() {
@@ -122,15 +130,16 @@ void print_all() {
 }
 
 void print_markdown(const Mechanism& mechanism) {
-  say("\n## {}\n\n{}. Moved by {}. Source: {}.\n", mechanism.name, mechanism.title,
-      words_of(mechanism.moved_by), mechanism.source);
+  say("\n## {}\n\n{}. Moved by {}. Source: {}.{}\n", mechanism.name, mechanism.title,
+      words_of(mechanism.moved_by), mechanism.source,
+      accepted_too(mechanism, " Its earlier name, `{}`, is accepted too."));
   if (!mechanism.parameters.empty()) {
-    say("\n| parameter | symbol | standard | accepted | unit | meaning |\n"
+    say("\n| parameter | symbol | default | accepted | unit | meaning |\n"
         "|---|---|--:|---|---|---|\n");
   }
   for (const auto& p : mechanism.parameters) {
     say("| `{}` | {} | {:g} | {:g} .. {:g}{} | {} | {} |\n", p.name, markdown_cell(p.symbol),
-        p.standard, p.low, p.high, p.whole ? ", whole" : "", shown_unit(p.unit),
+        p.default_value, p.low, p.high, p.integer ? ", integer" : "", shown_unit(p.unit),
         markdown_cell(p.meaning));
   }
   say("\n| response | kind | unit | meaning |\n|---|---|---|---|\n");

@@ -233,7 +233,7 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
                        "convex or the solver global, else 8",
                        problems::kMostStarts)},
           {"--seed", &options.seed, takes::kNumber,
-           "for starts and for methods that draw numbers; a whole number from 0"},
+           "for starts and for methods that draw numbers; an integer from 0"},
           time_limit_option(options.limits),
           memory_option(options.limits),
           json_switch(options.json),

@@ -31,7 +31,7 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
   text += fmt::format("found:   {}: {}\n", to_string(found.verdict), found.reason);
   if (found.global) text += fmt::format("global:  {}\n", *found.global);
   if (!verified.whole) {
-    text += "judged with the choices and whole variables held at what the search chose\n";
+    text += "judged with the choices and integer variables held at what the search chose\n";
   }
   const bool alone = read.statement.objectives.size() == 1;
   if (alone) {

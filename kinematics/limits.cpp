@@ -37,7 +37,7 @@ double least_jerk(double B, double C) {
 
 std::optional<double> limit_index(const Peaks<double>& peaks) {
   if (peaks.ends != Ends{End::Rest, End::Rest}) return std::nullopt;
-  return least_time(peaks.B(), peaks.C(), peaks.D());
+  return least_time(peaks.max_velocity(), peaks.max_acceleration(), peaks.max_jerk());
 }
 
 }  // namespace camlaw

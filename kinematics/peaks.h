@@ -41,10 +41,10 @@ struct Peaks {
 
   /// The peak of |quantity|: its value is not negative.
   Peak<T> absolute(Quantity q) const;
-  T B() const { return absolute(Quantity::Velocity).value; }      ///< max |s'|
-  T C() const { return absolute(Quantity::Acceleration).value; }  ///< max |s''|
-  T D() const { return absolute(Quantity::Jerk).value; }          ///< max |s'''|
-  T Cm() const { return absolute(Quantity::Moment).value; }       ///< max |s' s''|
+  T max_velocity() const { return absolute(Quantity::Velocity).value; }          ///< max |s'|
+  T max_acceleration() const { return absolute(Quantity::Acceleration).value; }  ///< max |s''|
+  T max_jerk() const { return absolute(Quantity::Jerk).value; }                  ///< max |s'''|
+  T max_dynamic_moment() const { return absolute(Quantity::Moment).value; }      ///< max |s' s''|
 };
 
 /// Peaks of a law. With double: closed or bracketed to a relative error below 1e-12. With Dual and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machines/registry.h"
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <mutex>
@@ -25,29 +26,31 @@ namespace {
 struct Listed {
   const char* name;
   Mechanism (*make)();
+  const char* earlier = "";  ///< its name in earlier programs, which files may have
 };
-constexpr Listed kListed[] = {{"spine-cutter", spine_cutter_mechanism},
-                              {"balancing-cam", planar_balancing_cam_mechanism},
-                              {"balancing-cam-spherical", spherical_balancing_cam_mechanism},
-                              {"geneva", planar_geneva_mechanism},
-                              {"geneva-spherical", spherical_geneva_mechanism},
-                              {"die-press", die_press_mechanism},
-                              {"sheet-delivery", sheet_delivery_mechanism},
-                              {"signature-feeder", signature_feeder_mechanism},
-                              {"disc-cam-roller", roller_cam_mechanism},
-                              {"disc-cam-flat", flat_cam_mechanism},
-                              {"disc-cam-knife", knife_cam_mechanism},
-                              {"disc-cam-conjugate", conjugate_cam_mechanism},
-                              {"disc-cam-swinging-roller", swinging_roller_cam_mechanism},
-                              {"disc-cam-leading-roller", leading_roller_cam_mechanism},
-                              {"disc-cam-swinging-flat", swinging_flat_cam_mechanism},
-                              {"end-cam", end_cam_mechanism},
-                              {"end-cam-swinging", swinging_end_cam_mechanism},
-                              {"linear-cam", linear_cam_mechanism},
-                              {"disc-springs", disc_springs_mechanism},
-                              {"helical-spring", helical_spring_mechanism},
-                              {"follower-train", follower_train_mechanism},
-                              {"law", normalised_law_mechanism}};
+constexpr Listed kListed[] = {
+    {"spine-cutter", spine_cutter_mechanism},
+    {"balancing-cam", planar_balancing_cam_mechanism},
+    {"balancing-cam-spherical", spherical_balancing_cam_mechanism},
+    {"geneva", planar_geneva_mechanism},
+    {"geneva-spherical", spherical_geneva_mechanism},
+    {"die-press", die_press_mechanism},
+    {"sheet-delivery", sheet_delivery_mechanism},
+    {"signature-feeder", signature_feeder_mechanism},
+    {"disc-cam-roller", roller_cam_mechanism},
+    {"disc-cam-flat", flat_cam_mechanism},
+    {"disc-cam-knife-edge", knife_edge_cam_mechanism, "disc-cam-knife"},
+    {"disc-cam-conjugate", conjugate_cam_mechanism},
+    {"disc-cam-oscillating-roller", oscillating_roller_cam_mechanism, "disc-cam-swinging-roller"},
+    {"disc-cam-leading-roller", leading_roller_cam_mechanism},
+    {"disc-cam-oscillating-flat", oscillating_flat_cam_mechanism, "disc-cam-swinging-flat"},
+    {"end-cam", end_cam_mechanism},
+    {"end-cam-oscillating", oscillating_end_cam_mechanism, "end-cam-swinging"},
+    {"linear-cam", linear_cam_mechanism},
+    {"disc-springs", disc_springs_mechanism},
+    {"helical-spring", helical_spring_mechanism},
+    {"follower-train", follower_train_mechanism},
+    {"law", normalised_law_mechanism}};
 constexpr std::size_t kMechanisms = std::size(kListed);
 
 std::vector<Mechanism>& storage() {
@@ -68,13 +71,26 @@ const std::vector<Mechanism>& mechanisms() {
   return storage();
 }
 
-const Mechanism& find_mechanism(std::string_view name) {
-  std::vector<std::string> known;
+const Mechanism* known_mechanism(std::string_view name) {
   for (std::size_t i = 0; i < kMechanisms; ++i) {
-    if (kListed[i].name == name) return made(i);
-    known.push_back(kListed[i].name);
+    const Listed& listed = kListed[i];
+    if (name == listed.name || (!name.empty() && name == listed.earlier)) return &made(i);
   }
-  refuse_name("no mechanism is called", name, known);
+  return nullptr;
+}
+
+const Mechanism& find_mechanism(std::string_view name) {
+  if (const Mechanism* known = known_mechanism(name)) return *known;
+  std::vector<std::string> names;
+  for (const Listed& listed : kListed) names.emplace_back(listed.name);
+  refuse_name("no mechanism is called", name, names);
+}
+
+std::string_view earlier_name(const Mechanism& mechanism) {
+  const auto* const listed =
+      std::find_if(std::begin(kListed), std::end(kListed),
+                   [&](const Listed& l) { return l.name == mechanism.name; });
+  return listed == std::end(kListed) ? "" : listed->earlier;
 }
 
 }  // namespace camlaw::problems

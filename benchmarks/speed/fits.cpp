@@ -44,7 +44,7 @@ void fit_all(benchmark::State& state) {
   const auto laws = problems::laws_to_try();
   const auto guess = problems::guess_motion(samples);
   for ([[maybe_unused]] const auto pass : state) {
-    auto ranking = problems::rank_fits(samples, laws, guess);
+    auto ranking = problems::rank_fits(samples, laws, guess).fits;
     benchmark::DoNotOptimize(ranking);
   }
 }

@@ -11,7 +11,7 @@
 #include "benchmarks/timing.h"
 #include "kinematics/laws/catalogue.h"
 
-/// Exact peaks of every law of the catalogue at its standard arguments, as numbers and proved.
+/// Exact peaks of every law of the catalogue at its default arguments, as numbers and proved.
 namespace camlaw::benchmarks {
 namespace {
 
@@ -38,7 +38,7 @@ double microseconds(const Law<T>& law) {
 template <class T>
 double microseconds(const Family& family) {
   try {
-    return microseconds(family.make(family.standard().as<T>()));
+    return microseconds(family.make(family.defaults().as<T>()));
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "{}\n", error.what());
     return std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +46,7 @@ double microseconds(const Family& family) {
 }
 
 Row measure(const Family& family) {
-  return {family.name, family.make(family.standard()).is_data(), microseconds<double>(family),
+  return {family.name, family.make(family.defaults()).is_data(), microseconds<double>(family),
           microseconds<Interval>(family)};
 }
 
@@ -84,7 +84,7 @@ template <class T>
 void register_one(const Family& family, const char* kind) {
   const auto name = fmt::format("peaks/{}/{}", family.name, kind);
   benchmark::RegisterBenchmark(name.c_str(), [&family](benchmark::State& state) {
-    const Law<T> law = family.make(family.standard().as<T>());
+    const Law<T> law = family.make(family.defaults().as<T>());
     for ([[maybe_unused]] const auto pass : state) {
       auto result = peaks(law);
       benchmark::DoNotOptimize(result);

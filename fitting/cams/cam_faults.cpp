@@ -88,7 +88,7 @@ std::vector<PossibleFault> possible_faults(const MeasuredCam& cam) {
     faults.push_back(roller_radius(cam));
     faults.push_back(own_size(cam, "offset", [](const LiftSample&) { return Complex(1, 0); }));
   }
-  if (std::holds_alternative<SwingingRoller>(cam.lift.follower())) {
+  if (std::holds_alternative<OscillatingRoller>(cam.lift.follower())) {
     faults.push_back(roller_radius(cam));
     faults.push_back(
         own_size(cam, "pivot_distance", [](const LiftSample&) { return Complex(1, 0); }));
@@ -106,7 +106,7 @@ MeasuredFollower with_less(MeasuredFollower follower, const std::string& name, d
   if (auto* roller = std::get_if<TranslatingRoller>(&follower)) {
     (name == "offset" ? roller->offset : roller->roller_radius) -= less;
   }
-  if (auto* arm = std::get_if<SwingingRoller>(&follower)) {
+  if (auto* arm = std::get_if<OscillatingRoller>(&follower)) {
     (name == "arm_length"       ? arm->arm_length
      : name == "pivot_distance" ? arm->pivot_distance
                                 : arm->roller_radius) -= less;

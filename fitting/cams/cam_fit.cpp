@@ -69,7 +69,7 @@ std::vector<LawFit> robust_ranking(const FoundMotion& motion, const std::vector<
   LawFitOptions robust = options;
   if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
   robust.loss_scale = noise * optim::efficient_scale(robust.loss);
-  return rank_fits(motion.samples, laws, motion.guess, robust);
+  return rank_fits(motion.samples, laws, motion.guess, robust).fits;
 }
 
 /// What it takes to tell all samples with a fault of the record, as cost_of() counts.

@@ -29,7 +29,7 @@ struct KnownFollower {
   Rotation rotation = Rotation::Counterclockwise;
 };
 
-SwingingRoller arm_of(const Sizes& size) {
+OscillatingRoller arm_of(const Sizes& size) {
   return {size("roller_radius"), size("arm_length"), size("pivot_distance")};
 }
 
@@ -39,15 +39,15 @@ const std::vector<KnownFollower>& known_followers() {
        [](const Sizes& size) {
          return TranslatingRoller{size("roller_radius"), size("offset")};
        }},
-      {"disc-cam-knife",
+      {"disc-cam-knife-edge",
        [](const Sizes& size) {
          return TranslatingRoller{0, size("offset")};
        }},
       {"disc-cam-flat", [](const Sizes&) { return TranslatingFace{}; }},
-      {"disc-cam-swinging-roller", arm_of},
+      {"disc-cam-oscillating-roller", arm_of},
       {"disc-cam-leading-roller", arm_of, Rotation::Clockwise},
-      {"disc-cam-swinging-flat", [](const Sizes& size) {
-         return SwingingFace{size("pivot_distance"), size("face_offset")};
+      {"disc-cam-oscillating-flat", [](const Sizes& size) {
+         return OscillatingFace{size("pivot_distance"), size("face_offset")};
        }}};
   return known;
 }

@@ -58,7 +58,7 @@ Way way_at(const TranslatingRoller& follower, double distance, double theta) {
   return {y, {e, y}, kI, 0};
 }
 
-Way way_at(const SwingingRoller& follower, double distance, double theta) {
+Way way_at(const OscillatingRoller& follower, double distance, double theta) {
   const double l = follower.arm_length, d = follower.pivot_distance;
   const double cosine = (l * l + d * d - distance * distance) / (2 * l * d);
   if (!(std::abs(cosine) < 1)) {
@@ -74,17 +74,17 @@ Way way_at(const SwingingRoller& follower, double distance, double theta) {
 
 double roller_radius(const MeasuredFollower& follower) {
   if (const auto* roller = std::get_if<TranslatingRoller>(&follower)) return roller->roller_radius;
-  if (const auto* roller = std::get_if<SwingingRoller>(&follower)) return roller->roller_radius;
+  if (const auto* roller = std::get_if<OscillatingRoller>(&follower)) return roller->roller_radius;
   return 0;
 }
 
 bool is_roller(const MeasuredFollower& follower) {
   return std::holds_alternative<TranslatingRoller>(follower) ||
-         std::holds_alternative<SwingingRoller>(follower);
+         std::holds_alternative<OscillatingRoller>(follower);
 }
 
 Way way_of(const MeasuredFollower& follower, double distance, double theta) {
-  const auto* arm = std::get_if<SwingingRoller>(&follower);
+  const auto* arm = std::get_if<OscillatingRoller>(&follower);
   return arm ? way_at(*arm, distance, theta)
              : way_at(std::get<TranslatingRoller>(follower), distance, theta);
 }
@@ -97,7 +97,7 @@ struct FaceWay {
 };
 
 FaceWay face_way(const MeasuredFollower& follower, double height, double theta) {
-  const auto* arm = std::get_if<SwingingFace>(&follower);
+  const auto* arm = std::get_if<OscillatingFace>(&follower);
   if (!arm) return {height, 1, 0, false};
   const double sine = (height + arm->face_offset) / arm->pivot_distance;
   if (!(std::abs(sine) < 1)) {
@@ -118,11 +118,11 @@ void check_follower(const MeasuredFollower& follower) {
       refuse(fmt::format("{} of {:.6g} is not above 0", name, value));
     }
   };
-  if (const auto* arm = std::get_if<SwingingRoller>(&follower)) {
+  if (const auto* arm = std::get_if<OscillatingRoller>(&follower)) {
     positive("an arm length", arm->arm_length);
     positive("a pivot distance", arm->pivot_distance);
   }
-  if (const auto* arm = std::get_if<SwingingFace>(&follower)) {
+  if (const auto* arm = std::get_if<OscillatingFace>(&follower)) {
     positive("a pivot distance", arm->pivot_distance);
   }
 }
@@ -138,10 +138,10 @@ double coordinate_on(const MeasuredFollower& follower, double base_radius) {
 
 /// The inverse of coordinate_on.
 double radius_at(const MeasuredFollower& follower, double coordinate) {
-  if (const auto* face = std::get_if<SwingingFace>(&follower)) {
+  if (const auto* face = std::get_if<OscillatingFace>(&follower)) {
     return face->pivot_distance * std::sin(coordinate) - face->face_offset;
   }
-  if (const auto* arm = std::get_if<SwingingRoller>(&follower)) {
+  if (const auto* arm = std::get_if<OscillatingRoller>(&follower)) {
     const double l = arm->arm_length, d = arm->pivot_distance;
     return std::sqrt(l * l + d * d - 2 * l * d * std::cos(coordinate)) - arm->roller_radius;
   }

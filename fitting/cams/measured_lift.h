@@ -12,27 +12,27 @@
 /// profile's unit, angles in rad.
 namespace camlaw::problems {
 
-/// Moves along y at x = offset, above the cam: RollerCam, and KnifeCam with a radius of 0.
+/// Moves along y at x = offset, above the cam: RollerCam, and KnifeEdgeCam with a radius of 0.
 struct TranslatingRoller {
   double roller_radius = 0;
   double offset = 0;  ///< e, in the frame; RollerCam's for a cam that turns counterclockwise
 };
 /// On an arm whose pivot stands at x = pivot_distance, the roller above the x axis:
-/// SwingingRollerCam counterclockwise, LeadingRollerCam clockwise.
-struct SwingingRoller {
+/// OscillatingRollerCam counterclockwise, LeadingRollerCam clockwise.
+struct OscillatingRoller {
   double roller_radius = 0;
   double arm_length = 0;
   double pivot_distance = 0;
 };
 /// A flat face above the cam, square to its way along y: FlatCam.
 struct TranslatingFace {};
-/// A flat face on an arm, pivot at x = pivot_distance: SwingingFlatCam counterclockwise.
-struct SwingingFace {
+/// A flat face on an arm, pivot at x = pivot_distance: OscillatingFlatCam counterclockwise.
+struct OscillatingFace {
   double pivot_distance = 0;
   double face_offset = 0;
 };
 using MeasuredFollower =
-    std::variant<TranslatingRoller, SwingingRoller, TranslatingFace, SwingingFace>;
+    std::variant<TranslatingRoller, OscillatingRoller, TranslatingFace, OscillatingFace>;
 
 /// Which way the cam turns.
 enum class Rotation { Counterclockwise, Clockwise };

@@ -77,10 +77,10 @@ Agreement::Agreement(const PrintedModel& model, std::vector<std::size_t> constan
 }
 
 std::vector<std::vector<double>> Agreement::solutions() const {
-  const std::vector<double> standard = model_->standard();
-  if (all_agree(standard)) return {standard};  // nothing explains the prints better
+  const std::vector<double> defaults = model_->defaults();
+  if (all_agree(defaults)) return {defaults};  // nothing explains the prints better
   std::vector<std::vector<double>> result;
-  if (standard.empty()) return result;
+  if (defaults.empty()) return result;
   for (const std::vector<double>& start : starts()) {
     const auto x = all_agree(start) ? start : solved_from(start);
     if (!x || !all_agree(*x)) continue;
@@ -187,7 +187,7 @@ std::vector<std::vector<double>> Agreement::crossings() const {
   return result;
 }
 
-/// The standard values, and the places with the least sum of squares.
+/// The default values, and the places with the least sum of squares.
 std::vector<std::vector<double>> Agreement::starts() const {
   if (model_->unknowns().size() == 1 && !finite_.empty()) return crossings();
   constexpr std::size_t kStarts = 4;

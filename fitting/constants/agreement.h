@@ -17,7 +17,7 @@ class Agreement {
  public:
   Agreement(const PrintedModel& model, std::vector<std::size_t> constants);
 
-  /// Values with which all of them agree, no two alike; the standard values alone where they do.
+  /// Values with which all of them agree, no two alike; the default values alone where they do.
   std::vector<std::vector<double>> solutions() const;
   bool all_agree(std::span<const double> x) const;
   /// The least and the greatest of an unknown about a solution.

@@ -37,9 +37,9 @@ class Candidate {
 
   std::size_t unknowns() const { return model_->unknowns().size(); }
 
-  /// With the standard values, whether the constants agree or not.
+  /// With the default values, whether the constants agree or not.
   ConstantsFit as_it_is() const {
-    return *shortest(*model_, {}, model_->standard(), optim::kInfinity);
+    return *shortest(*model_, {}, model_->defaults(), optim::kInfinity);
   }
 
   /// Explanations of at most `limit` digits that leave out so many constants, none where fewer have
@@ -58,10 +58,10 @@ class Candidate {
   }
 
  private:
-  /// That of the constants left out, and of one digit and its being there where the standard
+  /// That of the constants left out, and of one digit and its being there where the default
   /// values do not agree with the others.
   double least_cost(const std::vector<std::size_t>& which) const {
-    double cost = Agreement(*model_, which).all_agree(model_->standard()) ? 0 : 2;
+    double cost = Agreement(*model_, which).all_agree(model_->defaults()) ? 0 : 2;
     for (std::size_t c = 0; c < model_->constants().size(); ++c) {
       const bool kept = std::find(which.begin(), which.end(), c) != which.end();
       if (!kept) cost += cost_of(model_->constants()[c]);
@@ -152,9 +152,9 @@ std::vector<Member> laws_to_try() {
     // A spline or a table is a curve of its own, not a law.
     constexpr std::size_t kFew = 4;
     const bool is_data = std::any_of(parameters.begin(), parameters.end(), [](const Parameter& p) {
-      return p.list && p.standard.size() > kFew;
+      return p.list && p.default_value.size() > kFew;
     });
-    if (!is_data) result.push_back({&family, family.standard()});
+    if (!is_data) result.push_back({&family, family.defaults()});
   }
   return result;
 }

@@ -23,7 +23,7 @@ std::vector<ConstantsFit> fit_constants(const ConstantsQuestion& question, const
 std::vector<ConstantsFit> rank_laws(const ConstantsQuestion& question,
                                     const std::vector<Member>& laws);
 
-/// The laws of the catalogue from rest or to it, each with its standard coefficients.
+/// The laws of the catalogue from rest or to it, each with its default coefficients.
 std::vector<Member> laws_to_try();
 
 }  // namespace camlaw::problems

@@ -2,10 +2,10 @@
 #include "fitting/constants/constants_question.h"
 
 #include "machines/registry.h"
-#include "problems/statement/standard_machine.h"
+#include "problems/statement/default_machine.h"
 
 namespace camlaw::problems {
 
-ProblemStatement law_alone() { return standard_machine(find_mechanism("law")); }
+ProblemStatement law_alone() { return default_machine(find_mechanism("law")); }
 
 }  // namespace camlaw::problems

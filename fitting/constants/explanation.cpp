@@ -12,7 +12,8 @@ namespace {
 
 /// A number of digits, and the value that takes them.
 SimpleNumber simplest_of(const Unknown& unknown, double low, double high) {
-  if (low <= unknown.standard && unknown.standard <= high) return {unknown.standard, 0};
+  if (low <= unknown.default_value && unknown.default_value <= high)
+    return {unknown.default_value, 0};
   SimpleNumber simple = simplest_between(low, high);
   ++simple.digits;  // for its being there
   return simple;

@@ -136,9 +136,9 @@ optim::Response PrintedModel::response(std::size_t constant) const {
           Function(std::move(all), std::make_shared<ConstantKernel>(*this, constant))};
 }
 
-std::vector<double> PrintedModel::standard() const {
+std::vector<double> PrintedModel::defaults() const {
   std::vector<double> result;
-  for (const Unknown& u : unknowns_) result.push_back(u.standard);
+  for (const Unknown& u : unknowns_) result.push_back(u.default_value);
   return result;
 }
 
@@ -152,7 +152,7 @@ Member PrintedModel::law_at(std::span<const double> x) const {
 }
 
 std::vector<double> PrintedModel::place_of(std::size_t number) const {
-  std::vector<double> x = standard();
+  std::vector<double> x = defaults();
   if (number == 0) return x;
   for (std::size_t i = 0; i < x.size(); ++i) {
     // Additive recurrence by powers of the plastic constant: even in few dimensions and in many.

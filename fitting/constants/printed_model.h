@@ -20,7 +20,7 @@ struct Unknown {
   std::string name, unit;
   bool of_law;
   std::size_t parameter, element;  ///< of the family, or of the mechanism
-  double lower, upper, standard;
+  double lower, upper, default_value;
 };
 
 /// The machine's variables, then the law's coefficients but the crossover and what shapes its data.
@@ -45,10 +45,10 @@ class PrintedModel {
   /// The constant as a response of a problem in the unknowns, with first derivatives alone.
   optim::Response response(std::size_t constant) const;
 
-  std::vector<double> standard() const;
+  std::vector<double> defaults() const;
   Member law_at(std::span<const double> x) const;
 
-  /// Values of the unknowns over their ranges, the standard ones first, and the constants there.
+  /// Values of the unknowns over their ranges, the defaults first, and the constants there.
   struct Place {
     std::vector<double> x;
     ConstantsAt at;

@@ -32,7 +32,7 @@ bool can_be_skewed(const Member& law) {
                                       [](const Parameter& p) { return p.name == kCrossover; });
   if (crossover == parameters.end()) return false;
   constexpr double kAside = 0.01;
-  Member other{law.family, law.family->standard()};
+  Member other{law.family, law.family->defaults()};
   if (!is_symmetric(other.law())) return false;
   for (const Coefficient& c : coefficients_of(other)) {
     Member aside = other;

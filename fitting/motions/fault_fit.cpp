@@ -64,7 +64,8 @@ RankedMotions ranked(const FoundCycle& cycle, const std::vector<Member>& laws,
   for (const FoundMotion& motion : cycle.motions) {
     const auto before = static_cast<double>(result.samples.size());
     result.rankings.push_back(rank_fits(motion.samples, laws, motion.guess,
-                                        part_of(options, before / count, (before + 1) / count)));
+                                        part_of(options, before / count, (before + 1) / count))
+                                  .fits);
     result.samples.push_back(motion.samples);
   }
   return result;

@@ -321,6 +321,13 @@ FittedAll fitted(const MotionSamples& samples, const Member& law, const MotionGu
 }  // namespace
 
 LawFitOptions part_of(LawFitOptions options, double from, double to) {
+  if (options.deadline) {
+    const auto now = LawFitOptions::Clock::now();
+    const std::chrono::duration<double> left = *options.deadline - now;
+    const double share = from < 1 ? (to - from) / (1 - from) : 1;
+    options.deadline =
+        now + std::chrono::duration_cast<LawFitOptions::Clock::duration>(share * left);
+  }
   if (!options.progress) return options;
   options.progress = [whole = options.progress, from, to](double share) {
     whole(from + (to - from) * share);

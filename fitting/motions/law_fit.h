@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 
@@ -13,6 +14,7 @@
 namespace camlaw::problems {
 
 struct LawFitOptions {
+  using Clock = std::chrono::steady_clock;
   optim::Loss loss = optim::Loss::None;
   /// Of the loss, in the samples' unit; none: estimated with each fit.
   std::optional<double> loss_scale = {};
@@ -22,9 +24,12 @@ struct LawFitOptions {
   std::optional<MotionGuess> like = {};
   /// Told what share of many laws is fitted, 0 to 1.
   std::function<void(double share)> progress = {};
+  /// When to be content with the laws that were tried, for each motion one at least.
+  std::optional<Clock::time_point> deadline = {};
 };
 
-/// The same, its progress being that from one share to another of something larger.
+/// The same for a part of something larger, from one share of it to another: its progress lies
+/// between these, and it has the like part of the time that is left.
 LawFitOptions part_of(LawFitOptions options, double from, double to);
 
 /// y = from + (to - from) s((x - begin) / (end - begin)), before begin and after end at rest; the

@@ -55,35 +55,50 @@ const LawFit* best_of(const std::vector<LawFit>& fits, std::size_t numbers) {
   return best;
 }
 
+bool has_passed(const std::optional<LawFitOptions::Clock::time_point>& deadline) {
+  return deadline && LawFitOptions::Clock::now() >= *deadline;
+}
+
+/// A law by its name; where it was tried as it is, "skewed cycloidal".
+void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
+  const std::string name = candidate.law.family->name;
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  names.push_back(candidate.skew == Skew::Free ? "skewed " + name : name);
+}
+
 MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
 
 }  // namespace
 
-std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
-                              const MotionGuess& guess, const LawFitOptions& options) {
+Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
+                  const MotionGuess& guess, const LawFitOptions& options) {
   check_motion(samples, guess);
   const LawFitOptions alike = with_one_scale(samples, options);
-  std::vector<LawFit> ranking;
+  Ranking ranking;
   const std::vector<Candidate> candidates = candidates_of(laws);
   for (const Candidate& candidate : candidates) {
     if (alike.progress) {
       alike.progress(static_cast<double>(&candidate - candidates.data()) /
                      static_cast<double>(candidates.size()));
     }
+    if (!ranking.fits.empty() && has_passed(alike.deadline)) {
+      add_untried(candidate, ranking.untried);
+      continue;
+    }
     LawFitOptions own = alike;
     own.skew = candidate.skew;
     if (candidate.coefficients > 0) {
-      if (const LawFit* best = best_of(ranking, candidate.coefficients + kEnds)) {
+      if (const LawFit* best = best_of(ranking.fits, candidate.coefficients + kEnds)) {
         own.like = motion_of(*best);
       }
     }
     try {
-      ranking.push_back(fit_law(samples, candidate.law, guess, own));
+      ranking.fits.push_back(fit_law(samples, candidate.law, guess, own));
     } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
     }
   }
-  weigh(ranking);
-  put_in_order(ranking);
+  weigh(ranking.fits);
+  put_in_order(ranking.fits);
   return ranking;
 }
 

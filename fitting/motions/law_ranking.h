@@ -5,10 +5,16 @@
 
 namespace camlaw::problems {
 
+struct Ranking {
+  std::vector<LawFit> fits;
+  std::vector<std::string> untried = {};  ///< laws that the deadline left no time for
+};
+
 /// Each of the laws, as it is and skewed, by how likely it is; first of those that noise does not
 /// tell from the best the one with the fewest numbers (law_choice.h). Laws that cannot be fitted
-/// are left out. Intervals are those of each law alone.
-std::vector<LawFit> rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
-                              const MotionGuess& guess, const LawFitOptions& options = {});
+/// are left out. Intervals are those of each law alone. Laws of few coefficients come first; once
+/// the deadline has passed and one law has been fitted, the others are not tried.
+Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
+                  const MotionGuess& guess, const LawFitOptions& options = {});
 
 }  // namespace camlaw::problems

@@ -27,13 +27,13 @@ bool is_exact(const LawFit& fit) {
 }
 
 /// `chance`: of one in normal noise.
-FarOff far_off_of(const MotionFit& fit, double chance) {
+Outliers outliers_of(const MotionFit& fit, double chance) {
   const LawFit& best = fit.best();
   constexpr double kRounding = 1e-6;
   double size = 0;
   for (const double y : fit.motion.samples.value) size = std::max(size, std::abs(y - best.from));
   const double least = std::max(kRounding * size, fit.motion.samples.resolution);
-  return far_off(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least, chance);
+  return find_outliers(fit.motion.samples.place, best.fit.residuals, best.fit.rank, least, chance);
 }
 
 std::string quantity(double value, const std::string& unit) {
@@ -43,11 +43,11 @@ std::string quantity(double value, const std::string& unit) {
 /// Samples that drew a fit in which all count alike.
 std::string drawn_by(const MotionFit& fit) {
   const MotionSamples& samples = fit.motion.samples;
-  const std::size_t worst = fit.far_off.samples.front();
+  const std::size_t worst = fit.outliers.samples.front();
   return fmt::format(
       "{} of {} samples lie farther off than chance explains, by {} at {} the most, and draw the "
       "fit; --loss huber or --loss cauchy bounds what they count",
-      fit.far_off.samples.size(), samples.place.size(),
+      fit.outliers.samples.size(), samples.place.size(),
       quantity(std::abs(fit.best().fit.residuals[worst]), samples.unit),
       quantity(samples.place[worst], samples.place_unit));
 }
@@ -75,9 +75,13 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   }
   if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
   if (is_exact(best)) return "";
+  if (!fit.untried.empty()) {
+    return fmt::format("the time limit was reached before these laws were tried: {}",
+                       first_names(fit.untried));
+  }
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
   const bool is_drawn =
-      options.loss == optim::Loss::None && draws(far_off_of(fit, kDistrusted), best.fit.residuals);
+      options.loss == optim::Loss::None && draws(outliers_of(fit, kDistrusted), best.fit.residuals);
   if (is_drawn) return drawn_by(fit);
   if (!fit.is_told) {
     return fmt::format("noise of {} does not tell the law: {}, {} may be behind the samples",
@@ -123,14 +127,15 @@ std::string first_names(const std::vector<std::string>& names) {
 
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options) {
-  MotionFit result{motion, rank_fits(motion.samples, laws, motion.guess, options)};
+  Ranking ranking = rank_fits(motion.samples, laws, motion.guess, options);
+  MotionFit result{motion, std::move(ranking.fits), std::move(ranking.untried)};
   if (result.ranking.empty()) {
     throw std::invalid_argument("none of the laws can be fitted to these samples");
   }
   result.prediction_error = cross_validated(motion.samples, result.best(), motion.guess, options);
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
-  result.far_off = far_off_of(result, kListed);
+  result.outliers = outliers_of(result, kListed);
   const AsGood others = as_good(result.ranking);
   for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
   result.is_told = others.is_told;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fitting/motions/motion_data.h"
-#include "fitting/samples/far_off.h"
+#include "fitting/samples/outliers.h"
 #include "kinematics/law.h"
 #include "numerics/linear/statistics.h"
 
@@ -12,9 +12,10 @@ namespace camlaw::problems {
 struct MotionFit {
   FoundMotion motion;
   std::vector<LawFit> ranking;       ///< the named law first, then by likelihood; not empty
+  std::vector<std::string> untried;  ///< laws that the deadline left no time for
   double prediction_error = 0;       ///< of the first, by cross-validation
   optim::ResidualPattern left = {};  ///< what its residuals look like, as the loss counts them
-  FarOff far_off = {};               ///< samples that it leaves farther off than chance explains
+  Outliers outliers = {};            ///< samples that it leaves farther off than chance explains
   /// Other motions that may be behind the samples, the likeliest first.
   std::vector<std::string> as_good = {};
   bool is_told = true;  ///< the first kFewLaws of these leave hardly anything to the rest

@@ -127,11 +127,11 @@ void check_enough(const RecordedCurve& record, std::size_t unknowns) {
 
 /// Values that drew a fit in which all count alike.
 std::string drawn_by(const RecordFit& fit, const RecordedCurve& record) {
-  const std::size_t worst = fit.far_off.samples.front();
+  const std::size_t worst = fit.outliers.samples.front();
   return fmt::format(
       "{} of {} values lie farther off than chance explains and draw the fit, by {:.3g} {} at "
       "{:.6g} {} the most; --loss huber or --loss cauchy bounds what they count",
-      fit.far_off.samples.size(), fit.model.size(), std::abs(fit.fit.residuals[worst]),
+      fit.outliers.samples.size(), fit.model.size(), std::abs(fit.fit.residuals[worst]),
       record.response.unit, record.place[worst], record.response.response->along);
 }
 
@@ -145,7 +145,7 @@ std::string distrust_of(const RecordFit& fit, const RecordedCurve& record,
         "(neighbouring residuals have a correlation of {:.2f})",
         fit.left.correlation));
   }
-  if (options.loss == optim::Loss::None && draws(fit.far_off, fit.fit.residuals)) {
+  if (options.loss == optim::Loss::None && draws(fit.outliers, fit.fit.residuals)) {
     add(drawn_by(fit, record));
   }
   return why;
@@ -184,7 +184,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   const std::vector<double>& r = result.fit.residuals;
   result.left = optim::residual_pattern(record.place, optim::counted_residuals(result.fit));
   constexpr double kRounding = 1e-9;
-  result.far_off = far_off(record.place, r, result.fit.rank, kRounding * size);
+  result.outliers = find_outliers(record.place, r, result.fit.rank, kRounding * size);
   const bool exact = result.fit.rms < kRounding * size;
   result.distrust = exact ? result.fit.reason : distrust_of(result, record, options);
   return result;

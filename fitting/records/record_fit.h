@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fitting/records/recorded_curve.h"
-#include "fitting/samples/far_off.h"
+#include "fitting/samples/outliers.h"
 #include "numerics/linear/statistics.h"
 #include "optim/fit/least_squares.h"
 #include "problems/statement/statement.h"
@@ -23,7 +23,7 @@ struct RecordFit {
   ProblemStatement machine;     ///< with the fitted values
   std::vector<double> model;    ///< at the record's places, shifts included
   optim::ResidualPattern left;  ///< what the residuals look like, as the loss counts them
-  FarOff far_off;
+  Outliers outliers;
   std::string distrust;  ///< why the values should not be taken for the machine's; may be empty
 };
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "fitting/samples/far_off.h"
+#include "fitting/samples/outliers.h"
 #include "numerics/linear/statistics.h"
 
 namespace camlaw::problems {
@@ -162,16 +162,17 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
 }
 
 /// How far samples lie off a robust curve that are far off it; 0 of all others.
-std::vector<double> far_off_in(const LiftSamples& lift, std::optional<double> period,
-                               double least_noise) {
+std::vector<double> outliers_in(const LiftSamples& lift, std::optional<double> period,
+                                double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
   std::vector<double> residuals;
   for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const auto freedom = static_cast<std::size_t>(std::lround(curve.degrees_of_freedom()));
   constexpr double kLeast = 1e-4;
-  const FarOff found = far_off(lift.phi, residuals, freedom,
-                               std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
+  const Outliers found =
+      find_outliers(lift.phi, residuals, freedom,
+                    std::max(kLeast * (*high - *low), std::sqrt(12.0) * least_noise));
   const std::vector<bool> is_off = by_themselves(lift, residuals, found.samples);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     if (!is_off[i]) residuals[i] = 0;
@@ -254,7 +255,7 @@ LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
   for (const SamePlace& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
   std::vector<double> off(groups.size());
   if (has_suspects(all, least_noise)) {
-    off = far_off_in(all, period, least_noise);
+    off = outliers_in(all, period, least_noise);
     if (!period) find_off_at_ends(all, least_noise, off);
   }
   LiftSamples kept;

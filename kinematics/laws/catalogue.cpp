@@ -44,9 +44,9 @@ const std::vector<Family>& catalogue() {
   return families;
 }
 
-Arguments<double> Family::standard() const {
+Arguments<double> Family::defaults() const {
   std::vector<std::vector<double>> values;
-  for (const Parameter& parameter : parameters) values.push_back(parameter.standard);
+  for (const Parameter& parameter : parameters) values.push_back(parameter.default_value);
   return Arguments<double>(std::move(values));
 }
 
@@ -81,7 +81,7 @@ void Family::check(const Arguments<double>& arguments) const {
       }
       if (p.structural && !p.list && value != std::floor(value)) {
         throw std::invalid_argument(
-            fmt::format("law '{}': parameter {} = {:.6g} must be whole", name, p.name, value));
+            fmt::format("law '{}': parameter {} = {:.6g} must be an integer", name, p.name, value));
       }
     }
   }
@@ -101,7 +101,7 @@ std::string member_name(const Member& member, Print print) {
     const Parameter& parameter = member.family->parameters[i];
     const auto& values = member.arguments.list(i);
     const bool untold = values.empty() || parameter.name == kCrossover;
-    if (untold && values == parameter.standard) continue;
+    if (untold && values == parameter.default_value) continue;
     result += fmt::format(" {}={}", parameter.name, print(values));
   }
   return result;
@@ -176,7 +176,7 @@ Member find_law(std::string_view given, ValueReader reader) {
   }
   const std::string_view text = joined;
   // A whole text may be a name itself ("polynomial-5 alpha=-3" is one); else words "k=v" follow.
-  if (const Family* family = find_exact(text)) return {family, family->standard()};
+  if (const Family* family = find_exact(text)) return {family, family->defaults()};
   // An assignment starts at the last space before its equals sign.
   const auto assignment_start = [&](std::size_t from) {
     const std::size_t equals = text.find('=', from);
@@ -187,7 +187,7 @@ Member find_law(std::string_view given, ValueReader reader) {
     throw std::invalid_argument(fmt::format("'{}' names no law: write NAME k=v ...", text));
   }
   const Family& family = find_family(trimmed(text.substr(0, start)));
-  Member member{&family, family.standard()};
+  Member member{&family, family.defaults()};
   std::set<std::string> seen;
   while (start < text.size()) {
     const std::size_t next = assignment_start(text.find('=', start) + 1);

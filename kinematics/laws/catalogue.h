@@ -21,9 +21,9 @@ inline constexpr const char* kCrossover = "crossover";
 /// A parameter of a law family.
 struct Parameter {
   std::string name;
-  std::string unit;              ///< as udunits writes it; "1" for a plain number
-  double low, high;              ///< accepted range of each value, ends included
-  std::vector<double> standard;  ///< value(s) used where none is given
+  std::string unit;                   ///< as udunits writes it; "1" for a plain number
+  double low, high;                   ///< accepted range of each value, ends included
+  std::vector<double> default_value;  ///< value(s) used where none is given
   std::string meaning;
   bool list = false;        ///< takes any number of values
   bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
@@ -113,8 +113,8 @@ struct Family {
   std::string formula;
   std::vector<Parameter> parameters;
   std::string ends;  ///< VDI 2143 pair, "R-R"; "by parameters" where they decide
-  int continuity;    ///< class of the standard member: kSmooth where nothing known jumps
-  bool symmetric;    ///< of the standard member: s(x) + s(1 - x) = 1
+  int continuity;    ///< class of the default member: kSmooth where nothing known jumps
+  bool symmetric;    ///< of the default member: s(x) + s(1 - x) = 1
   std::string source;
   Maker maker;
   /// Of a family that is not in the catalogue: the same law as a member of one that is, where there
@@ -122,7 +122,7 @@ struct Family {
   std::function<Member(const Arguments<double>&)> listed = {};
   std::vector<Room> rooms = {};  ///< what the parameters must leave together
 
-  Arguments<double> standard() const;
+  Arguments<double> defaults() const;
   /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter
   /// for a value outside its range or a set that makes no law.
   template <class S>

@@ -176,7 +176,7 @@ std::pair<std::vector<T>, std::vector<T>> spline_of(const FreeLaw& shape,
 Member as_b_spline(const FreeLaw& shape, const Arguments<double>& arguments) {
   const auto [knots, coefficients] = spline_of(shape, arguments);
   const Family& family = find_family("b-spline");
-  Member result{&family, family.standard()};
+  Member result{&family, family.defaults()};
   auto& values = result.arguments.values();
   values[family.parameter("degree")] = {static_cast<double>(shape.degree)};
   values[family.parameter("knots")] = knots;
@@ -240,9 +240,9 @@ Member free_law(const FreeLaw& shape, const Law<double>& start) {
           },
       .listed =
           [shape](const Arguments<double>& arguments) { return as_b_spline(shape, arguments); }};
-  family.continuity = continuity(family.make(family.standard()));
+  family.continuity = continuity(family.make(family.defaults()));
   const auto owned = std::make_shared<const Family>(std::move(family));
-  return {owned, owned->standard()};
+  return {owned, owned->defaults()};
 }
 
 }  // namespace camlaw

@@ -8,8 +8,8 @@ namespace {
 
 using detail::rest_of_one, detail::rest_to_rest;
 
-Parameter fraction(const char* name, double standard, const char* meaning) {
-  return {name, "1", 0, 1, {standard}, meaning};
+Parameter fraction(const char* name, double default_value, const char* meaning) {
+  return {name, "1", 0, 1, {default_value}, meaning};
 }
 
 /// The peak jerk of an S-curve's arguments; left out, it makes 1/B + B/C + C/D = 1.

@@ -162,7 +162,7 @@ std::vector<Family> free_polynomials() {
                       2,
                       100,
                       {3, 4, 5},
-                      "two or more, different; need not be whole",
+                      "two or more, different; need not be integers",
                       true,
                       true}}},
                    []<class S>(const Arguments<S>& a) {

@@ -130,7 +130,7 @@ Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& en
 
 /// Stoddart's rule: s = sum C_p x^p over the exponents, C_p the product of q / (q - p) over the
 /// other exponents q; s = 1 and all derivatives that the number of exponents allows are 0 at x = 1.
-/// Exponents need not be whole. Throws std::invalid_argument unless there are two or more, all
+/// Exponents need not be integers. Throws std::invalid_argument unless there are two or more, all
 /// different and at least 2.
 template <class T>
 Law<T> stoddart(std::vector<double> exponents) {

@@ -71,8 +71,8 @@ std::vector<Family> fixed_harmonics() {
 }
 
 std::vector<Family> harmonic_series() {
-  const auto level = [](const char* name, double standard, const char* meaning) {
-    return Parameter{name, "1", -100, 100, {standard}, meaning};
+  const auto level = [](const char* name, double default_value, const char* meaning) {
+    return Parameter{name, "1", -100, 100, {default_value}, meaning};
   };
   constexpr double kPi = std::numbers::pi;
   return {
@@ -92,7 +92,7 @@ std::vector<Family> harmonic_series() {
            "h1/(2 pi) + h2/(4 pi) + h3/(6 pi) = 1",
            4,
            true,
-           "MechDesigner help; standard: no jerk at the ends and the crossover",
+           "MechDesigner help; default: no jerk at the ends and the crossover",
            {level("h1", 9 * kPi / 4, "level of the first harmonic"),
             level("h2", 0, "level of the second"), level("h3", -3 * kPi / 4, "level of the third")},
            {detail::sum_of_one(

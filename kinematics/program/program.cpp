@@ -101,7 +101,7 @@ Layout lay_out(const std::vector<ProgramSegment>& segments) {
       for (std::size_t i = 0; i < family.parameters.size(); ++i) {
         Parameter parameter = family.parameters[i];
         parameter.name = segment.name + "_" + parameter.name;
-        parameter.standard = segment.law->arguments.list(i);
+        parameter.default_value = segment.law->arguments.list(i);
         add(std::move(parameter));
       }
     }
@@ -272,9 +272,9 @@ Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
     return program_of(listed_segments(stated, layout, arguments), matched);
   };
   family.rooms = rooms_of(stated, layout);
-  family.continuity = continuity(family.make(family.standard()));
+  family.continuity = continuity(family.make(family.defaults()));
   const auto owned = std::make_shared<const Family>(std::move(family));
-  return {owned, owned->standard()};
+  return {owned, owned->defaults()};
 }
 
 }  // namespace

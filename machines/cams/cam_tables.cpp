@@ -40,7 +40,7 @@ Parameters sliding_load(double rate, double preload) {
       {"load", "F_L", "N", "N", "constant load against the rise", 0, -1e9, 1e9}};
 }
 
-Parameters swinging_load(double rate, double preload) {
+Parameters oscillating_load(double rate, double preload) {
   return {{"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that swings", 0.002, 0, 1e6},
           {"spring_rate", "c", "N m/deg", "N m/rad", "rate of the spring about the pivot", rate, 0,
            1e9},

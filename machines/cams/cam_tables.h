@@ -16,10 +16,10 @@ Parameters base_parameter();
 Parameters roller_parameter();
 Parameters offset_parameter();
 Parameters speed_parameter();
-/// Mass, spring and load of a follower that slides, its spring's standard rate and preload.
+/// Mass, spring and load of a follower that slides, its spring's default rate and preload.
 Parameters sliding_load(double rate, double preload);
-/// Inertia, spring and load of an arm, its spring's standard rate in N m/deg and preload.
-Parameters swinging_load(double rate, double preload);
+/// Inertia, spring and load of an arm, its spring's default rate in N m/deg and preload.
+Parameters oscillating_load(double rate, double preload);
 /// Width and material of the contact.
 Parameters contact_parameters();
 Parameters cutter_parameter();

@@ -78,8 +78,8 @@ struct FollowerWords {
 
 inline constexpr FollowerWords kSliding{"stroke", "mm", "m",    "m/s",           "m/s2",
                                         "m/s3",   "N",  "mass", "follower_force"};
-inline constexpr FollowerWords kSwinging{"swing",  "deg", "rad",     "rad/s",          "rad/s2",
-                                         "rad/s3", "N m", "inertia", "follower_torque"};
+inline constexpr FollowerWords kOscillating{"swing",  "deg", "rad",     "rad/s",          "rad/s2",
+                                            "rad/s3", "N m", "inertia", "follower_torque"};
 
 inline std::vector<MechanismResponse> follower_responses_of(
     const FollowerWords& w,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/swinging_roller_cam.h"
+#include "machines/cams/oscillating_roller_cam.h"
 
 namespace camlaw {
 
-/// A disc cam with an oscillating roller follower that turns the other way than SwingingRollerCam
-/// (docs/theory.md, "Either rotation"): its surface runs towards the pivot (a leading arm), and in
-/// the rise cam and arm turn alike. The cam is that of the motion run backwards; fields and
-/// validity are the same.
+/// A disc cam with an oscillating roller follower that turns the other way than
+/// OscillatingRollerCam (docs/theory.md, "Either rotation"): its surface runs towards the pivot (a
+/// leading arm), and in the rise cam and arm turn alike. The cam is that of the motion run
+/// backwards; fields and validity are the same.
 template <class T>
-struct LeadingRollerCam : SwingingRollerCam<T> {
+struct LeadingRollerCam : OscillatingRollerCam<T> {
   /// The roller's centre, with derivatives by the angle run backwards.
   template <class X>
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
@@ -32,7 +32,7 @@ struct LeadingRollerCam : SwingingRollerCam<T> {
   }
 
  private:
-  const SwingingRollerCam<T>& trailing() const { return *this; }
+  const OscillatingRollerCam<T>& trailing() const { return *this; }
   template <class X>
   static FollowerMotion<X> backwards(const FollowerMotion<X>& f) {
     return {f.s, -f.ds, f.dds, -f.ddds};

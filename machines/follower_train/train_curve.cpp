@@ -15,7 +15,7 @@ namespace {
 /// From parts of the stroke, by x, to SI units.
 template <class T>
 T scale_of(TrainQuantity which, const ElasticFollower<T>& machine, const Law<T>& law) {
-  if (which == TrainQuantity::Amplification) return number<T>(1) / peaks(law).C();
+  if (which == TrainQuantity::Amplification) return number<T>(1) / peaks(law).max_acceleration();
   if (which != TrainQuantity::MassAcceleration) return machine.stroke;
   return machine.stroke / (machine.rise_time() * machine.rise_time());
 }

@@ -38,6 +38,7 @@ class TrainCurve final : public optim::Curve {
   optim::Function at(optim::Place place) const override { return derivative_at(place, 0); }
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override { return !binding_.law->is_linear(); }
+  double memory() const override { return binding_.law->memory(); }
   /// Joints are those of the law's pieces, counted from 0.
   optim::Place tied(optim::Place place, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;

@@ -119,6 +119,25 @@ struct AtPiecePlace {
   }
 };
 
+/// What a law in the scalar S takes.
+template <class S>
+double bytes_as(const Law<double>& law) {
+  std::size_t bytes = 0;
+  for (const Piece<double>& piece : law.pieces()) {
+    bytes += sizeof(Piece<S>) + piece.polynomial.size() * sizeof(S) +
+             piece.harmonics.size() * sizeof(Harmonic<S>) +
+             piece.curves.size() * sizeof(CurveTerm<S>);
+  }
+  return static_cast<double>(bytes);
+}
+
+/// Of how many designs the laws with second derivatives are kept.
+std::size_t kept_of(double bytes) {
+  constexpr double kKept = 64e6;
+  return static_cast<std::size_t>(
+      std::clamp(kKept / std::max(bytes, 1.0), 1.0, double(kRecentlyKept)));
+}
+
 void check_variable(const Member& member, const LawVariable& variable) {
   const Family& family = *member.family;
   if (variable.parameter >= family.parameters.size()) {
@@ -175,6 +194,8 @@ struct LinearLaw {
 /// Laws in the scalars that carry derivatives: one for each block of parameters, or each pair of
 /// blocks; none where the values make no law.
 struct LawBinding::Laws {
+  explicit Laws(std::size_t kept) : second(kept) {}
+
   std::once_flag linear_made;
   std::optional<LinearLaw> linear;
   Recent<std::optional<Law<double>>> plain;
@@ -183,16 +204,20 @@ struct LawBinding::Laws {
 };
 
 LawBinding::LawBinding(Member member, std::vector<LawVariable> variables)
-    : member_(std::move(member)),
-      variables_(std::move(variables)),
-      linear_(true),
-      laws_(std::make_shared<Laws>()) {
+    : member_(std::move(member)), variables_(std::move(variables)), linear_(true) {
   for (const LawVariable& variable : variables_) {
     check_variable(member_, variable);
     linear_ = linear_ && member_.family->parameters[variable.parameter].linear;
     values_.push_back(member_.arguments.list(variable.parameter)[variable.element]);
   }
-  member_.law();  // throws where there is none
+  const Law<double> law = member_.law();  // throws where there is none
+  const auto count = static_cast<double>(blocks(variables_.size()));
+  second_bytes_ = linear_ ? 0 : count * (count + 1) / 2 * bytes_as<Dual2>(law);
+  laws_ = std::make_shared<Laws>(kept_of(second_bytes_));
+}
+
+double LawBinding::memory() const {
+  return second_bytes_ * static_cast<double>(kept_of(second_bytes_));
 }
 
 std::vector<double> LawBinding::values_at(std::span<const double> design) const {

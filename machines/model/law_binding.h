@@ -43,6 +43,9 @@ class LawBinding {
 
   const Member& member() const { return member_; }
   const std::vector<LawVariable>& variables() const { return variables_; }
+  /// Bytes that second derivatives take: a law for each pair of blocks of kDualWidth parameters, of
+  /// each design that is kept. 0 where the law is linear.
+  double memory() const;
   /// Whether the law is linear in everything that varies.
   bool is_linear() const { return linear_; }
   /// The varying parameters of a design, in the order of variables().
@@ -116,6 +119,7 @@ class LawBinding {
   std::vector<LawVariable> variables_;
   bool linear_;
   std::vector<double> values_;  ///< the member's own
+  double second_bytes_ = 0;     ///< of the laws with second derivatives of one design
   std::shared_ptr<Laws> laws_;
 };
 

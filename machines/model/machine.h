@@ -66,10 +66,10 @@ bool is_possible(const Machine& machine) {
   return true;
 }
 
-/// A value of a parameter for finding out what depends on it: its standard one, but not 0, where
+/// A value of a parameter for finding out what depends on it: its default, but not 0, where
 /// what it multiplies would vanish.
 inline double typical_value(const MechanismParameter& p) {
-  return p.standard != 0 ? p.standard : 0.31 * std::min(1.0, p.high);
+  return p.default_value != 0 ? p.default_value : 0.31 * std::min(1.0, p.high);
 }
 
 /// The machine with every parameter at its typical value.

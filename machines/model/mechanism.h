@@ -20,9 +20,9 @@ struct MechanismParameter {
   std::string unit;          ///< the one it is listed in, and that problems count in
   std::string stored;        ///< the one that the formulas use
   std::string meaning;
-  double standard;   ///< in the listed unit, as are the ends of the range
-  double low, high;  ///< accepted values, ends included
-  bool whole = false;
+  double default_value;  ///< in the listed unit, as are the ends of the range
+  double low, high;      ///< accepted values, ends included
+  bool integer = false;
 };
 
 /// A statement about a response's form: it holds where, of all that the response depends on,

@@ -34,6 +34,7 @@ class MechanismCurve final : public optim::Curve {
   optim::Function at(optim::Place place) const override;
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
   bool breaks_move() const override { return !law_->is_linear(); }
+  double memory() const override { return law_->memory(); }
   optim::Place tied(optim::Place place, optim::Design x) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -10,15 +10,21 @@
 
 namespace camlaw::problems {
 
+inline constexpr std::size_t kRecentlyKept = 8;
+
 /// Keeps what was made for the last few keys: many rows of a problem are evaluated at one design.
 /// Several threads may ask at once; things are made outside the lock, so two threads may both make
 /// one, and what makes them must be safe in both.
 template <class Value>
 class Recent {
  public:
+  /// For how many keys; by default a design for each of a few threads.
+  explicit Recent(std::size_t kept = kRecentlyKept) : kept_(kept) {}
+
   template <class Make>
   std::shared_ptr<const Value> get(std::span<const double> key, const Make& make) {
     if (auto found = find(key)) return found;
+    make_room();  // before more is taken
     auto made = std::make_shared<const Value>(make());
     const std::lock_guard lock(guard_);
     kept_[next_] = {{key.begin(), key.end()}, made};
@@ -42,8 +48,13 @@ class Recent {
     return nullptr;
   }
 
+  void make_room() {
+    const std::lock_guard lock(guard_);
+    kept_[next_].value.reset();
+  }
+
   std::mutex guard_;
-  std::array<Entry, 8> kept_;  ///< a design for each of a few threads
+  std::vector<Entry> kept_;
   std::size_t next_ = 0;
 };
 

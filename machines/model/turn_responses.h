@@ -174,12 +174,12 @@ MechanismResponse turn_response(ResponseAbout about, Which which, F work) {
   MechanismResponse response = detail::described<M>(std::move(about));
   response.along = "deg";
   const M<double> machine = typical_machine<M>().template at<double>({});
-  const auto standard = detail::breaks_of<double>(machine);
-  const auto matter = detail::breaks_that_matter(work(machine), which, standard);
+  const auto defaults = detail::breaks_of<double>(machine);
+  const auto matter = detail::breaks_that_matter(work(machine), which, defaults);
   response.uses = detail::used_parameters<M>([&](const M<Dual>& some) {
     Dual sum(0.0);
-    for (std::size_t section = 0; section <= standard.size(); ++section) {
-      const Dual angle(detail::some_angle(standard, section));
+    for (std::size_t section = 0; section <= defaults.size(); ++section) {
+      const Dual angle(detail::some_angle(defaults, section));
       sum += work(some)(which, section, angle);
     }
     return sum;

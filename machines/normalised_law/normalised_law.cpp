@@ -25,10 +25,10 @@ struct Followers {
 template <>
 struct MachineTraits<Followers> {
   static const std::vector<MechanismParameter>& parameters() {
-    const auto ratio = [](const char* name, const char* symbol, double standard) {
+    const auto ratio = [](const char* name, const char* symbol, double default_value) {
       return MechanismParameter{
-          name,     symbol, "1", "1", "time of the law over a follower's natural period",
-          standard, 1e-3,   1000};
+          name,          symbol, "1", "1", "time of the law over a follower's natural period",
+          default_value, 1e-3,   1000};
     };
     static const std::vector<MechanismParameter> all{ratio("period_ratio", "tau", 2),
                                                      ratio("period_ratio_2", "tau_2", 3),

@@ -70,7 +70,7 @@ struct DiscSpringStack {
 /// The fewest packets in a row that take the stack's deflection with none deflected by more than
 /// the share of its way to flat.
 inline int least_series(const DiscSpring<double>& spring, double deflection, double share) {
-  constexpr double kRounding = 1e-12;  // of a quotient that is meant to be whole
+  constexpr double kRounding = 1e-12;  // of a quotient that is meant to be an integer
   return static_cast<int>(
       std::ceil(deflection / (share * spring.flat_deflection()) * (1 - kRounding)));
 }

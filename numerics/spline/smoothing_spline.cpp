@@ -185,7 +185,7 @@ class SmoothingFit {
 
   SmoothingSpline run() {
     spline_.samples_.resize(samples_.size());
-    // Few steps settle it; where weights go on swinging the last ones are as good as any.
+    // Few steps settle it; where weights go on oscillating the last ones are as good as any.
     constexpr int kMostSteps = 30;
     constexpr double kSettled = 1e-3;
     for (int step = 0; step < kMostSteps; ++step) {

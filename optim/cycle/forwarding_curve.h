@@ -22,6 +22,7 @@ class ForwardingCurve : public Curve {
   Place tied(Place place, Design x) const override { return curve_->tied(place, x); }
   std::vector<Rest> rests(double bound, Design x) const override { return curve_->rests(bound, x); }
   Shape shape() const override { return curve_->shape(); }
+  double memory() const override { return curve_->memory(); }
 
  protected:
   const Curve& curve() const { return *curve_; }

@@ -11,7 +11,7 @@ namespace camlaw::optim {
 /// What NSGA-II evolves.
 struct Evolution {
   std::vector<double> lower, upper;  ///< of the genes, finite
-  std::size_t integers = 0;          ///< so many of the last genes are whole
+  std::size_t integers = 0;          ///< so many of the last genes are integers
   std::size_t objectives = 2;
   std::size_t population = 8;  ///< a multiple of four
   unsigned generations = 1, seed = 1;

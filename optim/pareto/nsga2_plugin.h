@@ -4,7 +4,7 @@
 #include <cstddef>
 
 /// Between the library and the plug-in that has NSGA-II: plain C, as the plug-in is loaded by name.
-/// Bounds are finite, the last `integers` of the genes are whole numbers between whole bounds.
+/// Bounds are finite, the last `integers` of the genes are integers between integer bounds.
 struct CamlawEvolved {
   std::size_t genes, integers, objectives;
   const double* lower;

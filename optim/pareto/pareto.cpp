@@ -165,14 +165,14 @@ class Study {
     return done && set_up();
   }
 
-  /// As stated, else the standard ones where each objective is best (docs/optimisation.md, (Z3)):
+  /// As stated, else the defaults where each objective is best (docs/optimisation.md, (Z3)):
   /// at `best(objective)`, nullptr where no design is known.
   template <class Best>
   void settle_tolerances(Best best) {
     const MultiProblem first = space_.problem(space_.options(0));
     for (std::size_t i = 0; i < objectives(); ++i) {
       const auto& stated = first.objectives[i].tolerance;
-      front_.tolerances.push_back(stated ? *stated : standard_tolerance(i, best(i)));
+      front_.tolerances.push_back(stated ? *stated : default_tolerance(i, best(i)));
     }
   }
 
@@ -187,7 +187,7 @@ class Study {
     return best;
   }
 
-  double standard_tolerance(std::size_t objective, const FrontPoint* best) const {
+  double default_tolerance(std::size_t objective, const FrontPoint* best) const {
     if (best == nullptr) return 0;
     try {
       const Problem problem = space_.problem(space_.options(best->part)).alone(objective);

@@ -12,11 +12,11 @@
 namespace camlaw::optim {
 namespace {
 
-/// What NSGA-II is given: whole variables last, bounds finite.
+/// What NSGA-II is given: integer variables last, bounds finite.
 struct Genome {
   std::vector<std::size_t> variables;  ///< of the problem, in the genes' order
   std::vector<double> lower, upper, fixed;
-  std::size_t whole = 0;
+  std::size_t integer = 0;
 };
 
 Genome genome_of(const MultiProblem& multi) {
@@ -24,19 +24,19 @@ Genome genome_of(const MultiProblem& multi) {
   const Problem problem = multi.alone(0);
   const std::vector<double> scales = variable_scales(problem);
   genome.fixed = problem.start();
-  for (const bool whole : {false, true}) {
+  for (const bool integer : {false, true}) {
     for (std::size_t i = 0; i < multi.variables.size(); ++i) {
       const Variable& v = multi.variables[i];
-      if (v.integer != whole || v.lower == v.upper) continue;
+      if (v.integer != integer || v.lower == v.upper) continue;
       // Without bounds it looks about the start.
       constexpr double kFar = 10;
       const double reach = kFar * scales[i];
       genome.variables.push_back(i);
       const double lower = std::isfinite(v.lower) ? v.lower : v.start - reach;
       const double upper = std::isfinite(v.upper) ? v.upper : v.start + reach;
-      genome.lower.push_back(whole ? std::ceil(lower) : lower);
-      genome.upper.push_back(whole ? std::floor(upper) : upper);
-      genome.whole += whole;
+      genome.lower.push_back(integer ? std::ceil(lower) : lower);
+      genome.upper.push_back(integer ? std::floor(upper) : upper);
+      genome.integer += integer;
     }
   }
   return genome;
@@ -108,7 +108,7 @@ Outcome scout(const Task& task, const MultiProblem& multi) {
   const Unlimited unlimited{multi, problem, its_sizes};
   const Evolution evolution{.lower = genome.lower,
                             .upper = genome.upper,
-                            .integers = genome.whole,
+                            .integers = genome.integer,
                             .objectives = multi.objectives.size(),
                             .population = std::max<std::size_t>(8, (task.population + 3) / 4 * 4),
                             .generations = static_cast<unsigned>(task.generations),

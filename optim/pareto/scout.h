@@ -8,7 +8,7 @@ namespace camlaw::optim {
 /// NSGA-II (Deb and others 2002; pagmo): `population` designs, evolved for `generations`. Limits
 /// go first: of two designs that pass some the one that passes them by less is better, and any that
 /// meets all is better than both. The designs of the last generation that meet every limit and that
-/// no other one dominates. Whole variables stay whole. The same seed, the same designs.
+/// no other one dominates. Integer variables stay integers. The same seed, the same designs.
 Outcome scout(const Task& task, const MultiProblem& multi);
 
 }  // namespace camlaw::optim

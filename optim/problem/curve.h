@@ -87,6 +87,9 @@ class Curve {
   virtual std::unique_ptr<Trace> trace(Design x) const = 0;
   /// The shape of at(place), the same for every place.
   virtual Shape shape() const = 0;
+  /// Bytes that it keeps, at most, for values and derivatives at all places of the designs that
+  /// were asked for last; curves of one machine keep the same ones. 0 for what is small.
+  virtual double memory() const { return 0; }
 };
 
 }  // namespace camlaw::optim

@@ -29,7 +29,7 @@ void check_variable(const Variable& v) {
     refuse(what, "an integer variable needs a lower and an upper bound");
   }
   if (v.integer && std::ceil(v.lower) > std::floor(v.upper)) {
-    refuse(what, fmt::format("no whole number lies between {:.6g} and {:.6g}", v.lower, v.upper));
+    refuse(what, fmt::format("no integer lies between {:.6g} and {:.6g}", v.lower, v.upper));
   }
 }
 

@@ -10,7 +10,7 @@ namespace camlaw::optim {
 
 /// Places to begin at: the problem's own start first, then points of a Halton sequence, shifted by
 /// the seed, that fill the box evenly. A side without a bound reaches ten scales from the start.
-/// Fixed and whole variables keep their start.
+/// Fixed and integer variables keep their start.
 std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed);
 
 /// The same sequence, in which variables of one sign fill their sides evenly by orders of

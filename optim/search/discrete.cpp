@@ -17,7 +17,7 @@ std::vector<std::size_t> whole_variables(const Problem& problem) {
   return result;
 }
 
-/// The whole values between a variable's bounds.
+/// The integer values between a variable's bounds.
 struct WholeRange {
   double low, high;
   double count() const { return std::max(0.0, high - low + 1); }
@@ -30,9 +30,9 @@ bool settles(const Found& found) {
   return found.assessment.verdict == Verdict::Infeasible || is_settled(found.assessment);
 }
 
-class Whole {
+class IntegerSearch {
  public:
-  Whole(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline)
+  IntegerSearch(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline)
       : problem_(problem),
         options_(options),
         deadline_(deadline),
@@ -44,8 +44,8 @@ class Whole {
       whole(progress);
     };
   }
-  Whole(const Whole&) = delete;
-  Whole& operator=(const Whole&) = delete;
+  IntegerSearch(const IntegerSearch&) = delete;
+  IntegerSearch& operator=(const IntegerSearch&) = delete;
 
   WholeSearch run() {
     constexpr double kEnumerable = 2000;
@@ -74,8 +74,8 @@ class Whole {
            static_cast<double>(result_.combinations);
   }
 
-  /// Solves one continuous problem, counts, and keeps the best design whose whole variables are
-  /// whole. The answer itself comes back.
+  /// Solves one continuous problem, counts, and keeps the best design whose integer variables
+  /// areintegers. The answer itself comes back.
   Found solve(const Problem& continuous) {
     Found found = search_continuous(continuous, options_, deadline_, false);
     ++result_.solved;
@@ -146,7 +146,7 @@ class Whole {
     double bound;  ///< no design below it is better (to minimise, sign turned)
   };
 
-  /// Best bound first. A node's problem lets whole variables vary between its bounds.
+  /// Best bound first. A node's problem lets integer variables vary between its bounds.
   void branch_and_bound() {
     constexpr std::size_t kNodes = 20000;
     std::vector<Node> open{{problem_, -kInfinity}};
@@ -208,7 +208,7 @@ class Whole {
     return {std::move(below), std::move(above)};
   }
 
-  /// The whole variable farthest from a whole number; past the end where all are whole.
+  /// The integer variable farthest from an integer; past the end where all are integers.
   std::size_t most_broken(Design x) const {
     std::size_t worst = problem_.variables.size();
     double distance = kWholeTolerance;
@@ -219,7 +219,7 @@ class Whole {
     return worst;
   }
 
-  /// A first design with whole numbers comes from rounding; it lets bounds exclude.
+  /// A first design with integers comes from rounding; it lets bounds exclude.
   void round_and_solve(const Problem& problem, Design x) {
     if (best_value() < kInfinity) return;
     solve(with_whole_fixed(problem, x));
@@ -248,7 +248,7 @@ Problem with_whole_fixed(const Problem& problem, Design x) {
 
 WholeSearch search_whole(const Problem& problem, const OptimiseOptions& options,
                          const Deadline& deadline) {
-  return Whole(problem, options, deadline).run();
+  return IntegerSearch(problem, options, deadline).run();
 }
 
 }  // namespace camlaw::optim

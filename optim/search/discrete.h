@@ -3,10 +3,10 @@
 
 #include "optim/search/local.h"
 
-/// Whole variables: enumeration, or branch and bound over the continuous rest.
+/// Integer variables: enumeration, or branch and bound over the continuous rest.
 namespace camlaw::optim {
 
-/// What the search over whole variables came to.
+/// What the search over integer variables came to.
 struct WholeSearch {
   Found found;
   std::size_t combinations = 1;  ///< as a double would overflow, at most 1e18
@@ -18,11 +18,11 @@ struct WholeSearch {
   bool enumerated = true;
 };
 
-/// Solves over the whole variables of one problem; the best is not proved yet.
+/// Solves over the integer variables of one problem; the best is not proved yet.
 WholeSearch search_whole(const Problem& problem, const OptimiseOptions& options,
                          const Deadline& deadline);
 
-/// The problem with each whole variable fixed at the design's value.
+/// The problem with each integer variable fixed at the design's value.
 Problem with_whole_fixed(const Problem& problem, Design x);
 
 }  // namespace camlaw::optim

@@ -14,9 +14,10 @@
 namespace camlaw::optim {
 namespace {
 
-/// Rows of a program, and entries of their slopes and of all second derivatives.
+/// Rows of a program, entries of their slopes and of all second derivatives, and the bytes that
+/// curves keep.
 struct Extent {
-  double rows = 0, slopes = 0, second = 0;
+  double rows = 0, slopes = 0, second = 0, kept = 0;
 };
 
 void add_rows(const Function& function, double rows, Extent& extent) {
@@ -61,6 +62,7 @@ Extent extent_of(const Problem& problem, Design x) {
     extent.rows += sides * one.rows;
     extent.slopes += sides * one.slopes;
     extent.second += sides * one.second;
+    extent.kept = std::max(extent.kept, curve->memory());
   }
   return extent;
 }
@@ -99,7 +101,7 @@ MemoryNeed memory_need(const Problem& problem) {
   const Extent extent = extent_of(problem, x);
   const auto n = static_cast<double>(problem.variables.size());
   const double second = std::min(extent.second, n * (n + 1) / 2);
-  return {kPerEntry * (extent.rows + extent.slopes + second),
+  return {kPerEntry * (extent.rows + extent.slopes + second) + extent.kept,
           fmt::format("{} and {:.0f} rows of limits", variables_text(problem), extent.rows)};
 }
 

@@ -229,7 +229,7 @@ class Optimiser {
                        [](const Variable& v) { return v.integer; });
   }
 
-  /// The winner, solved once more with its whole variables fixed, and proved.
+  /// The winner, solved once more with its integer variables fixed, and proved.
   void settle() {
     best_.combinations = tally_.combinations;
     if (deadline_.passed()) tally_.stopped = deadline_.reason();

@@ -51,13 +51,17 @@ pid_t spawned(const std::string& path, int socket) {
 }  // namespace
 
 WorkerProcess::WorkerProcess(pid_t process, int socket, bool forked)
-    : process_(process), socket_(socket), forked_(forked), ready_(forked) {}
+    : process_(process),
+      socket_(socket),
+      forked_(forked),
+      stage_(forked ? Stage::Ready : Stage::Started) {}
 
 WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       socket_(std::exchange(other.socket_, -1)),
       forked_(other.forked_),
-      ready_(other.ready_),
+      stage_(other.stage_),
+      awaited_(std::move(other.awaited_)),
       inbox_(std::move(other.inbox_)),
       task_(other.task_) {}
 
@@ -65,7 +69,8 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(process_, other.process_);
   std::swap(socket_, other.socket_);
   std::swap(forked_, other.forked_);
-  std::swap(ready_, other.ready_);
+  std::swap(stage_, other.stage_);
+  std::swap(awaited_, other.awaited_);
   std::swap(inbox_, other.inbox_);
   std::swap(task_, other.task_);
   return *this;
@@ -111,43 +116,52 @@ WorkerProcess WorkerProcess::started(const WorkerProgram& program) {
     fail(program.path, error);
   }
   WorkerProcess worker(process, ends.mine, false);
-  worker.hear_greeting(program);
-  send_message(worker.socket_, program.problem);  // where it is gone, read() tells
+  worker.awaited_ = {program, std::chrono::steady_clock::now() + program.patience, {}};
   return worker;
 }
 
-void WorkerProcess::hear_greeting(const WorkerProgram& program) {
-  using std::chrono::steady_clock, std::chrono::milliseconds;
-  const auto latest = steady_clock::now() + program.patience;
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("{} is not a worker of camlaw: {}", program.path, why));
-  };
+WorkerProcess::News WorkerProcess::refuse(const std::string& why) {
+  end();
+  return {.failed_to_start =
+              fmt::format("{} is not a worker of camlaw: {}", awaited_.program.path, why)};
+}
+
+/// What is sent before the greeting might fill the socket of a program that does not read, or go to
+/// one that is not ours.
+WorkerProcess::News WorkerProcess::hear_greeting() {
   std::string message;
-  while (!inbox_.take(message)) {
-    const auto left = std::chrono::ceil<milliseconds>(latest - steady_clock::now());
-    pollfd file{socket_, POLLIN, 0};
-    if (left <= milliseconds(0)) {
-      refuse(fmt::format("it did not say within {} s that it is one",
-                         std::chrono::duration<double>(program.patience).count()));
-    }
-    if (poll(&file, 1, static_cast<int>(left.count())) <= 0) continue;
-    if (!inbox_.read_some(socket_)) throw std::runtime_error(died().failed_to_start);
-    if (!inbox_.may_become(kGreeting.size())) break;
+  if (!inbox_.take(message) && inbox_.may_become(kGreeting.size())) return {};
+  if (message != kGreeting) {
+    return refuse("what it said is not what a worker of this version says");
   }
-  if (message != kGreeting) refuse("what it said is not what a worker of this version says");
+  stage_ = Stage::Greeted;
+  // Where it is gone the next read() tells.
+  send_message(socket_, std::exchange(awaited_.program.problem, {}));
+  if (!awaited_.order.empty()) send_message(socket_, std::exchange(awaited_.order, {}));
+  return {};
+}
+
+WorkerProcess::News WorkerProcess::late() {
+  if (stage_ != Stage::Started || std::chrono::steady_clock::now() < awaited_.latest) return {};
+  return refuse(fmt::format("it did not say within {} s that it is one",
+                            std::chrono::duration<double>(awaited_.program.patience).count()));
 }
 
 bool WorkerProcess::is_idle() const {
   if (task_) return false;
   pollfd file{socket_, POLLIN, 0};  // between tasks it has nothing to say
-  return !ready_ || poll(&file, 1, 0) == 0;
+  return stage_ != Stage::Ready || poll(&file, 1, 0) == 0;
 }
 
 bool WorkerProcess::give(std::size_t number, const Task& task, const OptimiseOptions& options) {
   Order order{task, options};
   order.options.stop = nullptr;
   order.options.progress = {};
-  if (!send_message(socket_, encoded(order)) && ready_) return false;
+  if (stage_ == Stage::Started) {
+    awaited_.order = encoded(order);
+  } else if (!send_message(socket_, encoded(order)) && stage_ == Stage::Ready) {
+    return false;
+  }
   task_ = number;
   return true;
 }
@@ -155,14 +169,17 @@ bool WorkerProcess::give(std::size_t number, const Task& task, const OptimiseOpt
 WorkerProcess::News WorkerProcess::read() {
   const bool open = inbox_.read_some(socket_);
   std::string message;
-  if (!ready_ && inbox_.take(message)) {
+  if (stage_ == Stage::Started) {
+    if (News news = hear_greeting(); !news.failed_to_start.empty()) return news;
+  }
+  if (stage_ == Stage::Greeted && inbox_.take(message)) {
     if (!message.empty()) {
       end();
       return {.failed_to_start = message};
     }
-    ready_ = true;
+    stage_ = Stage::Ready;
   }
-  if (ready_ && inbox_.take(message)) {
+  if (stage_ == Stage::Ready && inbox_.take(message)) {
     if (auto outcome = decoded(message)) {
       task_.reset();
       return {.outcome = std::move(outcome)};
@@ -176,7 +193,8 @@ WorkerProcess::News WorkerProcess::read() {
 WorkerProcess::News WorkerProcess::died() {
   close(std::exchange(socket_, -1));
   const int status = status_of(std::exchange(process_, -1));
-  if (!ready_) return {.failed_to_start = how_it_died("a worker that was being started", status)};
+  if (stage_ != Stage::Ready)
+    return {.failed_to_start = how_it_died("a worker that was being started", status)};
   Outcome failed;
   failed.failure = how_it_died("the process of this search", status);
   failed.died = true;

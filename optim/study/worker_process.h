@@ -30,8 +30,9 @@ class WorkerProcess {
   /// A copy of this process, which must have one thread. `others` are closed in it. Throws
   /// std::runtime_error where there is no process to be had.
   static WorkerProcess forked(const MultiSpace& space, const std::vector<WorkerProcess>& others);
-  /// A program; the process may have any number of threads. Throws as forked() does, where
-  /// the program cannot be executed, and where it does not say in time that it is a worker.
+  /// A program; the process may have any number of threads. Does not wait for it: what it is given
+  /// goes to it once it has said that it is a worker, and read() and late() tell where it is not
+  /// one. Throws as forked() does, and where the program cannot be executed.
   static WorkerProcess started(const WorkerProgram& program);
 
   WorkerProcess(WorkerProcess&& other) noexcept;
@@ -55,16 +56,30 @@ class WorkerProcess {
     std::string failed_to_start = {};     ///< why; the task was not looked at
   };
   News read();
+  /// The end of one that has not said within its patience that it is a worker; else nothing.
+  News late();
 
  private:
+  /// Of a program: what it has said so far.
+  enum class Stage : char { Started, Greeted, Ready };
+  /// What waits for the greeting, and how long.
+  struct Awaited {
+    WorkerProgram program = {};
+    std::chrono::steady_clock::time_point latest = {};
+    std::string order = {};
+  };
+
   WorkerProcess(pid_t process, int socket, bool forked);
   void end();
   News died();
-  void hear_greeting(const WorkerProgram& program);
+  News refuse(const std::string& why);
+  News hear_greeting();
 
   pid_t process_;
   int socket_;
-  bool forked_, ready_;
+  bool forked_;
+  Stage stage_;
+  Awaited awaited_;
   Inbox inbox_;
   std::optional<std::size_t> task_;
 };

@@ -81,13 +81,13 @@ class ProcessExecutor::Run {
       // Of one that is not busy nothing is to be heard, not even that it has ended.
       files.push_back({worker.is_busy() ? worker.socket() : -1, POLLIN, 0});
     }
-    if (poll(files.data(), files.size(), kMilliseconds) <= 0) return;
+    if (poll(files.data(), files.size(), kMilliseconds) < 0) return;
     std::vector<std::pair<std::size_t, Outcome>> ended;
     for (std::size_t i = 0; i < files.size(); ++i) {
       WorkerProcess& worker = executor_.crew_[i];
-      if (files[i].revents == 0 || !worker.is_busy()) continue;
+      if (!worker.is_busy()) continue;
       const std::size_t number = worker.task();
-      WorkerProcess::News news = worker.read();
+      WorkerProcess::News news = files[i].revents != 0 ? worker.read() : worker.late();
       if (!news.failed_to_start.empty()) {
         executor_.stay_here(news.failed_to_start);
         waiting_.push_front(number);

@@ -25,14 +25,15 @@ Json parameters_to_json(const Member& member) {
   for (std::size_t i = 0; i < member.family->parameters.size(); ++i) {
     const Parameter& p = member.family->parameters[i];
     const auto& values = member.arguments.list(i);
-    result.push_back({{"name", p.name},
-                      {"unit", p.unit},
-                      {"low", to_json(p.low)},
-                      {"high", to_json(p.high)},
-                      {"standard", p.list ? to_json(p.standard) : to_json(p.standard.front())},
-                      {"value", p.list ? to_json(values) : to_json(values.front())},
-                      {"list", p.list},
-                      {"meaning", p.meaning}});
+    result.push_back(
+        {{"name", p.name},
+         {"unit", p.unit},
+         {"low", to_json(p.low)},
+         {"high", to_json(p.high)},
+         {"default", p.list ? to_json(p.default_value) : to_json(p.default_value.front())},
+         {"value", p.list ? to_json(values) : to_json(values.front())},
+         {"list", p.list},
+         {"meaning", p.meaning}});
   }
   return result;
 }
@@ -41,12 +42,12 @@ Json place(const Peak<double>& peak) { return to_json(peak.position); }
 
 void add_constants(Json& object, const Peaks<double>& peak) {
   const auto lambda = limit_index(peak);
-  object["B"] = to_json(peak.B());
+  object["B"] = to_json(peak.max_velocity());
   object["C_max"] = to_json(peak.high(Quantity::Acceleration).value);
   object["C_min"] = to_json(peak.low(Quantity::Acceleration).value);
   object["D_max"] = to_json(peak.high(Quantity::Jerk).value);
   object["D_min"] = to_json(peak.low(Quantity::Jerk).value);
-  object["Cm"] = to_json(peak.Cm());
+  object["Cm"] = to_json(peak.max_dynamic_moment());
   object["lambda"] = lambda ? to_json(*lambda) : Json(nullptr);
   object["D_inside_max"] = to_json(peak.jerk_inside_highest.value);
   object["D_inside_min"] = to_json(peak.jerk_inside_lowest.value);
@@ -79,12 +80,12 @@ Json law_to_json(const Member& member) {
 
 Json enclosures_to_json(const Peaks<Interval>& peak) {
   const auto both = [](const Interval& x) { return Json{to_json(x.lower()), to_json(x.upper())}; };
-  return {{"B", both(peak.B())},
+  return {{"B", both(peak.max_velocity())},
           {"C_max", both(peak.high(Quantity::Acceleration).value)},
           {"C_min", both(peak.low(Quantity::Acceleration).value)},
           {"D_max", both(peak.high(Quantity::Jerk).value)},
           {"D_min", both(peak.low(Quantity::Jerk).value)},
-          {"Cm", both(peak.Cm())}};
+          {"Cm", both(peak.max_dynamic_moment())}};
 }
 
 }  // namespace camlaw::cli

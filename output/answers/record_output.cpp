@@ -64,7 +64,7 @@ Json record_json(const RecordAnswer& answer) {
           {"left_out", answer.left_out},
           {"rows_each", answer.record.each},
           {"far_rows_left_out", answer.record.left_out},
-          {"far_off", answer.fit.far_off.samples.size()},
+          {"outliers", answer.fit.outliers.samples.size()},
           {"rms", to_json(fit.rms)},
           {"max_residual", to_json(std::abs(fit.residuals[fit.largest]))},
           {"max_residual_at", to_json(answer.record.place[fit.largest])},

@@ -66,7 +66,7 @@ std::vector<Member> rivals_of(const Law<double>& free) {
   std::vector<Member> result;
   for (const Family& family : catalogue()) {
     if (family.name == "b-spline" || family.name == "table") continue;
-    const Member member{&family, family.standard()};
+    const Member member{&family, family.defaults()};
     if (fits(member.law(), wanted)) result.push_back(member);
   }
   return result;
@@ -124,8 +124,8 @@ void try_rivals(const Answer& answer, std::vector<Member> rivals,
 /// whether or not the acceleration vanishes there too.
 std::optional<double> least_for(const Law<double>& law, const Peaks<double>& peak) {
   const bool rests = vanishes(law, false, 1) && vanishes(law, true, 1);
-  if (!rests || !std::isfinite(peak.C())) return {};
-  return least_acceleration(peak.B());
+  if (!rests || !std::isfinite(peak.max_acceleration())) return {};
+  return least_acceleration(peak.max_velocity());
 }
 
 /// A share in percent, without what is rounding.
@@ -153,10 +153,12 @@ std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions&
 }
 
 std::string rulers_text(const Answer& answer, const Rulers& r) {
-  std::string text = fmt::format(
-      "\nthe law\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n", r.peaks.B(), r.peaks.C(),
-      std::isinf(r.peaks.D()) ? "infinite: acceleration jumps" : fmt::format("{:.7g}", r.peaks.D()),
-      r.peaks.Cm());
+  std::string text =
+      fmt::format("\nthe law\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n",
+                  r.peaks.max_velocity(), r.peaks.max_acceleration(),
+                  std::isinf(r.peaks.max_jerk()) ? "infinite: acceleration jumps"
+                                                 : fmt::format("{:.7g}", r.peaks.max_jerk()),
+                  r.peaks.max_dynamic_moment());
   if (r.lambda) {
     text += fmt::format("  lambda = {:.6f}, {} below 1, which no law passes\n", *r.lambda,
                         percent(1 - *r.lambda));
@@ -164,8 +166,9 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
   if (r.least_acceleration) {
     // Beyond 2 the least is that of 2: a law need not use all the velocity.
     text += fmt::format("  C is {} above {:.7g}, the least for {}\n",
-                        percent(r.peaks.C() / *r.least_acceleration - 1), *r.least_acceleration,
-                        r.peaks.B() > 2 ? "a velocity of at most B" : "this B");
+                        percent(r.peaks.max_acceleration() / *r.least_acceleration - 1),
+                        *r.least_acceleration,
+                        r.peaks.max_velocity() > 2 ? "a velocity of at most B" : "this B");
   }
   const std::string among =
       fmt::format("{} laws of the catalogue{}{}", r.rivals,
@@ -188,10 +191,10 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
 Json rulers_json(const Rulers& r) {
   Json best = nullptr;
   if (r.best) best = {{"law", r.best->law}, {"objective", to_json(r.best->objective)}};
-  return {{"B", to_json(r.peaks.B())},
-          {"C", to_json(r.peaks.C())},
-          {"D", to_json(r.peaks.D())},
-          {"Cm", to_json(r.peaks.Cm())},
+  return {{"B", to_json(r.peaks.max_velocity())},
+          {"C", to_json(r.peaks.max_acceleration())},
+          {"D", to_json(r.peaks.max_jerk())},
+          {"Cm", to_json(r.peaks.max_dynamic_moment())},
           {"lambda", r.lambda ? to_json(*r.lambda) : Json(nullptr)},
           {"least_C_for_B", r.least_acceleration ? to_json(*r.least_acceleration) : Json(nullptr)},
           {"named_laws", r.rivals},

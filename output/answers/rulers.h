@@ -29,7 +29,7 @@ struct Rulers {
 };
 
 /// Measures the law of an answer; none where it has no design. Rivals are the laws of the catalogue
-/// at their standard parameters, but for splines, that are as smooth inside, up to s'', and whose
+/// at their default parameters, but for splines, that are as smooth inside, up to s'', and whose
 /// s' and s'' vanish at the ends where those of the free law must; what else varies is searched
 /// again for each.
 ///

@@ -86,27 +86,28 @@ std::string residuals_text(const MotionFit& fit) {
                                                   : "not all numbers are determined");
 }
 
-std::string far_off_text(const MotionFit& fit) {
-  if (fit.far_off.samples.empty()) return "";
+std::string outliers_text(const MotionFit& fit) {
+  if (fit.outliers.samples.empty()) return "";
   constexpr std::size_t kShown = 5;
   const problems::MotionSamples& samples = fit.motion.samples;
-  const std::size_t count = fit.far_off.samples.size();
+  const std::size_t count = fit.outliers.samples.size();
   std::vector<std::string> worst;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
-    const std::size_t at = fit.far_off.samples[i];
+    const std::size_t at = fit.outliers.samples[i];
     worst.push_back(
         fmt::format("{} by {}", with_unit(number(samples.place[at]), samples.place_unit),
                     with_unit(in_digits(-fit.best().fit.residuals[at], 3), samples.unit)));
   }
   return fmt::format("{} of {} samples farther off than the {} that chance explains: {}{}\n", count,
-                     samples.place.size(), with_unit(in_digits(fit.far_off.bound, 3), samples.unit),
+                     samples.place.size(),
+                     with_unit(in_digits(fit.outliers.bound, 3), samples.unit),
                      fmt::join(worst, ", "), count > kShown ? ", ..." : "");
 }
 
 std::string motion_text(const MotionFit& fit) {
   const LawFit& best = fit.best();
   std::string text = fmt::format("{}\n", best.law.label());
-  text += fitted_table(best.fit) + residuals_text(fit) + far_off_text(fit);
+  text += fitted_table(best.fit) + residuals_text(fit) + outliers_text(fit);
   if (!fit.distrust.empty()) {
     text += fmt::format("not to be trusted: {}\n", fit.distrust);
   } else if (!fit.as_good.empty()) {
@@ -131,16 +132,16 @@ Json free_directions_json(const LawFit& fit) {
   return result;
 }
 
-Json far_off_json(const MotionFit& fit) {
+Json outliers_json(const MotionFit& fit) {
   const problems::MotionSamples& samples = fit.motion.samples;
   Json list = Json::array();
-  for (const std::size_t i : fit.far_off.samples) {
+  for (const std::size_t i : fit.outliers.samples) {
     list.push_back({{"place", to_json(samples.place[i])},
                     {"value", to_json(samples.value[i])},
                     {"residual", to_json(fit.best().fit.residuals[i])}});
   }
-  return {{"count", fit.far_off.samples.size()},
-          {"bound", to_json(fit.far_off.bound)},
+  return {{"count", fit.outliers.samples.size()},
+          {"bound", to_json(fit.outliers.bound)},
           {"samples", std::move(list)}};
 }
 
@@ -171,13 +172,14 @@ Json motion_json(const MotionFit& fit) {
           {"neighbour_correlation", to_json(fit.left.correlation)},
           {"condition", to_json(best.fit.condition)},
           {"free_directions", free_directions_json(best)},
-          {"far_off", far_off_json(fit)},
+          {"outliers", outliers_json(fit)},
           {"criterion", to_json(best.criterion)},
           {"criterion_name", "-2 ln evidence"},
           {"prediction_error", to_json(fit.prediction_error)},
           {"trusted", fit.distrust.empty()},
           {"reason", fit.distrust},
           {"as_good", fit.as_good},
+          {"untried", fit.untried},
           {"smoothed", fit.smooth.has_value()},
           {"identifiable", all_identifiable(best.fit)},
           {"ranking", std::move(ranking)}};

@@ -52,8 +52,9 @@ std::string study_text(const SpineCutterStudy& study) {
                    {"torque, N m"},
                    {"above limit, %"}});
   for (const StudyRow& row : study.rows) {
-    table.add({row.label, marks(row), shown(row.peaks.B(), 4), shown(row.peaks.C(), 4),
-               shown(row.peaks.D(), 2), shown(row.peaks.Cm(), 4),
+    table.add({row.label, marks(row), shown(row.peaks.max_velocity(), 4),
+               shown(row.peaks.max_acceleration(), 4), shown(row.peaks.max_jerk(), 2),
+               shown(row.peaks.max_dynamic_moment(), 4),
                row.limit_index ? shown(*row.limit_index, 3) : "-", shown(row.cam_radius * 1e3, 2),
                shown(row.inertia_force, 3), shown(row.printed_inertia_force, 3),
                shown(row.drive_torque, 4), shown(row.above_limit * 100, 1)});
@@ -74,10 +75,10 @@ namespace {
 /// A row's columns, for CSV and JSON alike.
 Json row_to_json(const StudyRow& row) {
   return {{"law", row.law},
-          {"B", to_json(row.peaks.B())},
-          {"C", to_json(row.peaks.C())},
-          {"D", to_json(row.peaks.D())},
-          {"Cm", to_json(row.peaks.Cm())},
+          {"B", to_json(row.peaks.max_velocity())},
+          {"C", to_json(row.peaks.max_acceleration())},
+          {"D", to_json(row.peaks.max_jerk())},
+          {"Cm", to_json(row.peaks.max_dynamic_moment())},
           {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
           {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
           {"inertia_force_N", to_json(row.inertia_force)},

@@ -64,7 +64,7 @@ void mark_unbounded(Panel& panel, std::size_t order, const std::vector<NamedLaw>
     const auto peak = peaks(named.law);
     const double inside = q == Quantity::Jerk ? std::max(peak.jerk_inside_highest.value,
                                                          -peak.jerk_inside_lowest.value)
-                                              : peak.C();
+                                              : peak.max_acceleration();
     singular = singular || std::isinf(inside);
     jumps = jumps || (std::isinf(peak.absolute(q).value) && !std::isinf(inside));
   }

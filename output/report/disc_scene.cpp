@@ -158,11 +158,11 @@ std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
   scene.drawn_at("displacement", disc.zero);
   draw_cam(scene, disc, name == "disc-cam-leading-roller" ? -1 : 1);
   if (name == "disc-cam-roller") draw_roller(scene, disc, disc.follower());
-  if (name == "disc-cam-knife") draw_knife(scene, disc);
+  if (name == "disc-cam-knife-edge") draw_knife(scene, disc);
   if (name == "disc-cam-flat") draw_flat(scene, disc);
   if (name == "disc-cam-conjugate") draw_conjugate(scene, disc);
-  if (name == "disc-cam-swinging-flat") draw_flat_arm(scene, disc);
-  if (name.ends_with("-swinging-roller") || name.ends_with("-leading-roller")) {
+  if (name == "disc-cam-oscillating-flat") draw_flat_arm(scene, disc);
+  if (name.ends_with("-oscillating-roller") || name.ends_with("-leading-roller")) {
     draw_arm(scene, disc);
   }
   return scene;

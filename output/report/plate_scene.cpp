@@ -37,7 +37,7 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   for (const Point& p : profile) low = std::min(low, p.y);
   for (const Point& p : pitch) high = std::max(high, p.y);
   if (!std::isfinite(low) || !std::isfinite(high) || !(period > 0)) return {};
-  const bool arm = name == "end-cam-swinging";
+  const bool arm = name == "end-cam-oscillating";
   const double back = low - 1.5 * radius, centre = pitch.front().x;
   Scene scene(fmt::format("{}, developed, drawn to scale", design.mechanism->title));
   scene.drawn_at("displacement", curves.values("displacement").front());

@@ -101,7 +101,7 @@ std::string ruler_words(const Peaks<double>& peak, std::optional<double> lambda)
         "than {:.2f} % of the time that this law takes.",
         *lambda, 100 * *lambda);
   }
-  if (std::isinf(peak.D())) text += " D is infinite: the acceleration jumps.";
+  if (std::isinf(peak.max_jerk())) text += " D is infinite: the acceleration jumps.";
   return text;
 }
 
@@ -194,11 +194,13 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
     table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
                measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : ""});
   };
-  row("B", peak.B(), 1.0);
-  row("C", peak.C(), least_acceleration(peak.B()));
-  row("D", peak.D(),
-      std::isfinite(peak.D()) ? std::optional(least_jerk(peak.B(), peak.C())) : std::nullopt);
-  row("Cm", peak.Cm(), {});
+  row("B", peak.max_velocity(), 1.0);
+  row("C", peak.max_acceleration(), least_acceleration(peak.max_velocity()));
+  row("D", peak.max_jerk(),
+      std::isfinite(peak.max_jerk())
+          ? std::optional(least_jerk(peak.max_velocity(), peak.max_acceleration()))
+          : std::nullopt);
+  row("Cm", peak.max_dynamic_moment(), {});
   return ReportSection{
       "rulers", "Rulers",
       table.html() + paragraph(ruler_words(peak, lambda)) +

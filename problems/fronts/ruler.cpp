@@ -27,7 +27,7 @@ std::vector<Member> some_laws() {
 
 std::array<double, 3> constants_of(const Law<double>& law) {
   const Peaks<double> found = peaks(law);
-  return {found.B(), found.C(), found.D()};
+  return {found.max_velocity(), found.max_acceleration(), found.max_jerk()};
 }
 
 /// The factor, where the objective is the same multiple of a constant with every law that has it.

@@ -107,7 +107,7 @@ Member member_of(ReadLaw read, const std::string& name, const std::string& asked
                   return law.template as<S>();
                 }};
   const auto owned = std::make_shared<const Family>(std::move(family));
-  return {owned, owned->standard()};
+  return {owned, owned->defaults()};
 }
 
 /// Empty where there is none.
@@ -134,10 +134,10 @@ Json law_file(const Law<double>& law, const std::string& title, const Json& prov
           {"title", title},
           {"ends", to_string(law.ends())},
           {"constants",
-           {{"B", plain(peak.B())},
-            {"C", plain(peak.C())},
-            {"D", plain(peak.D())},
-            {"Cm", plain(peak.Cm())},
+           {{"B", plain(peak.max_velocity())},
+            {"C", plain(peak.max_acceleration())},
+            {"D", plain(peak.max_jerk())},
+            {"Cm", plain(peak.max_dynamic_moment())},
             {"lambda", lambda ? plain(*lambda) : Json(nullptr)}}},
           {"provenance", provenance},
           {"pieces", pieces_to_json(law)}};

@@ -257,7 +257,7 @@ VerifiedDesign verified(const ReadDesign& read) {
                                        held->problem.objectives.front().response.unit);
   if (read.global && !held->whole) {
     result.not_judged.push_back(
-        "the result says that no better design exists; of other choices and whole numbers only a "
+        "the result says that no better design exists; of other choices and integers only a "
         "search can tell");
   }
   return result;

@@ -9,7 +9,7 @@
 /// A stored design, judged again: nothing that was recorded of it is believed.
 namespace camlaw::problems {
 
-/// The problem of a design with its choices and whole variables held at what was found: what its
+/// The problem of a design with its choices and integer variables held at what was found: what its
 /// verdict can be judged by without a search.
 struct HeldProblem {
   optim::MultiProblem problem;

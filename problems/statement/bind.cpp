@@ -17,7 +17,7 @@ namespace {
 
 using optim::Part;
 
-/// Whole variables are tried one by one while there are no more combinations than this.
+/// Integer variables are tried one by one while there are no more combinations than this.
 constexpr double kTried = 5000;
 
 [[noreturn]] void refuse(const ProblemStatement& statement, const std::string& why) {

@@ -10,7 +10,7 @@
 namespace camlaw::problems {
 
 /// A statement with every name bound. Choices are, in this order: the law where there are several,
-/// variables with listed values, and whole variables with few enough values to try each.
+/// variables with listed values, and integer variables with few enough values to try each.
 class BoundProblem {
  public:
   /// Throws std::invalid_argument where nothing varies, unless that is allowed, and where there are

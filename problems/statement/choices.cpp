@@ -30,7 +30,7 @@ std::optional<std::string> why_not(const VariableStatement& variable, double val
                        range_text(variable.lower, variable.upper, variable.unit));
   }
   if (variable.integer && meant != std::floor(meant)) {
-    return fmt::format("{:.6g} is not whole, and {} is an integer", value, variable.name);
+    return fmt::format("{:.6g} is not an integer, as {} must be", value, variable.name);
   }
   return {};
 }

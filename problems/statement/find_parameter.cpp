@@ -54,7 +54,7 @@ void join(NamedParameter& known, const Family& family, const Parameter& p) {
   }
   known.low = std::max(known.low, p.low);
   known.high = std::min(known.high, p.high);
-  known.whole |= p.structural && !p.list;
+  known.integer |= p.structural && !p.list;
   known.structural |= p.structural;
 }
 
@@ -84,7 +84,7 @@ std::optional<NamedParameter> find_in_machine(const Mechanism& mechanism, const 
     result.unit = p.unit;
     result.low = p.low;
     result.high = p.high;
-    result.whole = p.whole;
+    result.integer = p.integer;
     return result;
   }
   return {};
@@ -153,7 +153,7 @@ NamedParameter named(const Parameter& p) {
   result.unit = p.unit;
   result.low = p.low;
   result.high = p.high;
-  result.whole = p.structural && !p.list;
+  result.integer = p.structural && !p.list;
   result.list = p.list;
   result.structural = p.structural;
   return result;

@@ -28,7 +28,7 @@ Member as_family_member(const Member& law) {
   const std::size_t space = name.find(' ');
   if (space == std::string::npos || name.find('=') == std::string::npos) return law;
   const Family& family = find_family(name.substr(0, space));
-  Member result{&family, family.standard()};
+  Member result{&family, family.defaults()};
   set_argument(result, name.substr(space + 1));
   return result;
 }

@@ -87,8 +87,8 @@ std::optional<std::string> refusal(const NamedParameter& parameter, double value
     return fmt::format("{} is outside {}, which {} accepts", with_unit(value, parameter.unit),
                        range_text(parameter.low, parameter.high, parameter.unit), parameter.name);
   }
-  if (parameter.whole && value != std::floor(value)) {
-    return fmt::format("{:.6g} is not whole, as {} must be", value, parameter.name);
+  if (parameter.integer && value != std::floor(value)) {
+    return fmt::format("{:.6g} is not an integer, as {} must be", value, parameter.name);
   }
   return {};
 }

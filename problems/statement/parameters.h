@@ -24,7 +24,7 @@ struct NamedParameter {
   std::optional<std::size_t> element;  ///< of a list, from 0; none: the whole list
   std::string unit;
   double low = 0, high = 0;
-  bool whole = false;
+  bool integer = false;
   bool list = false;
   bool structural = false;
 

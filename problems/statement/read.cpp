@@ -42,7 +42,7 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
   const std::string& text = text_of(*name);
   problem.mechanism = located(*name, [&] { return &find_mechanism(text); });
   for (const MechanismParameter& parameter : problem.mechanism->parameters) {
-    problem.constants.push_back(parameter.standard);
+    problem.constants.push_back(parameter.default_value);
   }
 }
 

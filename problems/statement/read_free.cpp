@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Entry::Kind;
 
-constexpr int kStandardKnots = 32, kMostKnots = 1000, kMostDegree = 25;
+constexpr int kDefaultKnots = 32, kMostKnots = 1000, kMostDegree = 25;
 /// The velocity of a free law is continuous: where it jumps the acceleration has a pulse, which no
 /// limit on the pieces sees.
 constexpr int kLeastDegree = 2, kLeastContinuity = 1;
@@ -36,9 +36,9 @@ Entry free_table(const Entry& file) {
 }
 
 /// A degree or a continuity, with which the velocity does not jump from `low` on.
-int smooth_or(const Entry& table, const char* key, int low, int high, int standard) {
+int smooth_or(const Entry& table, const char* key, int low, int high, int default_value) {
   const Entry* entry = find(table, key);
-  if (entry == nullptr) return standard;
+  if (entry == nullptr) return default_value;
   if (entry->kind == Kind::Integer && entry->integer >= 0 && entry->integer < low) {
     refuse(*entry, fmt::format("with {} the velocity jumps at the knots, where the acceleration is "
                                "infinite; accepted are {} .. {}",
@@ -56,7 +56,7 @@ bool truth_of(const Entry& table, const char* key) {
 
 std::vector<double> read_knots(const Entry& table) {
   const Entry* entry = find(table, "knots");
-  if (entry == nullptr) return even_knots(kStandardKnots);
+  if (entry == nullptr) return even_knots(kDefaultKnots);
   if (entry->kind == Kind::Integer)
     return even_knots(static_cast<int>(whole_of(*entry, 0, kMostKnots)));
   expect(*entry, Kind::List,

@@ -35,9 +35,9 @@ std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t h
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   const bool whole = rest == end && error != std::errc::invalid_argument;
   if (!whole || error != std::errc{} || value < low || value > high) {
-    throw std::invalid_argument(fmt::format("{}: {}; a whole number from {} to {} is wanted", what,
+    throw std::invalid_argument(fmt::format("{}: {}; an integer from {} to {} is wanted", what,
                                             whole ? fmt::format("{} is out of range", text)
-                                                  : fmt::format("'{}' is not a whole number", text),
+                                                  : fmt::format("'{}' is not an integer", text),
                                             low, high));
   }
   return value;

@@ -57,7 +57,7 @@ double read_bound(const Entry& table, const char* key, const Element& element, b
   const Entry& part = element.part_of(*entry);
   const double bound = accepted_number(part, element.parameter);
   if (integer && bound != std::floor(bound)) {
-    refuse(part, fmt::format("{:.6g} is not whole, and the type is integer", bound));
+    refuse(part, fmt::format("{:.6g} is not an integer, and the type is integer", bound));
   }
   return bound;
 }
@@ -74,7 +74,7 @@ void read_range(const Entry& table, const Element& element, VariableStatement& v
                        with_unit(variable.upper, variable.unit)));
   }
   const NamedParameter& parameter = element.parameter;
-  if (!variable.integer && (parameter.whole || parameter.structural)) {
+  if (!variable.integer && (parameter.integer || parameter.structural)) {
     refuse(table, fmt::format("{} cannot vary continuously; write type = \"integer\", or values = "
                               "[...] instead of bounds",
                               parameter.name));

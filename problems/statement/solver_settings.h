@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max
 /// and known names.
 std::string find_solver_name(std::string_view typed);
 
-/// A whole number from low to high; `what` names it in errors. Throws std::invalid_argument.
+/// An integer from low to high; `what` names it in errors. Throws std::invalid_argument.
 std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t high,
                          const std::string& what);
 

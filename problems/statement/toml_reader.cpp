@@ -54,7 +54,7 @@ const std::string& text_of(const Entry& entry) {
 }
 
 std::int64_t whole_of(const Entry& entry, std::int64_t low, std::int64_t high) {
-  expect(entry, Kind::Integer, fmt::format("a whole number from {} to {}", low, high));
+  expect(entry, Kind::Integer, fmt::format("an integer from {} to {}", low, high));
   if (entry.integer < low || entry.integer > high) {
     refuse(entry, fmt::format("{} is outside {} .. {}", entry.integer, low, high));
   }

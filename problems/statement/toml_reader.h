@@ -22,7 +22,7 @@ const Entry* find(const Entry& table, std::string_view key);
 
 /// A text that is not empty.
 const std::string& text_of(const Entry& entry);
-/// A whole number from low to high.
+/// An integer from low to high.
 std::int64_t whole_of(const Entry& entry, std::int64_t low, std::int64_t high);
 /// A finite number in `unit`: bare, or a text with a unit of that kind.
 double quantity_of(const Entry& entry, const std::string& unit);

@@ -75,7 +75,7 @@ std::string law_text(const ProblemStatement& problem, const Member& law) {
   for (std::size_t i = 0; i < law.arguments.size(); ++i) {
     const Parameter& parameter = law.family->parameters[i];
     const auto& values = law.arguments.list(i);
-    if (parameter.name == kCrossover && values == parameter.standard) continue;
+    if (parameter.name == kCrossover && values == parameter.default_value) continue;
     const std::string text = fixed_text(problem, parameter, values);
     if (!text.empty()) fixed.push_back(text);
   }
@@ -128,7 +128,7 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
                        start);
   }
   return fmt::format("Vary {} {} {:.6g} and {}, starting at {}.\n", name,
-                     v.integer ? "in whole steps between" : "between", v.lower,
+                     v.integer ? "in integer steps between" : "between", v.lower,
                      with_unit(v.upper, v.unit), start);
 }
 

@@ -120,7 +120,8 @@ TEST_CASE("fit reads profiles without units and fits their centre", "[program][h
     polar += fmt::format("{};{:.5f}\n", 360 - i, r);
   }
   const std::string path = written(folder, "xyz.csv", xyz);
-  const Words words{"fit", path, "--mechanism", "disc-cam-knife", "--law", "cycloidal", "--json"};
+  const Words words{"fit",   path,        "--mechanism", "disc-cam-knife-edge",
+                    "--law", "cycloidal", "--json"};
   const ParsedJson plain = json_of(words);
   CHECK(plain["notes"].size() == 2);
   CHECK(plain["trusted"] == false);
@@ -134,10 +135,10 @@ TEST_CASE("fit reads profiles without units and fits their centre", "[program][h
   CHECK(centred["cam"]["departures"].empty());
   CHECK_THAT(failed({"fit", path}, 2), Contains("--mechanism") && Contains("cam's profile"));
   const ParsedJson round = json_of({"fit", written(folder, "polar.csv", polar), "--mechanism",
-                                    "disc-cam-knife", "--law", "cycloidal", "--json"});
+                                    "disc-cam-knife-edge", "--law", "cycloidal", "--json"});
   CHECK(round["trusted"] == true);
   CHECK(round["notes"].size() == 2);
-  CHECK_THAT(failed({"fit", path, "--mechanism", "disc-cam-knife", "--shift", "place"}, 2),
+  CHECK_THAT(failed({"fit", path, "--mechanism", "disc-cam-knife-edge", "--shift", "place"}, 2),
              Contains("--shift centre"));
 }
 

@@ -73,8 +73,8 @@ TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
   const ParsedJson robust =
       ParsedJson::parse(done({"fit", data, "--law", "poly-3-4-5", "--loss", "cauchy", "--json"}));
   CHECK(robust["trusted"] == true);
-  CHECK(robust["far_off"]["count"].get<int>() >= 8);
-  CHECK(robust["far_off"]["samples"].size() == robust["far_off"]["count"]);
+  CHECK(robust["outliers"]["count"].get<int>() >= 8);
+  CHECK(robust["outliers"]["samples"].size() == robust["outliers"]["count"]);
   for (const char* key : {"sigma", "degrees_of_freedom", "neighbour_correlation", "condition",
                           "free_directions", "max_residual_at", "residual_unit", "place_unit"}) {
     INFO(key);

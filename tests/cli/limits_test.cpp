@@ -186,6 +186,30 @@ TEST_CASE("pareto, synthesize and fit take a time limit", "[program][heavy]") {
   }
 }
 
+TEST_CASE("a fit without the time for every law says which it has not tried", "[program][heavy]") {
+  const std::string cam = CAMLAW_SOURCE_DIR "/problems/cams/worn_cam.csv";
+  const double all = seconds_of([&] {
+    run({"fit", cam, "--mechanism", "disc-cam-roller", "--json"});
+  });
+  bool told = false;
+  // Of a search that is as long as the machine is busy some part leaves laws untried.
+  for (double part = 0.5; part > 0.05 && !told; part /= 1.5) {
+    const Outcome outcome = run({"fit", cam, "--mechanism", "disc-cam-roller", "--json",
+                                 "--time-limit", std::to_string(part * all)});
+    if (outcome.status == 4) continue;  // not even the first law of each motion
+    REQUIRE(outcome.status == 0);
+    const ParsedJson answer = ParsedJson::parse(outcome.out);
+    if (answer.at("untried").empty()) continue;
+    told = true;
+    CHECK_FALSE(answer.at("trusted").get<bool>());
+    CHECK_THAT(answer.at("reason").get<std::string>(),
+               Contains("the time limit was reached before these laws were tried: ") &&
+                   Contains(answer.at("untried").front().get<std::string>()));
+    CHECK(answer.at("ranking").size() + answer.at("untried").size() > 40);
+  }
+  CHECK(told);
+}
+
 TEST_CASE("memory that a problem would take is refused by name", "[program]") {
   const Folder folder;
   const std::string path = written(folder, free_law(500, true));

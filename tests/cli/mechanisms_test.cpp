@@ -15,7 +15,7 @@ const std::string kCam = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.tom
 TEST_CASE("mechanisms are listed with what moves them", "[program]") {
   const std::string all = done({"mechanisms"});
   for (const char* name : {"spine-cutter", "disc-cam-roller", "disc-cam-flat",
-                           "disc-cam-swinging-roller", "end-cam", "law"}) {
+                           "disc-cam-oscillating-roller", "end-cam", "law"}) {
     CHECK_THAT(all, Contains(name));
   }
   const std::string one = done({"mechanisms", "disc-cam-flat"});
@@ -26,8 +26,8 @@ TEST_CASE("mechanisms are listed with what moves them", "[program]") {
     INFO(mechanism.at("name"));
     CHECK(!mechanism.at("responses").empty());
     for (const ParsedJson& parameter : mechanism.at("parameters")) {
-      CHECK(parameter.at("lower") <= parameter.at("standard"));
-      CHECK(parameter.at("standard") <= parameter.at("upper"));
+      CHECK(parameter.at("lower") <= parameter.at("default"));
+      CHECK(parameter.at("default") <= parameter.at("upper"));
     }
   }
   CHECK(json_of({"mechanisms", "end-cam", "--json"}).at("moved_by") == "program");

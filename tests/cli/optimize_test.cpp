@@ -127,7 +127,7 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   };
   CHECK_THAT(refused("--seed", "-5"), Contains("--seed: -5 is out of range") && Contains("from 0"));
   CHECK_THAT(refused("--seed", "9223372036854775808"), Contains("to 9223372036854775807"));
-  CHECK_THAT(refused("--seed", "1.5"), Contains("'1.5' is not a whole number"));
+  CHECK_THAT(refused("--seed", "1.5"), Contains("'1.5' is not an integer"));
   CHECK_THAT(refused("--starts", "0"), Contains("from 1 to 1000000"));
   CHECK_THAT(refused("--starts", "1000001"), Contains("from 1 to 1000000"));
   CHECK_THAT(refused("--time-limit", "nan"), Contains("--time-limit: nan"));

@@ -146,7 +146,7 @@ TEST_CASE("pareto tells people of the front", "[program]") {
   CHECK(text.find("study") == std::string::npos);
 }
 
-TEST_CASE("the number of workers does not show", "[program]") {
+TEST_CASE("the number of workers does not show", "[program][heavy]") {
   const Folder folder;
   const std::string torque = "\n[[objectives]]\nminimize = \"peak_drive_torque\"\n";
   for (const std::string& file :

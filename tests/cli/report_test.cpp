@@ -101,7 +101,7 @@ TEST_CASE("a report of a result judges its design again", "[cli][report]") {
   CHECK_THAT(page, Contains("<dt>seed</dt>"));
 }
 
-TEST_CASE("values whose whole numbers nobody searched are not called an optimum", "[cli][report]") {
+TEST_CASE("values whose integers nobody searched are not called an optimum", "[cli][report]") {
   const Folder folder;
   const std::string own = page_of(shipped("balancing_cam/fewest_springs.toml"), folder);
   CHECK(count_of(own, "certified optimum") == 0);
@@ -303,7 +303,7 @@ TEST_CASE("a report has a plot of every curve with values, and of no other", "[c
 
 TEST_CASE("what is 0 but for rounding is shown as 0 among tolerances", "[cli][report]") {
   const Folder folder;
-  for (const char* name : {"flat_least_base", "knife_convex_base"}) {
+  for (const char* name : {"flat_least_base", "knife_edge_convex_base"}) {
     INFO(name);
     done({"optimize", shipped("cams/" + std::string(name) + ".toml"), "--out", folder / "out"});
     const std::string text = section_of(page_of(folder / "out/result.json", folder), "sensitivity");
@@ -370,12 +370,12 @@ TEST_CASE("reports open in a browser without a fault, at either width", "[cli][r
     pages += " '" + folder / name + "'";
   };
   for (const char* problem :
-       {"cams/roller_least_base", "cams/knife_convex_base", "cams/flat_least_base",
-        "cams/conjugate_least_distance", "cams/leading_least_base", "cams/swinging_flat_least_base",
-        "cams/swinging_end_least_radius", "cams/linear_least_travel", "cams/groove_least_stress",
-        "spine_cutter/least_radius", "geneva/fastest", "springs/fewest_discs",
-        "balancing_cam/fewest_springs", "signature_feeder/least_acceleration",
-        "free_law/least_acceleration"}) {
+       {"cams/roller_least_base", "cams/knife_edge_convex_base", "cams/flat_least_base",
+        "cams/conjugate_least_distance", "cams/leading_least_base",
+        "cams/oscillating_flat_least_base", "cams/oscillating_end_least_radius",
+        "cams/linear_least_travel", "cams/groove_least_stress", "spine_cutter/least_radius",
+        "geneva/fastest", "springs/fewest_discs", "balancing_cam/fewest_springs",
+        "signature_feeder/least_acceleration", "free_law/least_acceleration"}) {
     add({"report", shipped(problem + std::string(".toml")), "-o"},
         std::filesystem::path(problem).filename().string() + ".html");
   }

@@ -62,7 +62,7 @@ void check_every_file(const std::vector<Words>& options) {
 
 }  // namespace
 
-TEST_CASE("every shipped problem file is said back in words", "[program][problem-files]") {
+TEST_CASE("every shipped problem file is said back in words", "[program][problem-files][heavy]") {
   REQUIRE(shipped_problems().size() >= 40);
   Words quick = switches_of("check");
   std::erase(quick, "--derivatives");  // a quarter of a minute for all files: below

@@ -50,7 +50,8 @@ TEST_CASE("a claim that was edited does not hold", "[program]") {
   }
 }
 
-TEST_CASE("a claim about whole and listed variables alone is judged with them held", "[program]") {
+TEST_CASE("a claim about integer and listed variables alone is judged with them held",
+          "[program]") {
   const Folder folder;
   const std::string file = folder / "whole.toml";
   std::ofstream(file) << R"(mechanism = "spine-cutter"

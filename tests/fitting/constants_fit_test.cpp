@@ -43,8 +43,9 @@ ConstantsFit first_of(ProblemStatement machine, const std::string& constants) {
 std::string printed(const Member& law, int digits) {
   const auto its = peaks(law.law());
   std::string text;
-  for (const auto& [name, value] : {std::pair{"B", its.B()}, std::pair{"C", its.C()},
-                                    std::pair{"D", its.D()}, std::pair{"Cm", its.Cm()}}) {
+  for (const auto& [name, value] :
+       {std::pair{"B", its.max_velocity()}, std::pair{"C", its.max_acceleration()},
+        std::pair{"D", its.max_jerk()}, std::pair{"Cm", its.max_dynamic_moment()}}) {
     if (std::isnan(value)) continue;
     text += text.empty() ? "" : ", ";
     text += std::isinf(value) ? fmt::format("{}=inf", name)
@@ -176,13 +177,13 @@ TEST_CASE("a family's coefficient with the interval that the digits leave", "[co
       Member law = find_law("polynomial-5");
       const double beyond = edge + (edge - alpha) * 0.2;
       law.arguments.values()[0][0] = edge;
-      const double B = peaks(law.law()).B();
+      const double B = peaks(law.law()).max_velocity();
       CHECK((B > B_low - 1e-9 && B < B_high + 1e-9));
       law.arguments.values()[0][0] = beyond;
       const auto out = peaks(law.law());
-      const bool agrees = out.B() > B_low && out.B() < B_high &&
-                          out.C() > fit.constants[1].printed.low &&
-                          out.C() < fit.constants[1].printed.high;
+      const bool agrees = out.max_velocity() > B_low && out.max_velocity() < B_high &&
+                          out.max_acceleration() > fit.constants[1].printed.low &&
+                          out.max_acceleration() < fit.constants[1].printed.high;
       CHECK_FALSE(agrees);
     }
   }

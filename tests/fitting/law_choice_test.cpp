@@ -146,7 +146,7 @@ TEST_CASE("equal families end in equal minima", "[law-choice]") {
     const MotionSamples samples = record("fourier a=0.05,0.03", 160, 0.004, seed);
     const std::vector<Member> laws{find_law("fourier"), find_law("triple-harmonic"),
                                    find_law("cycloidal")};
-    const auto ranking = rank_fits(samples, laws, guess_motion(samples));
+    const auto ranking = rank_fits(samples, laws, guess_motion(samples)).fits;
     double fourier = 0, triple = 0;
     for (const LawFit& fit : ranking) {
       if (fit.skew == Skew::Free) continue;

@@ -19,7 +19,8 @@ LawBinding all_of(const Member& law) {
 }
 
 std::vector<double> values_of(const Peaks<double>& its) {
-  return {its.B(), its.C(), its.jerk_inside_lowest.value, its.Cm()};
+  return {its.max_velocity(), its.max_acceleration(), its.jerk_inside_lowest.value,
+          its.max_dynamic_moment()};
 }
 
 const std::vector<LawConstant> kAsked{{Quantity::Velocity, optim::Part::Magnitude, false},
@@ -52,7 +53,7 @@ TEST_CASE("slopes of peak constants are those between neighbouring laws", "[cons
         CHECK(here.slopes[c * x.size() + i] == Approx(slope).epsilon(1e-5).margin(1e-4));
       }
     }
-    CHECK(here.values[0] == Approx(peaks(member.law()).B()).epsilon(1e-12));
+    CHECK(here.values[0] == Approx(peaks(member.law()).max_velocity()).epsilon(1e-12));
   }
 }
 

@@ -236,7 +236,7 @@ TEST_CASE("the law that was sampled is named first", "[law-fit][heavy]") {
     for (const double noise : {0.0, 0.02}) {
       INFO(name << ", noise " << noise);
       const MotionSamples samples = sampled(find_law(name).law(), 500, noise, 5);
-      const auto ranking = rank_fits(samples, laws_to_try(), rough());
+      const auto ranking = rank_fits(samples, laws_to_try(), rough()).fits;
       REQUIRE_FALSE(ranking.empty());
       // Another law may explain it as well, with other ends: then it is the same motion.
       const MotionSamples truth = sampled(find_law(name).law(), 500, 0, 5);
@@ -253,6 +253,29 @@ TEST_CASE("the law that was sampled is named first", "[law-fit][heavy]") {
       }
     }
   }
+}
+
+TEST_CASE("a deadline that has passed leaves the law of fewest coefficients and names the others",
+          "[law-fit]") {
+  const MotionSamples samples = sampled(find_law("cycloidal").law(), 100, 0.01, 5);
+  const std::vector<Member> laws{find_law("polynomial-5"), find_law("cycloidal"),
+                                 find_law("cubic")};
+  LawFitOptions late;
+  late.deadline = LawFitOptions::Clock::now();
+  const Ranking ranking = rank_fits(samples, laws, rough(), late);
+  REQUIRE(ranking.fits.size() == 1);
+  CHECK(ranking.fits.front().law.name() == "cycloidal");
+  CHECK_THAT(ranking.untried, Catch::VectorContains(std::string("skewed cycloidal")) &&
+                                  Catch::VectorContains(std::string("cubic")) &&
+                                  Catch::VectorContains(std::string("polynomial-5")));
+  CHECK(std::set(ranking.untried.begin(), ranking.untried.end()).size() == ranking.untried.size());
+  LawFitOptions early;
+  early.deadline = LawFitOptions::Clock::now() + std::chrono::hours(1);
+  CHECK(rank_fits(samples, laws, rough(), early).untried.empty());
+  // A part of a longer piece of work has a like part of the time.
+  const auto part = part_of(early, 0.5, 0.75);
+  const auto left = *part.deadline - LawFitOptions::Clock::now();
+  CHECK(std::abs(std::chrono::duration<double>(left).count() - 1800) < 60);
 }
 
 TEST_CASE("far-off samples do not move a robust fit", "[law-fit]") {
@@ -345,7 +368,7 @@ TEST_CASE("under a loss velocities are ranked with one scale", "[law-fit]") {
     }
     const auto laws = {find_law("cycloidal"), find_law("polynomial-5"), find_law("scca"),
                        find_law("legendre"), find_law("universal")};
-    const auto ranking = rank_fits(samples, laws, guess_motion(samples), robust);
+    const auto ranking = rank_fits(samples, laws, guess_motion(samples), robust).fits;
     CHECK(ranking.front().law.name() == "cycloidal");
     std::set<double> scales;
     for (const LawFit& fit : ranking) scales.insert(fit.fit.loss_scale.value_or(0));
@@ -434,7 +457,7 @@ TEST_CASE("a fit that far-off samples drew says so, and lists them", "[law-fit]"
   const FoundMotion clean{rough(), samples};
   const std::vector<Member> laws{find_law("cycloidal"), find_law("cubic")};
   CHECK(fit_motion(clean, laws).distrust.empty());
-  CHECK(fit_motion(clean, laws).far_off.samples.empty());
+  CHECK(fit_motion(clean, laws).outliers.samples.empty());
   for (std::size_t i = 3; i < samples.value.size(); i += 10)
     samples.value[i] += i % 20 == 3 ? 5 : -5;
   samples.value[153] += 9;
@@ -445,8 +468,8 @@ TEST_CASE("a fit that far-off samples drew says so, and lists them", "[law-fit]"
   robust.loss = optim::Loss::Cauchy;
   const MotionFit fit = fit_motion(motion, laws, robust);
   CHECK(fit.distrust.empty());
-  CHECK(fit.far_off.samples.size() == 30);
-  for (const std::size_t i : fit.far_off.samples) CHECK(i % 10 == 3);
+  CHECK(fit.outliers.samples.size() == 30);
+  for (const std::size_t i : fit.outliers.samples) CHECK(i % 10 == 3);
   CHECK(fit.best().law.name() == "cycloidal");
 }
 
@@ -456,14 +479,14 @@ TEST_CASE("where a curve is wrong its samples are not far off", "[law-fit]") {
     place.push_back(i);
     residual.push_back(0.01 * std::sin(7.1 * i) + (i > 80 && i < 110 ? 1 : 0));
   }
-  CHECK(far_off(place, residual, 4, 0).samples.empty());
+  CHECK(find_outliers(place, residual, 4, 0).samples.empty());
   residual[30] = -0.5;
   residual[150] = 0.3;
-  CHECK(far_off(place, residual, 4, 0).samples == std::vector<std::size_t>{30, 150});
-  CHECK(far_off(place, residual, 4, 0.4).samples == std::vector<std::size_t>{30});
-  CHECK(far_off(place, residual, 195, 0).samples.empty());
+  CHECK(find_outliers(place, residual, 4, 0).samples == std::vector<std::size_t>{30, 150});
+  CHECK(find_outliers(place, residual, 4, 0.4).samples == std::vector<std::size_t>{30});
+  CHECK(find_outliers(place, residual, 195, 0).samples.empty());
   place.pop_back();
-  CHECK_THROWS_AS(far_off(place, residual, 4, 0), std::invalid_argument);
+  CHECK_THROWS_AS(find_outliers(place, residual, 4, 0), std::invalid_argument);
 }
 
 TEST_CASE("phases that fill a law's length are found filled", "[law-fit]") {

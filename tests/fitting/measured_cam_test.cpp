@@ -11,8 +11,8 @@
 #include "fitting/constants/constants_fit.h"
 #include "machines/registry.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/default_machine.h"
 #include "problems/statement/parameters.h"
-#include "problems/statement/standard_machine.h"
 #include "tests/fitting/measured_machine.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
@@ -92,8 +92,8 @@ TEST_CASE("a table shows a profile by a radius or by two lengths x and y", "[mea
 }
 
 TEST_CASE("rounded coordinates are not wear, and no points are wrong that are exact",
-          "[measured-cam]") {
-  const ProblemStatement machine = machine_of("disc-cam-knife");
+          "[measured-cam][heavy]") {
+  const ProblemStatement machine = machine_of("disc-cam-knife-edge");
   for (const int decimals : {2, 4, 12}) {
     INFO(decimals << " decimals");
     std::string text = "angle [deg], radius [mm]\n";
@@ -111,7 +111,7 @@ TEST_CASE("rounded coordinates are not wear, and no points are wrong that are ex
 }
 
 TEST_CASE("points that are there twice count once", "[measured-cam]") {
-  const ProblemStatement machine = machine_of("disc-cam-knife");
+  const ProblemStatement machine = machine_of("disc-cam-knife-edge");
   std::vector<Point> points = measured(machine, 360, 0.003, 5), twice;
   for (const Point& p : points) twice.insert(twice.end(), {p, p});
   const MeasuredCam once = measured_cam(polar_table_of(points), machine),
@@ -129,17 +129,17 @@ TEST_CASE("each follower's program comes back from its measured cam", "[measured
   };
   for (const Case& c : std::vector<Case>{
            {"disc-cam-roller", "offset = '6 mm'\n", true},
-           {"disc-cam-knife", "offset = '-5 mm'\nbase_radius = '50 mm'\n", false},
+           {"disc-cam-knife-edge", "offset = '-5 mm'\nbase_radius = '50 mm'\n", false},
            {"disc-cam-flat", "base_radius = '80 mm'\n", false},
-           {"disc-cam-swinging-roller", "", false},
+           {"disc-cam-oscillating-roller", "", false},
            {"disc-cam-leading-roller", "", true},
-           {"disc-cam-swinging-flat", "swing = '9 deg'\nbase_radius = '60 mm'\n", true}}) {
+           {"disc-cam-oscillating-flat", "swing = '9 deg'\nbase_radius = '60 mm'\n", true}}) {
     INFO(c.mechanism);
     const ProblemStatement machine = machine_of(c.mechanism, c.sizes);
     const auto points = measured(machine, 720, c.noise, 7);
     // What is known of the cam beside its points are the follower's sizes.
     ProblemStatement known = machine;
-    const bool swings = c.mechanism.find("swinging") != std::string::npos ||
+    const bool swings = c.mechanism.find("oscillating") != std::string::npos ||
                         c.mechanism.find("leading") != std::string::npos;
     const char* stroke = swings ? "swing" : "stroke";
     known.constants[known.mechanism->parameter(stroke)] *= 2;
@@ -234,7 +234,7 @@ TEST_CASE("measured cams that cannot be read are refused by name", "[measured-ca
     return testing::complaint([&] { measured_cam(table, m); });
   };
   const SampleTable good = table_of(measured(machine, 360, 0, 1));
-  CHECK_THAT(said(good, standard_machine(find_mechanism("spine-cutter"))),
+  CHECK_THAT(said(good, default_machine(find_mechanism("spine-cutter"))),
              Contains("cam.csv") && Contains("disc-cam-flat"));
   CHECK_THAT(said(parse_samples("radius [mm], lift [mm]\n40,1\n41,2\n", "cam.csv"), machine),
              Contains("cam.csv") && Contains("angle"));

@@ -7,7 +7,7 @@
 
 namespace camlaw::problems {
 
-/// A dwell-rise-dwell-return cam of a mechanism, with its standard sizes but for `sizes`.
+/// A dwell-rise-dwell-return cam of a mechanism, with its default sizes but for `sizes`.
 inline ProblemStatement machine_of(const std::string& mechanism, const std::string& sizes = "") {
   return read_problem("mechanism = '" + mechanism + "'\n[constants]\n" + sizes + R"(
 [[program.segments]]

@@ -6,10 +6,10 @@
 #include "fitting/cams/measured_lift.h"
 #include "fitting/motions/fitted_law.h"
 #include "machines/cams/flat_cam.h"
-#include "machines/cams/knife_cam.h"
+#include "machines/cams/knife_edge_cam.h"
 #include "machines/cams/leading_roller_cam.h"
+#include "machines/cams/oscillating_flat_cam.h"
 #include "machines/cams/roller_cam.h"
-#include "machines/cams/swinging_flat_cam.h"
 #include "tests/machines/formulas/drawn_cam.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
@@ -62,8 +62,8 @@ Forward roller_cam(double offset) {
 Forward leading_cam() {
   const LeadingRollerCam<double> cam;
   Forward result =
-      forward("leading arm", static_cast<const SwingingRollerCam<double>&>(cam), cam.swing,
-              SwingingRoller{cam.roller_radius, cam.arm_length, cam.pivot_distance});
+      forward("leading arm", static_cast<const OscillatingRollerCam<double>&>(cam), cam.swing,
+              OscillatingRoller{cam.roller_radius, cam.arm_length, cam.pivot_distance});
   result.rotation = Rotation::Clockwise;
   result.profile = [cam](double phi) {
     const auto inside = cam.pitch_curve(motion_at(cam, phi)).inside(cam.roller_radius);
@@ -86,12 +86,12 @@ Forward mirrored_roller_cam() {
 }
 
 std::vector<Forward> all_cams() {
-  KnifeCam<double> knife;
+  KnifeEdgeCam<double> knife;
   knife.offset = -0.008;
   FlatCam<double> flat;
   flat.base_radius = 0.060;
-  SwingingRollerCam<double> arm;
-  SwingingFlatCam<double> face;
+  OscillatingRollerCam<double> arm;
+  OscillatingFlatCam<double> face;
   face.swing = 0.15;
   face.face_offset = 0.012;
   std::vector<Forward> cams{
@@ -101,13 +101,13 @@ std::vector<Forward> all_cams() {
       forward("knife edge", knife, knife.stroke, TranslatingRoller{0, knife.offset}),
       forward("flat face", flat, flat.stroke, TranslatingFace{}),
       forward("arm", arm, arm.swing,
-              SwingingRoller{arm.roller_radius, arm.arm_length, arm.pivot_distance}),
+              OscillatingRoller{arm.roller_radius, arm.arm_length, arm.pivot_distance}),
       leading_cam(),
       forward("face on an arm", face, face.swing,
-              SwingingFace{face.pivot_distance, face.face_offset})};
+              OscillatingFace{face.pivot_distance, face.face_offset})};
   for (Forward& cam : cams) {
-    if (std::holds_alternative<SwingingRoller>(cam.follower)) cam.lever = arm.arm_length;
-    if (std::holds_alternative<SwingingFace>(cam.follower)) cam.lever = 0.1;
+    if (std::holds_alternative<OscillatingRoller>(cam.follower)) cam.lever = arm.arm_length;
+    if (std::holds_alternative<OscillatingFace>(cam.follower)) cam.lever = 0.1;
   }
   return cams;
 }
@@ -401,7 +401,7 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
   begins(with(TranslatingRoller{0.01, 0.06}), "measured profile: the offset 0.06 is not less than");
   begins(with(TranslatingRoller{-0.01, 0}),
          "measured profile: a roller radius of -0.01 is below 0");
-  KnifeCam<double> sharp;
+  KnifeEdgeCam<double> sharp;
   sharp.base_radius = 0.015;
   sharp.stroke = 0.030;
   const auto hollow = profile_of(measured(forward("", sharp, 0.030, {}), 720, 0, 1));
@@ -412,10 +412,11 @@ TEST_CASE("profiles that say nothing of a motion are refused", "[measured]") {
          "measured profile: the roller of radius 0.2 does not fit into the hollow");
   begins(complaint([&] { MeasuredLift(hollow, TranslatingFace{}); }),
          "measured profile: it is hollow at a polar angle of ");
-  begins(with(SwingingRoller{0.01, 0.02, 0.1}),
+  begins(with(OscillatingRoller{0.01, 0.02, 0.1}),
          "measured profile: an arm of 0.02 with its pivot at 0.1 does not reach");
-  begins(with(SwingingRoller{0.01, 0, 0.1}), "measured profile: an arm length of 0 is not above 0");
-  begins(with(SwingingFace{0.03, 0}), "measured profile: ");
+  begins(with(OscillatingRoller{0.01, 0, 0.1}),
+         "measured profile: an arm length of 0 is not above 0");
+  begins(with(OscillatingFace{0.03, 0}), "measured profile: ");
   CHECK(complaint([&] { MeasuredLift(profile, cam.follower).law(3); }) ==
         "measured profile: 3 angles are too few for a law, 12 are needed");
 }

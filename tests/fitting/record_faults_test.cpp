@@ -276,8 +276,8 @@ TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-
     std::string mechanism, sizes;
   };
   for (const Case& c : std::vector<Case>{{"disc-cam-roller", "offset = '6 mm'\n"},
-                                         {"disc-cam-knife", ""},
-                                         {"disc-cam-swinging-roller", ""},
+                                         {"disc-cam-knife-edge", ""},
+                                         {"disc-cam-oscillating-roller", ""},
                                          {"disc-cam-leading-roller", ""}}) {
     const ProblemStatement machine = machine_of(c.mechanism, c.sizes);
     const SampleTable table = profile(machine, 360, 0, 1, 0);
@@ -305,7 +305,8 @@ TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-
         compare(fault, 1, measured_cam(table, machine, {0, -kStep}),
                 measured_cam(table, machine, {0, kStep}));
       }
-      const bool is_knife = c.mechanism == "disc-cam-knife" && fault.names[0] == "roller_radius";
+      const bool is_knife =
+          c.mechanism == "disc-cam-knife-edge" && fault.names[0] == "roller_radius";
       if (fault.kind != FaultKind::OwnSize || is_knife) continue;  // none has less than no radius
       const auto& follower = cam.lift.follower();
       compare(fault, 0, with_follower(cam, with_less(follower, fault.names[0], -kStep)),

@@ -14,7 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The name that find_law takes for a name in the independent table.
 std::string our_name(std::string name) {
-  if (name == "triple-harmonic zero-jerk") return "triple-harmonic";  // the standard member
+  if (name == "triple-harmonic zero-jerk") return "triple-harmonic";  // the default member
   // d7 is what the other six durations leave; degrees are the parameter's own unit.
   for (const std::string& extra : {std::string(" d7=0.2"), std::string("deg")}) {
     const std::size_t at = name.find(extra);
@@ -36,14 +36,14 @@ TEST_CASE("peaks agree with constants computed to 20 digits from the formulas al
       const double theirs = std::stod(row.at(column));
       CHECK((ours == theirs || std::abs(ours - theirs) <= 1e-12 * size));
     };
-    agree("B", p.B(), p.B());
+    agree("B", p.max_velocity(), p.max_velocity());
     agree("C_max", p.high(Quantity::Acceleration).value, acceleration);
     agree("C_min", p.low(Quantity::Acceleration).value, acceleration);
     // A peak beside an infinite one is measured by itself.
     const auto own = [&](double value) { return std::isinf(jerk) ? std::abs(value) : jerk; };
     agree("D_inside_max", p.jerk_inside_highest.value, own(p.jerk_inside_highest.value));
     agree("D_inside_min", p.jerk_inside_lowest.value, own(p.jerk_inside_lowest.value));
-    agree("Cm", p.Cm(), p.Cm());
+    agree("Cm", p.max_dynamic_moment(), p.max_dynamic_moment());
   }
 }
 
@@ -116,12 +116,12 @@ TEST_CASE("the reference table of motion laws reproduces to its printed digits")
       const Printed printed = read_printed(text);
       CHECK(std::abs(ours - printed.value) <= printed.half_unit * (1 + 1e-9));
     };
-    compare("B", p.B());
+    compare("B", p.max_velocity());
     compare("C_max", p.high(Quantity::Acceleration).value);
     compare("C_min", p.low(Quantity::Acceleration).value);
     compare("D_max", p.high(Quantity::Jerk).value);
     compare("D_min", p.low(Quantity::Jerk).value);
-    compare("Cm", p.Cm());
+    compare("Cm", p.max_dynamic_moment());
   }
   CHECK(deviations == known_deviations().size());
 }

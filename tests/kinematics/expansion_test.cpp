@@ -51,7 +51,7 @@ bool contains(const Interval& range, Exact value) {
 std::vector<Law<double>> data_laws() {
   std::vector<Law<double>> laws;
   for (const Family& family : catalogue()) {
-    const Law<double> law = family.make(family.standard());
+    const Law<double> law = family.make(family.defaults());
     if (law.is_data()) laws.push_back(law);
   }
   laws.push_back(find_law("legendre c=40,-20,10,5,-3,2,1,0.5").law());

@@ -74,11 +74,11 @@ void compare(const char* name, const F& build) {
   }
 }
 
-TEST_CASE("every law of the catalogue keeps the contract at its standard arguments") {
+TEST_CASE("every law of the catalogue keeps the contract at its default arguments") {
   for (const Family& family : catalogue()) {
     DYNAMIC_SECTION(family.name) {
-      const auto arguments = family.standard();
-      // The standard spline and table are the 3-4-5 between rests.
+      const auto arguments = family.defaults();
+      // The default spline and table are the 3-4-5 between rests.
       const std::string ends = family.ends == "by parameters" ? "R-R" : family.ends;
       check_law(family, arguments, {ends, family.continuity, family.symmetric});
     }
@@ -137,9 +137,9 @@ TEST_CASE("boundary polynomials keep the contract for all sixteen VDI pairs") {
 
 TEST_CASE("derivatives by every parameter are those of differences") {
   for (const Family& family : catalogue()) {
-    auto arguments = family.standard();
+    auto arguments = family.defaults();
     if (family.name == "s-curve") arguments = find_law("s-curve B=1.6 C=5.8 D=58.5").arguments;
-    // The standard one lies where no coefficient can move alone.
+    // The default one lies where no coefficient can move alone.
     if (family.name == "triple-harmonic") {
       arguments = find_law("triple-harmonic h1=5.1968 h2=1.769 h3=0.6057").arguments;
     }

@@ -55,8 +55,8 @@ TEST_CASE("The modified sine has its printed closed form", "[phases]") {
 TEST_CASE("The modified trapezoid's acceleration is 1 / (1/4 - Ta + 2 Ta / pi)", "[phases]") {
   for (const double ta : {0.0, 0.05, 0.125, 0.2, 0.25}) {
     const auto law = scca<double>(2 * ta, 1 - 4 * ta, 2 * ta);
-    CHECK(peaks(law).C() == Approx(1 / (0.25 - ta + 2 * ta / kPi)).epsilon(1e-13));
-    CHECK(peaks(law).B() == Approx(2).epsilon(1e-13));
+    CHECK(peaks(law).max_acceleration() == Approx(1 / (0.25 - ta + 2 * ta / kPi)).epsilon(1e-13));
+    CHECK(peaks(law).max_velocity() == Approx(2).epsilon(1e-13));
   }
 }
 
@@ -109,9 +109,9 @@ TEST_CASE("Trapezoidal acceleration has straight ramps", "[phases]") {
   for (const auto& [r, c] : {std::pair{0.125, 0.25}, {0.1, 0.1}, {0.25, 0.0}, {0.05, 0.3}}) {
     const auto found = peaks(trapezoidal_acceleration<double>(r, c));
     const double b = 1 / (1 - 2 * r - c);
-    CHECK(found.B() == Approx(b).epsilon(1e-12));
-    CHECK(found.C() == Approx(b / (r + c)).epsilon(1e-12));
-    CHECK(found.D() == Approx(b / (r + c) / r).epsilon(1e-12));
+    CHECK(found.max_velocity() == Approx(b).epsilon(1e-12));
+    CHECK(found.max_acceleration() == Approx(b / (r + c)).epsilon(1e-12));
+    CHECK(found.max_jerk() == Approx(b / (r + c) / r).epsilon(1e-12));
   }
 }
 
@@ -126,9 +126,9 @@ TEST_CASE("The S-curve has the peaks that were asked for, and no law is faster",
     const double d = c / (1 - 1 / b - b / c);
     const auto found = peaks(s_curve<double>(b, c, d));
     CAPTURE(b, c, d);
-    CHECK(found.B() == Approx(b).epsilon(1e-11));
-    CHECK(found.C() == Approx(c).epsilon(1e-11));
-    CHECK(found.D() == Approx(d).epsilon(1e-11));
+    CHECK(found.max_velocity() == Approx(b).epsilon(1e-11));
+    CHECK(found.max_acceleration() == Approx(c).epsilon(1e-11));
+    CHECK(found.max_jerk() == Approx(d).epsilon(1e-11));
     CHECK(limit_index(found).value() == Approx(1).epsilon(1e-11));
   }
 }
@@ -141,8 +141,8 @@ TEST_CASE("Printed peaks of an S-curve are taken within 0.1 % and scaled onto th
   CHECK(std::abs(law(1.0).s - 1) <= 1e-14);
   CHECK(std::abs(law(1.0).v) <= 1e-13);
   const auto found = peaks(law);
-  CHECK(found.B() == Approx(b).epsilon(2e-3));
-  CHECK(found.C() == Approx(c).epsilon(2e-3));
+  CHECK(found.max_velocity() == Approx(b).epsilon(2e-3));
+  CHECK(found.max_acceleration() == Approx(c).epsilon(2e-3));
   // C / D is 0.0991 of the sum: 2 % more jerk takes 0.2 % off it.
   CHECK_THROWS_WITH(s_curve<double>(b, c, 1.02 * exact),
                     Contains("1/B + B/C + C/D") && Contains("0.998"));

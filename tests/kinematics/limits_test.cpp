@@ -29,11 +29,11 @@ TEST_CASE("Trapezoidal velocity attains the least acceleration, and other shares
   for (const double b : {1.1, 1.3, 1.5, 1.8, 2.0}) {
     const double t = 1 - 1 / b;  // B (1 - t) = 1
     const auto found = peaks(trapezoidal_velocity<double>(t, t));
-    CHECK(found.B() == Approx(b).epsilon(1e-13));
-    CHECK(found.C() == Approx(least_acceleration(b)).epsilon(1e-13));
+    CHECK(found.max_velocity() == Approx(b).epsilon(1e-13));
+    CHECK(found.max_acceleration() == Approx(least_acceleration(b)).epsilon(1e-13));
     const auto uneven = peaks(trapezoidal_velocity<double>(0.8 * t, 1.2 * t));
-    CHECK(uneven.B() == Approx(b).epsilon(1e-13));
-    CHECK(uneven.C() > 1.1 * least_acceleration(b));
+    CHECK(uneven.max_velocity() == Approx(b).epsilon(1e-13));
+    CHECK(uneven.max_acceleration() > 1.1 * least_acceleration(b));
   }
 }
 
@@ -135,9 +135,9 @@ TEST_CASE("32 is the least jerk, with B = 2 and C = 8", "[limits]") {
   CHECK(least_time(kInfinity, kInfinity, 32) == Approx(std::cbrt(32 / 32.0)).epsilon(1e-15));
   CHECK(least_time(kInfinity, kInfinity, 100) == Approx(std::cbrt(32 / 100.0)).epsilon(1e-15));
   const auto found = peaks(s_curve<double>(2, 8, 32));
-  CHECK(found.B() == Approx(2).epsilon(1e-12));
-  CHECK(found.C() == Approx(8).epsilon(1e-12));
-  CHECK(found.D() == Approx(32).epsilon(1e-12));
+  CHECK(found.max_velocity() == Approx(2).epsilon(1e-12));
+  CHECK(found.max_acceleration() == Approx(8).epsilon(1e-12));
+  CHECK(found.max_jerk() == Approx(32).epsilon(1e-12));
   CHECK(limit_index(found).value() == Approx(1).epsilon(1e-12));
 }
 

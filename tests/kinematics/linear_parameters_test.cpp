@@ -49,10 +49,10 @@ Bend bend(const Member& member, const std::vector<Element>& along, const std::ve
   return result;
 }
 
-/// The standard members, some more so that every list has elements, and skewed ones.
+/// The default members, some more so that every list has elements, and skewed ones.
 std::vector<Member> members() {
   std::vector<Member> result;
-  for (const Family& family : catalogue()) result.push_back({&family, family.standard()});
+  for (const Family& family : catalogue()) result.push_back({&family, family.defaults()});
   for (const char* text :
        {"polynomial-5 alpha=7", "polynomial-7 A=-30", "legendre c=40,-20,10,5,-3,2,1,0.5",
         "fourier a=0.3,-0.2,0.1,0.05,0.7", "boundary-5 s0=0.2 v0=1 a0=-3 s1=0.9 v1=0.3 a1=2",

@@ -71,9 +71,9 @@ TEST_CASE("short ramps are not jumps, in doubles and in intervals alike") {
     INFO(name);
     const auto plain = peaks(find_law(name).law());
     const auto proof = peaks(find_law(name).law<Interval>());
-    CHECK(std::isfinite(plain.D()));
-    CHECK(std::isfinite(proof.D().upper()));
-    CHECK(plain.D() == Approx(proof.D().upper()).epsilon(1e-6));
+    CHECK(std::isfinite(plain.max_jerk()));
+    CHECK(std::isfinite(proof.max_jerk().upper()));
+    CHECK(plain.max_jerk() == Approx(proof.max_jerk().upper()).epsilon(1e-6));
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a skewed half-ellipse keeps a finite dynamic moment") {
   for (int percent = 5; percent <= 95; percent += 3) {
     const auto name = "half-ellipse-velocity crossover=" + std::to_string(percent / 100.0);
     INFO(name);
-    const double cm = peaks(find_law(name).law()).Cm();
+    const double cm = peaks(find_law(name).law()).max_dynamic_moment();
     // v a = 32 / pi^2 at most, stretched by 1 / (2 c) on the shorter side.
     const double shorter = std::min(percent, 100 - percent) / 100.0;
     CHECK(cm == Approx(32 / (M_PI * M_PI) / (2 * shorter)).epsilon(1e-9));
@@ -89,7 +89,7 @@ TEST_CASE("a skewed half-ellipse keeps a finite dynamic moment") {
 }
 
 TEST_CASE("the crossover is continuous in the other parameters") {
-  const auto c_of = [](const char* name) { return peaks(find_law(name).law()).C(); };
+  const auto c_of = [](const char* name) { return peaks(find_law(name).law()).max_acceleration(); };
   CHECK(c_of("trapezoidal-velocity t1=0.2 t2=0.2 crossover=0.3") ==
         Approx(c_of("trapezoidal-velocity t1=0.2 t2=0.2000000001 crossover=0.3")).epsilon(1e-8));
   CHECK(c_of("universal d1=0.1 d2=0.1 d3=0.1 d4=0.4 d5=0.1 d6=0.1 crossover=0.3") ==

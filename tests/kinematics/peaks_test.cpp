@@ -195,8 +195,8 @@ TEST_CASE("jumps are found where they are") {
   CHECK(jumps(find_law("b-spline degree=1 knots=0.4 coefficients=0,0.2,1").law()).velocity == 0.4);
   const auto thrust = polynomial_law<double>({0, 1});  // a straight line between rests
   CHECK(jumps(thrust).velocity == 0.0);
-  CHECK(peaks(thrust).C() == kInfinity);
-  CHECK(peaks(thrust).B() == 1);
+  CHECK(peaks(thrust).max_acceleration() == kInfinity);
+  CHECK(peaks(thrust).max_velocity() == 1);
 }
 
 /// NaN where a peak is not asked for.
@@ -274,12 +274,12 @@ TEST_CASE("peaks agree with closed forms") {
       if (std::isnan(exact)) return;
       CHECK((ours == exact || std::abs(ours - exact) <= 2e-14 * std::abs(exact)));
     };
-    agree(p.B(), c.B);
+    agree(p.max_velocity(), c.B);
     agree(p.high(Quantity::Acceleration).value, c.C_max);
     agree(p.low(Quantity::Acceleration).value, c.C_min);
     agree(p.jerk_inside_highest.value, c.D_max);
     agree(p.jerk_inside_lowest.value, c.D_min);
-    agree(p.Cm(), c.Cm);
+    agree(p.max_dynamic_moment(), c.Cm);
   }
 }
 
@@ -309,8 +309,8 @@ TEST_CASE("peaks of polynomial-5 and their derivatives by alpha agree with close
   const double rate = 1.5 * -0.9 / g - 0.5 / alpha;  // (log C)'
   const double bend = -1.5 * 0.81 / (g * g) + 0.5 / (alpha * alpha);
   const auto p = seeded_peaks<Dual2>(find_law("polynomial-5 alpha=-8"), 0);
-  check_derivatives(p.B(), 1.5 + 0.15 * alpha - 3 * alpha / 16, 0.15 - 3.0 / 16, 0);
-  check_derivatives(p.C(), C, C * rate, C * (rate * rate + bend));
+  check_derivatives(p.max_velocity(), 1.5 + 0.15 * alpha - 3 * alpha / 16, 0.15 - 3.0 / 16, 0);
+  check_derivatives(p.max_acceleration(), C, C * rate, C * (rate * rate + bend));
   // x = (1 - u) / 2 with log u changing by (-0.9 / g - 1 / alpha) / 2.
   const double u = std::sqrt(g / h);
   CHECK(p.high(Quantity::Acceleration).position.a.v[0] ==
@@ -319,11 +319,12 @@ TEST_CASE("peaks of polynomial-5 and their derivatives by alpha agree with close
 
 TEST_CASE("derivatives of peaks by n and by the angle agree with closed forms") {
   // B = n pi / 2; B = 2 / (1 + cot(angle)), d cot = -(1 + cot^2) pi / 180 per degree.
-  check_derivatives(seeded_peaks<Dual2>(find_law("elliptic n=1.3"), 0).B(), 0.65 * kPi, kPi / 2, 0);
+  check_derivatives(seeded_peaks<Dual2>(find_law("elliptic n=1.3"), 0).max_velocity(), 0.65 * kPi,
+                    kPi / 2, 0);
   const double degree = kPi / 180, cot = 1 / std::tan(75 * degree), w = 1 + cot * cot;
   const double B = 2 / (1 + cot);
-  check_derivatives(seeded_peaks<Dual2>(find_law("inclined-sinusoid angle=75"), 0).B(), B,
-                    B * B / 2 * w * degree,
+  check_derivatives(seeded_peaks<Dual2>(find_law("inclined-sinusoid angle=75"), 0).max_velocity(),
+                    B, B * B / 2 * w * degree,
                     (B * B * B / 2 * w * w - B * B * cot * w) * degree * degree);
 }
 
@@ -331,7 +332,7 @@ TEST_CASE("derivatives of peaks by the durations of phases agree with closed for
   // B (1 - (t1 + t2) / 2) = 1, C_max = B / t1, C_min = -B / t2.
   const double t1 = 0.2, t2 = 0.4, B = 1 / (1 - (t1 + t2) / 2);
   const auto p = seeded_peaks<Dual2>(find_law("trapezoidal-velocity t1=0.2 t2=0.4"), 0);
-  check_derivatives(p.B(), B, B * B / 2, B * B * B / 2);
+  check_derivatives(p.max_velocity(), B, B * B / 2, B * B * B / 2);
   check_derivatives(p.high(Quantity::Acceleration).value, B / t1, B * B / (2 * t1) - B / (t1 * t1),
                     B * B * B / (2 * t1) - B * B / (t1 * t1) + 2 * B / (t1 * t1 * t1));
   check_derivatives(p.low(Quantity::Acceleration).value, -B / t2, -B * B / (2 * t2),
@@ -345,7 +346,7 @@ TEST_CASE("derivatives of peaks by the crossover agree with closed forms") {
     Member member = find_law("poly-3-4-5");
     member.arguments.values()[0] = {c};
     const auto p = seeded_peaks<Dual2>(member, 0);
-    check_derivatives(p.B(), 15.0 / 8, 0, 0);
+    check_derivatives(p.max_velocity(), 15.0 / 8, 0, 0);
     check_derivatives(p.high(Quantity::Acceleration).value, C / (2 * c), -C / (2 * c * c),
                       C / (c * c * c));
     const double d = 1 - c;
@@ -360,11 +361,13 @@ TEST_CASE("derivatives of peaks stay right where a phase has no length") {
   const Member member = find_law("trapezoidal-acceleration");
   const double B = 2, reach = 3.0 / 8;
   const auto by_ramp = seeded_peaks<Dual>(member, 0);
-  CHECK(by_ramp.B().v[0] == Approx(2 * B * B).epsilon(1e-12));
-  CHECK(by_ramp.C().v[0] == Approx(2 * B * B / reach - B / (reach * reach)).epsilon(1e-12));
+  CHECK(by_ramp.max_velocity().v[0] == Approx(2 * B * B).epsilon(1e-12));
+  CHECK(by_ramp.max_acceleration().v[0] ==
+        Approx(2 * B * B / reach - B / (reach * reach)).epsilon(1e-12));
   const auto by_constant = seeded_peaks<Dual>(member, 1);
-  CHECK(by_constant.B().v[0] == Approx(B * B).epsilon(1e-12));
-  CHECK(by_constant.C().v[0] == Approx(B * B / reach - B / (reach * reach)).epsilon(1e-12));
+  CHECK(by_constant.max_velocity().v[0] == Approx(B * B).epsilon(1e-12));
+  CHECK(by_constant.max_acceleration().v[0] ==
+        Approx(B * B / reach - B / (reach * reach)).epsilon(1e-12));
 }
 
 /// All finite peak values of a law, in one order.
@@ -425,9 +428,9 @@ TEST_CASE("a straight line has velocity 1 and no other peaks, at no jump") {
   const auto p = peaks_of("constant-velocity");
   CHECK(p.high(Quantity::Velocity).value == 1);
   CHECK(p.low(Quantity::Velocity).value == 1);
-  CHECK(p.C() == 0);
-  CHECK(p.D() == 0);
-  CHECK(p.Cm() == 0);
+  CHECK(p.max_acceleration() == 0);
+  CHECK(p.max_jerk() == 0);
+  CHECK(p.max_dynamic_moment() == 0);
 }
 
 TEST_CASE("a plateau's peak lies at its first end") {
@@ -443,7 +446,7 @@ TEST_CASE("the sixth-order flat top of freudenstein-1-3-5 is found to rounding")
   // a = 2 pi m (1.6 y - 16 y^3 / 15 + 0.32 y^5), y = sin(2 pi x): a' ~ (1 - y^2)^2 cos, so that a
   // stays within rounding of its peak for |x - 1/4| < 1e-3: the value is sharp, the place is not.
   const auto p = peaks_of("freudenstein-1-3-5");
-  CHECK(p.C() == Approx(240 * kPi / 149).epsilon(1e-14));
+  CHECK(p.max_acceleration() == Approx(240 * kPi / 149).epsilon(1e-14));
   CHECK(p.high(Quantity::Acceleration).position == Approx(0.25).margin(2e-3));
   CHECK(p.low(Quantity::Acceleration).position == Approx(0.75).margin(2e-3));
 }

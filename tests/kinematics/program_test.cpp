@@ -58,7 +58,7 @@ TEST_CASE("a program is its segments' laws, stretched over the cycle", "[program
   CHECK(program(0.4).s == 1);
   CHECK(program(0.4).v == 0);
   CHECK(program(0.9).s == Approx(0).margin(1e-14));
-  CHECK(peaks(program).B() == Approx(4 * peaks(back).B()).epsilon(1e-12));
+  CHECK(peaks(program).max_velocity() == Approx(4 * peaks(back).max_velocity()).epsilon(1e-12));
 }
 
 TEST_CASE("segments that do not meet are named with the jump", "[program]") {
@@ -99,7 +99,7 @@ TEST_CASE("a segment that joins meets its neighbours in velocity and acceleratio
 TEST_CASE("a program's parameters are its angles, its levels and its laws'", "[program]") {
   auto segments = usual("polynomial-5 alpha=-3");
   segments[0].law = [] {
-    Member member{&find_family("polynomial-5"), find_family("polynomial-5").standard()};
+    Member member{&find_family("polynomial-5"), find_family("polynomial-5").defaults()};
     set_argument(member, "alpha=-10");
     return member;
   }();

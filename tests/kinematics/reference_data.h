@@ -10,7 +10,7 @@
 
 #include "kinematics/shape.h"
 
-/// What the tests of laws run over: members of the families beside the standard ones, and tables of
+/// What the tests of laws run over: members of the families beside the defaults, and tables of
 /// constants read from files.
 namespace camlaw::testing {
 

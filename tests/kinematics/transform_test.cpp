@@ -113,11 +113,11 @@ TEST_CASE("A symmetric law keeps its velocity peak, and C becomes C / (2 c) and 
     for (const auto& law :
          {poly_3_4_5<double>(), cycloidal<double>(), scca_of<double>(1, 2, 1, 4)}) {
       const auto before = peaks(law), after = peaks(with_crossover(law, at));
-      CHECK(after.B() == Approx(before.B()).epsilon(1e-12));
+      CHECK(after.max_velocity() == Approx(before.max_velocity()).epsilon(1e-12));
       CHECK(after.high(Quantity::Acceleration).value ==
-            Approx(before.C() / (2 * at)).epsilon(1e-12));
+            Approx(before.max_acceleration() / (2 * at)).epsilon(1e-12));
       CHECK(after.low(Quantity::Acceleration).value ==
-            Approx(-before.C() / (2 * (1 - at))).epsilon(1e-12));
+            Approx(-before.max_acceleration() / (2 * (1 - at))).epsilon(1e-12));
     }
   }
 }

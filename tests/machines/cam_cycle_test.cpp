@@ -59,9 +59,9 @@ struct Curves {
 
 double degrees(int i) { return 360.0 * i / kPoints; }
 
-const std::vector<const char*> kDiscs{"disc-cam-roller",         "disc-cam-knife",
-                                      "disc-cam-flat",           "disc-cam-swinging-roller",
-                                      "disc-cam-leading-roller", "disc-cam-swinging-flat"};
+const std::vector<const char*> kDiscs{"disc-cam-roller",         "disc-cam-knife-edge",
+                                      "disc-cam-flat",           "disc-cam-oscillating-roller",
+                                      "disc-cam-leading-roller", "disc-cam-oscillating-flat"};
 
 }  // namespace
 
@@ -93,8 +93,8 @@ TEST_CASE("a plain disc weighs what a cylinder does", "[cams]") {
 }
 
 TEST_CASE("the tool's way lies a tool's radius outside the profile", "[cams]") {
-  for (const char* name : {"disc-cam-roller", "disc-cam-knife", "disc-cam-leading-roller",
-                           "end-cam", "end-cam-swinging", "linear-cam"}) {
+  for (const char* name : {"disc-cam-roller", "disc-cam-knife-edge", "disc-cam-leading-roller",
+                           "end-cam", "end-cam-oscillating", "linear-cam"}) {
     INFO(name);
     const ProblemStatement statement = program_of(name, "cutter_radius = \"7 mm\"\n");
     const Curves curves(statement);
@@ -135,12 +135,12 @@ TEST_CASE("root mean squares are those of a fine sum, and enclosed", "[cams]") {
 }
 
 TEST_CASE("at the speed of contact loss the cam's force just vanishes", "[cams]") {
-  for (const char* name : {"disc-cam-roller", "disc-cam-flat", "disc-cam-swinging-roller"}) {
+  for (const char* name : {"disc-cam-roller", "disc-cam-flat", "disc-cam-oscillating-roller"}) {
     INFO(name);
     const double speed = number_of(program_of(name), "contact_loss_speed");
     const auto lowest = [&](double rpm) {
       const Curves curves(program_of(name, "speed = \"" + std::to_string(rpm) + " rpm\"\n"));
-      const bool swings = std::string(name).find("swinging") != std::string::npos;
+      const bool swings = std::string(name).find("oscillating") != std::string::npos;
       double least = 1e9;
       for (int i = 0; i < kPoints; ++i) {
         least =
@@ -155,7 +155,7 @@ TEST_CASE("at the speed of contact loss the cam's force just vanishes", "[cams]"
 }
 
 TEST_CASE("static and dynamic torque add up to the drive's", "[cams]") {
-  const Curves curves(program_of("disc-cam-swinging-roller", "load = \"2 N m\"\n"));
+  const Curves curves(program_of("disc-cam-oscillating-roller", "load = \"2 N m\"\n"));
   for (const double angle : {20.0, 66.0, 180.0, 250.0}) {
     CHECK(curves.at("static_torque", angle) + curves.at("dynamic_torque", angle) ==
           Approx(curves.at("drive_torque", angle)).epsilon(1e-12));

@@ -9,7 +9,7 @@
 
 #include "kinematics/peaks.h"
 #include "kinematics/program/program.h"
-#include "machines/cams/swinging_roller_cam.h"
+#include "machines/cams/oscillating_roller_cam.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "tests/problems/complaint.h"
@@ -90,21 +90,21 @@ TEST_CASE("a roller's base circle is the one at which the rise stands at 30 degr
 
 TEST_CASE("rise and return of an end cam share what is left in halves", "[cams]") {
   const Found found = solved("end_rise_share.toml");
-  const double Cv = peaks(find_law("modified-sine").law()).B();
+  const double Cv = peaks(find_law("modified-sine").law()).max_velocity();
   const double beta = 140 * kPi / 180;
   CHECK(found.x.at(1) == Approx(140).epsilon(1e-6));
   CHECK(found.x.at(0) == Approx(25 * Cv / (beta * std::tan(kPi / 6))).epsilon(1e-7));
 }
 
 TEST_CASE("no arm and pivot on a grid have a smaller pressure angle", "[cams]") {
-  const Found found = solved("swinging_least_peak_angle.toml");
+  const Found found = solved("oscillating_least_peak_angle.toml");
   const Law<double> law = motion_program({{"rise", 110, 1, false, find_law("cycloidal")},
                                           {"high", 50, 1, true, {}},
                                           {"return", 110, 0, false, find_law("cycloidal")},
                                           {"low", 90, 0, true, {}}},
                                          Matched::Acceleration)
                               .law();
-  SwingingRollerCam<double> cam;
+  OscillatingRollerCam<double> cam;
   cam.swing = 25 * kPi / 180;
   cam.base_radius = 0.04;
   double least = 1e300;

@@ -341,9 +341,9 @@ TEST_CASE("peaks proved by enclosures are the law's peaks times the machine's fa
       CHECK(found.upper >= expected * (1 - 1e-13));
       CHECK(found.upper <= found.lower * (1 + 1e-10));
     };
-    check("minimum_cam_radius", m.minimum_cam_radius(peak.B()) * 1e3);
-    check("peak_inertia_force", m.peak_inertia_force(peak.C()));
-    check("peak_drive_torque", m.peak_drive_torque(peak.Cm()));
+    check("minimum_cam_radius", m.minimum_cam_radius(peak.max_velocity()) * 1e3);
+    check("peak_inertia_force", m.peak_inertia_force(peak.max_acceleration()));
+    check("peak_drive_torque", m.peak_drive_torque(peak.max_dynamic_moment()));
     check("displacement", 40);
   }
 }
@@ -356,9 +356,9 @@ TEST_CASE("the law's constants are its named peaks", "[mechanism][curves]") {
     const auto proved = [&](const char* name) {
       return proved_peak(*response_of(law_alone(), name, design.binding).curve().trace({}));
     };
-    CHECK(proved("B").lower == Approx(peak.B()).epsilon(1e-9));
-    CHECK(proved("C").lower == Approx(peak.C()).epsilon(1e-9));
-    CHECK(proved("Cm").lower == Approx(peak.Cm()).epsilon(1e-9));
+    CHECK(proved("B").lower == Approx(peak.max_velocity()).epsilon(1e-9));
+    CHECK(proved("C").lower == Approx(peak.max_acceleration()).epsilon(1e-9));
+    CHECK(proved("Cm").lower == Approx(peak.max_dynamic_moment()).epsilon(1e-9));
     const double inside = std::max(peak.jerk_inside_highest.value, -peak.jerk_inside_lowest.value);
     CHECK(proved("D").upper == Approx(inside).epsilon(1e-9));
   }

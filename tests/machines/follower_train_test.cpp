@@ -62,7 +62,8 @@ TEST_CASE("the train's numbers are those of a numerical integration", "[follower
     CHECK(std::abs(peak.value) == Approx(0.02 / (time * time) * end.peak).epsilon(1e-6));
     const auto amplified = response_of(train(), "amplified_acceleration", design.binding);
     const auto over = optim::extreme_of(*amplified.curve().trace({}), optim::Part::Magnitude);
-    CHECK(std::abs(over.value) == Approx(end.peak / peaks(find_law(law).law()).C()).epsilon(1e-6));
+    CHECK(std::abs(over.value) ==
+          Approx(end.peak / peaks(find_law(law).law()).max_acceleration()).epsilon(1e-6));
   }
 }
 

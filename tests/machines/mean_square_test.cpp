@@ -54,7 +54,7 @@ std::vector<double> steep(int degree) {
 
 Member spline_of(int degree, const std::vector<double>& coefficients) {
   const Family& family = find_family("b-spline");
-  Member result{&family, family.standard()};
+  Member result{&family, family.defaults()};
   result.arguments.values()[family.parameter("degree")] = {static_cast<double>(degree)};
   result.arguments.values()[family.parameter("coefficients")] = coefficients;
   return result;

@@ -47,7 +47,7 @@ inline TestDesign design_of(const Mechanism& mechanism, const std::string& law,
     design.x.push_back(member.arguments.list(v.parameter)[v.element]);
   }
   Binding& binding = design.binding;
-  for (const auto& p : mechanism.parameters) binding.constants.push_back(p.standard);
+  for (const auto& p : mechanism.parameters) binding.constants.push_back(p.default_value);
   for (const auto& name : of_machine) binding.parameters.push_back(mechanism.parameter(name));
   std::sort(binding.parameters.begin(), binding.parameters.end());
   design.x.resize(design.x.size() + binding.parameters.size());

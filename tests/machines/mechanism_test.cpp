@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <malloc.h>
+
 #include <catch2/catch.hpp>
 #include <limits>
 #include <numbers>
@@ -53,8 +55,8 @@ TEST_CASE("every name of a mechanism is its own and leads somewhere", "[mechanis
     for (const auto& p : mechanism.parameters) {
       CHECK(names.insert(p.name).second);
       CHECK(names.insert(p.symbol).second);
-      CHECK((p.low <= p.standard && p.standard <= p.high));
-      CHECK_NOTHROW(convert_unit(p.standard, p.unit, p.stored));
+      CHECK((p.low <= p.default_value && p.default_value <= p.high));
+      CHECK_NOTHROW(convert_unit(p.default_value, p.unit, p.stored));
     }
     for (const auto& response : mechanism.responses) {
       INFO(response.name);
@@ -146,6 +148,14 @@ TEST_CASE("mechanisms are found by the names that they have", "[mechanism]") {
   for (const Mechanism& mechanism : mechanisms()) {
     CHECK(&find_mechanism(mechanism.name) == &mechanism);
   }
+  for (const auto& [earlier, name] : {std::pair{"disc-cam-knife", "disc-cam-knife-edge"},
+                                      {"disc-cam-swinging-roller", "disc-cam-oscillating-roller"},
+                                      {"disc-cam-swinging-flat", "disc-cam-oscillating-flat"},
+                                      {"end-cam-swinging", "end-cam-oscillating"}}) {
+    CHECK(find_mechanism(earlier).name == name);
+    CHECK(earlier_name(find_mechanism(name)) == earlier);
+  }
+  CHECK(known_mechanism("") == nullptr);
 }
 
 TEST_CASE("a parameter is a response too, varying or not", "[mechanism]") {
@@ -173,9 +183,9 @@ TEST_CASE("a response depends on the parameters that it says it uses, and on no 
       std::vector<std::vector<double>> designs(3);
       for (const auto& p : mechanism.parameters) {
         const double factor = uniform(random);
-        const double large = p.standard == 0 ? std::min(18.0, 0.3 * p.high) : p.standard;
+        const double large = p.default_value == 0 ? std::min(18.0, 0.3 * p.high) : p.default_value;
         designs[0].push_back(large * factor);
-        designs[1].push_back(p.standard == 0 ? 0.05 * large * factor : large * factor);
+        designs[1].push_back(p.default_value == 0 ? 0.05 * large * factor : large * factor);
         designs[2].push_back(p.unit == "rpm" ? 30 * large * factor : large * factor);
       }
       for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
@@ -310,11 +320,11 @@ TEST_CASE("the study's givens are the mechanism's parameters but the cam radius"
   REQUIRE(listed.size() + 1 == cutter().parameters.size());
   for (std::size_t i = 0; i < listed.size(); ++i) {
     CHECK(listed[i].name == cutter().parameters[i].name);
-    CHECK(listed[i].value == Approx(cutter().parameters[i].standard).epsilon(1e-14));
+    CHECK(listed[i].value == Approx(cutter().parameters[i].default_value).epsilon(1e-14));
   }
   CHECK(cutter().parameters.back().name == "cam_radius");
   CHECK(SpineCutter<double>{}.cam_radius ==
-        Approx(convert_unit(cutter().parameters.back().standard, "mm", "m")));
+        Approx(convert_unit(cutter().parameters.back().default_value, "mm", "m")));
   SpineCutter<double> machine;
   CHECK_THROWS_WITH(set_given(machine, "cam_radius=40 mm"), Contains("'cam_radius'"));
 }
@@ -344,6 +354,46 @@ TEST_CASE("motion of a binding is the law's, of a linear law beyond its range to
   const std::vector<double> beyond{-2000, 0};
   CHECK(std::isfinite(linear.motion(0.3, Side::Right, beyond, 0).value[2]));
   CHECK_THROWS_AS(linear.law_at<double>(beyond), std::invalid_argument);
+}
+
+namespace {
+
+/// Bytes that were taken from the heap and not given back. 0 where a sanitizer has its own.
+double heap() {
+  const auto taken = mallinfo2();
+  return static_cast<double>(taken.uordblks) + static_cast<double>(taken.hblkhd);
+}
+
+/// What twelve designs leave in the heap, as a part of what the binding says of it.
+double heap_over_memory(int knots) {
+  std::string text = "b-spline degree=3 knots=";
+  std::vector<LawVariable> variables;
+  std::vector<double> values;
+  for (int i = 1; i <= knots; ++i) {
+    values.push_back(static_cast<double>(i) / (knots + 1));
+    text += (i > 1 ? "," : "") + std::to_string(values.back());
+    variables.push_back({1, static_cast<std::size_t>(i - 1), variables.size()});
+  }
+  text += " coefficients=0";
+  for (int i = 1; i < knots + 4; ++i) text += i < (knots + 4) / 2 ? ",0" : ",1";
+  const LawBinding binding(find_law(text), variables);
+  const double before = heap();
+  for (int design = 0; design < 12; ++design) {
+    values[0] *= 0.99;
+    REQUIRE(std::isfinite(binding.motion(0.3, Side::Right, values, 2).value[2]));
+  }
+  return (heap() - before) / binding.memory();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the memory of a law's second derivatives is what it says, of few designs where it is much",
+    "[mechanism][heavy]") {
+  CHECK(heap_over_memory(12) == Approx(1).epsilon(0.3));
+  CHECK(heap_over_memory(100) == Approx(1).epsilon(0.2));
+  std::vector<LawVariable> coefficient{{2, 5}};
+  CHECK(LawBinding(find_law("b-spline"), coefficient).memory() == 0);
 }
 
 }  // namespace camlaw::problems::mechanism_test

@@ -58,13 +58,13 @@ double greatest(const std::vector<Stretch>& stretches, double stroke, const F& f
 }
 
 const std::vector<const char*> kCams{"disc-cam-roller",
-                                     "disc-cam-knife",
+                                     "disc-cam-knife-edge",
                                      "disc-cam-conjugate",
-                                     "disc-cam-swinging-roller",
+                                     "disc-cam-oscillating-roller",
                                      "disc-cam-leading-roller",
-                                     "disc-cam-swinging-flat",
+                                     "disc-cam-oscillating-flat",
                                      "end-cam",
-                                     "end-cam-swinging",
+                                     "end-cam-oscillating",
                                      "linear-cam"};
 
 }  // namespace
@@ -117,7 +117,8 @@ TEST_CASE("curves of cams are enclosed over every stretch of the turn", "[cams]"
   }
 }
 
-TEST_CASE("the least base circle under a swinging face is that of its support function", "[cams]") {
+TEST_CASE("the least base circle under an oscillating face is that of its support function",
+          "[cams]") {
   // p = d sin psi - f over the normal's direction Theta: rho = p + d^2 p / d Theta^2, by series.
   const std::vector<Stretch> motion{{"cycloidal", 110, 0, 1}, {"modified-sine", 140, 1, 0}};
   const auto least_radius = [&](double base) {
@@ -133,7 +134,7 @@ TEST_CASE("the least base circle under a swinging face is that of its support fu
     });
   };
   const double base = root([&](double b) { return least_radius(b) - 8; }, 10, 70);
-  CHECK(solved("swinging_flat_least_base.toml").x.at(0) == Approx(base).epsilon(1e-6));
+  CHECK(solved("oscillating_flat_least_base.toml").x.at(0) == Approx(base).epsilon(1e-6));
 }
 
 TEST_CASE("the smallest barrel cam of an arm has a closed form at every angle", "[cams]") {
@@ -145,7 +146,7 @@ TEST_CASE("the smallest barrel cam of an arm has a closed form at every angle", 
       return way * 100 * ds / (way * (slope * std::cos(eta) - std::sin(eta)));
     });
   };
-  const Found found = solved("swinging_end_least_radius.toml");
+  const Found found = solved("oscillating_end_least_radius.toml");
   CHECK(found.x.at(0) == Approx(std::max(radius(rise, 35), radius(back, -40))).epsilon(1e-6));
 }
 
@@ -176,7 +177,8 @@ TEST_CASE("the least base circle of a convex cam has no hollow by its polar form
   });
   const double sloped = greatest(
       rise, 16, [](double s, double ds, double) { return ds / std::tan(35 * kDegree) - s; });
-  CHECK(solved("knife_convex_base.toml").x.at(0) == Approx(std::max(convex, sloped)).epsilon(1e-6));
+  CHECK(solved("knife_edge_convex_base.toml").x.at(0) ==
+        Approx(std::max(convex, sloped)).epsilon(1e-6));
 }
 
 TEST_CASE("no roller on a grid that fits has less stress in the groove", "[cams]") {

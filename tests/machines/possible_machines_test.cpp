@@ -26,7 +26,7 @@ std::vector<double> some_parameters(const Mechanism& mechanism, std::mt19937& ra
   std::uniform_real_distribution<double> even(-1, 1);
   std::vector<double> result;
   for (const MechanismParameter& p : mechanism.parameters) {
-    const double typical = p.standard != 0 ? p.standard : 0.31 * std::min(1.0, p.high);
+    const double typical = p.default_value != 0 ? p.default_value : 0.31 * std::min(1.0, p.high);
     result.push_back(std::clamp(typical * std::exp(1.5 * even(random)), p.low, p.high));
   }
   return result;
@@ -80,7 +80,7 @@ law = "modified-sine"
 [[program.segments]]
 )";
   SECTION("the objective does not depend on what makes the start impossible") {
-    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-swinging-roller"
+    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-oscillating-roller"
 [constants]
 swing = 20
 )" + motion + R"(
@@ -107,7 +107,7 @@ upper = 0.7
     CHECK(optim::is_feasible(optimum.found.assessment));
   }
   SECTION("almost all of the box is impossible") {
-    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-swinging-roller"
+    const BoundProblem problem(read_problem(R"(mechanism = "disc-cam-oscillating-roller"
 )" + motion + R"(
 [variables.base_radius]
 lower = 0.001

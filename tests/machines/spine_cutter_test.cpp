@@ -106,11 +106,12 @@ TEST_CASE("radius, force and torque agree with the simulated motion", "[spine-cu
     c.pressure_angle = 0.4;
     const Law<double> law = find_law(name).law();
     const Peaks<double> peak = peaks(law);
-    const Simulation simulated(c, law, c.minimum_cam_radius(peak.B()));
+    const Simulation simulated(c, law, c.minimum_cam_radius(peak.max_velocity()));
     CHECK(simulated.peak_slope == Approx(std::tan(0.4)).epsilon(1e-6));
     CHECK(c.mass * simulated.peak_acceleration ==
-          Approx(c.peak_inertia_force(peak.C())).epsilon(1e-5));
-    CHECK(simulated.peak_torque == Approx(c.peak_drive_torque(peak.Cm())).epsilon(1e-5));
+          Approx(c.peak_inertia_force(peak.max_acceleration())).epsilon(1e-5));
+    CHECK(simulated.peak_torque ==
+          Approx(c.peak_drive_torque(peak.max_dynamic_moment())).epsilon(1e-5));
   }
 }
 
@@ -227,7 +228,7 @@ TEST_CASE("a bad given is refused, named, and changes nothing", "[spine-cutter][
 
 namespace {
 
-const SpineCutterStudy& standard_study() {
+const SpineCutterStudy& default_study() {
   static const SpineCutterStudy study = study_spine_cutter(Cutter{});
   return study;
 }
@@ -264,10 +265,10 @@ TEST_CASE("every row's numbers follow from its peaks and the givens", "[study]")
   const double time = kPi * (0.050 - 2 * 0.0008) / (2 * 0.9), omega = kPi / time;
   for (const StudyRow& row : study.rows) {
     INFO(row.law);
-    const double B = row.peaks.B(), C = row.peaks.C();
+    const double B = row.peaks.max_velocity(), C = row.peaks.max_acceleration();
     CHECK(row.cam_radius == Approx(0.040 * B / kPi * std::sqrt(3.0)).epsilon(1e-12));
-    CHECK(row.drive_torque ==
-          Approx(3.1 * row.peaks.Cm() * 0.040 * 0.040 / (time * time * time) / omega));
+    CHECK(row.drive_torque == Approx(3.1 * row.peaks.max_dynamic_moment() * 0.040 * 0.040 /
+                                     (time * time * time) / omega));
     if (std::isinf(C)) {
       CHECK(std::isinf(row.inertia_force));
       CHECK(std::isinf(row.above_limit));
@@ -284,7 +285,7 @@ TEST_CASE("every row's numbers follow from its peaks and the givens", "[study]")
 
 TEST_CASE("every row's peaks bound its law tightly and its name finds it", "[study]") {
   std::set<std::string> names;
-  for (const StudyRow& row : standard_study().rows) {
+  for (const StudyRow& row : default_study().rows) {
     INFO(row.law);
     CHECK(names.insert(row.law).second);
     CHECK(find_law(row.law).name() == row.law);
@@ -294,9 +295,9 @@ TEST_CASE("every row's peaks bound its law tightly and its name finds it", "[stu
       B = std::max(B, std::abs(law(i / 4000.0).v));
       C = std::max(C, std::abs(law(i / 4000.0).a));
     }
-    CHECK(B <= row.peaks.B() * (1 + 1e-12));
-    CHECK(B >= row.peaks.B() * (1 - 1e-4));
-    CHECK(C <= row.peaks.C() * (1 + 1e-12));
+    CHECK(B <= row.peaks.max_velocity() * (1 + 1e-12));
+    CHECK(B >= row.peaks.max_velocity() * (1 - 1e-4));
+    CHECK(C <= row.peaks.max_acceleration() * (1 + 1e-12));
     CHECK(law(0.0).v == Approx(0).margin(1e-9));
     CHECK(law(1.0, Side::Left).v == Approx(0).margin(1e-9));
     if (row.smooth) CHECK(std::abs(law(0.0).a + law(1.0, Side::Left).a) < 1e-6);
@@ -305,7 +306,7 @@ TEST_CASE("every row's peaks bound its law tightly and its name finds it", "[stu
 
 TEST_CASE("rows come by radius and then force, and the fronts are those of the definition",
           "[study]") {
-  const SpineCutterStudy& study = standard_study();
+  const SpineCutterStudy& study = default_study();
   for (std::size_t i = 0; i < study.rows.size(); ++i) {
     const StudyRow& row = study.rows[i];
     INFO(row.law);
@@ -319,7 +320,7 @@ TEST_CASE("rows come by radius and then force, and the fronts are those of the d
 }
 
 TEST_CASE("trapezoidal velocity and the parabola lie on the limit curve", "[study]") {
-  const SpineCutterStudy& study = standard_study();
+  const SpineCutterStudy& study = default_study();
   int met = 0;
   for (const StudyRow& row : study.rows) {
     const bool on_limit = row.law == "parabolic" || row.law.starts_with("trapezoidal-velocity");
@@ -366,7 +367,7 @@ TEST_CASE("the paper's six laws are there with its radii and, at 1 mm depth, its
 }
 
 TEST_CASE("smooth means continuous acceleration through both turns", "[study]") {
-  const SpineCutterStudy& study = standard_study();
+  const SpineCutterStudy& study = default_study();
   // A cosine goes on as a cosine; a cycloid stands still with no acceleration; the double harmonic
   // turns with acceleration at one end only; a parabola jumps in the middle.
   for (const char* law :
@@ -380,7 +381,7 @@ TEST_CASE("smooth means continuous acceleration through both turns", "[study]") 
 
 TEST_CASE("the recommendation names rows of the smooth front, each the best of its kind",
           "[study]") {
-  const SpineCutterStudy& study = standard_study();
+  const SpineCutterStudy& study = default_study();
   const StudyRow& smallest = study.rows.at(study.smallest_cam);
   const StudyRow& calmest = study.rows.at(study.least_force);
   const StudyRow& middle = study.rows.at(study.compromise);
@@ -410,7 +411,7 @@ TEST_CASE("the study of other givens scales as the machine does", "[study]") {
                               {"z=21", 1, 1, 1},
                               {"v=45 deg", 1 / std::sqrt(3.0), 1, 1},
                               {"D_f=25.4 mm", 1, 4, 4}};
-  const SpineCutterStudy& before = standard_study();
+  const SpineCutterStudy& before = default_study();
   for (const auto& [set, radius, force, torque] : scalings) {
     Cutter c;
     set_given(c, set);

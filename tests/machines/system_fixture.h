@@ -13,7 +13,7 @@ namespace camlaw::problems::testing {
 
 using namespace camlaw::testing;  // what tests of other rooms use too
 
-/// Every parameter of the machine that is not whole.
+/// Every parameter of the machine that is not an integer.
 inline std::vector<std::string> all_parameters(const Mechanism& mechanism) {
   std::vector<std::string> names;
   for (const auto& parameter : mechanism.parameters) names.push_back(parameter.name);

@@ -70,7 +70,7 @@ TEST_CASE("every law of the catalogue has the keys that are promised", "[json]")
                                        "ends",  "continuity", "source"};
   for (const Family& family : catalogue()) {
     INFO(family.name);
-    const Json object = Json::parse(law_to_json({&family, family.standard()}).dump());
+    const Json object = Json::parse(law_to_json({&family, family.defaults()}).dump());
     for (const std::string& key : promised) CHECK(object.contains(key));
     CHECK(object["name"] == family.name);
     CHECK(object["aliases"].is_array());
@@ -79,10 +79,10 @@ TEST_CASE("every law of the catalogue has the keys that are promised", "[json]")
     CHECK((object["lambda"].is_null() || object["lambda"].is_number()));
     CHECK(object["parameters"].size() == family.parameters.size());
     for (const Json& parameter : object["parameters"]) {
-      for (const char* key : {"name", "unit", "low", "high", "standard", "value", "meaning"}) {
+      for (const char* key : {"name", "unit", "low", "high", "default", "value", "meaning"}) {
         CHECK(parameter.contains(key));
       }
-      CHECK(parameter["value"] == parameter["standard"]);
+      CHECK(parameter["value"] == parameter["default"]);
     }
   }
 }
@@ -90,15 +90,15 @@ TEST_CASE("every law of the catalogue has the keys that are promised", "[json]")
 TEST_CASE("the constants are the peaks, to the last bit", "[json]") {
   for (const Family& family : catalogue()) {
     INFO(family.name);
-    const Member member{&family, family.standard()};
+    const Member member{&family, family.defaults()};
     const Json object = Json::parse(law_to_json(member).dump());
     const Peaks<double> peak = peaks(member.law());
-    CHECK(number_in(object["B"]) == peak.B());
+    CHECK(number_in(object["B"]) == peak.max_velocity());
     CHECK(number_in(object["C_max"]) == peak.high(Quantity::Acceleration).value);
     CHECK(number_in(object["C_min"]) == peak.low(Quantity::Acceleration).value);
     CHECK(number_in(object["D_max"]) == peak.high(Quantity::Jerk).value);
     CHECK(number_in(object["D_min"]) == peak.low(Quantity::Jerk).value);
-    CHECK(number_in(object["Cm"]) == peak.Cm());
+    CHECK(number_in(object["Cm"]) == peak.max_dynamic_moment());
     const auto lambda = limit_index(peak);
     CHECK(object["lambda"].is_number() == lambda.has_value());
     if (lambda) CHECK(object["lambda"].get<double>() == *lambda);
@@ -136,7 +136,7 @@ TEST_CASE("parameters come with what is set", "[json]") {
   CHECK(object["member"] == "polynomial-5 alpha=-4.25");
   CHECK(object["parameters"][0]["name"] == "alpha");
   CHECK(object["parameters"][0]["value"] == -4.25);
-  CHECK(object["parameters"][0]["standard"] == -3.0);
+  CHECK(object["parameters"][0]["default"] == -3.0);
   const Json series = object_of("fourier a=0.1,-0.05");
   CHECK(series["parameters"][0]["list"] == true);
   CHECK(series["parameters"][0]["value"] == Json{0.1, -0.05});
@@ -164,7 +164,7 @@ TEST_CASE("known laws read as they should", "[json]") {
 TEST_CASE("the pieces as JSON give the law's displacement", "[json]") {
   int laws = 0;
   for (const Family& family : catalogue()) {
-    const Law<double> law = family.make(family.standard());
+    const Law<double> law = family.make(family.defaults());
     if (!law.is_data()) continue;
     INFO(family.name);
     ++laws;

@@ -182,12 +182,12 @@ void check_touches(const Picture& picture, const std::string& follower, const st
 
 TEST_CASE("drawn rollers stay on their cams", "[cli][report]") {
   for (const char* name : {"roller_least_base", "conjugate_least_distance", "leading_least_base",
-                           "swinging_least_peak_angle", "linear_least_travel", "end_rise_share",
-                           "swinging_end_least_radius"}) {
+                           "oscillating_least_peak_angle", "linear_least_travel", "end_rise_share",
+                           "oscillating_end_least_radius"}) {
     INFO(name);
     const Picture picture(shipped("cams/" + std::string(name)));
     const std::string mechanism = shipped("cams/" + std::string(name)).mechanism->name;
-    const bool arm = mechanism.find("swinging") != std::string::npos ||
+    const bool arm = mechanism.find("oscillating") != std::string::npos ||
                      mechanism.find("leading") != std::string::npos;
     const bool carriage = mechanism == "disc-cam-conjugate";
     check_touches(picture, arm ? "arm" : carriage ? "carriage" : "roller", "cam");
@@ -209,9 +209,9 @@ TEST_CASE("drawn edges and faces touch their cams and no more", "[cli][report]")
     for (const Point& p : cam.points) gap = std::min(gap, distance_to_path(p, face.points));
     return gap;
   };
-  const Picture knife(shipped("cams/knife_convex_base"));
+  const Picture knife(shipped("cams/knife_edge_convex_base"));
   const Picture flat(shipped("cams/flat_least_base"));
-  const Picture arm(shipped("cams/swinging_flat_least_base"));
+  const Picture arm(shipped("cams/oscillating_flat_least_base"));
   constexpr double kRounding = 0.03, kSampled = 0.2;  // mm; the cam's samples are apart
   for (const int place : kPlaces) {
     INFO(place);

@@ -90,8 +90,8 @@ TEST_CASE("Least jerk is 32, at B = 2 and C = 8", "[free]") {
   const Solved least = globally_solved(shipped("least_jerk.toml"));
   CHECK(least.objective() == Approx(32).epsilon(1e-7));
   const auto peak = peaks(least.law());
-  CHECK(peak.B() == Approx(2).epsilon(1e-6));
-  CHECK(peak.C() == Approx(8).epsilon(1e-6));
+  CHECK(peak.max_velocity() == Approx(2).epsilon(1e-6));
+  CHECK(peak.max_acceleration() == Approx(8).epsilon(1e-6));
 }
 
 TEST_CASE("Least acceleration for given velocity and jerk lies on lambda = 1", "[free][heavy]") {
@@ -254,7 +254,7 @@ TEST_CASE("A free law is one of several to choose from", "[free]") {
   CHECK(a.verdict == Verdict::Certified);
   CHECK(best.bound.at(best.optimum.options, best.optimum.found.x).laws.front().family->name ==
         "free");
-  CHECK(best.objective() < peaks(find_law("modified-trapezoid").law()).C());
+  CHECK(best.objective() < peaks(find_law("modified-trapezoid").law()).max_acceleration());
 }
 
 namespace {
@@ -492,7 +492,8 @@ TEST_CASE("The free law of the spine cutter is near the limit of all laws", "[fr
   const Solved free = globally_solved(shipped("spine_cutter.toml"));
   // The force is C times a scale: the limit is the force with C = B^2 / (B - 1).
   const auto peak = peaks(free.law());
-  const double limit = free.objective() * least_acceleration(peak.B()) / peak.C();
+  const double limit =
+      free.objective() * least_acceleration(peak.max_velocity()) / peak.max_acceleration();
   CHECK(free.objective() > limit);
   CHECK(free.objective() < limit * 1.0005);
 }
@@ -506,7 +507,7 @@ TEST_CASE("Knots that move make the law better, and stay in order", "[free]") {
   CHECK_FALSE(moving.optimum.found.assessment.global);
   CHECK(moving.objective() < even.objective());
   const auto peak = peaks(moving.law());
-  CHECK(peak.C() == Approx(least_acceleration(peak.B())).epsilon(1e-3));
+  CHECK(peak.max_acceleration() == Approx(least_acceleration(peak.max_velocity())).epsilon(1e-3));
   const Law<double> law = moving.law();
   CHECK(law.pieces().size() == 9);
   for (const auto& piece : law.pieces()) CHECK(piece.end - piece.begin > 0.099 / 9);

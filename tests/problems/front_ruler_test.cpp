@@ -78,8 +78,10 @@ TEST_CASE("the ruler of the spine cutter: radius by B, force by C", "[fronts]") 
   for (const auto& p : front.points) {
     CHECK(p.costs[1] >= ruler->least(p.costs[0]) * (1 - 1e-9));
     const Member law = *study.law(p);
-    CHECK(p.costs[0] == Approx(ruler->pair().first.factor * peaks(law.law()).B()).epsilon(1e-9));
-    CHECK(p.costs[1] == Approx(ruler->pair().second.factor * peaks(law.law()).C()).epsilon(1e-9));
+    CHECK(p.costs[0] ==
+          Approx(ruler->pair().first.factor * peaks(law.law()).max_velocity()).epsilon(1e-9));
+    CHECK(p.costs[1] ==
+          Approx(ruler->pair().second.factor * peaks(law.law()).max_acceleration()).epsilon(1e-9));
   }
   CHECK(front.hypervolume < ruler->hypervolume(front.reference));
   CHECK(ruler->hypervolume(front.reference) ==
@@ -141,7 +143,7 @@ TEST_CASE("the rulers of jerk: with velocity, with acceleration, with both", "[f
   // No law passes it, the S-curve of least jerk comes near.
   const Law<double> law = find_law("poly-3-4-5").law();
   const Peaks<double> its = peaks(law);
-  CHECK(of_both->limit_index({its.B(), its.D()}) < 1);
+  CHECK(of_both->limit_index({its.max_velocity(), its.max_jerk()}) < 1);
 }
 
 TEST_CASE("other pairs have no ruler", "[fronts]") {

@@ -61,7 +61,7 @@ TEST_CASE("Every law of the catalogue comes back from its file to the last bit",
   const OwnFolder own;
   for (const Family& family : catalogue()) {
     INFO(family.name);
-    const Law<double> law = family.make(family.standard());
+    const Law<double> law = family.make(family.defaults());
     const Law<double> read = read_law_file(own.put("law.json", text_of(law))).law();
     REQUIRE(read.pieces().size() == law.pieces().size());
     for (std::size_t i = 0; i < law.pieces().size(); ++i) {

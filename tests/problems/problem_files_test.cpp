@@ -34,11 +34,11 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "cams/roller_least_base.toml",
                                            "cams/flat_least_base.toml",
                                            "cams/end_rise_share.toml",
-                                           "cams/swinging_least_peak_angle.toml",
-                                           "cams/swinging_flat_least_base.toml",
-                                           "cams/swinging_end_least_radius.toml",
+                                           "cams/oscillating_least_peak_angle.toml",
+                                           "cams/oscillating_flat_least_base.toml",
+                                           "cams/oscillating_end_least_radius.toml",
                                            "cams/linear_least_travel.toml",
-                                           "cams/knife_convex_base.toml",
+                                           "cams/knife_edge_convex_base.toml",
                                            "cams/groove_least_stress.toml",
                                            "cams/conjugate_least_distance.toml",
                                            "cams/leading_least_base.toml",
@@ -98,7 +98,7 @@ TEST_CASE("the least force is that of alpha = -10/3", "[problem-files]") {
   CHECK(optimum.found.assessment.objective.value ==
         Approx(kCutter.peak_inertia_force(C)).epsilon(1e-10));
   for (double alpha = -10; alpha <= 10; alpha += 0.25) {
-    CHECK(peaks(polynomial_5(alpha)).C() >= C * (1 - 1e-12));
+    CHECK(peaks(polynomial_5(alpha)).max_acceleration() >= C * (1 - 1e-12));
   }
 }
 
@@ -107,8 +107,8 @@ TEST_CASE("the least force over Legendre laws has no better neighbour", "[proble
   const auto& x = optimum.found.x;
   const auto best = peaks(legendre<double>(x));
   CHECK(optimum.found.assessment.objective.value ==
-        Approx(kCutter.peak_inertia_force(best.C())).epsilon(1e-9));
-  CHECK(kCutter.minimum_cam_radius(best.B()) == Approx(0.036).epsilon(1e-8));
+        Approx(kCutter.peak_inertia_force(best.max_acceleration())).epsilon(1e-9));
+  CHECK(kCutter.minimum_cam_radius(best.max_velocity()) == Approx(0.036).epsilon(1e-8));
   CHECK(optimum.found.assessment.global);
   // Linear programming on 4001 even x, a bound from below: 6.735524760 N.
   CHECK(optimum.found.assessment.objective.value >= 6.735524759);
@@ -121,20 +121,20 @@ TEST_CASE("the least force over Legendre laws has no better neighbour", "[proble
         c[static_cast<std::size_t>(k)] += step * (digits % 3 - 1);
       }
       const auto other = peaks(legendre<double>(c));
-      const bool fits = kCutter.minimum_cam_radius(other.B()) <= 0.036;
-      CHECK((!fits || other.C() >= best.C() * (1 - 1e-9)));
+      const bool fits = kCutter.minimum_cam_radius(other.max_velocity()) <= 0.036;
+      CHECK((!fits || other.max_acceleration() >= best.max_acceleration() * (1 - 1e-9)));
     }
   }
 }
 
 TEST_CASE("the least moment is below every other on a grid", "[problem-files]") {
   const Optimum optimum = optim::optimise(shipped("least_moment.toml").space());
-  const double Cm = peaks(legendre<double>(optimum.found.x)).Cm();
+  const double Cm = peaks(legendre<double>(optimum.found.x)).max_dynamic_moment();
   CHECK(optimum.found.assessment.objective.value ==
         Approx(kCutter.peak_drive_torque(Cm)).epsilon(1e-9));
   for (double c3 = -8; c3 <= 8; c3 += 0.5) {
     for (double c5 = -8; c5 <= 8; c5 += 0.5) {
-      CHECK(peaks(legendre<double>({c3, c5})).Cm() >= Cm * (1 - 1e-9));
+      CHECK(peaks(legendre<double>({c3, c5})).max_dynamic_moment() >= Cm * (1 - 1e-9));
     }
   }
 }
@@ -178,7 +178,7 @@ Optimum least_acceleration(double b, std::size_t knots, std::size_t degree = 2,
   }
   const Mechanism& law = find_mechanism("law");
   Binding binding{{}, {}, {}, std::make_shared<LawBinding>(member, variables)};
-  for (const auto& parameter : law.parameters) binding.constants.push_back(parameter.standard);
+  for (const auto& parameter : law.parameters) binding.constants.push_back(parameter.default_value);
   problem.objective = {make_response(law, find_response(law, "acceleration"), binding),
                        optim::Sense::Minimize, optim::Part::Magnitude};
   problem.constraints = {{make_response(law, find_response(law, "velocity"), binding), {}, b}};

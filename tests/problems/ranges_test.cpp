@@ -37,7 +37,7 @@ std::vector<std::string> some_parameters(const Mechanism& mechanism,
   for (const std::size_t i : uses) {
     const MechanismParameter& p = mechanism.parameters[i];
     const double chance = 3.0 / static_cast<double>(uses.size());
-    if (!p.whole && p.standard != 0 && names.size() < 3 && random(0, 1) < chance) {
+    if (!p.integer && p.default_value != 0 && names.size() < 3 && random(0, 1) < chance) {
       names.push_back(p.name);
     }
   }

@@ -155,7 +155,7 @@ TEST_CASE("constants are known, of their kind, in range and given once", "[state
        {"[constants]\nstroke = inf", ":5: constants.stroke: inf is not a finite number", {}},
        {"[constants]\nstroke = nan", ":5: constants.stroke: nan is not a finite number", {}},
        {"[constants]\nstroke = 'inf mm'", ":5: constants.stroke: inf is not a finite", {}},
-       {"[constants]\nblades = 17.5", ":5: constants.blades: 17.5 is not whole", {}},
+       {"[constants]\nblades = 17.5", ":5: constants.blades: 17.5 is not an integer", {}},
        {"[constants]\nblades = 17\nz = 18", ":6: constants.z: blades is given twice", {}}}));
 }
 
@@ -247,7 +247,7 @@ TEST_CASE("bounds are there, finite, in order and in the accepted range", "[stat
         {"integer, continuous"}}}));
 }
 
-TEST_CASE("whole parameters and those that shape a law do not vary continuously", "[statement]") {
+TEST_CASE("integer parameters and those that shape a law do not vary continuously", "[statement]") {
   check(after_law(
       kAlpha,
       {{variable("blades", "lower = 10\nupper = 30"),
@@ -257,13 +257,13 @@ TEST_CASE("whole parameters and those that shape a law do not vary continuously"
         ":4: variables.blades: ",
         {"type = \"integer\""}},
        {variable("blades", "lower = 10.5\nupper = 30\ntype = 'integer'"),
-        ":5: variables.blades.lower: 10.5 is not whole",
+        ":5: variables.blades.lower: 10.5 is not an integer",
         {}},
        {variable("stroke", "lower = 10.5\nupper = 30\ntype = 'integer'"),
-        ":5: variables.stroke.lower: 10.5 is not whole",
+        ":5: variables.stroke.lower: 10.5 is not an integer",
         {"type is integer"}},
        {variable("stroke", "lower = 10\nupper = 30\ntype = 'integer'\nstart = 10.5"),
-        ":8: variables.stroke.start: 10.5 is not whole",
+        ":8: variables.stroke.start: 10.5 is not an integer",
         {}},
        {variable("blades", "values = [10, 10.5]"), ":5: variables.blades.values[2]: 10.5", {}}}));
   check(after_law("'b-spline'", {{variable("degree", "lower = 3\nupper = 6"),
@@ -426,7 +426,7 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
         ":5: solver.name: ",
         {"'ipot'", "near: ipopt", "there are auto, "}},
        {"[solver]\nstarts = 0", ":5: solver.starts: 0 is outside 1 .. 1000000", {}},
-       {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"a whole number"}},
+       {"[solver]\nstarts = 1.5", ":5: solver.starts: a number is given", {"an integer"}},
        {"[solver]\nseed = -1", ":5: solver.seed: -1 is outside", {}},
        {"[solver]\ntime_limit = 0", ":5: solver.time_limit: 0 s is not above zero", {}},
        {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is wanted"}}}));

@@ -114,7 +114,7 @@ TEST_CASE("a complete file is read to its numbers, in the listed units", "[state
   CHECK(p.mechanism->name == "spine-cutter");
   CHECK(constant(p, "stroke") == Approx(45).epsilon(1e-14));
   CHECK(constant(p, "mass") == 2.5);
-  CHECK(constant(p, "depth") == Approx(0.4).epsilon(1e-14));  // the standard one
+  CHECK(constant(p, "depth") == Approx(0.4).epsilon(1e-14));  // the default
   REQUIRE(p.laws.size() == 1);
   CHECK(p.laws[0].family->name == "polynomial-5");
   CHECK(argument(p.laws[0], "crossover") == std::vector{0.45});
@@ -145,7 +145,7 @@ TEST_CASE("variables come in the order of the file, with bounds, starts and kind
   CHECK_FALSE(blades.of_law);
   CHECK(blades.parameter == p.mechanism->parameter("blades"));
   CHECK(blades.integer);
-  CHECK(blades.start == 17);  // the standard one
+  CHECK(blades.start == 17);  // the default
   CHECK_FALSE(blades.scale);
   CHECK(diameter.unit == "mm");
   CHECK(diameter.values == std::vector<double>{40, 50, 63});
@@ -231,7 +231,8 @@ TEST_CASE("one law of several is chosen, and a variable need not be in all", "[s
   CHECK(p.variables[0].start == -3);
 }
 
-TEST_CASE("a parameter that shapes the law varies in whole steps or among values", "[statement]") {
+TEST_CASE("a parameter that shapes the law varies in integer steps or among values",
+          "[statement]") {
   const ProblemStatement p =
       read("[variables.'exponents[3]']\nvalues = [5, 5.5, 6]\nstart = 5.5", "stoddart");
   CHECK(p.variables[0].values == std::vector{5.0, 5.5, 6.0});
@@ -392,7 +393,7 @@ TEST_CASE("set_value refuses what the problem does not allow", "[statement]") {
   const ProblemStatement p = read_problem(kComplete, "f.toml");
   const auto refused = [&](const char* assignment) { return complaint(p, assignment); };
   CHECK_THAT(refused("alpha=3"), Contains("alpha: 3 is outside the bounds -10 .. 0"));
-  CHECK_THAT(refused("blades=17.5"), Contains("blades: 17.5 is not whole"));
+  CHECK_THAT(refused("blades=17.5"), Contains("blades: 17.5 is not an integer"));
   CHECK_THAT(refused("cutter_diameter=45"), Contains("45 mm is none of 40, 50 and 63 mm"));
   CHECK_THAT(refused("stroke=-1"), Contains("stroke: -1 mm is outside 0.001 .. 10000 mm"));
   CHECK_THAT(refused("stroke=30 deg"), Contains("stroke") && Contains("a length is wanted"));
@@ -437,7 +438,7 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
   CHECK_THAT(words, !Contains("blades = ") && !Contains("cam_radius = "));
   CHECK_THAT(words, Contains("The motion law is polynomial-5 (crossover = 0.45).\n"));
   CHECK_THAT(words, Contains("Vary alpha between -10 and 0, starting at -3.\n"));
-  CHECK_THAT(words, Contains("Vary blades in whole steps between 10 and 30, starting at 17.\n"));
+  CHECK_THAT(words, Contains("Vary blades in integer steps between 10 and 30, starting at 17.\n"));
   CHECK_THAT(words,
              Contains("Choose cutter_diameter among 40, 50 and 63 mm, starting at 50 mm.\n"));
   CHECK_THAT(words, Contains("Find the least cam_radius (mm) (tolerance 0.01 mm).\n"));

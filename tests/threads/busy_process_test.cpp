@@ -263,6 +263,29 @@ TEST_CASE("a program that is not a worker is not waited for", "[threads][study]"
   }
 }
 
+TEST_CASE("a study that is stopped does not wait for workers that say nothing",
+          "[threads][study]") {
+  const Watchdog watchdog;
+  const problems::FrontStudy study = study_of("spine_cutter/front.toml");
+  const Company company(allocate);
+  optim::OptimiseOptions options = study.options().solve;
+  std::atomic<bool> stop = false;
+  options.stop = &stop;
+  optim::WorkerProgram silent = problems::worker_program(study);
+  silent.path = "/usr/bin/cat";  // which says nothing before it is spoken to
+  silent.patience = std::chrono::hours(1);
+  optim::ProcessExecutor workers(study.space(), options, 2, silent);
+  std::thread stopper([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stop = true;
+  });
+  const auto began = std::chrono::steady_clock::now();
+  CHECK(workers.run({optim::Task{}, optim::Task{}}, {}).empty());
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(60));
+  stopper.join();
+  CHECK(children().empty());
+}
+
 TEST_CASE("a worker program refuses what is not a study of its own version", "[threads][study]") {
   using problems::space_of_worker;
   CHECK_THROWS_WITH(space_of_worker("nonsense"), "what was sent is not a study");

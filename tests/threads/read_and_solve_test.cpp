@@ -27,7 +27,7 @@ using testing::in_threads;
 
 constexpr int kThreads = 8;
 
-/// Ipopt and NLopt, limits over the cycle, a free law, whole variables, a turn in sections.
+/// Ipopt and NLopt, limits over the cycle, a free law, integer variables, a turn in sections.
 constexpr std::array kFiles{"spine_cutter/least_radius.toml", "cams/roller_least_base.toml",
                             "free_law/least_acceleration.toml", "springs/follower_spring.toml",
                             "geneva/fastest.toml"};
@@ -137,7 +137,8 @@ TEST_CASE("scouts, peaks and fits are the same in eight threads", "[threads]") {
       const Law<double> law = find_law(name).law();
       const auto peak = peaks(law);
       const auto proof = peaks(find_law(name).law<Interval>());
-      text += bits(peak.B()) + bits(peak.C()) + bits(proof.C().upper());
+      text += bits(peak.max_velocity()) + bits(peak.max_acceleration()) +
+              bits(proof.max_acceleration().upper());
     }
     problems::MotionSamples samples;
     const Law<double> law = find_law("modified-sine").law();

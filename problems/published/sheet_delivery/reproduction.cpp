@@ -27,7 +27,7 @@ std::vector<optim::Hypothesis> declare_hypotheses() {
 double extreme(const std::string& curve, double sign) {
   const Mechanism& machine = find_mechanism("sheet-delivery");
   Binding binding;
-  for (const auto& p : machine.parameters) binding.constants.push_back(p.standard);
+  for (const auto& p : machine.parameters) binding.constants.push_back(p.default_value);
   binding.law =
       std::make_shared<const LawBinding>(find_law("cycloidal"), std::vector<LawVariable>{});
   const auto response = make_response(machine, find_response(machine, curve), binding);

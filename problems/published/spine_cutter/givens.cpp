@@ -67,8 +67,8 @@ void set_given(SpineCutter<double>& cutter, const std::string& assignment) {
     throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", p.name,
                                             value, p.unit, p.low, p.high, p.unit));
   }
-  if (p.whole && value != std::floor(value)) {
-    throw std::invalid_argument(fmt::format("{}: {:.6g} must be whole", p.name, value));
+  if (p.integer && value != std::floor(value)) {
+    throw std::invalid_argument(fmt::format("{}: {:.6g} must be an integer", p.name, value));
   }
   cutter.*field = convert_unit(value, p.unit, p.stored);
 }

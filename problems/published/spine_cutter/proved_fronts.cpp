@@ -145,9 +145,13 @@ optim::Optimum least(const SpineCutter<double>& cutter, const char* sought, cons
 
 Saving saving_over(const SpineCutter<double>& cutter, const char* law) {
   const Peaks<double> peak = peaks(find_law(law).law());
-  Saving saving{
-      law, cutter.minimum_cam_radius(peak.B()) * 1e3, cutter.peak_inertia_force(peak.C()), 0, 0, {},
-      {}};
+  Saving saving{law,
+                cutter.minimum_cam_radius(peak.max_velocity()) * 1e3,
+                cutter.peak_inertia_force(peak.max_acceleration()),
+                0,
+                0,
+                {},
+                {}};
   const auto force = least(cutter, kForce, kRadius, saving.cam_radius);
   const auto radius = least(cutter, kRadius, kForce, saving.inertia_force);
   saving.least_force = force.found.assessment.objective.value;

@@ -31,7 +31,7 @@ constexpr std::array kDepths{0.5, 0.6, 0.7, 0.8, 0.9, 1.0};  // mm; 0.4 is state
 constexpr std::array kGrids{10, 12, 18, 20, 24, 25, 30, 36, 40, 50, 60, 72, 90, 100, 180, 360};
 constexpr int kMostA = 70;  // polynomial-7, A = 0 .. 70
 
-/// alpha of the degree-5 polynomial, from -10 to 0: whole numbers first, then one decimal, then
+/// alpha of the degree-5 polynomial, from -10 to 0: integers first, then one decimal, then
 /// two.
 std::vector<double> alpha_candidates() {
   std::vector<double> result;
@@ -105,7 +105,7 @@ Peak2 differenced_peaks(const Law<double>& law, int n) {
 Peak2 read_peaks(const Law<double>& law, int readout) {
   if (readout == 0) {
     const auto exact = peaks(law);
-    return {exact.B(), exact.C()};
+    return {exact.max_velocity(), exact.max_acceleration()};
   }
   const auto grid = static_cast<std::size_t>(readout - 1);
   if (grid < kGrids.size()) return sampled_peaks(law, kGrids[grid]);

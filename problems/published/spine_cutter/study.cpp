@@ -15,7 +15,7 @@
 namespace camlaw::problems {
 namespace {
 
-/// Members of families beside the standard one: the paper's, and enough others to see where the
+/// Members of families beside the default: the paper's, and enough others to see where the
 /// family goes.
 constexpr const char* kMembers[] = {
     "polynomial-5 alpha=-10",
@@ -80,7 +80,7 @@ bool smooth_through_turns(const Law<double>& law) {
 
 /// C over the least possible, less 1; what rounding leaves below the limit counts as on it.
 double excess(const Peaks<double>& peak) {
-  const double above = peak.C() / least_acceleration(peak.B()) - 1;
+  const double above = peak.max_acceleration() / least_acceleration(peak.max_velocity()) - 1;
   return std::abs(above) < 1e-12 ? 0.0 : above;
 }
 
@@ -95,10 +95,10 @@ StudyRow study_law(const SpineCutter<double>& cutter, Member member) {
           .label = std::move(label),
           .peaks = peak,
           .limit_index = limit_index(peak),
-          .cam_radius = cutter.minimum_cam_radius(peak.B()),
-          .inertia_force = cutter.peak_inertia_force(peak.C()),
-          .printed_inertia_force = cutter.printed_inertia_force(peak.C()),
-          .drive_torque = cutter.peak_drive_torque(peak.Cm()),
+          .cam_radius = cutter.minimum_cam_radius(peak.max_velocity()),
+          .inertia_force = cutter.peak_inertia_force(peak.max_acceleration()),
+          .printed_inertia_force = cutter.printed_inertia_force(peak.max_acceleration()),
+          .drive_torque = cutter.peak_drive_torque(peak.max_dynamic_moment()),
           .above_limit = excess(peak),
           .smooth = smooth_through_turns(law),
           .non_dominated = false,
@@ -110,11 +110,11 @@ std::vector<Member> laws_to_study() {
   std::vector<Member> result;
   for (const Family& family : catalogue()) {
     if (family.ends == "by parameters") continue;  // a boundary task, a spline, a table: no one law
-    Member member{&family, family.standard()};
+    Member member{&family, family.defaults()};
     if (turns_at_rest(member.law().ends())) result.push_back(std::move(member));
   }
   for (const char* text : kMembers) result.push_back(find_law(text));
-  // A family's standard member may stand in the catalogue under its own name too.
+  // A family's default member may stand in the catalogue under its own name too.
   std::set<std::string> names;
   std::erase_if(result, [&](const Member& member) { return !names.insert(member.name()).second; });
   return result;

@@ -13,7 +13,7 @@ namespace camlaw::problems {
 
 namespace {
 
-/// The double nearest to a printed number, or a whole number.
+/// The double nearest to a printed number, or an integer.
 template <class Number>
 Number read_number(const std::string& text, const char* column, std::size_t line) {
   Number number{};

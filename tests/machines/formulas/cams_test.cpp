@@ -9,8 +9,8 @@
 #include "kinematics/program/program.h"
 #include "machines/cams/end_cam.h"
 #include "machines/cams/flat_cam.h"
+#include "machines/cams/oscillating_roller_cam.h"
 #include "machines/cams/roller_cam.h"
-#include "machines/cams/swinging_roller_cam.h"
 #include "numerics/scalar/series.h"
 #include "tests/machines/formulas/drawn_cam.h"
 
@@ -96,23 +96,23 @@ RollerCam<double> offset_cam() {
 TEST_CASE("the profile of a roller cam, rolled back, gives the motion", "[cams]") {
   check_rolled_back(RollerCam<double>());
   check_rolled_back(offset_cam());
-  check_rolled_back(SwingingRollerCam<double>());
+  check_rolled_back(OscillatingRollerCam<double>());
 }
 
 TEST_CASE("curvature by three points of the profile is the formula's", "[cams]") {
   check_curvature(RollerCam<double>());
   check_curvature(offset_cam());
-  check_curvature(SwingingRollerCam<double>());
+  check_curvature(OscillatingRollerCam<double>());
 }
 
 TEST_CASE("the pressure angle lies between the normal and the roller's way", "[cams]") {
   for (const auto& cam : {RollerCam<double>(), offset_cam()}) {
     check_pressure_angle(cam, [&](double s) { return Point(cam.offset, cam.lowest_height() + s); });
   }
-  const SwingingRollerCam<double> swinging;
-  check_pressure_angle(swinging, [&](double s) {
-    return swinging.pivot_distance -
-           swinging.arm_length * std::polar(1.0, -(swinging.lowest_angle() + s));
+  const OscillatingRollerCam<double> oscillating;
+  check_pressure_angle(oscillating, [&](double s) {
+    return oscillating.pivot_distance -
+           oscillating.arm_length * std::polar(1.0, -(oscillating.lowest_angle() + s));
   });
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("no energy is lost without friction: torque over a turn adds up to not
     return total / greatest;
   };
   CHECK(std::abs(sum(RollerCam<double>())) < 1e-6);
-  CHECK(std::abs(sum(SwingingRollerCam<double>())) < 1e-6);
+  CHECK(std::abs(sum(OscillatingRollerCam<double>())) < 1e-6);
   CHECK(std::abs(sum(EndCam<double>())) < 1e-6);
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("the force between roller and cam drives the follower and brakes the c
   };
   for (double phi = 0.1; phi < 6.2; phi += 0.3) {
     check(offset_cam(), phi);
-    check(SwingingRollerCam<double>(), phi);
+    check(OscillatingRollerCam<double>(), phi);
   }
 }
 
@@ -249,10 +249,10 @@ TEST_CASE("geometry that cannot be is said to be impossible", "[cams]") {
   CHECK(cam.is_possible());
   cam.offset = cam.prime_radius();
   CHECK_FALSE(cam.is_possible());
-  SwingingRollerCam<double> swinging;
-  CHECK(swinging.is_possible());
-  swinging.pivot_distance = 0.2;
-  CHECK_FALSE(swinging.is_possible());
+  OscillatingRollerCam<double> oscillating;
+  CHECK(oscillating.is_possible());
+  oscillating.pivot_distance = 0.2;
+  CHECK_FALSE(oscillating.is_possible());
 }
 
 }  // namespace camlaw::cams_test

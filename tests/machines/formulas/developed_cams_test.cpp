@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Cams whose track is developed: end cams with a swinging arm, and plates.
+// Cams whose track is developed: end cams with an oscillating arm, and plates.
 #include "machines/cams/linear_cam.h"
-#include "machines/cams/swinging_end_cam.h"
+#include "machines/cams/oscillating_end_cam.h"
 #include "tests/machines/formulas/drawn_cam.h"
 
 namespace camlaw::developed_cams_test {
@@ -9,22 +9,22 @@ namespace {
 
 using namespace testing;
 
-SwingingEndCam<double> tilted_cam(double tilt) {
-  SwingingEndCam<double> cam;
+OscillatingEndCam<double> tilted_cam(double tilt) {
+  OscillatingEndCam<double> cam;
   cam.tilt = tilt;
   return cam;
 }
 
-const std::vector<SwingingEndCam<double>> kSwinging{tilted_cam(0), tilted_cam(0.3),
-                                                    tilted_cam(-0.25)};
+const std::vector<OscillatingEndCam<double>> kOscillating{tilted_cam(0), tilted_cam(0.3),
+                                                          tilted_cam(-0.25)};
 
 /// From the pivot; the arm lies along the circumference at mid-swing, but for the tilt.
-Point roller_of(const SwingingEndCam<double>& cam, double s) {
+Point roller_of(const OscillatingEndCam<double>& cam, double s) {
   return -cam.arm_length * std::polar(1.0, -(cam.tilt + s - cam.swing / 2));
 }
 
 /// The same as the developed cam sees it, which slides to the left below.
-auto track_of(const SwingingEndCam<double>& cam) {
+auto track_of(const OscillatingEndCam<double>& cam) {
   return
       [&cam](double angle) { return roller_of(cam, motion_at(cam, angle).s) + cam.radius * angle; };
 }
@@ -37,12 +37,12 @@ auto track_of(const LinearCam<double>& cam) {
 
 }  // namespace
 
-TEST_CASE("a swinging end cam, developed and rolled back, gives the motion", "[cams]") {
-  for (const auto& cam : kSwinging) check_roller_cam(cam, track_of(cam));
+TEST_CASE("an oscillating end cam, developed and rolled back, gives the motion", "[cams]") {
+  for (const auto& cam : kOscillating) check_roller_cam(cam, track_of(cam));
 }
 
-TEST_CASE("the pressure angle of a swinging end cam lies between normal and way", "[cams]") {
-  for (const auto& cam : kSwinging) {
+TEST_CASE("the pressure angle of an oscillating end cam lies between normal and way", "[cams]") {
+  for (const auto& cam : kOscillating) {
     const auto track = track_of(cam);
     const double h = 1e-6;
     for (double angle = 0.1; angle < 6.2; angle += 0.2) {
@@ -56,7 +56,7 @@ TEST_CASE("the pressure angle of a swinging end cam lies between normal and way"
 
 TEST_CASE("cams that slide take the power that their followers give", "[cams]") {
   // The cam yields along -x by its radius per radian.
-  for (const auto& cam : kSwinging) {
+  for (const auto& cam : kOscillating) {
     check_power(cam, track_of(cam),
                 [&](Point, Point normal) { return -cam.radius * normal.real(); });
   }
@@ -67,7 +67,7 @@ TEST_CASE("cams that slide take the power that their followers give", "[cams]") 
 
 TEST_CASE("a long arm moves as a roller that slides along the cam's axis", "[cams]") {
   EndCam<double> end;
-  SwingingEndCam<double> cam;
+  OscillatingEndCam<double> cam;
   for (const double length : {1e2, 1e3}) {
     cam.arm_length = length;
     cam.swing = end.stroke / length;
@@ -83,7 +83,7 @@ TEST_CASE("a long arm moves as a roller that slides along the cam's axis", "[cam
 }
 
 TEST_CASE("an arm on a straight track at rest sees no slope but its own tilt", "[cams]") {
-  for (const auto& cam : kSwinging) {
+  for (const auto& cam : kOscillating) {
     const FollowerMotion<double> still{cam.swing, 0, 0, 0};
     CHECK(cam.pressure_angle(still) == Approx(cam.tilt + cam.swing / 2).epsilon(1e-14));
     CHECK(cam.pitch_curve(still).curvature() == 0);
@@ -133,11 +133,11 @@ TEST_CASE("developed cams that cannot be are said to be impossible", "[cams]") {
   CHECK(plate.is_possible());
   plate.travel = 0;
   CHECK_FALSE(plate.is_possible());
-  SwingingEndCam<double> cam;
+  OscillatingEndCam<double> cam;
   CHECK(cam.is_possible());
   cam.tilt = kPi / 2 - 0.1;  // past square at the top
   CHECK_FALSE(cam.is_possible());
-  cam = SwingingEndCam<double>();
+  cam = OscillatingEndCam<double>();
   cam.radius = 0;
   CHECK_FALSE(cam.is_possible());
 }

@@ -102,16 +102,16 @@ TEST_CASE("amplitude by a law's parameter has an exact derivative, and states ad
           "[dynamics]") {
   const Family& family = find_family("legendre");
   const auto amplitude = [&](double c) {
-    Member member{&family, family.standard()};
+    Member member{&family, family.defaults()};
     member.arguments.values()[0] = {-1.8, c};
     return residual_vibration(member.law(), 2.4, 0.02);
   };
   auto arguments = Arguments<Dual>({{Dual(-1.8), Dual(0.2, 0)}});
-  const Member standard{&family, family.standard()};
+  const Member defaults{&family, family.defaults()};
   std::vector<std::vector<Dual>> values;
-  for (std::size_t i = 0; i < standard.arguments.size(); ++i) {
+  for (std::size_t i = 0; i < defaults.arguments.size(); ++i) {
     values.emplace_back();
-    for (const double v : standard.arguments.list(i)) values.back().push_back(Dual(v));
+    for (const double v : defaults.arguments.list(i)) values.back().push_back(Dual(v));
   }
   values[0] = {Dual(-1.8), Dual(0.2, 0)};
   const Law<Dual> law = family.make(Arguments<Dual>(values));

@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing;
 
-auto arm_of(const SwingingRollerCam<double>& cam, double way) {
+auto arm_of(const OscillatingRollerCam<double>& cam, double way) {
   return [&cam, way](double angle) {
     const double psi = cam.lowest_angle() + motion_at(cam, angle).s;
     return on_cam(cam.pivot_distance - cam.arm_length * std::polar(1.0, -psi), way * angle);
@@ -18,8 +18,8 @@ auto arm_of(const SwingingRollerCam<double>& cam, double way) {
 
 }  // namespace
 
-TEST_CASE("a swinging roller cam that turns the other way gives the motion too", "[cams]") {
-  const SwingingRollerCam<double> trailing;
+TEST_CASE("an oscillating roller cam that turns the other way gives the motion too", "[cams]") {
+  const OscillatingRollerCam<double> trailing;
   check_roller_cam(trailing, arm_of(trailing, 1));
   const LeadingRollerCam<double> leading;
   // Drawn backwards, so that the curve runs clockwise again.

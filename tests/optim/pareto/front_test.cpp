@@ -367,11 +367,11 @@ TEST_CASE("choices alone: the front of a list", "[front]") {
         bits(front.hypervolume));
 }
 
-TEST_CASE("whole variables: the front has every step", "[front]") {
+TEST_CASE("integer variables: the front has every step", "[front]") {
   // n and (12 - n)^2 / n: each whole n is on the front.
   const auto loss = [](const auto& u) { return square(12.0 - u[0]) / u[0]; };
   MultiProblem problem{"steps",
-                       {whole("n", 1, 12, 3)},
+                       {integer("n", 1, 12, 3)},
                        {cost("n", linear({0}, [](const auto& u) { return 1.0 * u[0]; })),
                         cost("loss", function<Interval>({0}, loss))},
                        {}};
@@ -385,8 +385,8 @@ TEST_CASE("whole variables: the front has every step", "[front]") {
   problem.variables[0].lower = 0.5;
   problem.variables[0].upper = 12.7;
   CHECK(pareto(problem, options_of(40, ParetoMethod::Nsga2)).points.size() == 12);
-  // With a variable that is not whole: f1 = n + y^2, f2 = (12 - n)^2 / n + (y - 1)^2.
-  problem.variables = {whole("n", 8, 12, 9), variable("y", -2, 2, 0.5)};
+  // With a variable that is not an integer: f1 = n + y^2, f2 = (12 - n)^2 / n + (y - 1)^2.
+  problem.variables = {integer("n", 8, 12, 9), variable("y", -2, 2, 0.5)};
   problem.objectives[0] =
       cost("f1", function<Interval>({0, 1}, [](const auto& u) { return u[0] + square(u[1]); }));
   problem.objectives[1] = cost("f2", function<Interval>({0, 1}, [](const auto& u) {
@@ -486,10 +486,10 @@ TEST_CASE("a search that fails costs what it looked for, and no more", "[front]"
   }
 }
 
-TEST_CASE("whole variables leave no mixtures", "[front]") {
+TEST_CASE("integer variables leave no mixtures", "[front]") {
   MultiProblem problem{
       "steps",
-      {whole("n", 0, 100000, 3), variable("y", 0, 1)},
+      {integer("n", 0, 100000, 3), variable("y", 0, 1)},
       {cost("f1", linear({0, 1}, [](const auto& u) { return u[0] + u[1]; })),
        cost("f2", linear({0, 1}, [](const auto& u) { return -1.0 * u[0] - 2.0 * u[1]; }))},
       {}};

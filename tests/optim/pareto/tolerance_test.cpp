@@ -101,7 +101,7 @@ TEST_CASE("a cost that is noise keeps no dominated point and bounds no knee", "[
   for (const Costs& u : normalised(all, front.tolerances)) CHECK(u[2] == 0);
 }
 
-TEST_CASE("the standard tolerance knows the size of a cost that vanishes on the front", "[front]") {
+TEST_CASE("the default tolerance knows the size of a cost that vanishes on the front", "[front]") {
   // f3 can be zero all along the front, and is to rounding; elsewhere it is of the order of one.
   MultiProblem problem = two_centres();
   problem.objectives.push_back(cost("f3", convex({1}, [](const auto& u) { return square(u[0]); })));

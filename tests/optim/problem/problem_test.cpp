@@ -94,7 +94,7 @@ TEST_CASE("the check names a variable and what is wrong with it", "[optimise]") 
         }) == "variable 'x': an integer variable needs a lower and an upper bound");
 }
 
-TEST_CASE("the check refuses a whole variable that no whole number lies between", "[optimise]") {
+TEST_CASE("the check refuses an integer variable that no integer lies between", "[optimise]") {
   const std::string words = complaint([](Problem& p) {
     p.variables[0].integer = true;
     p.variables[0].lower = 0.2;
@@ -431,7 +431,7 @@ TEST_CASE("the seed moves all starts but the first, and equal seeds give equal b
   }
 }
 
-TEST_CASE("fixed and whole variables keep their start", "[optimise]") {
+TEST_CASE("fixed and integer variables keep their start", "[optimise]") {
   Problem problem = sound();
   problem.variables.push_back({.name = "n", .lower = 0, .upper = 9, .start = 3.2, .integer = true});
   problem.variables.push_back({.name = "c", .lower = 2.5, .upper = 2.5, .start = 2.5});

@@ -105,7 +105,7 @@ TEST_CASE("a search of combinations that is cut short calls nothing infeasible",
   std::atomic<bool> stop{false};
   int seen = 0;
   Problem problem;
-  problem.variables = {whole("k", 0, 1, 0), variable("x", 0, 1, 0.5)};
+  problem.variables = {integer("k", 0, 1, 0), variable("x", 0, 1, 0.5)};
   const Function cost = convex({0, 1}, [](const auto& u) { return u[0] + square(u[1] - 0.3); });
   problem.objective = least(observed(cost, [&](std::span<const double> u) {
     if (u[0] == 0 && ++seen > 3) stop = true;
@@ -123,7 +123,7 @@ TEST_CASE("a search of combinations that is cut short calls nothing infeasible",
 TEST_CASE("combinations are searched from the start's outwards", "[optimise]") {
   std::vector<double> order;
   Problem problem;
-  problem.variables = {whole("k", 0, 5, 3)};
+  problem.variables = {integer("k", 0, 5, 3)};
   const Function cost = linear({0}, [](const auto& u) { return 1.0 * u[0]; });
   problem.objective = least(observed(cost, [&](std::span<const double> u) {
     if (order.empty() || order.back() != u[0]) order.push_back(u[0]);
@@ -145,7 +145,7 @@ TEST_CASE("a quasiconvex objective that is level where it was found is not the b
   problem.objective = least(function<Interval>({0}, ninth, Shape::Quasilinear));
   const Assessment alone = optimise(problem).found.assessment;
   CHECK((alone.verdict != Verdict::Certified || alone.objective.value < -0.99));
-  problem.variables.push_back(whole("k", 0, 1, 0));
+  problem.variables.push_back(integer("k", 0, 1, 0));
   problem.objective = least(function<Interval>(
       {0, 1},
       [&](const auto& u) {

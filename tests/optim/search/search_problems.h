@@ -26,7 +26,7 @@ inline Variable variable(const std::string& name, double lower, double upper, do
   return {.name = name, .lower = lower, .upper = upper, .start = start};
 }
 
-inline Variable whole(const std::string& name, double lower, double upper, double start = 0) {
+inline Variable integer(const std::string& name, double lower, double upper, double start = 0) {
   return {.name = name, .lower = lower, .upper = upper, .start = start, .integer = true};
 }
 

@@ -11,15 +11,15 @@
 
 #include "tests/optim/search/search_problems.h"
 
-namespace camlaw::optim::whole_test {
+namespace camlaw::optim::integer_test {
 
 using namespace search_tests;
 
-TEST_CASE("few whole combinations are all solved", "[optimise]") {
-  // Most 5 a + 4 b where 6 a + 4 b <= 24 and a + 2 b <= 6. Without whole numbers 21 at (3, 3/2);
+TEST_CASE("few integer combinations are all solved", "[optimise]") {
+  // Most 5 a + 4 b where 6 a + 4 b <= 24 and a + 2 b <= 6. Without integers 21 at (3, 3/2);
   // with them b = 0 allows a = 4: 20, b = 1 a = 3: 19, b = 2 a = 2: 18, b = 3 a = 0: 12.
   Problem problem;
-  problem.variables = {whole("a", 0, 10), whole("b", 0, 10)};
+  problem.variables = {integer("a", 0, 10), integer("b", 0, 10)};
   problem.objective = most(linear({0, 1}, [](const auto& u) { return 5.0 * u[0] + 4.0 * u[1]; }));
   problem.constraints = {
       at_most("hours", linear({0, 1}, [](const auto& u) { return 6.0 * u[0] + 4.0 * u[1]; }), 24),
@@ -34,11 +34,11 @@ TEST_CASE("few whole combinations are all solved", "[optimise]") {
   CHECK(contains(optimum.found.assessment.reason, "all 121 combinations were solved"));
 }
 
-TEST_CASE("whole and continuous variables together", "[optimise]") {
+TEST_CASE("integer and continuous variables together", "[optimise]") {
   // Least (n - 2.4)^2 + (x - n / 2)^2 + x: x = n / 2 - 1/2, and (n - 2.4)^2 + n / 2 - 1/4 over
   // whole n: 1.71 at 1, 0.91 at 2, 1.61 at 3. Bounds that are not whole narrow to 1 .. 6.
   Problem problem;
-  problem.variables = {whole("n", 0.5, 6.5, 5), variable("x", -9, 9)};
+  problem.variables = {integer("n", 0.5, 6.5, 5), variable("x", -9, 9)};
   problem.objective = least(convex(
       {0, 1}, [](const auto& u) { return square(u[0] - 2.4) + square(u[1] - 0.5 * u[0]) + u[1]; }));
   const Optimum optimum = optimise(problem);
@@ -52,10 +52,10 @@ TEST_CASE("whole and continuous variables together", "[optimise]") {
 
 namespace {
 
-/// A convex problem in three whole variables of 0 to 20, 9261 combinations: too many to try.
+/// A convex problem in three integer variables of 0 to 20, 9261 combinations: too many to try.
 Problem many_combinations(double most_in_all) {
   Problem problem;
-  problem.variables = {whole("a", 0, 20), whole("b", 0, 20, 7), whole("c", 0, 20, 20)};
+  problem.variables = {integer("a", 0, 20), integer("b", 0, 20, 7), integer("c", 0, 20, 20)};
   problem.objective = least(convex({0, 1, 2}, [](const auto& u) {
     return square(u[0] - 4.4) + 2.0 * square(u[1] - 7.5) + square(u[2] - 9.7) + square(u[0] - u[2]);
   }));
@@ -86,7 +86,7 @@ double by_trying(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("many whole combinations are searched by branch and bound", "[optimise]") {
+TEST_CASE("many integer combinations are searched by branch and bound", "[optimise]") {
   for (const double limit : {1000.0, 37.5, 30.0, 17.2, 0.5}) {
     INFO("limit " << limit);
     const Problem problem = many_combinations(limit);
@@ -121,7 +121,7 @@ TEST_CASE("branch and bound certifies nothing that it excluded by problems that 
           "[optimise]") {
   // Least sin(n) for n of 0 to 3000: n = 11 is close to 7 pi/2, -0.99999.
   Problem problem;
-  problem.variables = {whole("n", 0, 3000, 7)};
+  problem.variables = {integer("n", 0, 3000, 7)};
   problem.objective = least(function({0}, [](const auto& u) { return sin(u[0]); }));
   const Optimum optimum = optimise(problem);
   CHECK_FALSE(optimum.found.assessment.global);
@@ -129,10 +129,10 @@ TEST_CASE("branch and bound certifies nothing that it excluded by problems that 
   CHECK((good || optimum.found.assessment.verdict != Verdict::Certified));
 }
 
-TEST_CASE("whole values at which the model is undefined are passed over", "[optimise]") {
+TEST_CASE("integer values at which the model is undefined are passed over", "[optimise]") {
   // (n - 2)^2 + x^2 with numbers for n >= 5 only: 9.
   Problem problem;
-  problem.variables = {whole("n", 0, 9, 1), variable("x", -1, 1, 0.5)};
+  problem.variables = {integer("n", 0, 9, 1), variable("x", -1, 1, 0.5)};
   problem.objective = least(function({0, 1}, [](const auto& u) {
     return square(u[0] - 2.0) + square(u[1]) + 0.0 * log(u[0] - 4.5);
   }));
@@ -143,10 +143,10 @@ TEST_CASE("whole values at which the model is undefined are passed over", "[opti
   CHECK(optimum.found.assessment.reason == "not every one of the 10 combinations was settled");
 }
 
-TEST_CASE("whole numbers that no limit allows are infeasible, tried one by one", "[optimise]") {
-  // 2 a = 3 is met between whole numbers alone.
+TEST_CASE("integers that no limit allows are infeasible, tried one by one", "[optimise]") {
+  // 2 a = 3 is met between integers alone.
   Problem problem;
-  problem.variables = {whole("a", 0, 10), variable("x", 0, 1)};
+  problem.variables = {integer("a", 0, 10), variable("x", 0, 1)};
   problem.objective = least(linear({0, 1}, [](const auto& u) { return u[0] + u[1]; }));
   problem.constraints = {equal("odd", linear({0}, [](const auto& u) { return 2.0 * u[0]; }), 3)};
   const Optimum optimum = optimise(problem);
@@ -160,7 +160,7 @@ TEST_CASE("whole numbers that no limit allows are infeasible, tried one by one",
                   "odd") != optimum.found.assessment.blamed.end());
 }
 
-TEST_CASE("whole numbers that no limit allows are infeasible by branch and bound", "[optimise]") {
+TEST_CASE("integers that no limit allows are infeasible by branch and bound", "[optimise]") {
   // 0.2 <= a <= 0.8 leaves reals, but no whole a.
   Problem problem = many_combinations(100);
   problem.constraints.push_back(
@@ -253,7 +253,7 @@ TEST_CASE("an option whose model throws does not hide the others", "[optimise]")
   }
 }
 
-TEST_CASE("choices and whole numbers multiply", "[optimise]") {
+TEST_CASE("choices and integers multiply", "[optimise]") {
   // Two choices of two options and n of 1 to 3: 12 combinations; least |10 i + j - 2 n| by its
   // square: i = 0, j = 1 and n = 1: 1.
   ProblemSpace space;
@@ -261,7 +261,7 @@ TEST_CASE("choices and whole numbers multiply", "[optimise]") {
   space.problem = [choices = space.choices](const std::vector<std::size_t>& options) {
     const double offset = choices[0].values[options[0]] + choices[1].values[options[1]];
     Problem problem;
-    problem.variables = {whole("n", 1, 3, 2)};
+    problem.variables = {integer("n", 1, 3, 2)};
     problem.objective =
         least(convex({0}, [offset](const auto& u) { return square(offset - 2.0 * u[0]); }));
     return problem;
@@ -300,7 +300,7 @@ TEST_CASE("progress tells the share of starts and combinations that is through",
 
 TEST_CASE("where time runs out among combinations, the best so far is feasible", "[optimise]") {
   Problem problem;
-  problem.variables = {whole("a", 0, 400), variable("x", -1, 1, 0.5)};
+  problem.variables = {integer("a", 0, 400), variable("x", -1, 1, 0.5)};
   problem.objective = least(
       observed(convex({0, 1}, [](const auto& u) { return square(u[0] - 300.0) + square(u[1]); }),
                [](auto) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }));
@@ -320,4 +320,4 @@ TEST_CASE("a choice without options and too many combinations are refused", "[op
   CHECK_THROWS_AS(optimise(space), std::invalid_argument);
 }
 
-}  // namespace camlaw::optim::whole_test
+}  // namespace camlaw::optim::integer_test

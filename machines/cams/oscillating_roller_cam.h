@@ -14,7 +14,7 @@ namespace camlaw {
 ///
 /// Valid while arm, distance and prime radius make a triangle.
 template <class T>
-struct SwingingRollerCam {
+struct OscillatingRollerCam {
   T swing = number<T>(0.35);                      ///< Psi, rad
   T base_radius = number<T>(0.040);               ///< r_b, m
   T roller_radius = number<T>(0.010);             ///< r_r, m

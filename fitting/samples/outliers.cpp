@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/far_off.h"
+#include "fitting/samples/outliers.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -26,14 +26,14 @@ double beside(const std::vector<double>& sizes, std::size_t i) {
 
 }  // namespace
 
-FarOff far_off(std::span<const double> place, std::span<const double> residual,
-               std::size_t parameters, double least, double chance) {
+Outliers find_outliers(std::span<const double> place, std::span<const double> residual,
+                       std::size_t parameters, double least, double chance) {
   if (place.size() != residual.size()) {
     throw std::invalid_argument("far-off samples: as many residuals as places are wanted");
   }
   constexpr double kBeside = 5;
   const std::size_t count = residual.size();
-  FarOff result;
+  Outliers result;
   constexpr std::size_t kFreedom = 10;  // fewer do not tell their deviation
   if (count < parameters + kFreedom) return result;
   const auto n = static_cast<double>(count);
@@ -56,7 +56,7 @@ FarOff far_off(std::span<const double> place, std::span<const double> residual,
   return result;
 }
 
-bool draws(const FarOff& found, std::span<const double> residual) {
+bool draws(const Outliers& found, std::span<const double> residual) {
   constexpr double kDrawn = 0.1;
   double squares = 0, all = 0;
   for (const double r : residual) all += r * r;

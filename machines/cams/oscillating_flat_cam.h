@@ -17,7 +17,7 @@ namespace camlaw {
 ///
 /// Valid while r_b + f is less than d and psi stays below a right angle.
 template <class T>
-struct SwingingFlatCam {
+struct OscillatingFlatCam {
   T swing = number<T>(0.35);                      ///< Psi, rad
   T base_radius = number<T>(0.040);               ///< r_b, m
   T face_offset = number<T>(0);                   ///< f, m

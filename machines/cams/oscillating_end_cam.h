@@ -19,7 +19,7 @@ namespace camlaw {
 /// a plate; on the cylinder it takes x / R for the angle asin(x / R) at the distance x from the
 /// plane through the axis square to the arm's, and asks of the roller the depth x^2 / (2 R).
 template <class T>
-struct SwingingEndCam {
+struct OscillatingEndCam {
   T swing = number<T>(0.35);                      ///< Psi, rad
   T radius = number<T>(0.050);                    ///< R, m, of the middle of the roller's track
   T arm_length = number<T>(0.080);                ///< l, m

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/swinging_end_cam.h"
+#include "machines/cams/oscillating_end_cam.h"
 
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -11,20 +11,20 @@
 namespace camlaw::problems {
 
 template <>
-struct MachineTraits<SwingingEndCam> {
+struct MachineTraits<OscillatingEndCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &SwingingEndCam<T>::swing,          &SwingingEndCam<T>::radius,
-      &SwingingEndCam<T>::arm_length,     &SwingingEndCam<T>::tilt,
-      &SwingingEndCam<T>::roller_radius,  &SwingingEndCam<T>::angular_speed,
-      &SwingingEndCam<T>::inertia,        &SwingingEndCam<T>::spring_rate,
-      &SwingingEndCam<T>::spring_preload, &SwingingEndCam<T>::load,
-      &SwingingEndCam<T>::face_width,     &SwingingEndCam<T>::youngs_modulus,
-      &SwingingEndCam<T>::poisson_ratio,  &SwingingEndCam<T>::cutter_radius};
+      &OscillatingEndCam<T>::swing,          &OscillatingEndCam<T>::radius,
+      &OscillatingEndCam<T>::arm_length,     &OscillatingEndCam<T>::tilt,
+      &OscillatingEndCam<T>::roller_radius,  &OscillatingEndCam<T>::angular_speed,
+      &OscillatingEndCam<T>::inertia,        &OscillatingEndCam<T>::spring_rate,
+      &OscillatingEndCam<T>::spring_preload, &OscillatingEndCam<T>::load,
+      &OscillatingEndCam<T>::face_width,     &OscillatingEndCam<T>::youngs_modulus,
+      &OscillatingEndCam<T>::poisson_ratio,  &OscillatingEndCam<T>::cutter_radius};
 };
 
-const std::vector<MechanismParameter>& MachineTraits<SwingingEndCam>::parameters() {
+const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::parameters() {
   static const Parameters all = joined(
       {swing_parameter(),
        {{"radius", "R", "mm", "m", "mean radius of the roller's track", 50, 1e-3, 1e5},
@@ -34,22 +34,22 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingEndCam>::parameters
          0, -89, 89}},
        roller_parameter(),
        speed_parameter(),
-       swinging_load(0, 0),
+       oscillating_load(0, 0),
        contact_parameters(),
        cutter_parameter()});
   return all;
 }
 
-Mechanism swinging_end_cam_mechanism() {
+Mechanism oscillating_end_cam_mechanism() {
   using S = optim::Shape;
-  std::vector<MechanismResponse> responses = follower_responses<SwingingEndCam>(kSwinging);
-  append(responses, roller_responses<SwingingEndCam>(
+  std::vector<MechanismResponse> responses = follower_responses<OscillatingEndCam>(kOscillating);
+  append(responses, roller_responses<OscillatingEndCam>(
                         {{{"radius"}, S::Quasilinear}, {{"arm_length"}, S::Quasilinear}}));
-  append(responses, drawn_responses<SwingingEndCam>(true));
-  return {.name = "end-cam-swinging",
+  append(responses, drawn_responses<OscillatingEndCam>(true));
+  return {.name = "end-cam-oscillating",
           .title = "end or barrel cam with an oscillating roller arm",
           .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<SwingingEndCam>::parameters(),
+          .parameters = MachineTraits<OscillatingEndCam>::parameters(),
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                     least_torque(), peak_outer_undercut(), peak_groove_stress()},

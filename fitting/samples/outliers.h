@@ -9,7 +9,7 @@
 /// to samples").
 namespace camlaw::problems {
 
-struct FarOff {
+struct Outliers {
   std::vector<std::size_t> samples;  ///< their indexes, the farthest first
   double deviation = 0;  ///< of one residual, from the median, which far-off ones hardly move
   double bound = 0;      ///< how far off the farthest of all is with `chance`
@@ -21,11 +21,11 @@ struct FarOff {
 /// that is wrong.
 /// What is below `least` does not count. No samples: n < p + 10. Throws std::invalid_argument for
 /// lengths that differ.
-FarOff far_off(std::span<const double> place, std::span<const double> residual,
-               std::size_t parameters, double least, double chance = 0.05);
+Outliers find_outliers(std::span<const double> place, std::span<const double> residual,
+                       std::size_t parameters, double least, double chance = 0.05);
 
 /// Whether far-off samples have drawn a least-squares fit: they make more than a tenth of its
 /// squares, which one good sample that chance has put beyond the bound does not.
-bool draws(const FarOff& found, std::span<const double> residual);
+bool draws(const Outliers& found, std::span<const double> residual);
 
 }  // namespace camlaw::problems

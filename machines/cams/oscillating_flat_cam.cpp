@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/swinging_flat_cam.h"
+#include "machines/cams/oscillating_flat_cam.h"
 
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -11,20 +11,20 @@
 namespace camlaw::problems {
 
 template <>
-struct MachineTraits<SwingingFlatCam> {
+struct MachineTraits<OscillatingFlatCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &SwingingFlatCam<T>::swing,          &SwingingFlatCam<T>::base_radius,
-      &SwingingFlatCam<T>::face_offset,    &SwingingFlatCam<T>::pivot_distance,
-      &SwingingFlatCam<T>::angular_speed,  &SwingingFlatCam<T>::inertia,
-      &SwingingFlatCam<T>::spring_rate,    &SwingingFlatCam<T>::spring_preload,
-      &SwingingFlatCam<T>::load,           &SwingingFlatCam<T>::face_width,
-      &SwingingFlatCam<T>::youngs_modulus, &SwingingFlatCam<T>::poisson_ratio,
-      &SwingingFlatCam<T>::density,        &SwingingFlatCam<T>::bore_radius};
+      &OscillatingFlatCam<T>::swing,          &OscillatingFlatCam<T>::base_radius,
+      &OscillatingFlatCam<T>::face_offset,    &OscillatingFlatCam<T>::pivot_distance,
+      &OscillatingFlatCam<T>::angular_speed,  &OscillatingFlatCam<T>::inertia,
+      &OscillatingFlatCam<T>::spring_rate,    &OscillatingFlatCam<T>::spring_preload,
+      &OscillatingFlatCam<T>::load,           &OscillatingFlatCam<T>::face_width,
+      &OscillatingFlatCam<T>::youngs_modulus, &OscillatingFlatCam<T>::poisson_ratio,
+      &OscillatingFlatCam<T>::density,        &OscillatingFlatCam<T>::bore_radius};
 };
 
-const std::vector<MechanismParameter>& MachineTraits<SwingingFlatCam>::parameters() {
+const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parameters() {
   static const Parameters all =
       joined({swing_parameter(),
               base_parameter(),
@@ -33,7 +33,7 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingFlatCam>::parameter
                {"pivot_distance", "d", "mm", "m",
                 "distance of the arm's pivot from the cam's centre", 120, 1e-3, 1e5}},
               speed_parameter(),
-              swinging_load(0.2, 3),
+              oscillating_load(0.2, 3),
               contact_parameters(),
               blank_parameters()});
   return all;
@@ -46,7 +46,7 @@ using optim::Part;
 enum class Curve { ContactLever, ContactForce };
 
 MechanismResponse curve(Curve which, ResponseAbout about) {
-  return listed_curve<SwingingFlatCam>(
+  return listed_curve<OscillatingFlatCam>(
       std::move(about), turn_of_the_cam(), which,
       [](const auto& cam, Curve wanted, const auto& motion) {
         const auto f = cam.over_angle(motion);
@@ -56,21 +56,21 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 
 }  // namespace
 
-Mechanism swinging_flat_cam_mechanism() {
-  std::vector<MechanismResponse> responses = follower_responses<SwingingFlatCam>(kSwinging);
+Mechanism oscillating_flat_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<OscillatingFlatCam>(kOscillating);
   responses.push_back(curve(
       Curve::ContactLever,
       {"contact_lever", "mm", "m", "where the face touches, along it from the foot of the pivot"}));
-  responses.push_back(profile_radius_response<SwingingFlatCam>({}));
+  responses.push_back(profile_radius_response<OscillatingFlatCam>({}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
-  append(responses, face_contact_responses<SwingingFlatCam>());
-  append(responses, drawn_responses<SwingingFlatCam>(false));
-  append(responses, blank_responses<SwingingFlatCam>());
-  return {.name = "disc-cam-swinging-flat",
+  append(responses, face_contact_responses<OscillatingFlatCam>());
+  append(responses, drawn_responses<OscillatingFlatCam>(false));
+  append(responses, blank_responses<OscillatingFlatCam>());
+  return {.name = "disc-cam-oscillating-flat",
           .title = "disc cam with an oscillating flat-faced follower",
           .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<SwingingFlatCam>::parameters(),
+          .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
           .responses = std::move(responses),
           .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
                      "least radius of curvature of the profile"},

@@ -10,21 +10,21 @@
 namespace camlaw::problems {
 
 template <>
-struct MachineTraits<SwingingRollerCam> {
+struct MachineTraits<OscillatingRollerCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &SwingingRollerCam<T>::swing,          &SwingingRollerCam<T>::base_radius,
-      &SwingingRollerCam<T>::roller_radius,  &SwingingRollerCam<T>::arm_length,
-      &SwingingRollerCam<T>::pivot_distance, &SwingingRollerCam<T>::angular_speed,
-      &SwingingRollerCam<T>::inertia,        &SwingingRollerCam<T>::spring_rate,
-      &SwingingRollerCam<T>::spring_preload, &SwingingRollerCam<T>::load,
-      &SwingingRollerCam<T>::face_width,     &SwingingRollerCam<T>::youngs_modulus,
-      &SwingingRollerCam<T>::poisson_ratio,  &SwingingRollerCam<T>::cutter_radius,
-      &SwingingRollerCam<T>::density,        &SwingingRollerCam<T>::bore_radius};
+      &OscillatingRollerCam<T>::swing,          &OscillatingRollerCam<T>::base_radius,
+      &OscillatingRollerCam<T>::roller_radius,  &OscillatingRollerCam<T>::arm_length,
+      &OscillatingRollerCam<T>::pivot_distance, &OscillatingRollerCam<T>::angular_speed,
+      &OscillatingRollerCam<T>::inertia,        &OscillatingRollerCam<T>::spring_rate,
+      &OscillatingRollerCam<T>::spring_preload, &OscillatingRollerCam<T>::load,
+      &OscillatingRollerCam<T>::face_width,     &OscillatingRollerCam<T>::youngs_modulus,
+      &OscillatingRollerCam<T>::poisson_ratio,  &OscillatingRollerCam<T>::cutter_radius,
+      &OscillatingRollerCam<T>::density,        &OscillatingRollerCam<T>::bore_radius};
 };
 
-const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::parameters() {
+const std::vector<MechanismParameter>& MachineTraits<OscillatingRollerCam>::parameters() {
   static const Parameters all =
       joined({swing_parameter(),
               base_parameter(),
@@ -33,7 +33,7 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::paramet
                {"pivot_distance", "d", "mm", "m",
                 "distance of the arm's pivot from the cam's centre", 100, 1e-3, 1e5}},
               speed_parameter(),
-              swinging_load(0.2, 3),
+              oscillating_load(0.2, 3),
               contact_parameters(),
               cutter_parameter(),
               blank_parameters()});
@@ -44,11 +44,11 @@ const std::vector<MechanismParameter>& MachineTraits<SwingingRollerCam>::paramet
 template <>
 struct MachineTraits<LeadingRollerCam> {
   static const std::vector<MechanismParameter>& parameters() {
-    return MachineTraits<SwingingRollerCam>::parameters();
+    return MachineTraits<OscillatingRollerCam>::parameters();
   }
   template <class T>
   static constexpr auto fields = [] {
-    constexpr auto& base = MachineTraits<SwingingRollerCam>::fields<T>;
+    constexpr auto& base = MachineTraits<OscillatingRollerCam>::fields<T>;
     std::array<T LeadingRollerCam<T>::*, base.size()> all{};
     for (std::size_t i = 0; i < base.size(); ++i) all[i] = base[i];
     return all;
@@ -58,8 +58,8 @@ struct MachineTraits<LeadingRollerCam> {
 namespace {
 
 template <template <class> class M>
-Mechanism swinging_mechanism(const char* name, const char* title) {
-  std::vector<MechanismResponse> responses = follower_responses<M>(kSwinging);
+Mechanism oscillating_mechanism(const char* name, const char* title) {
+  std::vector<MechanismResponse> responses = follower_responses<M>(kOscillating);
   append(responses, roller_responses<M>({}));
   append(responses, drawn_responses<M>(true));
   append(responses, blank_responses<M>());
@@ -75,13 +75,13 @@ Mechanism swinging_mechanism(const char* name, const char* title) {
 
 }  // namespace
 
-Mechanism swinging_roller_cam_mechanism() {
-  return swinging_mechanism<SwingingRollerCam>(
-      "disc-cam-swinging-roller", "disc cam with an oscillating roller follower, trailing");
+Mechanism oscillating_roller_cam_mechanism() {
+  return oscillating_mechanism<OscillatingRollerCam>(
+      "disc-cam-oscillating-roller", "disc cam with an oscillating roller follower, trailing");
 }
 
 Mechanism leading_roller_cam_mechanism() {
-  return swinging_mechanism<LeadingRollerCam>(
+  return oscillating_mechanism<LeadingRollerCam>(
       "disc-cam-leading-roller", "disc cam with an oscillating roller follower, leading");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/knife_cam.h"
+#include "machines/cams/knife_edge_cam.h"
 
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -10,17 +10,19 @@
 namespace camlaw::problems {
 
 template <>
-struct MachineTraits<KnifeCam> {
+struct MachineTraits<KnifeEdgeCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &KnifeCam<T>::stroke,         &KnifeCam<T>::base_radius, &KnifeCam<T>::offset,
-      &KnifeCam<T>::angular_speed,  &KnifeCam<T>::mass,        &KnifeCam<T>::spring_rate,
-      &KnifeCam<T>::spring_preload, &KnifeCam<T>::load,        &KnifeCam<T>::cutter_radius,
-      &KnifeCam<T>::face_width,     &KnifeCam<T>::density,     &KnifeCam<T>::bore_radius};
+      &KnifeEdgeCam<T>::stroke,         &KnifeEdgeCam<T>::base_radius,
+      &KnifeEdgeCam<T>::offset,         &KnifeEdgeCam<T>::angular_speed,
+      &KnifeEdgeCam<T>::mass,           &KnifeEdgeCam<T>::spring_rate,
+      &KnifeEdgeCam<T>::spring_preload, &KnifeEdgeCam<T>::load,
+      &KnifeEdgeCam<T>::cutter_radius,  &KnifeEdgeCam<T>::face_width,
+      &KnifeEdgeCam<T>::density,        &KnifeEdgeCam<T>::bore_radius};
 };
 
-const std::vector<MechanismParameter>& MachineTraits<KnifeCam>::parameters() {
+const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(),
               base_parameter(),
@@ -41,27 +43,27 @@ using S = optim::Shape;
 enum class Curve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
 
 MechanismResponse curve(Curve which, ResponseAbout about) {
-  return listed_curve<KnifeCam>(std::move(about), turn_of_the_cam(), which,
-                                [](const auto& cam, Curve wanted, const auto& motion) {
-                                  const auto f = cam.over_angle(motion);
-                                  switch (wanted) {
-                                    case Curve::PressureAngle:
-                                      return cam.pressure_angle(f);
-                                    case Curve::ProfileCurvature:
-                                      return cam.profile_curvature(f);
-                                    case Curve::ToolFit:
-                                      return cam.tool_fit(f);
-                                    case Curve::ContactForce:
-                                      break;
-                                  }
-                                  return cam.contact_force(f);
-                                });
+  return listed_curve<KnifeEdgeCam>(std::move(about), turn_of_the_cam(), which,
+                                    [](const auto& cam, Curve wanted, const auto& motion) {
+                                      const auto f = cam.over_angle(motion);
+                                      switch (wanted) {
+                                        case Curve::PressureAngle:
+                                          return cam.pressure_angle(f);
+                                        case Curve::ProfileCurvature:
+                                          return cam.profile_curvature(f);
+                                        case Curve::ToolFit:
+                                          return cam.tool_fit(f);
+                                        case Curve::ContactForce:
+                                          break;
+                                      }
+                                      return cam.contact_force(f);
+                                    });
 }
 
 }  // namespace
 
-Mechanism knife_cam_mechanism() {
-  std::vector<MechanismResponse> responses = follower_responses<KnifeCam>(kSliding);
+Mechanism knife_edge_cam_mechanism() {
+  std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
   responses.push_back(curve(Curve::PressureAngle,
                             {"pressure_angle",
                              "deg",
@@ -80,12 +82,12 @@ Mechanism knife_cam_mechanism() {
                              "fit"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
-  append(responses, drawn_responses<KnifeCam>(true));
-  append(responses, blank_responses<KnifeCam>());
-  return {.name = "disc-cam-knife",
+  append(responses, drawn_responses<KnifeEdgeCam>(true));
+  append(responses, blank_responses<KnifeEdgeCam>());
+  return {.name = "disc-cam-knife-edge",
           .title = "disc cam with a translating knife-edged follower",
           .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<KnifeCam>::parameters(),
+          .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(),
                     {"sharpest_curvature", "profile_curvature", Part::Highest,

@@ -11,7 +11,7 @@ namespace camlaw {
 ///
 /// Valid while |offset| is less than the base radius.
 template <class T>
-struct KnifeCam {
+struct KnifeEdgeCam {
   T stroke = number<T>(0.020);                    ///< h, m
   T base_radius = number<T>(0.040);               ///< r_b, m
   T offset = number<T>(0);                        ///< e, m

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/swinging_flat_cam.h"
+#include "machines/cams/oscillating_flat_cam.h"
 
 #include "machines/cams/flat_cam.h"
 #include "numerics/scalar/series.h"
 #include "tests/machines/formulas/drawn_cam.h"
 
-namespace camlaw::swinging_flat_cam_test {
+namespace camlaw::oscillating_flat_cam_test {
 namespace {
 
 using namespace testing;
 
-SwingingFlatCam<double> offset_face(double offset) {
-  SwingingFlatCam<double> cam;
+OscillatingFlatCam<double> offset_face(double offset) {
+  OscillatingFlatCam<double> cam;
   cam.swing = 0.15;
   cam.face_offset = offset;
   return cam;
 }
 
-const std::vector<SwingingFlatCam<double>> kCams{offset_face(0), offset_face(0.012),
-                                                 offset_face(-0.015)};
+const std::vector<OscillatingFlatCam<double>> kCams{offset_face(0), offset_face(0.012),
+                                                    offset_face(-0.015)};
 
 /// The face as the cam sees it: a point of it and its direction, away from the pivot.
 struct Face {
   Point point, along;
 };
-Face face_on_cam(const SwingingFlatCam<double>& cam, double angle) {
+Face face_on_cam(const OscillatingFlatCam<double>& cam, double angle) {
   const double psi = cam.lowest_angle() + motion_at(cam, angle).s;
   const Point along = -std::polar(1.0, -psi), down = Point(0, 1) * along;
   const Point foot = cam.pivot_distance + cam.face_offset * down;
@@ -32,13 +32,13 @@ Face face_on_cam(const SwingingFlatCam<double>& cam, double angle) {
 }
 
 /// The profile as the envelope of its faces: where two neighbours cross.
-Point envelope(const SwingingFlatCam<double>& cam, double angle) {
+Point envelope(const OscillatingFlatCam<double>& cam, double angle) {
   const double h = 1e-6;
   const Face a = face_on_cam(cam, angle - h), b = face_on_cam(cam, angle + h);
   return crossing(a.point, a.along, b.point, b.along);
 }
 
-std::vector<Point> profile_of(const SwingingFlatCam<double>& cam) {
+std::vector<Point> profile_of(const OscillatingFlatCam<double>& cam) {
   return drawn([&](double angle) {
     const auto [x, y] = cam.profile(motion_at(cam, angle)).place();
     return on_cam({x, y}, angle);
@@ -46,7 +46,7 @@ std::vector<Point> profile_of(const SwingingFlatCam<double>& cam) {
 }
 
 /// How far the profile stays below the face; below 0 it is cut.
-double clearance(const SwingingFlatCam<double>& cam, const std::vector<Point>& profile,
+double clearance(const OscillatingFlatCam<double>& cam, const std::vector<Point>& profile,
                  double angle) {
   const Face face = face_on_cam(cam, angle);
   double least = 1e9;
@@ -58,7 +58,7 @@ double clearance(const SwingingFlatCam<double>& cam, const std::vector<Point>& p
 
 }  // namespace
 
-TEST_CASE("the profile under a swinging face is the envelope of the face", "[cams]") {
+TEST_CASE("the profile under an oscillating face is the envelope of the face", "[cams]") {
   for (const auto& cam : kCams) {
     for (int i = 7; i < kAngles; i += 130) {
       INFO(i * 360.0 / kAngles << " deg, offset " << cam.face_offset);
@@ -74,7 +74,8 @@ TEST_CASE("the profile under a swinging face is the envelope of the face", "[cam
   }
 }
 
-TEST_CASE("the swinging face, laid against the profile, touches it and cuts it nowhere", "[cams]") {
+TEST_CASE("the oscillating face, laid against the profile, touches it and cuts it nowhere",
+          "[cams]") {
   for (const auto& cam : kCams) {
     const std::vector<Point> profile = profile_of(cam);
     CHECK(nearest(profile, 0) == Approx(cam.base_radius).epsilon(1e-9));
@@ -85,7 +86,7 @@ TEST_CASE("the swinging face, laid against the profile, touches it and cuts it n
 }
 
 TEST_CASE("where the radius of curvature goes below 0 the face cuts the profile", "[cams]") {
-  SwingingFlatCam<double> cam = offset_face(0);
+  OscillatingFlatCam<double> cam = offset_face(0);
   for (const double swing : {0.15, 0.2, 0.25, 0.33, 0.36}) {
     cam.swing = swing;
     const std::vector<Point> profile = profile_of(cam);
@@ -99,7 +100,7 @@ TEST_CASE("where the radius of curvature goes below 0 the face cuts the profile"
   }
 }
 
-TEST_CASE("the profile's curvature under a swinging face is that of three points", "[cams]") {
+TEST_CASE("the profile's curvature under an oscillating face is that of three points", "[cams]") {
   for (const auto& cam : kCams) {
     for (int i = 45; i < kAngles; i += 70) {
       INFO(i * 360.0 / kAngles << " deg, offset " << cam.face_offset);
@@ -111,10 +112,10 @@ TEST_CASE("the profile's curvature under a swinging face is that of three points
   }
 }
 
-TEST_CASE("a swinging face on an eccentric circle sees a circle", "[cams]") {
+TEST_CASE("an oscillating face on an eccentric circle sees a circle", "[cams]") {
   // The face keeps rho from the circle's centre C = epsilon exp(i phi'):
   // (d - C_x) sin psi - C_y cos psi = rho + f, with its amplitude and phase solved for psi.
-  SwingingFlatCam<double> cam = offset_face(0.006);
+  OscillatingFlatCam<double> cam = offset_face(0.006);
   const double epsilon = 0.009, rho = 0.035;
   for (double phi = 0; phi < 6.28; phi += 0.4) {
     using Phi = Series<double, 4>;
@@ -131,9 +132,9 @@ TEST_CASE("a swinging face on an eccentric circle sees a circle", "[cams]") {
   }
 }
 
-TEST_CASE("far from its pivot a swinging face moves as a translating one", "[cams]") {
+TEST_CASE("far from its pivot an oscillating face moves as a translating one", "[cams]") {
   const FlatCam<double> flat;
-  SwingingFlatCam<double> cam = offset_face(0.003);
+  OscillatingFlatCam<double> cam = offset_face(0.003);
   for (const double far : {1e2, 1e3}) {
     cam.pivot_distance = far;
     cam.swing = flat.stroke / far;
@@ -145,7 +146,7 @@ TEST_CASE("far from its pivot a swinging face moves as a translating one", "[cam
   }
 }
 
-TEST_CASE("the swinging face takes the power that the cam gives", "[cams]") {
+TEST_CASE("the oscillating face takes the power that the cam gives", "[cams]") {
   // Its force on the cam acts along the normal at the touched point: two ways to the torque.
   for (const auto& cam : kCams) {
     for (double angle = 0.1; angle < 6.2; angle += 0.3) {
@@ -159,7 +160,7 @@ TEST_CASE("the swinging face takes the power that the cam gives", "[cams]") {
 }
 
 TEST_CASE("a flat contact has the stress of the profile alone", "[cams]") {
-  const SwingingFlatCam<double> cam;
+  const OscillatingFlatCam<double> cam;
   const auto f = motion_at(cam, 1);
   const double line = cam.contact_force(f) / cam.face_width;
   CHECK(cam.contact_stress(f) ==
@@ -168,20 +169,20 @@ TEST_CASE("a flat contact has the stress of the profile alone", "[cams]") {
         Approx(cam.contact_stress(f)).epsilon(1e-12));
 }
 
-TEST_CASE("a swinging face that no cam can move is impossible or no number", "[cams]") {
-  SwingingFlatCam<double> cam;
+TEST_CASE("an oscillating face that no cam can move is impossible or no number", "[cams]") {
+  OscillatingFlatCam<double> cam;
   CHECK(cam.is_possible());
   cam.pivot_distance = 0.039;  // within the base circle
   CHECK_FALSE(cam.is_possible());
   cam = offset_face(0.09);
   CHECK_FALSE(cam.is_possible());
-  cam = SwingingFlatCam<double>();
+  cam = OscillatingFlatCam<double>();
   cam.swing = 1.3;  // past a right angle
   CHECK_FALSE(cam.is_possible());
   const FollowerMotion<double> fast{0.1, -1.2, 0, 0};  // the face turns faster than the cam
-  CHECK(std::isnan(SwingingFlatCam<double>().profile_radius(fast)));
-  CHECK(std::isnan(SwingingFlatCam<double>().contact_lever(fast)));
-  CHECK(std::isnan(SwingingFlatCam<double>().contact_stress(fast)));
+  CHECK(std::isnan(OscillatingFlatCam<double>().profile_radius(fast)));
+  CHECK(std::isnan(OscillatingFlatCam<double>().contact_lever(fast)));
+  CHECK(std::isnan(OscillatingFlatCam<double>().contact_stress(fast)));
 }
 
-}  // namespace camlaw::swinging_flat_cam_test
+}  // namespace camlaw::oscillating_flat_cam_test

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "machines/cams/knife_cam.h"
+#include "machines/cams/knife_edge_cam.h"
 
 #include "tests/machines/formulas/drawn_cam.h"
 
-namespace camlaw::knife_cam_test {
+namespace camlaw::knife_edge_cam_test {
 
 using namespace testing;
 
 TEST_CASE("a knife edge draws its own profile", "[cams]") {
   for (const double offset : {0.0, 0.012, -0.01}) {
-    KnifeCam<double> cam;
+    KnifeEdgeCam<double> cam;
     cam.offset = offset;
     const double lowest = std::sqrt(0.04 * 0.04 - offset * offset);
     const auto edge = [&](double angle) {
@@ -34,7 +34,7 @@ TEST_CASE("a roller that shrinks becomes a knife edge", "[cams]") {
   RollerCam<double> roller;
   roller.offset = 0.01;
   roller.roller_radius = 1e-9;
-  KnifeCam<double> cam;
+  KnifeEdgeCam<double> cam;
   cam.offset = 0.01;
   for (double angle = 0.1; angle < 6.2; angle += 0.3) {
     const auto f = motion_at(cam, angle);
@@ -47,4 +47,4 @@ TEST_CASE("a roller that shrinks becomes a knife edge", "[cams]") {
   CHECK_FALSE(cam.is_possible());
 }
 
-}  // namespace camlaw::knife_cam_test
+}  // namespace camlaw::knife_edge_cam_test
