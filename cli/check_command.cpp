@@ -65,7 +65,7 @@ class Variants {
   const std::vector<problems::ObjectiveStatement>& objectives() const {
     return bound_.statement().objectives;
   }
-  bool has_laws() const { return !choices().empty() && choices().front().name == "law"; }
+  bool has_laws() const { return bound_.statement().chooses_law(); }
   std::size_t count_of_laws() const { return has_laws() ? choices().front().options.size() : 1; }
 
   problems::BoundProblem bound_;

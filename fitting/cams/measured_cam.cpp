@@ -14,6 +14,7 @@
 #include "fitting/samples/columns.h"
 #include "fitting/samples/condensed.h"
 #include "fitting/samples/turn.h"
+#include "machines/registry.h"
 #include "numerics/linear/statistics.h"
 #include "problems/statement/parameters.h"
 
@@ -24,7 +25,7 @@ namespace {
 using Sizes = std::function<double(const char*)>;
 
 struct KnownFollower {
-  const char* mechanism;
+  Form form;
   std::function<MeasuredFollower(const Sizes&)> make;
   Rotation rotation = Rotation::Counterclockwise;
 };
@@ -35,27 +36,33 @@ OscillatingRoller arm_of(const Sizes& size) {
 
 const std::vector<KnownFollower>& known_followers() {
   static const std::vector<KnownFollower> known{
-      {"disc-cam-roller",
+      {Form::DiscRoller,
        [](const Sizes& size) {
          return TranslatingRoller{size("roller_radius"), size("offset")};
        }},
-      {"disc-cam-knife-edge",
+      {Form::DiscKnifeEdge,
        [](const Sizes& size) {
          return TranslatingRoller{0, size("offset")};
        }},
-      {"disc-cam-flat", [](const Sizes&) { return TranslatingFace{}; }},
-      {"disc-cam-oscillating-roller", arm_of},
-      {"disc-cam-leading-roller", arm_of, Rotation::Clockwise},
-      {"disc-cam-oscillating-flat", [](const Sizes& size) {
+      {Form::DiscFlat, [](const Sizes&) { return TranslatingFace{}; }},
+      {Form::DiscTrailingRoller, arm_of},
+      {Form::DiscLeadingRoller, arm_of, Rotation::Clockwise},
+      {Form::DiscFlatArm, [](const Sizes& size) {
          return OscillatingFace{size("pivot_distance"), size("face_offset")};
        }}};
   return known;
 }
 
-const KnownFollower& follower_of(const ProblemStatement& machine) {
+/// Null for machines other than these.
+const KnownFollower* follower_of(const Mechanism& mechanism) {
   for (const KnownFollower& known : known_followers()) {
-    if (machine.mechanism->name == known.mechanism) return known;
+    if (mechanism.form == known.form) return &known;
   }
+  return nullptr;
+}
+
+const KnownFollower& follower_of(const ProblemStatement& machine) {
+  if (const KnownFollower* known = follower_of(*machine.mechanism)) return *known;
   throw std::invalid_argument(
       fmt::format("{} has no follower that a measured profile can be read for; there are {}",
                   machine.mechanism->name, fmt::join(measured_cams(), ", ")));
@@ -217,7 +224,9 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
 
 std::vector<std::string> measured_cams() {
   std::vector<std::string> result;
-  for (const KnownFollower& known : known_followers()) result.push_back(known.mechanism);
+  for (const Mechanism& mechanism : mechanisms()) {
+    if (follower_of(mechanism) != nullptr) result.push_back(mechanism.name);
+  }
   return result;
 }
 

@@ -49,7 +49,7 @@ void fill(std::span<const LawConstant> constants, const LawBinding& law,
 }  // namespace
 
 std::optional<LawConstant> law_constant(const PrintedConstant& printed) {
-  if (printed.of->name != "law" || printed.response.response == nullptr) return {};
+  if (printed.of->form != Form::LawAlone || printed.response.response == nullptr) return {};
   for (const auto& [name, quantity] :
        {std::pair{"velocity", Quantity::Velocity},
         std::pair{"acceleration", Quantity::Acceleration}, std::pair{"jerk", Quantity::Jerk},

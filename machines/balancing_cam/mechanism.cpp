@@ -275,7 +275,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
                      "greatest pressure angle"},
                     {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
           .moved_by = MovedBy::Nothing,
-          .validity = {{"flattening", 1}}};
+          .validity = {{"flattening", 1}},
+          .form = Form::BalancingCam};
 }
 
 }  // namespace

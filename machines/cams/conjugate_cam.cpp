@@ -141,7 +141,8 @@ Mechanism conjugate_cam_mechanism() {
           .responses = conjugate_responses(),
           .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle()), peak_undercut(),
                     of_second(peak_undercut()), peak_force(), peak_torque(), peak_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::DiscConjugate};
 }
 
 }  // namespace camlaw::problems

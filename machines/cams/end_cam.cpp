@@ -46,7 +46,8 @@ Mechanism end_cam_mechanism() {
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
                     peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::EndRoller};
 }
 
 }  // namespace camlaw::problems

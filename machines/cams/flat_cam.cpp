@@ -69,7 +69,8 @@ Mechanism flat_cam_mechanism() {
                     peak_force(),
                     peak_torque(),
                     peak_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::DiscFlat};
 }
 
 }  // namespace camlaw::problems

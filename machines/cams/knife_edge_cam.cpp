@@ -97,7 +97,8 @@ Mechanism knife_edge_cam_mechanism() {
                     least_force(),
                     peak_force(),
                     peak_torque()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::DiscKnifeEdge};
 }
 
 }  // namespace camlaw::problems

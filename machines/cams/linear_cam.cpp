@@ -78,7 +78,8 @@ Mechanism linear_cam_mechanism() {
                     peak_stress(),
                     peak_outer_undercut(),
                     peak_groove_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::Plate};
 }
 
 }  // namespace camlaw::problems

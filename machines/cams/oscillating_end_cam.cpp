@@ -53,7 +53,8 @@ Mechanism oscillating_end_cam_mechanism() {
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                     least_torque(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::EndArm};
 }
 
 }  // namespace camlaw::problems

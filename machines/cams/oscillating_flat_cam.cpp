@@ -81,7 +81,8 @@ Mechanism oscillating_flat_cam_mechanism() {
                     peak_torque(),
                     peak_stress(),
                     least_torque()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = Form::DiscFlatArm};
 }
 
 }  // namespace camlaw::problems

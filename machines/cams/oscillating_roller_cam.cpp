@@ -58,7 +58,7 @@ struct MachineTraits<LeadingRollerCam> {
 namespace {
 
 template <template <class> class M>
-Mechanism oscillating_mechanism(const char* name, const char* title) {
+Mechanism oscillating_mechanism(const char* name, const char* title, Form form) {
   std::vector<MechanismResponse> responses = follower_responses<M>(kOscillating);
   append(responses, roller_responses<M>({}));
   append(responses, drawn_responses<M>(true));
@@ -70,19 +70,22 @@ Mechanism oscillating_mechanism(const char* name, const char* title) {
           .responses = std::move(responses),
           .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                     least_torque(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program};
+          .moved_by = MovedBy::Program,
+          .form = form};
 }
 
 }  // namespace
 
 Mechanism oscillating_roller_cam_mechanism() {
   return oscillating_mechanism<OscillatingRollerCam>(
-      "disc-cam-oscillating-roller", "disc cam with an oscillating roller follower, trailing");
+      "disc-cam-oscillating-roller", "disc cam with an oscillating roller follower, trailing",
+      Form::DiscTrailingRoller);
 }
 
 Mechanism leading_roller_cam_mechanism() {
   return oscillating_mechanism<LeadingRollerCam>(
-      "disc-cam-leading-roller", "disc cam with an oscillating roller follower, leading");
+      "disc-cam-leading-roller", "disc cam with an oscillating roller follower, leading",
+      Form::DiscLeadingRoller);
 }
 
 }  // namespace camlaw::problems

@@ -126,7 +126,8 @@ Mechanism planar_geneva_mechanism() {
           .parameters = MachineTraits<PlanarGenevaDrive>::parameters(),
           .responses = std::move(responses),
           .peaks = peaks(),
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .form = Form::Geneva};
 }
 
 Mechanism spherical_geneva_mechanism() {
@@ -136,7 +137,8 @@ Mechanism spherical_geneva_mechanism() {
           .parameters = MachineTraits<SphericalGenevaDrive>::parameters(),
           .responses = drive_responses<SphericalGenevaDrive>(),
           .peaks = peaks(),
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .form = Form::SphericalGeneva};
 }
 
 }  // namespace camlaw::problems

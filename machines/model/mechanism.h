@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "machines/model/form.h"
 #include "machines/model/law_binding.h"
 #include "optim/problem/problem.h"
 
@@ -92,6 +93,7 @@ struct Mechanism {
   std::vector<NamedPeak> peaks;
   MovedBy moved_by = MovedBy::Law;
   std::vector<ValidityLimit> validity = {};
+  Form form = Form::Other;
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;

@@ -216,7 +216,8 @@ Mechanism normalised_law_mechanism() {
           .peaks = {{"B", "velocity", P::Magnitude, "peak velocity, C_v in VDI 2143"},
                     {"C", "acceleration", P::Magnitude, "peak acceleration, C_a"},
                     {"D", "jerk", P::Magnitude, "peak jerk, C_j"},
-                    {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}}};
+                    {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}},
+          .form = Form::LawAlone};
 }
 
 }  // namespace camlaw::problems

@@ -165,7 +165,8 @@ Mechanism signature_feeder_mechanism() {
                      "greatest angular velocity of the cylinder"},
                     {"peak_acceleration", "drum_acceleration", Part::Magnitude,
                      "greatest angular acceleration of the cylinder"}},
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .form = Form::SignatureFeeder};
 }
 
 }  // namespace camlaw::problems

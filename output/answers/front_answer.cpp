@@ -32,7 +32,8 @@ std::vector<FrontAnswer::Value> FrontAnswer::values(const FrontPoint& point) con
   const auto& space = study.space();
   const auto options = space.options(point.part);
   std::vector<Value> result;
-  for (std::size_t i = 0; i < space.choices.size(); ++i) {
+  const std::size_t first = study.bound().statement().chooses_law() ? 1 : 0;
+  for (std::size_t i = first; i < space.choices.size(); ++i) {
     const optim::Choice& choice = space.choices[i];
     result.push_back({choice.name, choice.unit, choice.options[options[i]],
                       choice.values.empty() ? std::nan("") : choice.values[options[i]]});

@@ -21,7 +21,7 @@ struct FrontAnswer {
   /// Of a record.
   FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
 
-  /// A point's option of each choice and the values of its variables, with units.
+  /// A point's option of each choice but the law, and the values of its variables, with units.
   struct Value {
     std::string name, unit, text;
     double number;  ///< NaN for a choice in words

@@ -26,7 +26,6 @@ std::string front_csv(const FrontAnswer& answer) {
   header.insert(header.end(), {"verdict", "global", "law"});
   for (const FrontPoint& point : front.points) {
     for (const auto& value : answer.values(point)) {
-      if (value.name == "law") continue;
       const std::string column = named(value.name, value.unit);
       if (std::find(columns.begin(), columns.end(), column) == columns.end()) {
         columns.push_back(column);

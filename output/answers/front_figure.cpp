@@ -37,9 +37,7 @@ std::string tooltip(const FrontAnswer& answer, const optim::FrontPoint& point, s
   if (const std::string law = answer.law(point); !law.empty()) text += "; " + law;
   const auto values = answer.values(point);
   if (values.size() <= kListed) {
-    for (const auto& value : values) {
-      if (value.name != "law") text += fmt::format("; {} {}", value.name, value.text);
-    }
+    for (const auto& value : values) text += fmt::format("; {} {}", value.name, value.text);
   }
   return text + fmt::format(": {}", to_string(point.verdict));
 }

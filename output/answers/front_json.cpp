@@ -25,7 +25,6 @@ Json point_object(const FrontAnswer& answer, std::size_t k) {
     objectives[answer.front.objectives[i].name] = to_json(point.objectives[i]);
   }
   for (const auto& value : answer.values(point)) {
-    if (value.name == "law") continue;
     variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
   }
   for (std::size_t i = 1; i < point.objectives.size(); ++i) {

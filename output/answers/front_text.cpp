@@ -74,9 +74,7 @@ std::string table_text(const FrontAnswer& answer) {
     std::vector<std::string> design;
     const auto values = answer.values(point);
     for (const auto& value : values) {
-      if (value.name != "law") {
-        design.push_back(fmt::format("{} = {}", value.name, with_unit(value.text, value.unit)));
-      }
+      design.push_back(fmt::format("{} = {}", value.name, with_unit(value.text, value.unit)));
     }
     row.push_back(design.size() > kListed ? fmt::format("{} variables", design.size())
                                           : fmt::format("{}", fmt::join(design, ", ")));
@@ -223,7 +221,6 @@ std::string point_text(const FrontAnswer& answer, std::size_t k) {
   const auto values = answer.values(point);
   if (values.size() <= 4 * kListed) {
     for (const auto& value : values) {
-      if (value.name == "law") continue;
       text += fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit));
     }
   } else {

@@ -12,7 +12,7 @@
 namespace camlaw::cli {
 
 std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, int points) {
-  if (!design.mechanism->name.starts_with("balancing-cam")) return {};
+  if (design.mechanism->form != problems::Form::BalancingCam) return {};
   const SceneCurves curves(design, points);
   const std::vector<Point> profile = curves.points("profile");
   const std::vector<double>& rise = curves.values("roller_displacement");

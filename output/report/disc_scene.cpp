@@ -12,6 +12,7 @@
 namespace camlaw::cli {
 namespace {
 
+using problems::Form;
 using problems::ProblemStatement;
 using Kind = BodyMotion::Kind;
 
@@ -66,6 +67,10 @@ void draw_roller(Scene& scene, const Disc& disc, Point centre) {
   draw_way(scene, centre, disc);
   draw_pushed_roller(scene, centre, radius, "displacement");
   scene.include({centre.x, centre.y + rise}, 2.4 * radius);
+}
+
+void draw_sliding_roller(Scene& scene, const Disc& disc) {
+  draw_roller(scene, disc, disc.follower());
 }
 
 void draw_knife(Scene& scene, const Disc& disc) {
@@ -139,11 +144,35 @@ void draw_flat_arm(Scene& scene, const Disc& disc) {
   scene.include(pivot, 0.05 * pivot.x);
 }
 
+using DrawFollower = void (*)(Scene&, const Disc&);
+
+/// What draws the follower of a disc cam; null for other machines.
+DrawFollower drawn_follower(Form form) {
+  switch (form) {
+    case Form::DiscRoller:
+      return draw_sliding_roller;
+    case Form::DiscKnifeEdge:
+      return draw_knife;
+    case Form::DiscFlat:
+      return draw_flat;
+    case Form::DiscConjugate:
+      return draw_conjugate;
+    case Form::DiscFlatArm:
+      return draw_flat_arm;
+    case Form::DiscTrailingRoller:
+    case Form::DiscLeadingRoller:
+      return draw_arm;
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace
 
 std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
-  const std::string& name = design.mechanism->name;
-  if (!name.starts_with("disc-cam-")) return {};
+  const Form form = design.mechanism->form;
+  const auto follower = drawn_follower(form);
+  if (follower == nullptr) return {};
   const SceneCurves curves(design, points);
   const std::vector<double>& displacement = curves.values("displacement");
   const auto [lowest, highest] = std::minmax_element(displacement.begin(), displacement.end());
@@ -156,15 +185,8 @@ std::optional<Scene> disc_scene(const ProblemStatement& design, int points) {
   const Disc disc{design, curves, displacement.front(), *lowest, *highest, size};
   Scene scene(fmt::format("{}, drawn to scale", design.mechanism->title));
   scene.drawn_at("displacement", disc.zero);
-  draw_cam(scene, disc, name == "disc-cam-leading-roller" ? -1 : 1);
-  if (name == "disc-cam-roller") draw_roller(scene, disc, disc.follower());
-  if (name == "disc-cam-knife-edge") draw_knife(scene, disc);
-  if (name == "disc-cam-flat") draw_flat(scene, disc);
-  if (name == "disc-cam-conjugate") draw_conjugate(scene, disc);
-  if (name == "disc-cam-oscillating-flat") draw_flat_arm(scene, disc);
-  if (name.ends_with("-oscillating-roller") || name.ends_with("-leading-roller")) {
-    draw_arm(scene, disc);
-  }
+  draw_cam(scene, disc, form == Form::DiscLeadingRoller ? -1 : 1);
+  follower(scene, disc);
   return scene;
 }
 

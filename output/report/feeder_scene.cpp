@@ -76,7 +76,7 @@ void draw_crank(Scene& scene, const Feeder& feeder, double mark) {
 }  // namespace
 
 std::optional<Scene> feeder_scene(const problems::ProblemStatement& design, int points) {
-  if (design.mechanism->name != "signature-feeder") return {};
+  if (design.mechanism->form != problems::Form::SignatureFeeder) return {};
   const auto constant = [&](const char* name) { return problems::constant_of(design, name); };
   const SceneCurves curves(design, points);
   const Feeder feeder{constant("crank_radius"),      constant("offset"),

@@ -65,8 +65,7 @@ Json rows_json(const FrontAnswer& answer, const FrontPoint& point,
   }
   const auto values = answer.values(point);
   for (const auto& value : values) {
-    if (value.name == "law" || values.size() > kMostValues || is_sought(answer, value.name))
-      continue;
+    if (values.size() > kMostValues || is_sought(answer, value.name)) continue;
     rows.push_back(row(named_with_unit(value.name, value.unit), value.text, value.number));
   }
   for (std::size_t i = 0; i < point.limits.size(); ++i) {

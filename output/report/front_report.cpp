@@ -38,7 +38,6 @@ std::string points_table(const FrontAnswer& answer, const std::vector<std::size_
     std::vector<std::string> cells{fmt::format("{}", k + 1)}, design;
     for (const double value : point.objectives) cells.push_back(in_digits(value));
     for (const auto& v : answer.values(point)) {
-      if (v.name == "law") continue;
       design.push_back(fmt::format("{} = {}", plain_name(v.name), with_unit(v.text, v.unit)));
     }
     cells.push_back(verdict_words(point));

@@ -33,7 +33,7 @@ std::vector<Point> slot(Point centre, double angle, double tip, double end, doub
 }  // namespace
 
 std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int) {
-  if (design.mechanism->name != "geneva") return {};
+  if (design.mechanism->form != problems::Form::Geneva) return {};
   const PlanarGeneva<double> geneva{problems::constant_of(design, "slots")};
   const double distance = problems::constant_of(design, "centre_distance"),
                crank = distance * geneva.crank();

@@ -11,6 +11,7 @@
 namespace camlaw::cli {
 namespace {
 
+using problems::Form;
 using problems::ProblemStatement;
 using Kind = BodyMotion::Kind;
 
@@ -27,8 +28,8 @@ std::vector<Point> repeated(const std::vector<Point>& profile, double period, do
 }  // namespace
 
 std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
-  const std::string& name = design.mechanism->name;
-  if (!name.starts_with("end-cam") && name != "linear-cam") return {};
+  const Form form = design.mechanism->form;
+  if (form != Form::EndRoller && form != Form::EndArm && form != Form::Plate) return {};
   const SceneCurves curves(design, points);
   const std::vector<Point> profile = curves.points("profile"), pitch = curves.points("pitch");
   const double period = pitch.back().x - pitch.front().x;
@@ -37,7 +38,7 @@ std::optional<Scene> plate_scene(const ProblemStatement& design, int points) {
   for (const Point& p : profile) low = std::min(low, p.y);
   for (const Point& p : pitch) high = std::max(high, p.y);
   if (!std::isfinite(low) || !std::isfinite(high) || !(period > 0)) return {};
-  const bool arm = name == "end-cam-oscillating";
+  const bool arm = form == Form::EndArm;
   const double back = low - 1.5 * radius, centre = pitch.front().x;
   Scene scene(fmt::format("{}, developed, drawn to scale", design.mechanism->title));
   scene.drawn_at("displacement", curves.values("displacement").front());

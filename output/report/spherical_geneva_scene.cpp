@@ -63,7 +63,7 @@ void draw_driver(Scene& scene, const Sphere& sphere, Point centre) {
 }  // namespace
 
 std::optional<Scene> spherical_geneva_scene(const problems::ProblemStatement& design, int points) {
-  if (design.mechanism->name != "geneva-spherical") return {};
+  if (design.mechanism->form != problems::Form::SphericalGeneva) return {};
   const Sphere sphere{static_cast<int>(problems::constant_of(design, "slots"))};
   const Point centre{2.3 * Sphere::kRadius, 0};
   Scene scene(fmt::format("{}: slots and pin on a sphere, along the wheel's axis and the driver's",

@@ -153,7 +153,7 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
       {"problem", problem.text},
       {"set", problem.settings},
       {"law_files", laws_to_json(problem.law_files)},
-      {"law", problem.laws.size() > 1 ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
+      {"law", problem.chooses_law() ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
       {"variables", std::move(variables)}};
 }
 

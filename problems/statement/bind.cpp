@@ -105,7 +105,7 @@ BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
   if (!may_be_constant && statement_.variables.empty() && statement_.laws.size() < 2) {
     refuse(statement_, "the problem has no variables: nothing can be optimised");
   }
-  if (statement_.laws.size() > 1) {
+  if (statement_.chooses_law()) {
     optim::Choice choice{"law", "", {}, {}, 0};
     for (const Member& member : statement_.laws) choice.options.push_back(member.label());
     choices_.push_back(std::move(choice));
@@ -159,7 +159,7 @@ std::optional<std::vector<double>> BoundProblem::reference() const {
 }
 
 const Member& BoundProblem::law(const std::vector<std::size_t>& options) const {
-  return statement_.laws.size() > 1 ? statement_.laws[options.front()] : statement_.laws.front();
+  return statement_.chooses_law() ? statement_.laws[options.front()] : statement_.laws.front();
 }
 
 std::vector<BoundProblem::Slot> BoundProblem::slots(const std::vector<std::size_t>& options) const {

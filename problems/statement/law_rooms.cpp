@@ -85,7 +85,7 @@ void limit_to_laws(ProblemStatement& problem) {
     for (std::size_t i = 0; i < law.family->rooms.size(); ++i) {
       const Room& room = law.family->rooms[i];
       if (holds(room, over_ranges(room, law, ranges_of(law, problem)))) continue;
-      problem.constraints.push_back(constraint_of(law, i, problem.laws.size() > 1));
+      problem.constraints.push_back(constraint_of(law, i, problem.chooses_law()));
     }
   }
 }

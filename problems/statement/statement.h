@@ -65,6 +65,7 @@ struct ProblemStatement {
   std::vector<double> constants;  ///< of every mechanism parameter, in its listed unit
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
+  bool chooses_law() const { return laws.size() > 1; }
   std::optional<ProgramTiming> timing;  ///< where a program speaks of time
   std::vector<VariableStatement> variables;
   /// One, or for a front two or more; `evaluate` does without.

@@ -87,7 +87,7 @@ std::string laws_sentence(const ProblemStatement& problem) {
   std::vector<std::string> laws;
   if (problem.mechanism->moved_by == MovedBy::Nothing) return "";
   if (problem.mechanism->moved_by == MovedBy::Program) {
-    if (problem.laws.size() > 1) {
+    if (problem.chooses_law()) {
       return fmt::format("Choose among {} motion programs, the first of them {}.\n",
                          problem.laws.size(), problem.laws.front().family->formula);
     }

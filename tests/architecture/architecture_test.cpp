@@ -5,9 +5,11 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "machines/registry.h"
 #include "tests/temporary_folder.h"
 
 /// The rules that docs/design.md, "Rooms", states of the house, read from its sources.
@@ -165,6 +167,29 @@ TEST_CASE("each library's headers are included where the list says", "[architect
     }
   }
   CHECK(unused == Names{});
+}
+
+TEST_CASE("no machine is told by its name but where files and people name it", "[architecture]") {
+  // A machine's Form says how it is built. What is found by name, or printed, is another matter.
+  static const std::regex named(R"("([a-z-]+)") ");
+      static const std::regex compared(R"((==|!=|starts_with|ends_with))");
+  Names machines;
+  for (const problems::Mechanism& machine : problems::mechanisms()) machines.insert(machine.name);
+  REQUIRE(machines.size() > 20);
+  for (const std::string& file : sources()) {
+    std::istringstream text(testing::read(fs::path(CAMLAW_SOURCE_DIR) / file));
+    for (std::string line; std::getline(text, line);) {
+      if (!std::regex_search(line, compared) || line.find("name") == std::string::npos) continue;
+      for (std::sregex_iterator i(line.begin(), line.end(), named), end; i != end; ++i) {
+        const std::string word = (*i)[1];
+        const bool begins = std::any_of(machines.begin(), machines.end(), [&](const auto& name) {
+          return name == word || (word.size() > 4 && name.find(word) != std::string::npos);
+        });
+        INFO(file << ": " << line);
+        CHECK_FALSE(begins);
+      }
+    }
+  }
 }
 
 TEST_CASE("every source is compiled, every header is included somewhere", "[architecture]") {
