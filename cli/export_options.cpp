@@ -121,9 +121,9 @@ CurveForm form_of(const ExportOptions& options, const FormatRow& format) {
 problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& format) {
   constexpr double kMostTolerance = 10;  // mm
   problems::ExportAccuracy accuracy;
-  accuracy.decimals = o.decimals
-                          ? static_cast<int>(problems::parse_whole(*o.decimals, 1, 9, "--decimals"))
-                          : format.decimals;
+  accuracy.decimals =
+      o.decimals ? static_cast<int>(problems::parse_integer(*o.decimals, 1, 9, "--decimals"))
+                 : format.decimals;
   const double digit = std::pow(10.0, -accuracy.decimals);
   accuracy.tolerance =
       quantity(o.tolerance, "--tolerance", "mm", accuracy.tolerance, 0, kMostTolerance);

@@ -58,8 +58,8 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
                                                         answer.front.tolerances));
   }
   if (options.point) {
-    const auto number =
-        problems::parse_whole(*options.point, 1, static_cast<std::int64_t>(all.size()), "--point");
+    const auto number = problems::parse_integer(*options.point, 1,
+                                                static_cast<std::int64_t>(all.size()), "--point");
     result.emplace_back("point", static_cast<std::size_t>(number - 1));
   }
   return result;

@@ -32,7 +32,7 @@ struct LawOptions {
 std::optional<int> samples_of(const LawOptions& options) {
   constexpr int kFewest = 2, kMost = 1000000;
   if (!options.samples) return {};
-  return static_cast<int>(problems::parse_whole(*options.samples, kFewest, kMost, "--samples"));
+  return static_cast<int>(problems::parse_integer(*options.samples, kFewest, kMost, "--samples"));
 }
 
 /// Reads a parameter's value with its unit.

@@ -109,10 +109,12 @@ Json json_of(const Mechanism& mechanism) {
   const char* moved_by = mechanism.moved_by == MovedBy::Law       ? "law"
                          : mechanism.moved_by == MovedBy::Program ? "program"
                                                                   : "nothing";
-  return {{"name", mechanism.name},   {"earlier_name", problems::earlier_name(mechanism)},
-          {"title", mechanism.title}, {"source", mechanism.source},
-          {"moved_by", moved_by},     {"parameters", parameters},
-          {"responses", responses},   {"peaks", peaks}};
+  const std::string earlier{problems::earlier_name(mechanism)};
+  return {
+      {"name", mechanism.name},   {"earlier_name", earlier.empty() ? Json(nullptr) : Json(earlier)},
+      {"title", mechanism.title}, {"source", mechanism.source},
+      {"moved_by", moved_by},     {"parameters", parameters},
+      {"responses", responses},   {"peaks", peaks}};
 }
 
 void print_all() {

@@ -41,7 +41,8 @@ constexpr int kMostWorkers = 256;
 
 int workers_of(const ParetoCommand& options) {
   if (options.workers) {
-    return static_cast<int>(problems::parse_whole(*options.workers, 1, kMostWorkers, "--workers"));
+    return static_cast<int>(
+        problems::parse_integer(*options.workers, 1, kMostWorkers, "--workers"));
   }
   return count_of_workers();
 }
@@ -63,7 +64,7 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
   }
   if (options.points) {
     settings.points = static_cast<std::size_t>(
-        problems::parse_whole(*options.points, 2, problems::kMostPoints, "--points"));
+        problems::parse_integer(*options.points, 2, problems::kMostPoints, "--points"));
   }
   return settings;
 }

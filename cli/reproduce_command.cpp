@@ -170,7 +170,7 @@ int run_size(const ReproduceOptions& options) {
   }
   if (options.report) throw std::invalid_argument("--report goes with tables, not with --n");
   const auto n =
-      problems::parse_whole(*options.n, problems::kLeastCamShape, problems::kMostCamShape, "--n");
+      problems::parse_integer(*options.n, problems::kLeastCamShape, problems::kMostCamShape, "--n");
   run_cam_shape(static_cast<int>(n), options.json);
   return kDone;
 }

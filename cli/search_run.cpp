@@ -30,11 +30,11 @@ problems::SolverStatement stated_options(const SearchOptions& options) {
   if (options.solver) result.name = problems::find_solver_name(*options.solver);
   if (options.starts) {
     result.starts = static_cast<int>(
-        problems::parse_whole(*options.starts, 1, problems::kMostStarts, "--starts"));
+        problems::parse_integer(*options.starts, 1, problems::kMostStarts, "--starts"));
   }
   if (options.seed) {
     result.seed = static_cast<std::uint64_t>(
-        problems::parse_whole(*options.seed, 0, problems::kMostSeed, "--seed"));
+        problems::parse_integer(*options.seed, 0, problems::kMostSeed, "--seed"));
   }
   result.time_limit = time_limit_of(options.limits);
   return result;

@@ -64,12 +64,12 @@ std::optional<Explanation> best_explanation(const FoundMotion& motion,
 }
 
 /// All laws, so that what departs does not pull them to itself.
-std::vector<LawFit> robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
-                                   const LawFitOptions& options, double noise) {
+Ranking robust_ranking(const FoundMotion& motion, const std::vector<Member>& laws,
+                       const LawFitOptions& options, double noise) {
   LawFitOptions robust = options;
   if (robust.loss == optim::Loss::None) robust.loss = optim::Loss::Huber;
   robust.loss_scale = noise * optim::efficient_scale(robust.loss);
-  return rank_fits(motion.samples, laws, motion.guess, robust).fits;
+  return rank_fits(motion.samples, laws, motion.guess, robust);
 }
 
 /// What it takes to tell all samples with a fault of the record, as cost_of() counts.
@@ -80,12 +80,18 @@ FaultScore by_cost(double noise) {
           false};
 }
 
+struct Departed {
+  std::vector<Departure> stretches;
+  std::vector<std::string> untried;  ///< laws that the deadline left no time for
+};
+
 /// Stretches that depart, of all motions; none where a fault of the record tells the samples
-/// better.
-std::vector<Departure> departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
-                                     const std::vector<Member>& laws, const LawFitOptions& options,
-                                     double noise) {
+/// better, or where a law that was not tried might.
+Departed departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
+                       const std::vector<Member>& laws, const LawFitOptions& options,
+                       double noise) {
   std::vector<Departure> departed;
+  std::vector<std::string> untried;
   std::vector<std::vector<LawFit>> rankings;
   std::vector<MotionSamples> samples;
   double cost = 0;
@@ -94,18 +100,21 @@ std::vector<Departure> departures_of(const MeasuredCam& cam, const FoundCycle& c
     const auto before = static_cast<double>(samples.size());
     const auto part = part_of(options, before / count, (before + 1) / count);
     samples.push_back(motion.samples);
-    rankings.push_back(robust_ranking(motion, laws, part, noise));
+    Ranking ranking = robust_ranking(motion, laws, part, noise);
+    rankings.push_back(std::move(ranking.fits));
+    add_names(ranking.untried, untried);
+    if (!untried.empty()) continue;
     auto best = best_explanation(motion, rankings.back(), options, noise);
     if (!best) continue;
     cost += best->cost;
     departed.insert(departed.end(), best->departures.begin(), best->departures.end());
   }
-  if (departed.empty()) return departed;
+  if (!untried.empty() || departed.empty()) return {{}, std::move(untried)};
   for (PossibleFault& fault : possible_faults(cam)) {
     const FaultTest test = test_fault(rankings, samples, std::move(fault), by_cost(noise));
     if (test.score < cost) return {};
   }
-  return departed;
+  return {std::move(departed), {}};
 }
 
 /// Whether another law than one without coefficients, or none that is trusted, was found: what a
@@ -171,18 +180,27 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
   return seen_faults(std::move(tests));
 }
 
+/// For what is not part of the choice of a law, and has no answer before its end.
+LawFitOptions without_deadline(LawFitOptions options) {
+  options.deadline.reset();
+  return options;
+}
+
 CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options,
                   std::optional<Centre> centre) {
   FoundCycle cycle = find_motions(cam.samples);
   const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() *
                                                  (cam.samples.unit == "deg" ? 1 / kDegree : 1));
   constexpr double kFirst = 0.5;  // of the work
-  std::vector<Departure> departed =
-      departures_of(cam, cycle, laws, part_of(options, 0, kFirst), noise);
-  if (!departed.empty()) cycle = find_motions(without(cam.samples, departed, kTurnDegrees));
+  Departed departed = departures_of(cam, cycle, laws, part_of(options, 0, kFirst), noise);
+  if (!departed.stretches.empty()) {
+    cycle = find_motions(without(cam.samples, departed.stretches, kTurnDegrees));
+  }
   CamFit fit{std::move(cam), fit_cycle(std::move(cycle), laws, part_of(options, kFirst, 1)),
-             std::move(departed)};
-  fit.faults = faults_of(fit, options);
+             std::move(departed.stretches)};
+  if (centre) add_names(centre->untried, departed.untried);
+  distrust_untried(fit.cycle, departed.untried);
+  if (are_tried(fit.cycle)) fit.faults = faults_of(fit, without_deadline(options));
   if (!fit.faults.empty()) {
     distrust_all(fit.cycle, fault_words(fit.faults, fit.cam.samples.unit, !centre));
   }

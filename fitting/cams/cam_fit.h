@@ -20,7 +20,8 @@ struct CamFit {
 /// Divides the turn, fits each motion, and fits again without the stretches that depart from the
 /// laws, until no more do. Throws std::invalid_argument as find_motions and fit_motion do.
 /// Where a fault of the whole record (its centre, a size of the follower) explains the samples
-/// better than worn stretches do none are named, and no motion is trusted.
+/// better than worn stretches do none are named, and no motion is trusted. Before the deadline has
+/// let every law be tried neither worn stretches nor faults are looked for.
 CamFit fit_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options = {});
 
 /// The same of a table, its centre fitted along.

@@ -63,10 +63,11 @@ RankedMotions ranked(const FoundCycle& cycle, const std::vector<Member>& laws,
   const auto count = static_cast<double>(cycle.motions.size());
   for (const FoundMotion& motion : cycle.motions) {
     const auto before = static_cast<double>(result.samples.size());
-    result.rankings.push_back(rank_fits(motion.samples, laws, motion.guess,
-                                        part_of(options, before / count, (before + 1) / count))
-                                  .fits);
+    Ranking ranking = rank_fits(motion.samples, laws, motion.guess,
+                                part_of(options, before / count, (before + 1) / count));
+    result.rankings.push_back(std::move(ranking.fits));
     result.samples.push_back(motion.samples);
+    add_names(ranking.untried, result.untried);
   }
   return result;
 }
@@ -116,7 +117,10 @@ FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::ve
   std::vector<Member> tried = laws;
   for (int step = 0; step < kSteps; ++step) {
     const WithoutFault record = take_out(fit.size);
-    const auto part = part_of(options, step == 0 ? 0 : kFirst, step == 0 ? kFirst : 1);
+    const auto done = [](int steps) {
+      return steps == 0 ? 0 : kFirst + (1 - kFirst) * (steps - 1) / (kSteps - 1);
+    };
+    const auto part = part_of(options, done(step), done(step + 1));
     const RankedMotions found =
         step == 0 && first != nullptr ? *first : ranked(find_motions(record.samples), tried, part);
     const FaultTest test = test_fault(found.rankings, found.samples, record.fault);
@@ -126,6 +130,7 @@ FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::ve
     fit.covariance = test.covariance;
     fit.score = test.score;
     fit.count = found.count();
+    add_names(found.untried, fit.untried);
     fit.size += test.size;
     if (test.size.norm() < kSettled * std::sqrt(test.covariance.trace())) break;
     if (step == 0) tried = best_with(found, record.fault);
@@ -147,7 +152,7 @@ Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
     if (by->norm() < kSettled * cycle.noise) break;
   }
   const FaultFit fit = fit_fault(take_out, centre, laws, options);
-  return {{fit.size[0], fit.size[1]}, fit.covariance};
+  return {{fit.size[0], fit.size[1]}, fit.covariance, fit.untried};
 }
 
 }  // namespace camlaw::problems

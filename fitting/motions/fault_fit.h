@@ -20,6 +20,7 @@ using TakeOut = std::function<WithoutFault(const Eigen::VectorXd& size)>;
 struct RankedMotions {
   std::vector<std::vector<LawFit>> rankings;
   std::vector<MotionSamples> samples;
+  std::vector<std::string> untried = {};  ///< laws that the deadline left no time for
 
   std::size_t count() const;  ///< of all samples
 };
@@ -29,6 +30,7 @@ struct FaultFit {
   Eigen::MatrixXd covariance;
   double score = 0;       ///< of test_fault, with the fault
   std::size_t count = 0;  ///< of the samples that it was found by
+  std::vector<std::string> untried = {};
 };
 
 /// Steps of Gauss and Newton for the fault and the laws of all motions together, from a size; the
@@ -42,6 +44,7 @@ FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::ve
 struct Centre {
   std::complex<double> place;  ///< in the unit of the fault's unknowns
   Eigen::Matrix2d covariance;  ///< of x and y
+  std::vector<std::string> untried = {};
 
   double x_error() const;
   double y_error() const;

@@ -26,6 +26,8 @@ struct LawFitOptions {
   std::function<void(double share)> progress = {};
   /// When to be content with the laws that were tried, for each motion one at least.
   std::optional<Clock::time_point> deadline = {};
+
+  bool is_late() const { return deadline && Clock::now() >= *deadline; }
 };
 
 /// The same for a part of something larger, from one share of it to another: its progress lies

@@ -55,20 +55,22 @@ const LawFit* best_of(const std::vector<LawFit>& fits, std::size_t numbers) {
   return best;
 }
 
-bool has_passed(const std::optional<LawFitOptions::Clock::time_point>& deadline) {
-  return deadline && LawFitOptions::Clock::now() >= *deadline;
-}
-
-/// A law by its name; where it was tried as it is, "skewed cycloidal".
+/// "cycloidal"; where that was tried as it is, "skewed cycloidal".
 void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
-  const std::string name = candidate.law.family->name;
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  names.push_back(candidate.skew == Skew::Free ? "skewed " + name : name);
+  const std::string& name = candidate.law.family->name;
+  const bool is_untried = std::find(names.begin(), names.end(), name) != names.end();
+  if (!is_untried) add_names({candidate.skew == Skew::Free ? "skewed " + name : name}, names);
 }
 
 MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
 
 }  // namespace
+
+void add_names(const std::vector<std::string>& names, std::vector<std::string>& others) {
+  for (const std::string& name : names) {
+    if (std::find(others.begin(), others.end(), name) == others.end()) others.push_back(name);
+  }
+}
 
 Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                   const MotionGuess& guess, const LawFitOptions& options) {
@@ -81,7 +83,7 @@ Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
       alike.progress(static_cast<double>(&candidate - candidates.data()) /
                      static_cast<double>(candidates.size()));
     }
-    if (!ranking.fits.empty() && has_passed(alike.deadline)) {
+    if (!ranking.fits.empty() && alike.is_late()) {
       add_untried(candidate, ranking.untried);
       continue;
     }

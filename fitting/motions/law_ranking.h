@@ -10,6 +10,9 @@ struct Ranking {
   std::vector<std::string> untried = {};  ///< laws that the deadline left no time for
 };
 
+/// Those of the names that are not among the others yet join them.
+void add_names(const std::vector<std::string>& names, std::vector<std::string>& others);
+
 /// Each of the laws, as it is and skewed, by how likely it is; first of those that noise does not
 /// tell from the best the one with the fewest numbers (law_choice.h). Laws that cannot be fitted
 /// are left out. Intervals are those of each law alone. Laws of few coefficients come first; once

@@ -75,10 +75,7 @@ std::string distrust_of(const MotionFit& fit, const LawFitOptions& options) {
   }
   if (shows_no_stroke(best)) return "the samples show no motion: the stroke may as well be 0";
   if (is_exact(best)) return "";
-  if (!fit.untried.empty()) {
-    return fmt::format("the time limit was reached before these laws were tried: {}",
-                       first_names(fit.untried));
-  }
+  if (!fit.untried.empty()) return untried_words(fit.untried);
   if (const std::string curve = curve_left(fit); !curve.empty()) return curve;
   const bool is_drawn =
       options.loss == optim::Loss::None && draws(outliers_of(fit, kDistrusted), best.fit.residuals);
@@ -118,6 +115,10 @@ void profile_likely(const FoundMotion& motion, const LawFitOptions& options,
 }
 
 }  // namespace
+
+std::string untried_words(const std::vector<std::string>& names) {
+  return fmt::format("the time limit left no time to try these laws: {}", first_names(names));
+}
 
 std::string first_names(const std::vector<std::string>& names) {
   const std::size_t shown = std::min(names.size(), kFewLaws);

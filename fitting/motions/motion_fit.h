@@ -32,6 +32,9 @@ struct MotionFit {
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options = {});
 
+/// Why a motion is not trusted before all laws have been tried.
+std::string untried_words(const std::vector<std::string>& names);
+
 /// The first kFewLaws names for a line of text, and how many more there are.
 std::string first_names(const std::vector<std::string>& names);
 

@@ -81,6 +81,19 @@ void distrust_all(FittedCycle& cycle, const std::string& why) {
   for (MotionFit& fit : cycle.fits) fit.distrust = why;
 }
 
+void distrust_untried(FittedCycle& cycle, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  for (MotionFit& fit : cycle.fits) {
+    add_names(names, fit.untried);
+    fit.distrust = untried_words(fit.untried);
+  }
+}
+
+bool are_tried(const FittedCycle& cycle) {
+  return std::all_of(cycle.fits.begin(), cycle.fits.end(),
+                     [](const MotionFit& fit) { return fit.untried.empty(); });
+}
+
 void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by) {
   for (MotionFit& fit : cycle.fits) {
     for (LawFit& law : fit.ranking) widen(law, fit.motion.samples, centre, by.covariance);
@@ -124,7 +137,11 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   }
   result.cycle =
       fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
-  if (result.centre) widen_all(result.cycle, off_centre(), *result.centre);
+  if (result.centre) {
+    widen_all(result.cycle, off_centre(), *result.centre);
+    distrust_untried(result.cycle, result.centre->untried);
+  }
+  if (!are_tried(result.cycle)) return result;
   distrust_many_far(result, period);
   result.faults =
       seen_faults(tested(ranked_motions(result.cycle), possible_faults(samples, period)));

@@ -29,6 +29,10 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
 
 /// Tells every motion of a cycle not to be trusted for a fault of the record.
 void distrust_all(FittedCycle& cycle, const std::string& why);
+/// Tells every motion not to be trusted for laws that were not tried on the way to it.
+void distrust_untried(FittedCycle& cycle, const std::vector<std::string>& names);
+/// Whether each motion was given the time for every law. Else what the laws leave shows no fault.
+bool are_tried(const FittedCycle& cycle);
 /// Intervals of the laws' numbers with the error of the centre that was taken out.
 void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by);
 /// The laws that were tried for each motion, and its samples.

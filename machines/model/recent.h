@@ -49,8 +49,9 @@ class Recent {
   }
 
   void make_room() {
+    std::shared_ptr<const Value> old;  // which goes when the lock is open again
     const std::lock_guard lock(guard_);
-    kept_[next_].value.reset();
+    old.swap(kept_[next_].value);
   }
 
   std::mutex guard_;

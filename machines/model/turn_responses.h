@@ -174,12 +174,12 @@ MechanismResponse turn_response(ResponseAbout about, Which which, F work) {
   MechanismResponse response = detail::described<M>(std::move(about));
   response.along = "deg";
   const M<double> machine = typical_machine<M>().template at<double>({});
-  const auto defaults = detail::breaks_of<double>(machine);
-  const auto matter = detail::breaks_that_matter(work(machine), which, defaults);
+  const auto typical_breaks = detail::breaks_of<double>(machine);
+  const auto matter = detail::breaks_that_matter(work(machine), which, typical_breaks);
   response.uses = detail::used_parameters<M>([&](const M<Dual>& some) {
     Dual sum(0.0);
-    for (std::size_t section = 0; section <= defaults.size(); ++section) {
-      const Dual angle(detail::some_angle(defaults, section));
+    for (std::size_t section = 0; section <= typical_breaks.size(); ++section) {
+      const Dual angle(detail::some_angle(typical_breaks, section));
       sum += work(some)(which, section, angle);
     }
     return sum;

@@ -68,7 +68,7 @@ struct DiscSpring {
   X force(const X& s) const {
     const T t = reduced_thickness(), h = flat_deflection() / t, k = k4_squared();
     const X x = s / t;
-    return scale() * whole_power(t, 4) * k *
+    return scale() * integer_power(t, 4) * k *
            (x * (k * ((h - x) * (h - number<T>(0.5) * x)) + number<T>(1)));
   }
   /// (W4) Rate dF/ds, N/m: 4 E t^3 / ((1 - mu^2) K_1 D_e^2) K_4^2 (K_4^2 ((h_0/t)^2 - 3 (h_0/t)
@@ -77,7 +77,7 @@ struct DiscSpring {
   X rate(const X& s) const {
     const T t = reduced_thickness(), h = flat_deflection() / t, k = k4_squared();
     const X x = s / t;
-    return scale() * whole_power(t, 3) * k *
+    return scale() * integer_power(t, 3) * k *
            (k * (number<T>(1.5) * (x * x) - number<T>(3) * h * x + h * h) + number<T>(1));
   }
   /// (W5) Work stored up to s, J: the integral of the force.
@@ -85,7 +85,7 @@ struct DiscSpring {
   X work(const X& s) const {
     const T t = reduced_thickness(), h = flat_deflection() / t, k = k4_squared();
     const X x = s / t, left = h - number<T>(0.5) * x;
-    return scale() * whole_power(t, 5) * k *
+    return scale() * integer_power(t, 5) * k *
            (number<T>(0.5) * (x * x) * (k * (left * left) + number<T>(1)));
   }
 

@@ -32,8 +32,8 @@ struct HelicalSpring {
 
   /// (W7) Rate, N/m: R = G d^4 / (8 D^3 n). Force R s, deflection F / R, work R s^2 / 2.
   T rate() const {
-    return shear_modulus * whole_power(wire_diameter, 4) /
-           (number<T>(8) * whole_power(mean_diameter, 3) * active_coils);
+    return shear_modulus * integer_power(wire_diameter, 4) /
+           (number<T>(8) * integer_power(mean_diameter, 3) * active_coils);
   }
   template <class X>
   X force(const X& deflection) const {
@@ -58,7 +58,7 @@ struct HelicalSpring {
   /// (W18) tau = 8 D F / (pi d^3), for a static load.
   template <class X>
   X uncorrected_stress(const X& force) const {
-    return number<T>(8) * mean_diameter / (pi<T>() * whole_power(wire_diameter, 3)) * force;
+    return number<T>(8) * mean_diameter / (pi<T>() * integer_power(wire_diameter, 3)) * force;
   }
 
   /// (W9) Mass of the active coils, kg: rho (pi d^2 / 4) (pi D n); and of all.

@@ -124,7 +124,7 @@ ceres::Jet<T, N> real_power(const ceres::Jet<T, N>& x, double p) {
 
 /// x to a whole power by multiplication.
 template <class T>
-T whole_power(const T& x, int exponent) {
+T integer_power(const T& x, int exponent) {
   T result = number<T>(1);
   for (int i = 0; i < exponent; ++i) result = result * x;
   return result;

@@ -7,9 +7,9 @@
 namespace camlaw::optim {
 namespace {
 
-constexpr double kWholeTolerance = 1e-6;
+constexpr double kIntegerTolerance = 1e-6;
 
-std::vector<std::size_t> whole_variables(const Problem& problem) {
+std::vector<std::size_t> integer_variables(const Problem& problem) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     if (problem.variables[i].integer) result.push_back(i);
@@ -18,12 +18,12 @@ std::vector<std::size_t> whole_variables(const Problem& problem) {
 }
 
 /// The integer values between a variable's bounds.
-struct WholeRange {
+struct IntegerRange {
   double low, high;
   double count() const { return std::max(0.0, high - low + 1); }
 };
 
-WholeRange range_of(const Variable& v) { return {std::ceil(v.lower), std::floor(v.upper)}; }
+IntegerRange range_of(const Variable& v) { return {std::ceil(v.lower), std::floor(v.upper)}; }
 
 /// Whether a solved continuous problem settles its combination: an optimum, or no design at all.
 bool settles(const Found& found) {
@@ -36,7 +36,7 @@ class IntegerSearch {
       : problem_(problem),
         options_(options),
         deadline_(deadline),
-        whole_(whole_variables(problem)),
+        whole_(integer_variables(problem)),
         sign_(problem.objective.sense == Sense::Minimize ? 1 : -1) {
     if (!options.progress) return;
     options_.progress = [this, whole = options.progress](Progress progress) {
@@ -47,7 +47,7 @@ class IntegerSearch {
   IntegerSearch(const IntegerSearch&) = delete;
   IntegerSearch& operator=(const IntegerSearch&) = delete;
 
-  WholeSearch run() {
+  IntegerOutcome run() {
     constexpr double kEnumerable = 2000;
     double combinations = 1;
     for (const std::size_t i : whole_) combinations *= range_of(problem_.variables[i]).count();
@@ -75,7 +75,7 @@ class IntegerSearch {
   }
 
   /// Solves one continuous problem, counts, and keeps the best design whose integer variables
-  /// areintegers. The answer itself comes back.
+  /// have integer values. The answer itself comes back.
   Found solve(const Problem& continuous) {
     Found found = search_continuous(continuous, options_, deadline_, false);
     ++result_.solved;
@@ -83,14 +83,14 @@ class IntegerSearch {
     result_.infeasible += none;
     const bool nothing_yet = result_.found.why_solver.empty();
     const bool says_why = !is_feasible(found.assessment) && nothing_yet;
-    if (says_why || ((!found.x.empty() || continuous.variables.empty()) && are_whole(found.x)))
+    if (says_why || ((!found.x.empty() || continuous.variables.empty()) && are_integers(found.x)))
       keep(continuous, found);
     return found;
   }
 
-  bool are_whole(Design x) const {
+  bool are_integers(Design x) const {
     return std::all_of(whole_.begin(), whole_.end(), [&](std::size_t i) {
-      return std::abs(x[i] - std::round(x[i])) <= kWholeTolerance;
+      return std::abs(x[i] - std::round(x[i])) <= kIntegerTolerance;
     });
   }
 
@@ -114,7 +114,7 @@ class IntegerSearch {
       return;
     }
     Variable& v = fixed.variables[whole_[depth]];
-    const WholeRange range = range_of(problem_.variables[whole_[depth]]);
+    const IntegerRange range = range_of(problem_.variables[whole_[depth]]);
     const double start =
         std::clamp(std::round(problem_.variables[whole_[depth]].start), range.low, range.high);
     const double steps = std::max(start - range.low, range.high - start);
@@ -211,7 +211,7 @@ class IntegerSearch {
   /// The integer variable farthest from an integer; past the end where all are integers.
   std::size_t most_broken(Design x) const {
     std::size_t worst = problem_.variables.size();
-    double distance = kWholeTolerance;
+    double distance = kIntegerTolerance;
     for (const std::size_t i : whole_) {
       const double here = std::abs(x[i] - std::round(x[i]));
       if (here > distance) worst = i, distance = here;
@@ -222,7 +222,7 @@ class IntegerSearch {
   /// A first design with integers comes from rounding; it lets bounds exclude.
   void round_and_solve(const Problem& problem, Design x) {
     if (best_value() < kInfinity) return;
-    solve(with_whole_fixed(problem, x));
+    solve(with_integers_fixed(problem, x));
   }
 
   const Problem& problem_;
@@ -230,24 +230,24 @@ class IntegerSearch {
   const Deadline& deadline_;
   std::vector<std::size_t> whole_;
   double sign_;
-  WholeSearch result_;
+  IntegerOutcome result_;
 };
 
 }  // namespace
 
-Problem with_whole_fixed(const Problem& problem, Design x) {
+Problem with_integers_fixed(const Problem& problem, Design x) {
   Problem fixed = problem;
   for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
     Variable& v = fixed.variables[i];
     if (!v.integer) continue;
-    const WholeRange range = range_of(v);
+    const IntegerRange range = range_of(v);
     v.lower = v.upper = v.start = std::clamp(std::round(x[i]), range.low, range.high);
   }
   return fixed;
 }
 
-WholeSearch search_whole(const Problem& problem, const OptimiseOptions& options,
-                         const Deadline& deadline) {
+IntegerOutcome search_integers(const Problem& problem, const OptimiseOptions& options,
+                               const Deadline& deadline) {
   return IntegerSearch(problem, options, deadline).run();
 }
 

@@ -7,7 +7,7 @@
 namespace camlaw::optim {
 
 /// What the search over integer variables came to.
-struct WholeSearch {
+struct IntegerOutcome {
   Found found;
   std::size_t combinations = 1;  ///< as a double would overflow, at most 1e18
   std::size_t solved = 0;        ///< continuous problems
@@ -19,10 +19,10 @@ struct WholeSearch {
 };
 
 /// Solves over the integer variables of one problem; the best is not proved yet.
-WholeSearch search_whole(const Problem& problem, const OptimiseOptions& options,
-                         const Deadline& deadline);
+IntegerOutcome search_integers(const Problem& problem, const OptimiseOptions& options,
+                               const Deadline& deadline);
 
 /// The problem with each integer variable fixed at the design's value.
-Problem with_whole_fixed(const Problem& problem, Design x);
+Problem with_integers_fixed(const Problem& problem, Design x);
 
 }  // namespace camlaw::optim

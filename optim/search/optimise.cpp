@@ -201,14 +201,14 @@ class Optimiser {
     Problem problem = space_.problem(options);
     problem.check();
     if (options_.memory) check_memory(problem, *options_.memory);
-    const bool alone = space_.choices.empty() && !has_whole(problem);
+    const bool alone = space_.choices.empty() && !has_integers(problem);
     if (alone) {
       tally_.combinations = tally_.solved = 1;
       best_.problem = std::move(problem);
       best_.found = search_everywhere(best_.problem, how, deadline_);
       return;
     }
-    WholeSearch search = search_whole(problem, how, deadline_);
+    IntegerOutcome search = search_integers(problem, how, deadline_);
     tally_.combinations += search.combinations;
     tally_.solved += search.solved;
     tally_.complete = tally_.complete && search.complete;
@@ -224,7 +224,7 @@ class Optimiser {
     started_ = true;
   }
 
-  static bool has_whole(const Problem& problem) {
+  static bool has_integers(const Problem& problem) {
     return std::any_of(problem.variables.begin(), problem.variables.end(),
                        [](const Variable& v) { return v.integer; });
   }
@@ -237,7 +237,7 @@ class Optimiser {
     if (!started_) return;
     Found& found = best_.found;
     if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
-      Problem fixed = with_whole_fixed(best_.problem, found.x);
+      Problem fixed = with_integers_fixed(best_.problem, found.x);
       for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
         fixed.variables[i].start = found.x[i];
       }

@@ -137,7 +137,7 @@ WorkerProcess::News WorkerProcess::hear_greeting() {
   stage_ = Stage::Greeted;
   // Where it is gone the next read() tells.
   send_message(socket_, std::exchange(awaited_.program.problem, {}));
-  if (!awaited_.order.empty()) send_message(socket_, std::exchange(awaited_.order, {}));
+  send_message(socket_, std::exchange(awaited_.order, {}));
   return {};
 }
 
@@ -150,16 +150,16 @@ WorkerProcess::News WorkerProcess::late() {
 bool WorkerProcess::is_idle() const {
   if (task_) return false;
   pollfd file{socket_, POLLIN, 0};  // between tasks it has nothing to say
-  return stage_ != Stage::Ready || poll(&file, 1, 0) == 0;
+  return poll(&file, 1, 0) == 0;
 }
 
 bool WorkerProcess::give(std::size_t number, const Task& task, const OptimiseOptions& options) {
   Order order{task, options};
   order.options.stop = nullptr;
   order.options.progress = {};
-  if (stage_ == Stage::Started) {
+  if (stage_ == Stage::Started) {  // nothing else has been given to it
     awaited_.order = encoded(order);
-  } else if (!send_message(socket_, encoded(order)) && stage_ == Stage::Ready) {
+  } else if (!send_message(socket_, encoded(order))) {
     return false;
   }
   task_ = number;

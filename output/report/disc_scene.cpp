@@ -73,7 +73,7 @@ void draw_sliding_roller(Scene& scene, const Disc& disc) {
   draw_roller(scene, disc, disc.follower());
 }
 
-void draw_knife(Scene& scene, const Disc& disc) {
+void draw_knife_edge(Scene& scene, const Disc& disc) {
   const Point tip = disc.follower();
   const double length = 0.3 * disc.size, half = 0.06 * disc.size;
   draw_way(scene, tip, disc);
@@ -152,7 +152,7 @@ DrawFollower drawn_follower(Form form) {
     case Form::DiscRoller:
       return draw_sliding_roller;
     case Form::DiscKnifeEdge:
-      return draw_knife;
+      return draw_knife_edge;
     case Form::DiscFlat:
       return draw_flat;
     case Form::DiscConjugate:

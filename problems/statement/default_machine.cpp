@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/default_machine.h"
 
-#include <algorithm>
-
 #include "machines/registry.h"
 
 namespace camlaw::problems {

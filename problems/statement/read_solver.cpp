@@ -28,8 +28,8 @@ std::string find_solver_name(std::string_view typed) {
                   fmt::join(known, ", ")));
 }
 
-std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t high,
-                         const std::string& what) {
+std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
+                           const std::string& what) {
   std::int64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);

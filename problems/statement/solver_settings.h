@@ -17,8 +17,8 @@ inline constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max
 std::string find_solver_name(std::string_view typed);
 
 /// An integer from low to high; `what` names it in errors. Throws std::invalid_argument.
-std::int64_t parse_whole(std::string_view text, std::int64_t low, std::int64_t high,
-                         const std::string& what);
+std::int64_t parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
+                           const std::string& what);
 
 /// Seconds above zero: "30", "30 s", "1 min". Throws std::invalid_argument.
 double parse_time_limit(std::string_view text, const std::string& what);

@@ -128,7 +128,7 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
                        start);
   }
   return fmt::format("Vary {} {} {:.6g} and {}, starting at {}.\n", name,
-                     v.integer ? "in integer steps between" : "between", v.lower,
+                     v.integer ? "in steps of 1 between" : "between", v.lower,
                      with_unit(v.upper, v.unit), start);
 }
 

@@ -203,7 +203,7 @@ TEST_CASE("a fit without the time for every law says which it has not tried", "[
     told = true;
     CHECK_FALSE(answer.at("trusted").get<bool>());
     CHECK_THAT(answer.at("reason").get<std::string>(),
-               Contains("the time limit was reached before these laws were tried: ") &&
+               Contains("the time limit left no time to try these laws: ") &&
                    Contains(answer.at("untried").front().get<std::string>()));
     CHECK(answer.at("ranking").size() + answer.at("untried").size() > 40);
   }

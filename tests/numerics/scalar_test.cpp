@@ -24,8 +24,8 @@ TEMPLATE_TEST_CASE("Constants of every scalar are the plain number", "[scalar]",
   CHECK(value_of(convert<TestType>(0.7)) == 0.7);
   CHECK(convert<double>(x) == -2.5);
   CHECK(is_number(convert<TestType>(x), -2.5));
-  CHECK(is_number(whole_power(x, 0), 1));
-  CHECK(value_of(whole_power(x, 3)) == -15.625);
+  CHECK(is_number(integer_power(x, 0), 1));
+  CHECK(value_of(integer_power(x, 3)) == -15.625);
   STATIC_REQUIRE(std::is_same_v<Joined<double, TestType>, TestType>);
   STATIC_REQUIRE(std::is_same_v<Joined<TestType, double>, TestType>);
 }

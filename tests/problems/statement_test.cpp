@@ -231,8 +231,7 @@ TEST_CASE("one law of several is chosen, and a variable need not be in all", "[s
   CHECK(p.variables[0].start == -3);
 }
 
-TEST_CASE("a parameter that shapes the law varies in integer steps or among values",
-          "[statement]") {
+TEST_CASE("a parameter that shapes the law varies in steps of 1 or among values", "[statement]") {
   const ProblemStatement p =
       read("[variables.'exponents[3]']\nvalues = [5, 5.5, 6]\nstart = 5.5", "stoddart");
   CHECK(p.variables[0].values == std::vector{5.0, 5.5, 6.0});
@@ -438,7 +437,7 @@ TEST_CASE("a problem reads back in sentences", "[statement]") {
   CHECK_THAT(words, !Contains("blades = ") && !Contains("cam_radius = "));
   CHECK_THAT(words, Contains("The motion law is polynomial-5 (crossover = 0.45).\n"));
   CHECK_THAT(words, Contains("Vary alpha between -10 and 0, starting at -3.\n"));
-  CHECK_THAT(words, Contains("Vary blades in integer steps between 10 and 30, starting at 17.\n"));
+  CHECK_THAT(words, Contains("Vary blades in steps of 1 between 10 and 30, starting at 17.\n"));
   CHECK_THAT(words,
              Contains("Choose cutter_diameter among 40, 50 and 63 mm, starting at 50 mm.\n"));
   CHECK_THAT(words, Contains("Find the least cam_radius (mm) (tolerance 0.01 mm).\n"));

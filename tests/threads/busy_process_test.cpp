@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "numerics/library_mutex.h"
 #include "numerics/text/units.h"
@@ -229,6 +230,26 @@ TEST_CASE("without a worker program that works the front is found here", "[threa
     CHECK(bits(front) == expected);
     CHECK_THAT(front.remark, Catch::Contains(said) && Catch::Contains("in the calling process"));
   }
+}
+
+TEST_CASE("tasks of workers that do not begin are done here in their order", "[threads][study]") {
+  const Watchdog watchdog;
+  const problems::FrontStudy study = study_of("spine_cutter/front.toml");
+  std::vector<optim::Task> tasks(5);
+  for (optim::Task& task : tasks) {
+    task.starts = {{static_cast<double>(&task - tasks.data())}};
+    task.bounds.assign(2, optim::kInfinity);
+  }
+  const Company company(allocate);
+  optim::WorkerProgram program = problems::worker_program(study);
+  program.path = "/bin/true";
+  optim::ProcessExecutor workers(study.space(), study.options().solve, 3, program);
+  std::vector<double> order;
+  const auto outcomes = workers.run(
+      tasks, [&](const optim::Task& task, const auto&) { order.push_back(task.starts[0][0]); });
+  CHECK(outcomes.size() == tasks.size());
+  CHECK(order == std::vector<double>{0, 1, 2, 3, 4});
+  CHECK_THAT(workers.remark(), Catch::Contains("in the calling process"));
 }
 
 TEST_CASE("a program that is not a worker is not waited for", "[threads][study]") {
