@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fitting/motions/fault_words.h"
+#include "fitting/motions/law_ranking.h"
 #include "fitting/samples/turn.h"
 #include "numerics/linear/statistics.h"
 

@@ -171,8 +171,8 @@ TEST_CASE("each library's headers are included where the list says", "[architect
 
 TEST_CASE("no machine is told by its name but where files and people name it", "[architecture]") {
   // A machine's Form says how it is built. What is found by name, or printed, is another matter.
-  static const std::regex named(R"("([a-z-]+)") ");
-      static const std::regex compared(R"((==|!=|starts_with|ends_with))");
+  static const std::regex named("\"([a-z-]+)\"");
+  static const std::regex compared(R"((==|!=|starts_with|ends_with))");
   Names machines;
   for (const problems::Mechanism& machine : problems::mechanisms()) machines.insert(machine.name);
   REQUIRE(machines.size() > 20);
