@@ -83,7 +83,6 @@ class ProcessExecutor::Run {
     }
     if (poll(files.data(), files.size(), kMilliseconds) < 0) return;
     std::vector<std::pair<std::size_t, Outcome>> ended;
-    std::vector<std::size_t> again;  // tasks that nobody has looked at
     for (std::size_t i = 0; i < files.size(); ++i) {
       WorkerProcess& worker = executor_.crew_[i];
       if (!worker.is_busy()) continue;
@@ -91,13 +90,11 @@ class ProcessExecutor::Run {
       WorkerProcess::News news = files[i].revents != 0 ? worker.read() : worker.late();
       if (!news.failed_to_start.empty()) {
         executor_.stay_here(news.failed_to_start);
-        again.push_back(number);
+        waiting_.insert(std::lower_bound(waiting_.begin(), waiting_.end(), number), number);
       } else if (news.outcome) {
         ended.emplace_back(number, std::move(*news.outcome));
       }
     }
-    std::sort(again.begin(), again.end());
-    waiting_.insert(waiting_.begin(), again.begin(), again.end());
     std::erase_if(executor_.crew_, [](const WorkerProcess& worker) { return worker.has_ended(); });
     for (auto& [number, outcome] : ended) end(number, std::move(outcome));
   }
@@ -111,7 +108,7 @@ class ProcessExecutor::Run {
   ProcessExecutor& executor_;
   const std::vector<Task>& tasks_;
   const OnOutcome& on_outcome_;
-  std::deque<std::size_t> waiting_;
+  std::deque<std::size_t> waiting_;  ///< in order
   std::vector<std::optional<Outcome>> outcomes_;
   std::size_t done_ = 0;
 };
