@@ -170,10 +170,10 @@ TEST_CASE("NSGA-II with polished designs finds fronts", "[front][heavy]") {
 
 TEST_CASE("the sweep finds the front of DTLZ2 with three costs to a thousandth", "[.long]") {
   check_known({"DTLZ2, 3 objectives", ParetoMethod::Sweep, 9000, 0.999});
-  check_known({"DTLZ2, 3 objectives", ParetoMethod::Nsga2, 300, 0.99, 300});
 }
 
-TEST_CASE("ZDT6 and, by NSGA-II, Osyczka, ZDT2 and ZDT4 take their time", "[.long]") {
+TEST_CASE("ZDT6 and, by NSGA-II, DTLZ2, Osyczka, ZDT2 and ZDT4 take their time", "[.long]") {
+  check_known({"DTLZ2, 3 objectives", ParetoMethod::Nsga2, 300, 0.99, 300});
   check_known({"ZDT4", ParetoMethod::Nsga2, 100, 0.99, 100, 400});
   check_known({"ZDT2", ParetoMethod::Nsga2, 150, 0.99, 160});
   check_known({"ZDT6", ParetoMethod::Nsga2, 150, 0.99, 160, 500});
