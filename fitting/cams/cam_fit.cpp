@@ -117,52 +117,15 @@ Departed departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
   return {std::move(departed), {}};
 }
 
-/// Whether another law than one without coefficients, or none that is trusted, was found: what a
-/// follower of other sizes would make of plain laws.
-bool is_doubtful(const FittedCycle& cycle) {
-  return std::any_of(cycle.fits.begin(), cycle.fits.end(), [](const MotionFit& fit) {
-    return !fit.distrust.empty() || !coefficients_of(fit.best().law, 0, fit.best().skew).empty();
-  });
-}
-
-/// Those of the laws that have no coefficients. The others follow much of what a fault makes of a
-/// law, and do not lead to it.
-RankedMotions without_coefficients(RankedMotions motions) {
-  for (std::vector<LawFit>& ranking : motions.rankings) {
-    std::erase_if(ranking,
-                  [](const LawFit& fit) { return !coefficients_of(fit.law, 0, fit.skew).empty(); });
-  }
-  return motions;
-}
-
-/// The fault with a size of the follower as far off as the samples say; it may be large, and one
-/// step not lead to it. Its gain where it cannot be found is 0.
-FaultTest followed(const MeasuredCam& cam, const FaultTest& test, const RankedMotions& motions,
-                   const LawFitOptions& options) {
-  FaultTest result = test;
-  const std::string& name = test.fault.names.front();
-  const auto take_out = [&](const Eigen::VectorXd& size) {
+/// What is left of a cam where a size of its follower is as far off as that.
+TakeOut other_size(const MeasuredCam& cam, const std::string& name) {
+  return [&cam, name](const Eigen::VectorXd& size) {
     const MeasuredCam changed = with_follower(cam, with_less(cam.lift.follower(), name, size[0]));
     for (PossibleFault& fault : possible_faults(changed)) {
       if (fault.names.front() == name) return WithoutFault{changed.samples, std::move(fault)};
     }
     throw std::logic_error("a follower has lost a size");
   };
-  result.gain = 0;
-  const RankedMotions plain = without_coefficients(motions);
-  try {
-    const FaultFit fit = fit_fault(take_out, Eigen::VectorXd::Zero(1), {}, options, &plain);
-    // Scores are sums over the samples, of which a few more or less may lie off.
-    const double share = static_cast<double>(motions.count()) / static_cast<double>(fit.count);
-    result.gain = test.score + test.gain - share * fit.score;
-    result.size = fit.size;
-    result.covariance = fit.covariance;
-    constexpr double kBeyondChance = 5;  // deviations
-    result.with_plain_laws =
-        std::abs(fit.size[0]) > kBeyondChance * std::sqrt(fit.covariance(0, 0));
-  } catch (const std::invalid_argument&) {  // the follower cannot follow, or nothing determines it
-  }
-  return result;
 }
 
 /// Faults that what the laws leave shows; where the laws are doubtful sizes of the follower are
@@ -172,9 +135,8 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
   std::vector<FaultTest> tests = tested(motions, possible_faults(fit.cam));
   if (is_doubtful(fit.cycle)) {
     for (FaultTest& test : tests) {
-      if (test.fault.kind == FaultKind::OwnSize) {
-        test = followed(fit.cam, test, motions, options);
-      }
+      if (test.fault.kind != FaultKind::OwnSize) continue;
+      test = followed(test, motions, other_size(fit.cam, test.fault.names.front()), options);
     }
   }
   return seen_faults(std::move(tests));

@@ -138,6 +138,31 @@ FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::ve
   return fit;
 }
 
+FaultTest followed(const FaultTest& test, const RankedMotions& motions, const TakeOut& take_out,
+                   const LawFitOptions& options) {
+  RankedMotions plain = motions;
+  for (std::vector<LawFit>& ranking : plain.rankings) {
+    std::erase_if(ranking,
+                  [](const LawFit& fit) { return !coefficients_of(fit.law, 0, fit.skew).empty(); });
+  }
+  FaultTest result = test;
+  result.gain = 0;
+  const auto unknowns = static_cast<Eigen::Index>(test.fault.by.size());
+  try {
+    const FaultFit fit = fit_fault(take_out, Eigen::VectorXd::Zero(unknowns), {}, options, &plain);
+    // Scores are sums over the samples, of which a few more or less may lie off.
+    const double share = static_cast<double>(motions.count()) / static_cast<double>(fit.count);
+    result.gain = test.score + test.gain - share * fit.score;
+    result.size = fit.size;
+    result.covariance = fit.covariance;
+    constexpr double kBeyondChance = 5;  // deviations
+    const double squares = fit.size.dot(fit.covariance.ldlt().solve(fit.size));
+    result.with_plain_laws = squares > kBeyondChance * kBeyondChance;
+  } catch (const std::invalid_argument&) {  // the follower cannot follow, or nothing determines it
+  }
+  return result;
+}
+
 Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
                    const LawFitOptions& options) {
   constexpr int kDwellSteps = 8;

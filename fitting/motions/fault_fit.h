@@ -40,6 +40,12 @@ struct FaultFit {
 FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::vector<Member>& laws,
                    const LawFitOptions& options, const RankedMotions* first = nullptr);
 
+/// The test of a fault that may be large, so that one step does not lead to it: with a fault as far
+/// off as the samples say, and laws without coefficients. The others follow much of what a fault
+/// makes of a law, and do not lead to it. Its gain where it cannot be found is 0.
+FaultTest followed(const FaultTest& test, const RankedMotions& motions, const TakeOut& take_out,
+                   const LawFitOptions& options);
+
 /// The centre about which a record of a whole turn was taken.
 struct Centre {
   std::complex<double> place;  ///< in the unit of the fault's unknowns

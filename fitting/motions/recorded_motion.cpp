@@ -32,14 +32,18 @@ std::vector<PossibleFault> possible_faults(const MotionSamples& samples, double 
   return faults;
 }
 
-/// The record about another centre.
-WithoutFault about(const MotionSamples& samples, double across, double up) {
-  WithoutFault result{samples, off_centre()};
-  for (std::size_t i = 0; i < samples.place.size(); ++i) {
-    const double place = samples.place[i];
-    result.samples.value[i] -= across * result.fault.by[0](place) + up * result.fault.by[1](place);
-  }
-  return result;
+/// What is left of a record where a fault that moves the values by so much of its own is taken out.
+TakeOut less_of(const MotionSamples& samples, const PossibleFault& fault) {
+  return [&samples, fault](const Eigen::VectorXd& size) {
+    WithoutFault result{samples, fault};
+    for (std::size_t i = 0; i < samples.place.size(); ++i) {
+      for (std::size_t k = 0; k < fault.by.size(); ++k) {
+        result.samples.value[i] -=
+            size[static_cast<Eigen::Index>(k)] * fault.by[k](samples.place[i]);
+      }
+    }
+    return result;
+  };
 }
 
 /// Of each motion in which rows lie off, too many of them.
@@ -95,6 +99,12 @@ bool are_tried(const FittedCycle& cycle) {
                      [](const MotionFit& fit) { return fit.untried.empty(); });
 }
 
+bool is_doubtful(const FittedCycle& cycle) {
+  return std::any_of(cycle.fits.begin(), cycle.fits.end(), [](const MotionFit& fit) {
+    return !fit.distrust.empty() || !coefficients_of(fit.best().law, 0, fit.best().skew).empty();
+  });
+}
+
 void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by) {
   for (MotionFit& fit : cycle.fits) {
     for (LawFit& law : fit.ranking) widen(law, fit.motion.samples, centre, by.covariance);
@@ -131,10 +141,10 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   constexpr double kCentre = 0.6;  // of the work
   MotionSamples samples = result.record.samples;
   if (options.fit_centre) {
-    const auto at = [&](const Eigen::VectorXd& c) { return about(samples, c[0], c[1]); };
+    const TakeOut at = less_of(samples, off_centre());
     result.centre = find_centre(at, laws, part_of(options.fit, 0, kCentre));
     const std::complex<double> centre = result.centre->place;
-    samples = about(samples, centre.real(), centre.imag()).samples;
+    samples = at(Eigen::Vector2d(centre.real(), centre.imag())).samples;
   }
   result.cycle =
       fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));
@@ -144,8 +154,17 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   }
   if (!are_tried(result.cycle)) return result;
   distrust_many_far(result, period);
-  result.faults =
-      seen_faults(tested(ranked_motions(result.cycle), possible_faults(samples, period)));
+  const RankedMotions motions = ranked_motions(result.cycle);
+  std::vector<FaultTest> tests = tested(motions, possible_faults(samples, period));
+  if (is_doubtful(result.cycle)) {
+    LawFitOptions own = options.fit;
+    own.deadline.reset();  // a part of the answer, as its intervals are
+    for (FaultTest& test : tests) {
+      const FaultTest far = followed(test, motions, less_of(samples, test.fault), own);
+      if (far.with_plain_laws && far.gain > test.gain) test = far;
+    }
+  }
+  result.faults = seen_faults(std::move(tests));
   if (!result.faults.empty()) {
     distrust_all(result.cycle,
                  fault_words(result.faults, samples.unit, period > 0 && !options.fit_centre));

@@ -33,6 +33,9 @@ void distrust_all(FittedCycle& cycle, const std::string& why);
 void distrust_untried(FittedCycle& cycle, const std::vector<std::string>& names);
 /// Whether each motion was given the time for every law. Else what the laws leave shows no fault.
 bool are_tried(const FittedCycle& cycle);
+/// Whether another law than one without coefficients, or none that is trusted, was found: what a
+/// fault would make of plain laws.
+bool is_doubtful(const FittedCycle& cycle);
 /// Intervals of the laws' numbers with the error of the centre that was taken out.
 void widen_all(FittedCycle& cycle, const PossibleFault& centre, const Centre& by);
 /// The laws that were tried for each motion, and its samples.
