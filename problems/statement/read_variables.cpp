@@ -57,8 +57,7 @@ double read_bound(const Entry& table, const char* key, const Element& element, b
   const Entry& part = element.part_of(*entry);
   const double bound = accepted_number(part, element.parameter);
   if (integer && bound != std::floor(bound)) {
-    refuse(part,
-           fmt::format("{:.6g} is not an integer, as the bounds of an integer must be", bound));
+    refuse(part, fmt::format("{:.6g} is not an integer, and the type is integer", bound));
   }
   return bound;
 }
