@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "fitting/cams/cam_faults.h"
-#include "fitting/motions/coefficients.h"
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/recorded_motion.h"
@@ -140,12 +139,6 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
     }
   }
   return seen_faults(std::move(tests));
-}
-
-/// For what is not part of the choice of a law, and has no answer before its end.
-LawFitOptions without_deadline(LawFitOptions options) {
-  options.deadline.reset();
-  return options;
 }
 
 CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options,

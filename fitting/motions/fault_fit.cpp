@@ -7,7 +7,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "fitting/motions/coefficients.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/samples/turn.h"
 
@@ -87,7 +86,7 @@ std::vector<Member> best_with(const RankedMotions& found, const PossibleFault& f
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::size_t any = 0, plain = 0;
     for (const auto& [score, fit] : scores) {
-      const bool is_plain = coefficients_of(fit->law, 0, fit->skew).empty();
+      const bool is_plain = !fit->has_coefficients();
       if (any >= kTried && !(is_plain && plain < kPlain)) continue;
       ++any;
       if (is_plain) ++plain;
@@ -142,8 +141,7 @@ FaultTest followed(const FaultTest& test, const RankedMotions& motions, const Ta
                    const LawFitOptions& options) {
   RankedMotions plain = motions;
   for (std::vector<LawFit>& ranking : plain.rankings) {
-    std::erase_if(ranking,
-                  [](const LawFit& fit) { return !coefficients_of(fit.law, 0, fit.skew).empty(); });
+    std::erase_if(ranking, [](const LawFit& fit) { return fit.has_coefficients(); });
   }
   FaultTest result = test;
   result.gain = 0;

@@ -335,6 +335,11 @@ LawFitOptions part_of(LawFitOptions options, double from, double to) {
   return options;
 }
 
+LawFitOptions without_deadline(LawFitOptions options) {
+  options.deadline.reset();
+  return options;
+}
+
 double LawFit::value(double place, int order) const {
   const double length = end - begin;
   const double u = (place - begin) / length;

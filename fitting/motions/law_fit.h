@@ -33,6 +33,8 @@ struct LawFitOptions {
 /// The same for a part of something larger, from one share of it to another: its progress lies
 /// between these, and it has the like part of the time that is left.
 LawFitOptions part_of(LawFitOptions options, double from, double to);
+/// The same for what is not part of the choice of a law, and has no answer before its end.
+LawFitOptions without_deadline(LawFitOptions options);
 
 /// y = from + (to - from) s((x - begin) / (end - begin)), before begin and after end at rest; the
 /// derivatives of that for samples of velocity and acceleration.
@@ -50,6 +52,8 @@ struct LawFit {
   std::vector<double> inflation = {};
 
   double value(double place, int order) const;
+  /// Whether it has coefficients of its own, the crossover among them.
+  bool has_coefficients() const { return !coefficients_of(law, 0, skew).empty(); }
 };
 
 /// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is

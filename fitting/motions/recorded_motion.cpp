@@ -101,7 +101,7 @@ bool are_tried(const FittedCycle& cycle) {
 
 bool is_doubtful(const FittedCycle& cycle) {
   return std::any_of(cycle.fits.begin(), cycle.fits.end(), [](const MotionFit& fit) {
-    return !fit.distrust.empty() || !coefficients_of(fit.best().law, 0, fit.best().skew).empty();
+    return !fit.distrust.empty() || fit.best().has_coefficients();
   });
 }
 
@@ -157,8 +157,7 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
   const RankedMotions motions = ranked_motions(result.cycle);
   std::vector<FaultTest> tests = tested(motions, possible_faults(samples, period));
   if (is_doubtful(result.cycle)) {
-    LawFitOptions own = options.fit;
-    own.deadline.reset();  // a part of the answer, as its intervals are
+    const LawFitOptions own = without_deadline(options.fit);
     for (FaultTest& test : tests) {
       const FaultTest far = followed(test, motions, less_of(samples, test.fault), own);
       if (far.with_plain_laws && far.gain > test.gain) test = far;
