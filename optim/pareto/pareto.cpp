@@ -114,9 +114,9 @@ class Study {
     std::vector<Task> tasks;
     for (const auto& part : parts_) {
       const MultiProblem multi = space_.problem(space_.options(part->part()));
-      const bool wanted =
-          options_.method == ParetoMethod::Nsga2 ||
-          (options_.method == ParetoMethod::Automatic && !is_convex(multi) && has_nsga2());
+      const bool wanted = options_.method == ParetoMethod::Nsga2 ||
+                          (options_.method == ParetoMethod::Automatic && options_.scouts &&
+                           !is_convex(multi) && has_nsga2());
       if (wanted && varying(multi) > 0) tasks.push_back(scout_task(part->part()));
     }
     scouted_.resize(parts_.size());

@@ -30,10 +30,13 @@ const std::string& find(const optim::StudySettings& settings, const char* name) 
   return at->second;
 }
 
-std::string versions() {
+constexpr const char* kScout = ", pagmo ";
+
+/// NSGA-II is told where it may have chosen the first designs: without it a study is another one.
+std::string versions(bool scouts) {
   std::vector<std::string> all = optim::solver_versions();
   all.insert(all.begin(), kProgram);
-  all.push_back(optim::pagmo_version());
+  if (scouts) all.push_back(optim::pagmo_version());
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -123,6 +126,7 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
   options_.method = settings.method;
+  options_.scouts = optim::is_nsga2_installed();
   options_.reference = bound_.reference();
   options_.seed = solver.seed.value_or(1);
   options_.solve.solver = solver.name.value_or("auto");
@@ -134,6 +138,9 @@ FrontStudy FrontStudy::of(const optim::StudyRecord& record) { return of(record.s
 
 FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
   FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(settings));
+  if (const auto its = settings.find("versions"); its != settings.end()) {
+    study.options_.scouts = its->second.find(kScout) != std::string::npos;
+  }
   check_laws(find(settings, "laws"), study.settings().at("laws"));
   return study;
 }
@@ -158,7 +165,7 @@ optim::StudySettings FrontStudy::settings() const {
           {"method", std::string(to_string(options_.method))},
           {"seed", fmt::format("{}", options_.seed)},
           {"solver", options_.solve.solver},
-          {"versions", versions()}};
+          {"versions", versions(options_.scouts)}};
 }
 
 void FrontStudy::check_same(const optim::StudyRecord& record) const {

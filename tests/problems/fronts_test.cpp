@@ -169,6 +169,32 @@ TEST_CASE("a study goes into a record and comes back", "[fronts]") {
   CHECK(law->family->name == "polynomial-5");
 }
 
+TEST_CASE("a study that was made without NSGA-II is read without it", "[fronts]") {
+  const testing::Folder folder;
+  const std::string three =
+      front_of(kCutter, {"minimize minimum_cam_radius", "maximize lowest inertia_force",
+                         "minimize peak_drive_torque"});
+  const FrontStudy study(three, "front.toml", {.points = 6});
+  optim::StudySettings settings = study.settings();
+  std::string& versions = settings.at("versions");
+  versions.resize(versions.find(", pagmo "));  // as a program writes it that lacks the plug-in
+  optim::StudyRecord record = optim::StudyRecord::create(folder / "s.db", settings);
+  const FrontStudy without = FrontStudy::of(record);
+  CHECK(without.settings() == settings);
+  CHECK_THROWS_WITH(study.check_same(record), Contains("cannot be resumed") && Contains("pagmo"));
+  optim::DirectExecutor direct(without.space(), without.options().solve);
+  optim::RecordedExecutor recorded(without.space(), record, &direct);
+  const optim::Front front = without.run(recorded);
+  REQUIRE(front.points.size() > 2);
+  optim::RecordedExecutor alone(without.space(), record, nullptr);
+  const optim::Front again = FrontStudy::of(record).run(alone);
+  CHECK(again.points.size() == front.points.size());
+  CHECK(again.tasks == front.tasks);
+  // With NSGA-II the first tasks are others, which this record lacks.
+  optim::RecordedExecutor another(study.space(), record, nullptr);
+  CHECK(study.run(another).tasks == 0);
+}
+
 TEST_CASE("a record that lacks a setting or has another version says which", "[fronts]") {
   const FrontStudy study(shipped_front(), "front.toml", {});
   for (const std::string name : {"problem", "source", "points", "method"}) {
