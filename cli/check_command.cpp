@@ -85,7 +85,7 @@ int run_check(const CheckOptions& options) {
   }
   print_text(problems::in_words(statement));
   print_text(warnings_text(doubts_of(statement)));
-  if (options.scaling) say("\n{}", scaling_text(variants->problem(0)));
+  if (options.scaling) say("\n{}", text_of(scaling_table(variants->problem(0))));
   if (!options.derivatives) {
     say_next(search_command(statement, options.file));
     return kDone;

@@ -17,8 +17,8 @@
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
-#include "output/document/text_table.h"
 #include "output/figure/chart.h"
 #include "output/figure/profile_figure.h"
 #include "problems/results/recorded_design.h"
@@ -38,15 +38,10 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-TextTable response_table(const std::vector<EvaluatedResponse>& responses) {
-  TextTable table({{"response", TextTable::Align::Left},
-                   {"value"},
-                   {"lowest"},
-                   {"at"},
-                   {"highest"},
-                   {"at"},
-                   {"unit", TextTable::Align::Left},
-                   {"meaning", TextTable::Align::Left}});
+/// Numbers, and of curves the extremes.
+Table response_table(const std::vector<EvaluatedResponse>& responses) {
+  Table table{.columns = {words("response"), numbers("value"), numbers("lowest"), numbers("at"),
+                          numbers("highest"), numbers("at"), words("unit"), words("meaning")}};
   for (const EvaluatedResponse& r : responses) {
     const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
     const auto place = [&](double value) {
@@ -74,31 +69,7 @@ std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
   return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
 }
 
-void print_evaluation(const ProblemStatement& statement,
-                      const std::vector<EvaluatedResponse>& responses,
-                      const std::vector<optim::LimitReport>& limits, const Warnings& warnings) {
-  if (!statement.title.empty()) say("{}\n", statement.title);
-  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
-    say("law {}\n", statement.laws.front().label());
-  }
-  say("\n");
-  print_text(response_table(responses).text());
-  print_text(sampled_text(responses));
-  if (!limits.empty()) say("\n");
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const LimitText text = limit_text(limits[i], statement.constraints[i]);
-    say("{} {} = {} {}{}\n",
-        limits[i].met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad), limits[i].name,
-        text.value, with_unit(text.bound, limits[i].unit),
-        text.place.empty() ? "" : fmt::format(" (worst at {})", text.place));
-  }
-  print_text(warnings_text(warnings));
-}
-
-Json evaluation_json(const ProblemStatement& statement,
-                     const std::vector<EvaluatedResponse>& responses,
-                     const std::vector<optim::LimitReport>& limits, const Warnings& warnings,
-                     const ClaimReview& review) {
+Json responses_json(const std::vector<EvaluatedResponse>& responses) {
   Json values = Json::object();
   for (const EvaluatedResponse& r : responses) {
     if (r.is_curve) {
@@ -114,34 +85,57 @@ Json evaluation_json(const ProblemStatement& statement,
       if (!r.proved) values[r.name]["proved"] = false;
     }
   }
+  return values;
+}
+
+Json constants_json(const ProblemStatement& statement) {
   Json constants = Json::object();
   const auto& parameters = statement.mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     constants[parameters[i].name] = {{"value", statement.constants[i]},
                                      {"unit", parameters[i].unit}};
   }
-  Json constraints = Json::array();
-  for (const auto& limit : limits) {
-    constraints.push_back(
-        {{"name", limit.name},
-         {"value", to_json(limit.value)},
-         {"bound", limit.bound},
-         {"side", limit.is_upper ? "upper" : "lower"},
-         {"margin", to_json(limit.margin)},
-         {"unit", limit.unit},
-         {"worst_angle_deg", limit.worst_angle ? to_json(*limit.worst_angle) : Json(nullptr)},
-         {"met", limit.met}});
+  return constants;
+}
+
+/// How the limits stand, a line each.
+void add_limits(const std::vector<optim::LimitReport>& limits, const ProblemStatement& statement,
+                Document& document) {
+  if (!limits.empty()) document.say("\n");
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const LimitText text = limit_text(limits[i], statement.constraints[i]);
+    document.say(
+        fmt::format("{} {} = {} {}{}\n",
+                    limits[i].met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
+                    limits[i].name, text.value, with_unit(text.bound, limits[i].unit),
+                    text.place.empty() ? "" : fmt::format(" (worst at {})", text.place)));
   }
-  return {{"title", statement.title},
-          {"mechanism", statement.mechanism->name},
-          {"law", statement.mechanism->moved_by == problems::MovedBy::Nothing
-                      ? Json(nullptr)
-                      : Json(statement.laws.front().name())},
-          {"constants", std::move(constants)},
-          {"responses", std::move(values)},
-          {"constraints", std::move(constraints)},
-          {"warnings", warnings},
-          {"record", review_json(review)}};
+  document.add(standing_table(limits, statement));
+}
+
+Document evaluation_document(const ProblemStatement& statement,
+                             const std::vector<EvaluatedResponse>& responses,
+                             const std::vector<optim::LimitReport>& limits,
+                             const ClaimReview& review) {
+  Document document;
+  if (!statement.title.empty()) document.say(statement.title + "\n");
+  document.fact("title", statement.title);
+  document.fact("mechanism", statement.mechanism->name);
+  const bool moved = statement.mechanism->moved_by != problems::MovedBy::Nothing;
+  if (moved) document.say(fmt::format("law {}\n", statement.laws.front().label()));
+  document.fact("law", moved ? Json(statement.laws.front().name()) : Json(nullptr));
+  document.fact("constants", constants_json(statement));
+  document.say("\n");
+  document.add(response_table(responses));
+  document.say(sampled_text(responses));
+  document.fact("responses", responses_json(responses));
+  add_limits(limits, statement, document);
+  const Warnings warnings = warnings_of(statement);
+  document.say(warnings_text(warnings));
+  document.fact("warnings", warnings);
+  document.say(record_text(review.words()));
+  document.fact("record", review_json(review));
+  return document;
 }
 
 /// Tables and pictures of the curves that were asked for.
@@ -175,13 +169,7 @@ int run_evaluate(const EvaluateOptions& options) {
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);
   const auto limits = problems::standing(statement);
-  const Warnings warnings = warnings_of(statement);
-  if (options.json) {
-    print_data(evaluation_json(statement, responses, limits, warnings, review).dump(2) + "\n");
-  } else {
-    print_evaluation(statement, responses, limits, warnings);
-    print_text(record_text(review.words()));
-  }
+  print(evaluation_document(statement, responses, limits, review), options.json);
   write_files(files);
   if (options.json) return status;
   say_written(files);

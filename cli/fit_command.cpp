@@ -105,11 +105,7 @@ void fit_constants(const FitCommand& options) {
     }
   }
   options.answers();
-  if (options.json) {
-    print_data(constants_json(fits).dump(2) + "\n");
-  } else {
-    print_text(constants_text(fits));
-  }
+  print(constants_document(fits), options.json);
 }
 
 std::filesystem::path in_out(const FitCommand& options, const char* file) {
@@ -132,11 +128,12 @@ std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
 }
 
 /// Prints an answer; of a folder the files that an earlier run left and this one has not go.
-void give(const FitCommand& options, const std::string& text, const std::string& json,
-          std::vector<OutputFile> files) {
+void give(const FitCommand& options, const Document& answer, std::vector<OutputFile> files) {
   options.answers();
-  if (options.out) files.push_back({in_out(options, "fit.json"), json});
-  options.json ? print_data(json) : print_text(text);
+  if (options.out) {
+    files.push_back({in_out(options, "fit.json"), json_of(answer).dump(2) + "\n"});
+  }
+  print(answer, options.json);
   if (options.out) write_out(left_behind(options), files, !options.json);
 }
 
@@ -146,7 +143,7 @@ void give_samples(const FitCommand& options, const SamplesAnswer& answer,
     files.push_back({in_out(options, "law.json"), samples_law(answer).dump(2) + "\n"});
     files.push_back({in_out(options, "fit.svg"), to_svg(samples_figure(answer))});
   }
-  give(options, samples_text(answer), samples_json(answer).dump(2) + "\n", std::move(files));
+  give(options, samples_document(answer), std::move(files));
 }
 
 bool shifts(const FitCommand& options, const char* what) {
@@ -245,7 +242,7 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
   const RecordAnswer answer{*options.mechanism, record.lacking, std::move(record), fit};
   std::vector<OutputFile> files;
   if (options.out) files.push_back({in_out(options, "fit.svg"), to_svg(record_figure(answer))});
-  give(options, record_text(answer), record_json(answer).dump(2) + "\n", std::move(files));
+  give(options, record_document(answer), std::move(files));
   if (!options.json) say_next(record_evaluation(answer, options.set));
 }
 

@@ -12,9 +12,9 @@
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
 #include "output/answers/tolerance_output.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
-#include "output/document/text_table.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/solver_settings.h"
 
@@ -69,23 +69,11 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
 Json point_result(const FrontAnswer& answer, std::size_t k) {
   const optim::FrontPoint& point = answer.front.points[k];
   Json object = {{"format", problems::kResultFormat.text()}, {"program", short_version()}};
-  object.update(point_json(answer, k));
+  object.update(json_of(point_document(answer, k)));
   object["design"] = problems::recorded_design(answer.study.bound(),
                                                answer.study.space().options(point.part), point.x);
   problems::seal(object);
   return object;
-}
-
-struct Spread {
-  std::vector<double> tolerances;
-  optim::ToleranceReport report;
-};
-
-Spread spread_of(const FrontAnswer& answer, const optim::FrontPoint& point,
-                 const std::vector<std::string>& assignments) {
-  std::vector<double> tolerances = tolerances_of(answer, point, assignments);
-  optim::ToleranceReport report = tolerances_at(answer, point, tolerances);
-  return {std::move(tolerances), std::move(report)};
 }
 
 int run_front(const FrontCommand& options) {
@@ -99,11 +87,7 @@ int run_front(const FrontCommand& options) {
   const FrontAnswer answer{study, stored};
   const int status = status_of(stored);
   if (front.points.empty()) {
-    if (options.json) {
-      print_data(front_json(answer).dump(2) + "\n");
-    } else {
-      print_text(front_text(answer));
-    }
+    print(front_document(answer), options.json);
     return status_of(front);
   }
   std::vector<OutputFile> files;
@@ -128,29 +112,27 @@ int run_front(const FrontCommand& options) {
     throw std::invalid_argument(
         "--sensitivity: of which design? give --knee, --weights or --point");
   }
-  std::vector<Spread> spreads;
+  std::vector<Document> designs;
   for (const auto& [name, point] : points) {
-    if (spread) spreads.push_back(spread_of(answer, front.points[point], options.tolerances));
+    designs.push_back(point_document(answer, point));
+    if (!spread) continue;
+    const optim::FrontPoint& design = front.points[point];
+    designs.back().add(
+        "sensitivity",
+        tolerance_document(answer, design, tolerances_of(answer, design, options.tolerances)));
   }
   write_files(files);
   if (options.json) {
-    Json object = front_json(answer);
+    Json object = json_of(front_document(answer));
     for (std::size_t i = 0; i < points.size(); ++i) {
-      Json& chosen = object["chosen"][points[i].first] = point_json(answer, points[i].second);
-      if (spread) {
-        chosen["sensitivity"] = tolerance_json(spreads[i].tolerances, spreads[i].report);
-      }
+      object["chosen"][points[i].first] = json_of(designs[i]);
     }
     print_data(object.dump(2) + "\n");
     return status;
   }
-  print_text(points.empty() ? front_text(answer) : record_text(answer.notes));
+  print_text(points.empty() ? text_of(front_document(answer)) : record_text(answer.notes));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [name, point] = points[i];
-    say("{}: {}", name, point_text(answer, point));
-    if (!spread) continue;
-    print_text(
-        tolerance_text(answer, front.points[point], spreads[i].tolerances, spreads[i].report));
+    say("{}: {}", points[i].first, text_of(designs[i]));
   }
   say_written(files);
   if (options.result) say_next("export " + shell_word(*options.result));

@@ -7,8 +7,9 @@
 #include "cli/commands.h"
 #include "kinematics/limits.h"
 #include "output/answers/law_json.h"
+#include "output/document/document.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
-#include "output/document/text_table.h"
 #include "problems/law_files/law_file.h"
 
 namespace camlaw::cli {
@@ -25,17 +26,9 @@ std::string parameter_list(const Family& family) {
 }
 
 void print_catalogue() {
-  TextTable table({{"law", TextTable::Align::Left},
-                   {"parameters", TextTable::Align::Left},
-                   {"ends", TextTable::Align::Left},
-                   {"class", TextTable::Align::Left},
-                   {"B"},
-                   {"C+"},
-                   {"C-"},
-                   {"D+"},
-                   {"D-"},
-                   {"Cm"},
-                   {"lambda"}});
+  Table table{.columns = {words("law"), words("parameters"), words("ends"), words("class"),
+                          numbers("B"), numbers("C+"), numbers("C-"), numbers("D+"), numbers("D-"),
+                          numbers("Cm"), numbers("lambda")}};
   const auto add = [&](const Family& family) {
     const Law<double> law = family.make(family.defaults());
     const auto peak = peaks(law);
@@ -52,7 +45,7 @@ void print_catalogue() {
   say("{}\nConstants are those of the default parameters. Every R-R law also takes crossover=c.\n"
       "'camlaw law NAME' tells more of one law. Law files in the folder that {} names are laws "
       "too.\n",
-      table.text(), problems::kOwnLaws);
+      text_of(table), problems::kOwnLaws);
 }
 
 std::string ranges(const Family& family) {

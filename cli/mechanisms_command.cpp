@@ -8,8 +8,9 @@
 #include "machines/model/mechanism.h"
 #include "machines/registry.h"
 #include "output/answers/law_json.h"
+#include "output/document/document.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
-#include "output/document/text_table.h"
 
 namespace camlaw::cli {
 namespace {
@@ -54,32 +55,25 @@ void print_mechanism(const Mechanism& mechanism) {
       words_of(mechanism.moved_by),
       accepted_too(mechanism, "\nits earlier name, {}, is accepted too"));
   if (!mechanism.parameters.empty()) {
-    TextTable parameters({{"parameter", TextTable::Align::Left},
-                          {"symbol", TextTable::Align::Left},
-                          {"default"},
-                          {"accepted"},
-                          {"unit", TextTable::Align::Left},
-                          {"meaning", TextTable::Align::Left}});
+    Table parameters{.columns = {words("parameter"), words("symbol"), numbers("default"),
+                                 numbers("accepted"), words("unit"), words("meaning")}};
     for (const auto& p : mechanism.parameters) {
       parameters.add({p.name, p.symbol, fmt::format("{:g}", p.default_value),
                       fmt::format("{:g} .. {:g}", p.low, p.high), shown_unit(p.unit), p.meaning});
     }
-    say("{}\n", parameters.text());
+    say("{}\n", text_of(parameters));
   }
-  TextTable responses({{"response", TextTable::Align::Left},
-                       {"kind", TextTable::Align::Left},
-                       {"unit", TextTable::Align::Left},
-                       {"meaning", TextTable::Align::Left}});
+  Table responses{.columns = {words("response"), words("kind"), words("unit"), words("meaning")}};
   for (const auto& r : mechanism.responses) {
     responses.add({r.name, r.curve ? "curve" : "number", shown_unit(r.unit), r.meaning});
   }
   for (const auto& p : mechanism.peaks) {
     responses.add({p.name, fmt::format("{} {}", part_of(p.part), p.curve), "", p.meaning});
   }
-  print_text(responses.text());
+  print_text(text_of(responses));
 }
 
-Json json_of(const Mechanism& mechanism) {
+Json mechanism_json(const Mechanism& mechanism) {
   Json parameters = Json::array(), responses = Json::array(), peaks = Json::array();
   for (const auto& p : mechanism.parameters) {
     parameters.push_back({{"name", p.name},
@@ -118,17 +112,14 @@ Json json_of(const Mechanism& mechanism) {
 }
 
 void print_all() {
-  TextTable table({{"mechanism", TextTable::Align::Left},
-                   {"moved by", TextTable::Align::Left},
-                   {"parameters"},
-                   {"responses"},
-                   {"title", TextTable::Align::Left}});
+  Table table{.columns = {words("mechanism"), words("moved by"), numbers("parameters"),
+                          numbers("responses"), words("title")}};
   for (const Mechanism& m : problems::mechanisms()) {
     table.add({m.name, words_of(m.moved_by), fmt::format("{}", m.parameters.size()),
                fmt::format("{}", m.responses.size() + m.peaks.size()), m.title});
   }
   say("{}\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n",
-      table.text());
+      text_of(table));
 }
 
 void print_markdown(const Mechanism& mechanism) {
@@ -176,9 +167,9 @@ int show_mechanisms(const MechanismsOptions& options) {
     print_mechanism_page();
   } else if (options.json) {
     Json all = Json::array();
-    for (const Mechanism& m : problems::mechanisms()) all.push_back(json_of(m));
+    for (const Mechanism& m : problems::mechanisms()) all.push_back(mechanism_json(m));
     const Json wanted =
-        options.name.empty() ? all : json_of(problems::find_mechanism(options.name));
+        options.name.empty() ? all : mechanism_json(problems::find_mechanism(options.name));
     print_data(wanted.dump(2) + "\n");
   } else if (options.name.empty()) {
     print_all();

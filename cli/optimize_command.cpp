@@ -10,10 +10,6 @@ Command optimize_command() {
   const auto options = std::make_shared<SearchOptions>();
   const SearchCommand optimize{.files = {"result.json", "law.csv", "law.svg", "cycle.svg"},
                                .check = [](const problems::ProblemStatement&) {},
-                               .report =
-                                   [](const Answer& answer) {
-                                     return SearchReport{answer_text(answer), answer_json(answer)};
-                                   },
                                .figures = answer_files};
   return {.name = "optimize",
           .help = "Find the best design of a problem file",

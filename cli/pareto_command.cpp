@@ -180,8 +180,9 @@ int run_pareto(const ParetoCommand& options) {
     const optim::Front& front = found.front;
     if (teller != nullptr) teller->answers();
     const FrontAnswer answer{study, found};
-    const std::string json = front_json(answer).dump(2) + "\n";
-    options.json ? print_data(json) : print_text(front_text(answer));
+    const Document document = front_document(answer);
+    const std::string json = json_of(document).dump(2) + "\n";
+    print(document, options.json);
     if (path && !options.json && !is_quiet()) say("study {}\n", *path);
     if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
     if (!path || options.json || front.points.empty()) return status_of(front);

@@ -8,9 +8,9 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/progress_line.h"
-#include "output/answers/law_json.h"
+#include "output/answers/reproduction_output.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
-#include "output/document/text_table.h"
 #include "output/report/report.h"
 #include "problems/published/cam_shape/solve.h"
 #include "problems/published/systems.h"
@@ -20,84 +20,6 @@ namespace camlaw::cli {
 namespace {
 
 using problems::SystemReproduction;
-
-std::string counts(const SystemReproduction& result) {
-  return fmt::format("{} values: {} reproduced, {} explained, {} unexplained", result.values.size(),
-                     result.reproduced, result.explained, result.unexplained);
-}
-
-void print_system(const SystemReproduction& result) {
-  say("{}: {}\n{}\n\n", result.system, result.title, result.source);
-  TextTable table({{"value", TextTable::Align::Left},
-                   {"printed"},
-                   {"unit", TextTable::Align::Left},
-                   {"as stated"},
-                   {"with all departures"},
-                   {"verdict", TextTable::Align::Left},
-                   {"needs", TextTable::Align::Left}});
-  for (const auto& value : result.values) {
-    const int decimals = value.printed.number.decimals;
-    const bool explained = value.verdict == optim::Finding::Explained;
-    table.add({value.printed.id, optim::as_printed(value.printed.number.value, decimals),
-               value.printed.unit, shown(value.stated_value, decimals + 2),
-               explained ? shown(value.explained_value, decimals + 2) : "",
-               std::string(problems::to_string(value.verdict)),
-               fmt::format("{}", fmt::join(value.causes, "; "))});
-  }
-  if (!result.values.empty()) say("{}\n", table.text());
-  if (!result.departures.empty()) {
-    say("the smallest set of departures that explains the most digits ({} sets looked at):\n",
-        result.tried);
-    for (const std::string& departure : result.departures) say("  {}\n", departure);
-  }
-  for (const auto& other : result.equals) {
-    say("another set explains as many: {}\n", fmt::join(other, "; "));
-  }
-  if (!result.departures.empty() && result.equals.empty()) {
-    say("no other set as small explains as many\n");
-  }
-  for (const std::string& note : result.notes) say("{}\n", note);
-  say("{}\n", counts(result));
-}
-
-/// One line for each of several systems.
-void print_counts(const std::vector<SystemReproduction>& results) {
-  TextTable table({{"system", TextTable::Align::Left},
-                   {"values"},
-                   {"reproduced"},
-                   {"explained"},
-                   {"unexplained"}});
-  for (const auto& result : results) {
-    table.add({result.system, fmt::format("{}", result.values.size()),
-               fmt::format("{}", result.reproduced), fmt::format("{}", result.explained),
-               fmt::format("{}", result.unexplained)});
-  }
-  print_text(table.text());
-}
-
-Json reproduction_json(const SystemReproduction& result) {
-  Json values = Json::array();
-  for (const auto& value : result.values) {
-    values.push_back({{"id", value.printed.id},
-                      {"quantity", value.printed.quantity},
-                      {"law", value.printed.law},
-                      {"condition", value.printed.condition},
-                      {"place", value.printed.place},
-                      {"printed", value.printed.number.value},
-                      {"decimals", value.printed.number.decimals},
-                      {"unit", value.printed.unit},
-                      {"value", to_json(value.stated_value)},
-                      {"explained_value", to_json(value.explained_value)},
-                      {"verdict", problems::to_string(value.verdict)},
-                      {"causes", value.causes}});
-  }
-  return {{"system", result.system},         {"title", result.title},
-          {"source", result.source},         {"reproduced", result.reproduced},
-          {"explained", result.explained},   {"unexplained", result.unexplained},
-          {"departures", result.departures}, {"equal_sets", result.equals},
-          {"notes", result.notes},           {"worsened", problems::worsened(result)},
-          {"values", std::move(values)}};
-}
 
 const problems::ReproducibleSystem& find_system(const std::string& name) {
   std::vector<std::string> known;
@@ -109,40 +31,36 @@ const problems::ReproducibleSystem& find_system(const std::string& name) {
       fmt::format("no system is called '{}'; there is {}", name, fmt::join(known, ", ")));
 }
 
-Json case_json(const problems::CamShapeCase& solved) {
-  return {{"n", solved.n},
-          {"printed", solved.printed ? Json(*solved.printed) : Json(nullptr)},
-          {"objective", to_json(solved.objective)},
-          {"true_optimum", solved.true_optimum},
-          {"max_violation", to_json(solved.max_violation)},
-          {"verdict", solved.verdict},
-          {"reason", solved.reason},
-          {"iterations", solved.iterations},
-          {"wall_s", solved.wall_s}};
+Document case_document(const problems::CamShapeCase& solved) {
+  Document document;
+  document.say(
+      fmt::format("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason));
+  if (solved.printed) document.say(fmt::format("printed        {:.10g}\n", *solved.printed));
+  document.say(
+      fmt::format("objective      {:.10f}\ntrue optimum   {:.10f}\nmax violation  {:.1e}\n"
+                  "{} iterations, {:.3g} s\n",
+                  solved.objective, solved.true_optimum, solved.max_violation, solved.iterations,
+                  solved.wall_s));
+  document.fact("n", solved.n);
+  document.fact("printed", solved.printed);
+  document.fact("objective", solved.objective);
+  document.fact("true_optimum", solved.true_optimum);
+  document.fact("max_violation", solved.max_violation);
+  document.fact("verdict", solved.verdict);
+  document.fact("reason", solved.reason);
+  document.fact("iterations", solved.iterations);
+  document.fact("wall_s", solved.wall_s);
+  return document;
 }
 
 /// Every printed case.
 Json cam_shape_cases() {
   Json cases = Json::array();
   for (const auto& printed : problems::printed_cam_shapes()) {
-    cases.push_back(case_json(problems::solve_cam_shape(problems::points_of(printed))));
+    cases.push_back(
+        json_of(case_document(problems::solve_cam_shape(problems::points_of(printed)))));
   }
   return cases;
-}
-
-/// One case of the cam-shape problem, of any size.
-void run_cam_shape(int n, bool json) {
-  const problems::CamShapeCase solved = problems::solve_cam_shape(n);
-  if (json) {
-    print_data(case_json(solved).dump(2) + "\n");
-    return;
-  }
-  say("cam-shape, n = {}: {} ({})\n", solved.n, solved.verdict, solved.reason);
-  if (solved.printed) say("printed        {:.10g}\n", *solved.printed);
-  say("objective      {:.10f}\ntrue optimum   {:.10f}\nmax violation  {:.1e}\n"
-      "{} iterations, {:.3g} s\n",
-      solved.objective, solved.true_optimum, solved.max_violation, solved.iterations,
-      solved.wall_s);
 }
 
 /// What used to reproduce and no longer does; whether there is any of it.
@@ -171,7 +89,7 @@ int run_size(const ReproduceOptions& options) {
   if (options.report) throw std::invalid_argument("--report goes with tables, not with --n");
   const auto n =
       problems::parse_integer(*options.n, problems::kLeastCamShape, problems::kMostCamShape, "--n");
-  run_cam_shape(static_cast<int>(n), options.json);
+  print(case_document(problems::solve_cam_shape(static_cast<int>(n))), options.json);
   return kDone;
 }
 
@@ -195,17 +113,17 @@ int run_reproduce(const ReproduceOptions& options) {
     results.push_back(system->reproduce());
     line.clear();
     if (json) {
-      all.push_back(reproduction_json(results.back()));
+      all.push_back(json_of(reproduction_document(results.back())));
       if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
     } else {
-      print_system(results.back());
+      print_text(text_of(reproduction_document(results.back())));
       if (systems.size() > 1) say("\n");
     }
   }
   if (json) {
     print_data(all.dump(2) + "\n");
   } else if (systems.size() > 1) {
-    print_counts(results);
+    print_text(text_of(counts_table(results)));
   }
   if (options.report) {
     write_files({{*options.report, page_html(reproduction_report(results))}});

@@ -105,15 +105,17 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
 /// that is stopped, or fails. Returns the JSON.
 std::string show(const SearchCommand& command, const Answer& answer,
                  const optim::OptimiseOptions& rest, bool json) {
-  SearchReport report = command.report(answer);
-  if (!json) print_text(report.text);
+  const Document document = answer_document(answer);
+  Json result = json_of(document);
+  if (!json) print_text(text_of(document));
   flush_printed();
   if (command.measure) {
-    const std::string more = command.measure(answer, rest, report.json);
-    if (!json) print_text(more);
+    const Document more = command.measure(answer, rest);
+    if (!json) print_text(text_of(more));
+    result.update(json_of(more));
   }
-  problems::seal(report.json);
-  std::string text = report.json.dump(2) + "\n";
+  problems::seal(result);
+  std::string text = result.dump(2) + "\n";
   if (json) print_data(text);
   flush_printed();
   return text;

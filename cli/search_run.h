@@ -26,23 +26,14 @@ struct SearchOptions {
 /// FILE and the options; `files` names what --out writes.
 std::vector<Option> search_options(SearchOptions& options, const std::string& files);
 
-/// What a command makes of an answer.
-struct SearchReport {
-  std::string text;
-  Json json;
-};
-
 /// A command that searches.
 struct SearchCommand {
   std::vector<std::string> files;  ///< all that --out may write, result.json first
   /// Throws std::invalid_argument for a problem that the command does not take.
   std::function<void(const problems::ProblemStatement&)> check;
-  /// What takes no time.
-  std::function<SearchReport(const Answer&)> report;
-  /// What takes a search of its own: further text, and more of the report's JSON. The answer's own
-  /// text is out by then. `rest` says how to search, with the time that is left and the same stop.
-  std::function<std::string(const Answer&, const optim::OptimiseOptions& rest, Json& json)>
-      measure = {};
+  /// What takes a search of its own, after the answer's own text is out. `rest` says how to search,
+  /// with the time that is left and the same stop.
+  std::function<Document(const Answer&, const optim::OptimiseOptions& rest)> measure = {};
   /// The files of --out beside result.json, made where they are wanted only.
   std::function<std::vector<OutputFile>(const Answer&, const std::filesystem::path& out)> figures;
 };

@@ -25,7 +25,7 @@ struct StudyOptions {
 
 /// What a study prints and writes.
 struct StudyOutput {
-  std::string text, json;
+  Document answer;
   std::vector<OutputFile> files;
 };
 
@@ -33,10 +33,9 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
   SpineCutter<double> cutter;
   for (const std::string& setting : options.settings) problems::set_given(cutter, setting);
   const auto study = problems::study_spine_cutter(cutter);
-  Json json = study_json(study);
   Figure trade_off = trade_off_figure(study);
-  std::string text = study_text(study);
-  std::vector<OutputFile> files{{out / "study.csv", study_csv(study)}};
+  Document answer;
+  std::vector<OutputFile> files{{out / "study.csv", csv_of(study_table(study))}};
   if (!options.table) {
     ProgressLine line(!options.json);
     const auto fronts = problems::prove_fronts(
@@ -44,15 +43,16 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
           line.show(fmt::format("front of {}, {:.0f} %", front, 100 * done), done);
         });
     line.clear();
-    json.update(fronts_json(fronts));
     draw_fronts(fronts, trade_off.panels.front());
-    text = fronts_text(fronts) + "\n" + text;
-    files.push_back({out / "fronts.csv", fronts_csv(fronts)});
+    answer.add(fronts_document(fronts));
+    answer.say("\n");
+    files.push_back({out / "fronts.csv", csv_of(fronts_table(fronts))});
   }
-  files.push_back({out / "study.json", json.dump(2) + "\n"});
+  answer.add(study_document(study));
+  files.push_back({out / "study.json", json_of(answer).dump(2) + "\n"});
   files.push_back({out / "trade_off.svg", to_svg(trade_off)});
   files.push_back({out / "motion.svg", to_svg(study_motion_figure(study))});
-  return {std::move(text), json.dump(2) + "\n", std::move(files)};
+  return {std::move(answer), std::move(files)};
 }
 
 StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::path& out) {
@@ -60,10 +60,10 @@ StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::p
     throw std::invalid_argument("--set: the study of the sheet delivery has no givens to set");
   }
   const auto choices = problems::trade_off_sheet_delivery();
-  return {delivery_text(choices),
-          delivery_json(choices),
-          {{out / "study.csv", delivery_csv(choices)},
-           {out / "study.json", delivery_json(choices)},
+  const Document answer = delivery_document(choices);
+  return {answer,
+          {{out / "study.csv", csv_of(delivery_table(choices))},
+           {out / "study.json", json_of(answer).dump(2) + "\n"},
            {out / "trade_off.svg", to_svg(delivery_figure(choices))}}};
 }
 
@@ -81,7 +81,7 @@ int run_study(const StudyOptions& options) {
         "no study is called '{}'; there are spine-cutter, sheet-delivery", options.system));
   }
   if (options.out) write_files(study.files);
-  options.json ? print_data(study.json) : print_text(study.text);
+  print(study.answer, options.json);
   if (!options.json && options.out) say_written(study.files);
   return kDone;
 }

@@ -40,19 +40,18 @@ Json provenance(const Answer& answer) {
           {"unit", answer.optimum.problem.objective.response.unit}};
 }
 
-SearchReport report(const Answer& answer) { return {answer_text(answer), answer_json(answer)}; }
-
 /// Rulers are an addition: where they fail the answer stands without them.
-std::string measure(const Answer& answer, const optim::OptimiseOptions& rest, Json& json) {
-  json["rulers"] = nullptr;
+Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
+  Document document;
+  document.fact("rulers", Json(nullptr));
   try {
-    const auto measured = rulers(answer, rest);
-    if (!measured) return {};
-    json["rulers"] = rulers_json(*measured);
-    return rulers_text(answer, *measured);
+    if (const auto measured = rulers(answer, rest)) {
+      document.add("rulers", rulers_document(answer, *measured));
+    }
   } catch (const std::exception& error) {
-    return fmt::format("\nthe law is not measured: {}\n", error.what());
+    document.say(fmt::format("\nthe law is not measured: {}\n", error.what()));
   }
+  return document;
 }
 
 /// The law's own file, as far as it can be read again.
@@ -83,7 +82,6 @@ Command synthesize_command() {
   const SearchCommand synthesize{
       .files = {"result.json", "law.csv", "law.svg", "cycle.svg", "law.json"},
       .check = check_free,
-      .report = report,
       .measure = measure,
       .figures = figures};
   return {

@@ -8,9 +8,9 @@
 #include "output/answers/law_json.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/warnings.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
-#include "output/document/text_table.h"
 #include "problems/results/judged_design.h"
 
 namespace camlaw::cli {

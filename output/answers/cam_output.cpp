@@ -5,7 +5,7 @@
 
 #include "fitting/samples/turn.h"
 #include "output/answers/fit_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -16,60 +16,59 @@ double from_own_unit(const CamFit& fit, double s) {
   return fit.cam.samples.unit == "deg" ? s / problems::kDegree : s;
 }
 
-std::string outlying_text(const CamFit& fit) {
-  if (fit.cam.outlying.empty()) return "";
+void add_outlying(const CamFit& fit, Document& document) {
   constexpr std::size_t kShown = 10;
-  std::string text =
-      fmt::format("{} of {} points lie off the profile and are left out:\n",
-                  fit.cam.outlying.size(), fit.cam.outlying.size() + fit.cam.samples.place.size());
-  for (std::size_t i = 0; i < std::min(kShown, fit.cam.outlying.size()); ++i) {
-    const problems::OutlyingPoint& point = fit.cam.outlying[i];
-    text += fmt::format("  {} mm {} at a cam angle of {} deg\n", number(std::abs(point.distance)),
-                        point.distance > 0 ? "outside" : "inside", number(point.angle));
+  const auto& outlying = fit.cam.outlying;
+  Json list = Json::array();
+  std::string shown;
+  for (const problems::OutlyingPoint& point : outlying) {
+    if (list.size() < kShown) {
+      shown +=
+          fmt::format("  {} mm {} at a cam angle of {} deg\n", number(std::abs(point.distance)),
+                      point.distance > 0 ? "outside" : "inside", number(point.angle));
+    }
+    list.push_back({{"angle", to_json(point.angle)}, {"distance", to_json(point.distance)}});
   }
-  if (fit.cam.outlying.size() > kShown) text += "  ...\n";
-  return text;
+  document.fact("outlying", list);
+  if (outlying.empty()) return;
+  document.say(fmt::format("{} of {} points lie off the profile and are left out:\n{}{}",
+                           outlying.size(), outlying.size() + fit.cam.samples.place.size(), shown,
+                           outlying.size() > kShown ? "  ...\n" : ""));
 }
 
-std::string departures_text(const CamFit& fit) {
-  std::string text;
+void add_departures(const CamFit& fit, Document& document) {
+  Json list = Json::array();
   for (const problems::Departure& d : fit.departures) {
-    text += fmt::format("from {} to {} the lift is up to {} {} than the law{}; left out\n",
-                        number(d.from), with_unit(number(d.to), "deg"),
-                        with_unit(number(std::abs(d.most)), fit.cam.samples.unit),
-                        d.most < 0 ? "lower" : "higher", d.most < 0 ? ", as where it is worn" : "");
+    document.say(fmt::format(
+        "from {} to {} the lift is up to {} {} than the law{}; left out\n", number(d.from),
+        with_unit(number(d.to), "deg"), with_unit(number(std::abs(d.most)), fit.cam.samples.unit),
+        d.most < 0 ? "lower" : "higher", d.most < 0 ? ", as where it is worn" : ""));
+    list.push_back({{"from", to_json(d.from)},
+                    {"to", to_json(d.to)},
+                    {"most", to_json(d.most)},
+                    {"samples", d.count}});
   }
-  return text;
+  document.fact("departures", list);
 }
 
 }  // namespace
 
-std::string cam_text(const CamFit& fit) {
+Document cam_document(const CamFit& fit) {
   const auto& lift = fit.cam.lift;
-  return fmt::format("measured cam: stroke {}, base radius {} mm, points scatter by {} mm\n",
-                     with_unit(number(from_own_unit(fit, lift.stroke())), fit.cam.samples.unit),
-                     number(lift.base_radius(lift.lowest())),
-                     number(lift.profile().spline().residual_deviation())) +
-         outlying_text(fit) + departures_text(fit) + "\n";
-}
-
-Json cam_json(const CamFit& fit) {
-  const auto& lift = fit.cam.lift;
-  Json outlying = Json::array(), departures = Json::array();
-  for (const problems::OutlyingPoint& point : fit.cam.outlying) {
-    outlying.push_back({{"angle", to_json(point.angle)}, {"distance", to_json(point.distance)}});
-  }
-  for (const problems::Departure& d : fit.departures) {
-    departures.push_back({{"from", to_json(d.from)},
-                          {"to", to_json(d.to)},
-                          {"most", to_json(d.most)},
-                          {"samples", d.count}});
-  }
-  return {{"stroke", to_json(from_own_unit(fit, lift.stroke()))},
-          {"base_radius", to_json(lift.base_radius(lift.lowest()))},
-          {"point_deviation", to_json(lift.profile().spline().residual_deviation())},
-          {"outlying", std::move(outlying)},
-          {"departures", std::move(departures)}};
+  const double stroke = from_own_unit(fit, lift.stroke());
+  const double base = lift.base_radius(lift.lowest());
+  const double deviation = lift.profile().spline().residual_deviation();
+  Document document;
+  document.say(fmt::format("measured cam: stroke {}, base radius {} mm, points scatter by {} mm\n",
+                           with_unit(number(stroke), fit.cam.samples.unit), number(base),
+                           number(deviation)));
+  document.fact("stroke", stroke);
+  document.fact("base_radius", base);
+  document.fact("point_deviation", deviation);
+  add_outlying(fit, document);
+  add_departures(fit, document);
+  document.say("\n");
+  return document;
 }
 
 void mark_departures(const CamFit& fit, Figure& figure) {

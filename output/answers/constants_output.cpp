@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "output/answers/fit_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -34,32 +34,41 @@ std::vector<std::string> disagreeing(const ConstantsFit& fit) {
   return names;
 }
 
-std::string found_text(const ConstantsFit& fit) {
-  if (fit.numbers.empty()) return "";
-  TextTable table({{"number", TextTable::Align::Left},
-                   {"value"},
-                   {"from"},
-                   {"to"},
-                   {"unit", TextTable::Align::Left},
-                   {"determined", TextTable::Align::Left}});
+/// The numbers of a fit; where there are none people do not read the table.
+Table numbers_table(const ConstantsFit& fit) {
+  Table table{.key = "parameters",
+              .columns = {words("number", "name"), numbers("value", "value"),
+                          numbers("from", "low"), numbers("to", "high"), words("unit", "unit"),
+                          data("of"), words("determined", "identifiable")},
+              .shown = fit.numbers.size()};
   for (const FoundNumber& n : fit.numbers) {
-    table.add({n.name, in_digits(n.value), in_digits(n.low), in_digits(n.high), shown_unit(n.unit),
-               n.identifiable ? "yes" : "no: others make up for it"});
+    table.add({n.name,
+               {in_digits(n.value), n.value},
+               {in_digits(n.low), n.low},
+               {in_digits(n.high), n.high},
+               {shown_unit(n.unit), n.unit},
+               datum(n.of_law ? "law" : "machine"),
+               {n.identifiable ? "yes" : "no: others make up for it", n.identifiable}});
   }
-  return table.text();
+  return table;
 }
 
-std::string prints_text(const ConstantsFit& fit) {
-  TextTable table({{"constant", TextTable::Align::Left},
-                   {"printed", TextTable::Align::Left},
-                   {"computed"},
-                   {"unit", TextTable::Align::Left},
-                   {"", TextTable::Align::Left}});
+Table prints_table(const ConstantsFit& fit) {
+  Table table{
+      .key = "constants",
+      .columns = {words("constant", "name"), words("printed", "printed"), data("low"), data("high"),
+                  numbers("computed", "value"), words("unit", "unit"), words("", "agrees")}};
   for (const AgreeingConstant& c : fit.constants) {
-    table.add({c.printed.name, c.printed.text, in_digits(c.value),
-               shown_unit(c.printed.response.unit), c.agrees ? "agrees" : "does not agree"});
+    const std::string& unit = c.printed.response.unit;
+    table.add({c.printed.name,
+               c.printed.text,
+               datum(c.printed.low),
+               datum(c.printed.high),
+               {in_digits(c.value), c.value},
+               {shown_unit(unit), unit},
+               {c.agrees ? "agrees" : "does not agree", c.agrees}});
   }
-  return table.text();
+  return table;
 }
 
 /// Between explanations that take as many digits the print does not decide: those beside the first.
@@ -130,82 +139,63 @@ double misfit(const AgreeingConstant& c) {
   return (c.value - c.printed.value) / ((c.printed.high - c.printed.low) / 2);
 }
 
-Json numbers_json(const ConstantsFit& fit) {
-  Json result = Json::array();
-  for (const FoundNumber& n : fit.numbers) {
-    result.push_back({{"name", n.name},
-                      {"value", to_json(n.value)},
-                      {"low", to_json(n.low)},
-                      {"high", to_json(n.high)},
-                      {"unit", n.unit},
-                      {"of", n.of_law ? "law" : "machine"},
-                      {"identifiable", n.identifiable}});
+Table ranking_table(const std::vector<ConstantsFit>& fits) {
+  Table table{.key = "ranking",
+              .columns = {numbers("#"), words("law", "law"), numbers("digits", "criterion"),
+                          data("consistent"), data("identifiable"), words("numbers", "parameters"),
+                          words("does not agree", "disagrees"), data("same_motion")},
+              .shown = fits.size() > 1 ? kRanked : 0};
+  for (const ConstantsFit& fit : fits) {
+    const std::vector<std::string> off = disagreeing(fit);
+    table.add({fmt::format("{}", table.rows.size() + 1),
+               {fit.law.family->name, fit.law.name()},
+               {fmt::format("{:.0f}", fit.cost), fit.cost},
+               datum(fit.consistent),
+               datum(fit.identifiable),
+               {numbers_text(fit), json_of(numbers_table(fit))},
+               {fmt::format("{}", fmt::join(off, ", ")), off},
+               datum(names_of(fit.also))});
   }
-  return result;
+  return table;
+}
+
+/// How far the computed constants are from the printed ones, in half units of the last digit.
+void add_misfits(const ConstantsFit& fit, Document& document) {
+  double sum = 0, largest = 0;
+  for (const AgreeingConstant& c : fit.constants) {
+    const double off = misfit(c);
+    sum += off * off;
+    largest = std::max(largest, std::abs(off));
+  }
+  document.fact("rms", std::sqrt(sum / static_cast<double>(fit.constants.size())));
+  document.fact("max_residual", largest);
+  document.fact("residual_unit", "half a unit of the last printed digit");
 }
 
 }  // namespace
 
-std::string constants_text(const std::vector<ConstantsFit>& fits) {
+Document constants_document(const std::vector<ConstantsFit>& fits) {
   const ConstantsFit& best = fits.front();
-  std::string text = fmt::format("law {}\n", best.law.label());
-  text += found_text(best) + prints_text(best);
-  text += verdict(fits);
-  if (fits.size() == 1) return text;
-  TextTable table({{"#"},
-                   {"law", TextTable::Align::Left},
-                   {"digits"},
-                   {"numbers", TextTable::Align::Left},
-                   {"does not agree", TextTable::Align::Left}});
-  for (std::size_t i = 0; i < std::min(fits.size(), kRanked); ++i) {
-    table.add({fmt::format("{}", i + 1), fits[i].law.family->name,
-               fmt::format("{:.0f}", fits[i].cost), numbers_text(fits[i]),
-               fmt::format("{}", fmt::join(disagreeing(fits[i]), ", "))});
+  Document document;
+  document.say(fmt::format("law {}\n", best.law.label()));
+  document.fact("law", best.law.name());
+  document.add(numbers_table(best));
+  document.add(prints_table(best));
+  add_misfits(best, document);
+  document.fact("criterion", best.cost);
+  document.fact("criterion_name", "digits");
+  document.fact("criterion_of_print", digits_of_print(best));
+  document.fact("same_motion", names_of(best.also));
+  document.fact("consistent", best.consistent);
+  document.fact("identifiable", best.identifiable);
+  document.say(verdict(fits));
+  if (fits.size() > 1) {
+    document.say(
+        fmt::format("\nexplanations by the digits that they take; the print itself takes {:.0f}\n",
+                    digits_of_print(best)));
   }
-  return text +
-         fmt::format("\nexplanations by the digits that they take; the print itself takes {:.0f}\n",
-                     digits_of_print(best)) +
-         table.text();
-}
-
-Json constants_json(const std::vector<ConstantsFit>& fits) {
-  const ConstantsFit& best = fits.front();
-  Json constants = Json::array(), ranking = Json::array();
-  double sum = 0, largest = 0;
-  for (const AgreeingConstant& c : best.constants) {
-    const double off = misfit(c);
-    sum += off * off;
-    largest = std::max(largest, std::abs(off));
-    constants.push_back({{"name", c.printed.name},
-                         {"printed", c.printed.text},
-                         {"low", to_json(c.printed.low)},
-                         {"high", to_json(c.printed.high)},
-                         {"unit", c.printed.response.unit},
-                         {"value", to_json(c.value)},
-                         {"agrees", c.agrees}});
-  }
-  for (const ConstantsFit& fit : fits) {
-    ranking.push_back({{"law", fit.law.name()},
-                       {"criterion", fit.cost},
-                       {"consistent", fit.consistent},
-                       {"identifiable", fit.identifiable},
-                       {"parameters", numbers_json(fit)},
-                       {"disagrees", disagreeing(fit)},
-                       {"same_motion", names_of(fit.also)}});
-  }
-  return {{"law", best.law.name()},
-          {"parameters", numbers_json(best)},
-          {"constants", std::move(constants)},
-          {"rms", to_json(std::sqrt(sum / static_cast<double>(best.constants.size())))},
-          {"max_residual", to_json(largest)},
-          {"residual_unit", "half a unit of the last printed digit"},
-          {"criterion", best.cost},
-          {"criterion_name", "digits"},
-          {"criterion_of_print", digits_of_print(best)},
-          {"same_motion", names_of(best.also)},
-          {"consistent", best.consistent},
-          {"identifiable", best.identifiable},
-          {"ranking", std::move(ranking)}};
+  document.add(ranking_table(fits));
+  return document;
 }
 
 }  // namespace camlaw::cli

@@ -8,7 +8,7 @@
 
 #include "optim/cycle/extremes.h"
 #include "output/answers/limit_text.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {

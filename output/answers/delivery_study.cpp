@@ -4,50 +4,38 @@
 #include <fmt/format.h>
 
 #include "output/answers/law_json.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 
 using problems::DeliveryChoice;
 
-std::string delivery_text(std::span<const DeliveryChoice> choices) {
-  TextTable table({{"slow-down"},
-                   {"least efficiency"},
-                   {"price"},
-                   {"law", TextTable::Align::Left},
-                   {"lambda"},
-                   {"alpha_max, deg"},
-                   {"verdict", TextTable::Align::Left}});
+Table delivery_table(std::span<const DeliveryChoice> choices) {
+  Table table{
+      .key = "points",
+      .columns = {numbers("slow-down", "slow_down"),
+                  numbers("least efficiency", "least_efficiency"), numbers("price", "price"),
+                  words("law", "law"), numbers("lambda", "guide_ratio"),
+                  numbers("alpha_max, deg", "rod_angle_max_deg"), words("verdict", "verdict")}};
   for (const DeliveryChoice& c : choices) {
-    table.add({fmt::format("{:.3g}", c.slow_down), fmt::format("{:.5f}", c.efficiency),
-               fmt::format("{:.4f}", c.price), c.law, fmt::format("{:.4f}", c.guide_ratio),
-               fmt::format("{:.3f}", c.rod_angle_max), std::string(to_string(c.verdict))});
+    table.add({{fmt::format("{:.3g}", c.slow_down), c.slow_down},
+               {fmt::format("{:.5f}", c.efficiency), c.efficiency},
+               {fmt::format("{:.4f}", c.price), c.price},
+               c.law,
+               {fmt::format("{:.4f}", c.guide_ratio), c.guide_ratio},
+               {fmt::format("{:.3f}", c.rod_angle_max), c.rod_angle_max},
+               std::string(to_string(c.verdict))});
   }
-  return "the greatest least efficiency of the sheet delivery for a required slow-down\n\n" +
-         table.text() + "\nprice: efficiency that one more of slow-down costs, to first order\n";
+  return table;
 }
 
-std::string delivery_csv(std::span<const DeliveryChoice> choices) {
-  std::string csv = "slow_down,least_efficiency,price,law,guide_ratio,rod_angle_max_deg,verdict\n";
-  for (const DeliveryChoice& c : choices) {
-    csv += fmt::format("{},{},{},{},{},{},{}\n", c.slow_down, c.efficiency, c.price, c.law,
-                       c.guide_ratio, c.rod_angle_max, to_string(c.verdict));
-  }
-  return csv;
-}
-
-std::string delivery_json(std::span<const DeliveryChoice> choices) {
-  Json points = Json::array();
-  for (const DeliveryChoice& c : choices) {
-    points.push_back({{"slow_down", c.slow_down},
-                      {"least_efficiency", to_json(c.efficiency)},
-                      {"price", to_json(c.price)},
-                      {"law", c.law},
-                      {"guide_ratio", to_json(c.guide_ratio)},
-                      {"rod_angle_max_deg", to_json(c.rod_angle_max)},
-                      {"verdict", to_string(c.verdict)}});
-  }
-  return Json{{"study", "sheet-delivery"}, {"points", std::move(points)}}.dump(2) + "\n";
+Document delivery_document(std::span<const DeliveryChoice> choices) {
+  Document document;
+  document.fact("study", "sheet-delivery");
+  document.say("the greatest least efficiency of the sheet delivery for a required slow-down\n\n");
+  document.add(delivery_table(choices));
+  document.say("\nprice: efficiency that one more of slow-down costs, to first order\n");
+  return document;
 }
 
 Figure delivery_figure(std::span<const DeliveryChoice> choices) {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "problems/law_files/law_file.h"
 
 namespace camlaw::cli {

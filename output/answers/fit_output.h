@@ -8,25 +8,28 @@
 #include "fitting/motions/motion_fit.h"
 #include "fitting/motions/recorded_motion.h"
 #include "fitting/records/record_fit.h"
-#include "output/answers/law_json.h"
+#include "output/document/document.h"
 #include "output/figure/chart.h"
 
 /// Fits for people and for programs.
 namespace camlaw::cli {
 
 /// `fits` as fit_constants and rank_laws give them, not empty.
-std::string constants_text(const std::vector<problems::ConstantsFit>& fits);
-Json constants_json(const std::vector<problems::ConstantsFit>& fits);
+Document constants_document(const std::vector<problems::ConstantsFit>& fits);
 
 /// A number of a fit for people: six digits are beyond what is measured.
 std::string number(double value);
+Cell number_cell(double value);
 /// Fitted numbers with their intervals.
-std::string fitted_table(const optim::FitResult& fit);
-Json fitted_json(const optim::FitResult& fit);
+Table fitted_table(const optim::FitResult& fit);
 bool all_identifiable(const optim::FitResult& fit);
 
-/// What became of a table with too many rows to fit each: "100 neighbours each ..."; else nothing.
-std::string condensed_text(std::size_t each, std::size_t left_out);
+/// What became of a table with too many rows to fit each: "100 neighbours each ...".
+void add_condensed(std::size_t each, std::size_t left_out, Document& document);
+/// Rows without a number.
+void add_left_out(std::size_t rows, Document& document);
+/// Whether a fit is to be trusted; `distrust` says why not, or is empty.
+void add_trust(const std::string& distrust, Document& document);
 
 /// A recorded curve and the machine behind it.
 struct RecordAnswer {
@@ -36,11 +39,10 @@ struct RecordAnswer {
   problems::RecordFit fit;
 };
 
-std::string record_text(const RecordAnswer& answer);
+Document record_document(const RecordAnswer& answer);
 /// The command that shows the machine that was found, with what else was set: "evaluate FILE --set
 /// 'mass=1.2 kg'".
 std::string record_evaluation(const RecordAnswer& answer, const std::vector<std::string>& settings);
-Json record_json(const RecordAnswer& answer);
 /// The record with what the machine computes, and what is left.
 Figure record_figure(const RecordAnswer& answer);
 
@@ -69,18 +71,14 @@ struct SamplesAnswer {
 };
 
 /// What is wrong with the record: rows that were left out, the centre that was fitted.
-std::string record_faults_text(const SamplesAnswer& answer);
-/// The same: `stray_rows`, `far_rows`, `faults`, `centre`, `notes`.
-void add_record_faults(const SamplesAnswer& answer, Json& result);
+void add_record_faults(const SamplesAnswer& answer, Document& document);
 
 /// What a measured cam adds: what of it lies off.
-std::string cam_text(const problems::CamFit& cam);
-Json cam_json(const problems::CamFit& cam);
+Document cam_document(const problems::CamFit& cam);
 /// Draws what departs from the laws into the two panels of each motion.
 void mark_departures(const problems::CamFit& cam, Figure& figure);
 
-std::string samples_text(const SamplesAnswer& answer);
-Json samples_json(const SamplesAnswer& answer);
+Document samples_document(const SamplesAnswer& answer);
 /// Each motion's samples and law, and what is left.
 Figure samples_figure(const SamplesAnswer& answer);
 /// The law file of the largest motion.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "output/answers/fit_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 
@@ -13,42 +13,49 @@ std::string number(double value) {
   return std::isnan(value) ? "-" : in_digits(value, 6);  // what was not computed
 }
 
-std::string fitted_table(const optim::FitResult& fit) {
-  TextTable table({{"number", TextTable::Align::Left},
-                   {"value"},
-                   {"from"},
-                   {"to"},
-                   {"unit", TextTable::Align::Left},
-                   {"", TextTable::Align::Left}});
+Cell number_cell(double value) { return {number(value), value}; }
+
+Table fitted_table(const optim::FitResult& fit) {
+  Table table{
+      .key = "parameters",
+      .columns = {words("number", "name"), numbers("value", "value"), numbers("from", "low"),
+                  numbers("to", "high"), data("standard_deviation"), words("unit", "unit"),
+                  words(""), data("identifiable"), data("at_bound")}};
   for (const optim::FittedParameter& p : fit.parameters) {
-    table.add({p.name, number(p.value), number(p.low), number(p.high), shown_unit(p.unit),
+    table.add({p.name,
+               number_cell(p.value),
+               number_cell(p.low),
+               number_cell(p.high),
+               datum(p.standard_deviation),
+               {shown_unit(p.unit), p.unit},
                !p.identifiable ? "not determined"
                : p.at_bound    ? "at its bound"
-                               : ""});
+                               : "",
+               datum(p.identifiable),
+               datum(p.at_bound)});
   }
-  return table.text();
+  return table;
 }
 
-std::string condensed_text(std::size_t each, std::size_t left_out) {
-  if (each == 1) return "";
-  return fmt::format(
-      "{} neighbouring rows each are taken as their mean; {} rows far off left out\n", each,
-      left_out);
+void add_condensed(std::size_t each, std::size_t left_out, Document& document) {
+  if (each > 1) {
+    document.say(
+        fmt::format("{} neighbouring rows each are taken as their mean; {} rows far off left out\n",
+                    each, left_out));
+  }
+  document.fact("rows_each", each);
+  document.fact("far_rows_left_out", left_out);
 }
 
-Json fitted_json(const optim::FitResult& fit) {
-  Json result = Json::array();
-  for (const optim::FittedParameter& p : fit.parameters) {
-    result.push_back({{"name", p.name},
-                      {"value", to_json(p.value)},
-                      {"low", to_json(p.low)},
-                      {"high", to_json(p.high)},
-                      {"standard_deviation", to_json(p.standard_deviation)},
-                      {"unit", p.unit},
-                      {"identifiable", p.identifiable},
-                      {"at_bound", p.at_bound}});
-  }
-  return result;
+void add_left_out(std::size_t rows, Document& document) {
+  if (rows > 0) document.say(fmt::format("{} rows without a number left out\n", rows));
+  document.fact("left_out", rows);
+}
+
+void add_trust(const std::string& distrust, Document& document) {
+  if (!distrust.empty()) document.say(fmt::format("not to be trusted: {}\n", distrust));
+  document.fact("trusted", distrust.empty());
+  document.fact("reason", distrust);
 }
 
 bool all_identifiable(const optim::FitResult& fit) {

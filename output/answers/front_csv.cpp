@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "output/answers/front_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 

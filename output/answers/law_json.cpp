@@ -6,18 +6,6 @@
 
 namespace camlaw::cli {
 
-Json to_json(double value) {
-  if (std::isnan(value)) return nullptr;
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
-
-Json to_json(const std::vector<double>& values) {
-  Json result = Json::array();
-  for (const double value : values) result.push_back(to_json(value));
-  return result;
-}
-
 namespace {
 
 Json parameters_to_json(const Member& member) {

@@ -9,9 +9,9 @@
 
 #include "output/answers/limit_text.h"
 #include "output/answers/warnings.h"
+#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
-#include "output/document/text_table.h"
 #include "problems/results/recorded_design.h"
 
 namespace camlaw::cli {
@@ -47,29 +47,25 @@ bool has_prices(const Assessment& a) {
   return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
 }
 
-std::string limit_table(const Answer& answer) {
+Table limits_table(const Answer& answer) {
   const std::vector<LimitReport> limits = answer.limits();
-  if (limits.empty()) return {};
   const bool priced = has_prices(assessment(answer));
-  TextTable table({{"limit", TextTable::Align::Left},
-                   {"value"},
-                   {"bound"},
-                   {"margin"},
-                   {"unit", TextTable::Align::Left},
-                   {"at"},
-                   {"proved", TextTable::Align::Left},
-                   {priced ? "price" : ""}});
+  Table table = empty_limits_table(priced ? "price" : "");
+  table.shown = limits.size();
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitReport& limit = limits[i];
-    const LimitText text = limit_text(limit, answer.bound.statement().constraints[i]);
     const bool price = priced && limit.multiplier != 0;
-    table.add({limit.name, text.value, text.bound, text.margin, limit.unit, text.place,
-               limit.proved ? "yes" : "no",
-               price                     ? fmt::format("{:.4g}", limit.multiplier)
-               : priced && limit.at_rest ? "at rest"
-                                         : ""});
+    std::vector<Cell> row = limit_cells(limit, answer.bound.statement().constraints[i]);
+    row.insert(row.end(), {datum(limit.tolerance),
+                           yes_or_no(limit.proved),
+                           {price                     ? fmt::format("{:.4g}", limit.multiplier)
+                            : priced && limit.at_rest ? "at rest"
+                                                      : "",
+                            limit.multiplier},
+                           datum(limit.at_rest)});
+    table.add(std::move(row));
   }
-  return table.text();
+  return table;
 }
 
 /// What one unit more of each pushing limit buys, in words.
@@ -211,52 +207,9 @@ std::vector<LimitReport> Answer::limits() const {
   return problems::as_stated(bound.statement(), optimum.found.assessment.limits);
 }
 
-std::string answer_text(const Answer& answer) {
-  const Assessment& a = assessment(answer);
-  const std::string& title = answer.bound.statement().title;
-  std::string text = title.empty() ? "" : title + "\n";
-  text += fmt::format("{}: {}\n", shaded_verdict(a.verdict), a.reason);
-  if (a.global) text += fmt::format("global: {}\n", *a.global);
-  text += warnings_text(answer.warnings);
-  text += fmt::format("\n{}", design_text(answer));
-  if (!a.limits.empty()) text += fmt::format("\n{}", limit_table(answer));
-  if (!a.active.empty()) text += fmt::format("\nactive: {}\n", fmt::join(a.active, ", "));
-  if (const std::string costs = prices(answer); !costs.empty()) text += "\n" + costs;
-  if (std::isfinite(a.kkt_residual)) {
-    text += fmt::format("\nconditions of {} to {:.1e}; condition of the active limits {}\n",
-                        a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality",
-                        a.kkt_residual,
-                        std::isinf(a.condition) ? "infinite: their multipliers are not unique"
-                                                : fmt::format("{:.2g}", a.condition));
-  }
-  return text + how(answer) + "\n";
-}
+namespace {
 
-Json answer_json(const Answer& answer) {
-  const Assessment& a = assessment(answer);
-  const optim::Found& found = answer.optimum.found;
-  const std::optional<Member> law = answer.law();
-  Json variables = Json::object(), units = Json::object();
-  for (const Answer::Value& value : answer.values()) {
-    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
-    if (!value.unit.empty()) units[value.name] = value.unit;
-  }
-  Json constraints = Json::array();
-  for (const LimitReport& limit : answer.limits()) {
-    constraints.push_back(
-        {{"name", limit.name},
-         {"value", to_json(limit.value)},
-         {"bound", limit.bound},
-         {"side", limit.is_upper ? "upper" : "lower"},
-         {"margin", to_json(limit.margin)},
-         {"tolerance", limit.tolerance},
-         {"unit", limit.unit},
-         {"worst_angle_deg", limit.worst_angle ? to_json(*limit.worst_angle) : Json(nullptr)},
-         {"met", limit.met},
-         {"proved", limit.proved},
-         {"multiplier", to_json(limit.multiplier)},
-         {"at_rest", limit.at_rest}});
-  }
+Json active_bounds(const Assessment& a) {
   Json bounds = Json::array();
   for (const VariableReport& v : a.variables) {
     if (!v.at_lower && !v.at_upper) continue;
@@ -264,50 +217,96 @@ Json answer_json(const Answer& answer) {
                       {"side", v.at_upper ? "upper" : "lower"},
                       {"multiplier", to_json(v.multiplier)}});
   }
-  return {
-      {"format", problems::kResultFormat.text()},
-      {"program", short_version()},
-      {"title", answer.bound.statement().title},
-      {"status", optim::to_string(found.status)},
-      {"verdict", optim::to_string(a.verdict)},
-      {"reason", a.reason},
-      {"warnings", answer.warnings},
-      {"objective", to_json(a.objective.value)},
-      {"objective_name", objective_name(answer)},
-      {"objective_unit", objective_unit(answer)},
-      {"objective_tolerance", to_json(a.objective.tolerance)},
-      {"best_possible", a.best_possible ? to_json(*a.best_possible) : Json(nullptr)},
-      {"objective_proved", {to_json(a.objective.proved.lower), to_json(a.objective.proved.upper)}},
-      {"variables", std::move(variables)},
-      {"units", std::move(units)},
-      {"constraints", std::move(constraints)},
-      {"active", a.active},
-      {"active_bounds", std::move(bounds)},
-      {"blamed", a.blamed},
-      {"kkt_residual", to_json(a.kkt_residual)},
-      {"second_order", a.second_order},
-      {"condition", to_json(a.condition)},
-      {"global", a.global ? Json(*a.global) : Json(nullptr)},
-      {"starts", found.starts},
-      {"agreed", found.agreed},
-      {"combinations", answer.optimum.combinations},
-      {"evaluations", found.evaluations},
-      {"iterations", found.iterations},
-      {"solves", found.solves},
-      {"solver", found.solver},
-      {"solver_asked", answer.asked},
-      {"why_solver", found.why_solver},
-      {"seed", answer.seed},
-      {"law", law ? Json(law->name()) : Json(nullptr)},
-      {"design", problems::recorded_design(answer.bound, answer.optimum.options, found.x)}};
+  return bounds;
 }
 
-std::string scaling_text(const optim::Problem& problem) {
+void add_design(const Answer& answer, Document& document) {
+  const Assessment& a = assessment(answer);
+  Json variables = Json::object(), units = Json::object();
+  for (const Answer::Value& value : answer.values()) {
+    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
+    if (!value.unit.empty()) units[value.name] = value.unit;
+  }
+  document.say("\n" + design_text(answer));
+  document.fact("objective", a.objective.value);
+  document.fact("objective_name", objective_name(answer));
+  document.fact("objective_unit", objective_unit(answer));
+  document.fact("objective_tolerance", a.objective.tolerance);
+  document.fact("best_possible", a.best_possible);
+  document.fact("objective_proved",
+                Json{to_json(a.objective.proved.lower), to_json(a.objective.proved.upper)});
+  document.fact("variables", variables);
+  document.fact("units", units);
+}
+
+/// What holds the design where it is, and how well that is known.
+void add_conditions(const Answer& answer, Document& document) {
+  const Assessment& a = assessment(answer);
+  if (!a.active.empty()) document.say(fmt::format("\nactive: {}\n", fmt::join(a.active, ", ")));
+  if (const std::string costs = prices(answer); !costs.empty()) document.say("\n" + costs);
+  if (std::isfinite(a.kkt_residual)) {
+    document.say(fmt::format(
+        "\nconditions of {} to {:.1e}; condition of the active limits {}\n",
+        a.verdict == optim::Verdict::Infeasible ? "least violation" : "optimality", a.kkt_residual,
+        std::isinf(a.condition) ? "infinite: their multipliers are not unique"
+                                : fmt::format("{:.2g}", a.condition)));
+  }
+  document.fact("active", a.active);
+  document.fact("active_bounds", active_bounds(a));
+  document.fact("blamed", a.blamed);
+  document.fact("kkt_residual", a.kkt_residual);
+  document.fact("second_order", a.second_order);
+  document.fact("condition", a.condition);
+  document.fact("global", a.global);
+}
+
+void add_search(const Answer& answer, Document& document) {
+  const optim::Found& found = answer.optimum.found;
+  document.say(how(answer) + "\n");
+  document.fact("starts", found.starts);
+  document.fact("agreed", found.agreed);
+  document.fact("combinations", answer.optimum.combinations);
+  document.fact("evaluations", found.evaluations);
+  document.fact("iterations", found.iterations);
+  document.fact("solves", found.solves);
+  document.fact("solver", found.solver);
+  document.fact("solver_asked", answer.asked);
+  document.fact("why_solver", found.why_solver);
+  document.fact("seed", answer.seed);
+}
+
+}  // namespace
+
+Document answer_document(const Answer& answer) {
+  const Assessment& a = assessment(answer);
+  const std::string& title = answer.bound.statement().title;
+  const std::optional<Member> law = answer.law();
+  Document document;
+  document.fact("format", problems::kResultFormat.text());
+  document.fact("program", short_version());
+  if (!title.empty()) document.say(title + "\n");
+  document.fact("title", title);
+  document.say(fmt::format("{}: {}\n", shaded_verdict(a.verdict), a.reason));
+  document.fact("status", optim::to_string(answer.optimum.found.status));
+  document.fact("verdict", optim::to_string(a.verdict));
+  document.fact("reason", a.reason);
+  if (a.global) document.say(fmt::format("global: {}\n", *a.global));
+  document.say(warnings_text(answer.warnings));
+  document.fact("warnings", answer.warnings);
+  add_design(answer, document);
+  if (!a.limits.empty()) document.say("\n");
+  document.add(limits_table(answer));
+  add_conditions(answer, document);
+  add_search(answer, document);
+  document.fact("law", law ? Json(law->name()) : Json(nullptr));
+  document.fact("design", problems::recorded_design(answer.bound, answer.optimum.options,
+                                                    answer.optimum.found.x));
+  return document;
+}
+
+Table scaling_table(const optim::Problem& problem) {
   const optim::Sizes sizes = optim::sizes(problem, problem.start());
-  TextTable table({{"scaling", TextTable::Align::Left},
-                   {"size"},
-                   {"tolerance"},
-                   {"unit", TextTable::Align::Left}});
+  Table table{.columns = {words("scaling"), numbers("size"), numbers("tolerance"), words("unit")}};
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
         {problem.variables[i].name, number(sizes.variables[i]), "", problem.variables[i].unit});
@@ -318,7 +317,7 @@ std::string scaling_text(const optim::Problem& problem) {
     table.add({problem.constraints[i].response.name, number(sizes.constraints[i].size),
                number(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
-  return table.text();
+  return table;
 }
 
 }  // namespace camlaw::cli

@@ -7,6 +7,7 @@
 
 #include "optim/search/optimise.h"
 #include "output/answers/law_json.h"
+#include "output/document/document.h"
 #include "output/figure/chart.h"
 #include "problems/statement/bind.h"
 
@@ -34,10 +35,9 @@ struct Answer {
   std::vector<optim::LimitReport> limits() const;
 };
 
-std::string answer_text(const Answer& answer);
-Json answer_json(const Answer& answer);
+Document answer_document(const Answer& answer);
 
 /// The sizes that variables and limits are divided by, and the tolerances.
-std::string scaling_text(const optim::Problem& problem);
+Table scaling_table(const optim::Problem& problem);
 
 }  // namespace camlaw::cli

@@ -8,7 +8,7 @@
 #include "fitting/motions/fault_words.h"
 #include "fitting/samples/turn.h"
 #include "output/answers/fit_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -96,30 +96,25 @@ Json fault_json(const problems::FaultTest& test) {
 
 }  // namespace
 
-std::string record_faults_text(const SamplesAnswer& answer) {
-  std::string text;
-  for (const std::string& note : answer.notes) text += note + "\n";
-  if (answer.motion() != nullptr) {
-    text += stray_text(answer.motion()->record) + far_text(answer.motion()->record);
-  }
-  return text + centre_text(answer);
-}
-
-void add_record_faults(const SamplesAnswer& answer, Json& result) {
-  const problems::RecordedMotion* motion = answer.motion();
-  result["notes"] = answer.notes;
-  result["stray_rows"] =
-      rows_json(motion != nullptr ? motion->record.stray : std::vector<FaultyRow>{});
-  result["far_rows"] = rows_json(motion != nullptr ? motion->record.far : std::vector<FaultyRow>{});
-  result["faults"] = Json::array();
-  for (const auto& test : answer.faults()) result["faults"].push_back(fault_json(test));
+void add_record_faults(const SamplesAnswer& answer, Document& document) {
+  for (const std::string& note : answer.notes) document.say(note + "\n");
+  document.fact("notes", answer.notes);
+  static const problems::MotionRecord kNone{};
+  const problems::MotionRecord& record =
+      answer.motion() != nullptr ? answer.motion()->record : kNone;
+  document.say(stray_text(record) + far_text(record) + centre_text(answer));
+  document.fact("stray_rows", rows_json(record.stray));
+  document.fact("far_rows", rows_json(record.far));
+  Json faults = Json::array();
+  for (const auto& test : answer.faults()) faults.push_back(fault_json(test));
+  document.fact("faults", faults);
   const auto& centre = answer.centre();
-  result["centre"] = !centre ? Json(nullptr)
-                             : Json{{"x", to_json(centre->place.real())},
-                                    {"y", to_json(centre->place.imag())},
-                                    {"x_standard_deviation", to_json(centre->x_error())},
-                                    {"y_standard_deviation", to_json(centre->y_error())},
-                                    {"unit", centre_unit(answer)}};
+  document.fact("centre", !centre ? Json(nullptr)
+                                  : Json{{"x", to_json(centre->place.real())},
+                                         {"y", to_json(centre->place.imag())},
+                                         {"x_standard_deviation", to_json(centre->x_error())},
+                                         {"y_standard_deviation", to_json(centre->y_error())},
+                                         {"unit", centre_unit(answer)}});
 }
 
 }  // namespace camlaw::cli

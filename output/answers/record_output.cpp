@@ -8,7 +8,7 @@
 #include "numerics/linear/statistics.h"
 #include "output/answers/fit_output.h"
 #include "output/answers/next_step.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/fit_panels.h"
 
 namespace camlaw::cli {
@@ -18,23 +18,41 @@ const std::string& unit_of(const RecordAnswer& answer) { return answer.record.re
 
 }  // namespace
 
-std::string record_text(const RecordAnswer& answer) {
+Document record_document(const RecordAnswer& answer) {
   const optim::FitResult& fit = answer.fit.fit;
-  const std::string& unit = unit_of(answer);
-  std::string text = fmt::format("{} of {}, recorded at {} places\n", answer.record.response.name,
-                                 answer.fit.machine.mechanism->name, fit.residuals.size());
-  if (answer.left_out > 0)
-    text += fmt::format("{} rows without a number left out\n", answer.left_out);
-  text += condensed_text(answer.record.each, answer.record.left_out) + fitted_table(fit);
-  text += fmt::format("rms {}, largest {} at {} {}; neighbouring residuals correlate by {:.2f}\n",
-                      with_unit(number(fit.rms), unit),
-                      with_unit(number(std::abs(fit.residuals[fit.largest])), unit),
-                      number(answer.record.place[fit.largest]),
-                      answer.record.response.response->along, answer.fit.left.correlation);
-  if (!answer.fit.distrust.empty()) {
-    text += fmt::format("not to be trusted: {}\n", answer.fit.distrust);
-  }
-  return text;
+  const problems::ProblemStatement& machine = answer.fit.machine;
+  const std::string &name = answer.record.response.name, &unit = unit_of(answer);
+  const double largest = std::abs(fit.residuals[fit.largest]);
+  const double largest_at = answer.record.place[fit.largest];
+  Document document;
+  document.say(fmt::format("{} of {}, recorded at {} places\n", name, machine.mechanism->name,
+                           fit.residuals.size()));
+  document.fact("response", name);
+  document.fact("mechanism", machine.mechanism->name);
+  document.fact("law", machine.laws.empty() ? Json(nullptr) : Json(machine.laws.front().name()));
+  document.fact("samples", fit.residuals.size());
+  add_left_out(answer.left_out, document);
+  add_condensed(answer.record.each, answer.record.left_out, document);
+  document.add(fitted_table(fit));
+  document.say(fmt::format(
+      "rms {}, largest {} at {} {}; neighbouring residuals correlate by {:.2f}\n",
+      with_unit(number(fit.rms), unit), with_unit(number(largest), unit), number(largest_at),
+      answer.record.response.response->along, answer.fit.left.correlation));
+  document.fact("outliers", answer.fit.outliers.samples.size());
+  document.fact("rms", fit.rms);
+  document.fact("max_residual", largest);
+  document.fact("max_residual_at", largest_at);
+  document.fact("residual_unit", unit);
+  document.fact("standard_deviation", fit.sigma);
+  document.fact("degrees_of_freedom", fit.degrees_of_freedom);
+  document.fact("correlation", answer.fit.left.correlation);
+  document.fact("criterion",
+                optim::aicc(fit.residuals.size(), fit.parameters.size(), fit.sum_of_squares));
+  document.fact("criterion_name", "AICc");
+  document.fact("ranking", Json::array());
+  document.fact("identifiable", all_identifiable(fit));
+  add_trust(answer.fit.distrust, document);
+  return document;
 }
 
 std::string record_evaluation(const RecordAnswer& answer,
@@ -51,34 +69,6 @@ std::string record_evaluation(const RecordAnswer& answer,
     command += fmt::format(" --set '{}={}'", v.name, with_unit(in_digits(v.start), v.unit));
   }
   return command;
-}
-
-Json record_json(const RecordAnswer& answer) {
-  const optim::FitResult& fit = answer.fit.fit;
-  return {{"response", answer.record.response.name},
-          {"mechanism", answer.fit.machine.mechanism->name},
-          {"law", answer.fit.machine.laws.empty() ? Json(nullptr)
-                                                  : Json(answer.fit.machine.laws.front().name())},
-          {"parameters", fitted_json(fit)},
-          {"samples", fit.residuals.size()},
-          {"left_out", answer.left_out},
-          {"rows_each", answer.record.each},
-          {"far_rows_left_out", answer.record.left_out},
-          {"outliers", answer.fit.outliers.samples.size()},
-          {"rms", to_json(fit.rms)},
-          {"max_residual", to_json(std::abs(fit.residuals[fit.largest]))},
-          {"max_residual_at", to_json(answer.record.place[fit.largest])},
-          {"residual_unit", unit_of(answer)},
-          {"standard_deviation", to_json(fit.sigma)},
-          {"degrees_of_freedom", fit.degrees_of_freedom},
-          {"correlation", to_json(answer.fit.left.correlation)},
-          {"criterion",
-           to_json(optim::aicc(fit.residuals.size(), fit.parameters.size(), fit.sum_of_squares))},
-          {"criterion_name", "AICc"},
-          {"ranking", Json::array()},
-          {"identifiable", all_identifiable(fit)},
-          {"trusted", answer.fit.distrust.empty()},
-          {"reason", answer.fit.distrust}};
 }
 
 Figure record_figure(const RecordAnswer& answer) {

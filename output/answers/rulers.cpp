@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "kinematics/limits.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -152,6 +152,8 @@ std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions&
   return result;
 }
 
+namespace {
+
 std::string rulers_text(const Answer& answer, const Rulers& r) {
   std::string text =
       fmt::format("\nthe law\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n",
@@ -188,20 +190,25 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
                             r.best->objective >= own ? "more" : "less", among);
 }
 
-Json rulers_json(const Rulers& r) {
+}  // namespace
+
+Document rulers_document(const Answer& answer, const Rulers& r) {
   Json best = nullptr;
   if (r.best) best = {{"law", r.best->law}, {"objective", to_json(r.best->objective)}};
-  return {{"B", to_json(r.peaks.max_velocity())},
-          {"C", to_json(r.peaks.max_acceleration())},
-          {"D", to_json(r.peaks.max_jerk())},
-          {"Cm", to_json(r.peaks.max_dynamic_moment())},
-          {"lambda", r.lambda ? to_json(*r.lambda) : Json(nullptr)},
-          {"least_C_for_B", r.least_acceleration ? to_json(*r.least_acceleration) : Json(nullptr)},
-          {"named_laws", r.rivals},
-          {"reoptimised", r.reoptimised},
-          {"choices_held", r.held},
-          {"finished", r.finished},
-          {"best_named", std::move(best)}};
+  Document document;
+  document.say(rulers_text(answer, r));
+  document.fact("B", r.peaks.max_velocity());
+  document.fact("C", r.peaks.max_acceleration());
+  document.fact("D", r.peaks.max_jerk());
+  document.fact("Cm", r.peaks.max_dynamic_moment());
+  document.fact("lambda", r.lambda);
+  document.fact("least_C_for_B", r.least_acceleration);
+  document.fact("named_laws", r.rivals);
+  document.fact("reoptimised", r.reoptimised);
+  document.fact("choices_held", r.held);
+  document.fact("finished", r.finished);
+  document.fact("best_named", best);
+  return document;
 }
 
 }  // namespace camlaw::cli

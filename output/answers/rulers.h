@@ -37,7 +37,6 @@ struct Rulers {
 /// too many combinations with the rivals, those of the answer stay.
 std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search);
 
-std::string rulers_text(const Answer& answer, const Rulers& rulers);
-Json rulers_json(const Rulers& rulers);
+Document rulers_document(const Answer& answer, const Rulers& rulers);
 
 }  // namespace camlaw::cli

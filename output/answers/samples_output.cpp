@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "output/answers/fit_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/fit_panels.h"
 #include "problems/law_files/law_file.h"
 
@@ -24,66 +24,99 @@ std::string shortened(const std::string& label) {
   return label.size() > kMost ? label.substr(0, kMost) + " ..." : label;
 }
 
-std::string segments_text(const SamplesAnswer& answer) {
-  const problems::FittedCycle& cycle = answer.cycle();
-  if (cycle.segments.size() < 2) return "";
-  const problems::MotionSamples& samples = cycle.fits.front().motion.samples;
-  TextTable table({{"segment", TextTable::Align::Left},
-                   {fmt::format("from, {}", samples.place_unit)},
-                   {"+-"},
-                   {fmt::format("to, {}", samples.place_unit)},
-                   {"+-"},
-                   {"lift"},
-                   {"to"},
-                   {shown_unit(samples.unit), TextTable::Align::Left}});
-  const auto error = [](double value) { return in_digits(value, 2); };
-  for (const FoundSegment& s : cycle.segments) {
-    table.add({to_string(s.kind), number(s.begin), error(s.begin_error), number(s.end),
-               error(s.end_error), number(s.from), number(s.to), ""});
+/// Numbers that can change together without a residual changing, and by how much each.
+Json free_directions_json(const LawFit& fit) {
+  Json result = Json::array();
+  for (const optim::FreeDirection& direction : fit.fit.free_directions) {
+    Json changes = Json::object();
+    for (std::size_t i = 0; i < direction.parameters.size(); ++i) {
+      const std::string& name = fit.fit.parameters[direction.parameters[i]].name;
+      changes[name] = to_json(direction.changes[i]);
+    }
+    result.push_back(std::move(changes));
   }
-  std::string text = table.text();
-  text += fmt::format("noise {}", with_unit(number(cycle.found.noise), samples.unit));
-  if (cycle.found.outlying > 0) {
-    text += fmt::format("; {} samples far off, left out here", cycle.found.outlying);
-  }
-  return text + "\n\n";
+  return result;
 }
 
-std::string ranking_text(const MotionFit& fit) {
-  if (fit.ranking.size() < 2) return "";
-  const std::string& unit = fit.motion.samples.unit;
-  TextTable table({{"#"},
-                   {"law", TextTable::Align::Left},
-                   {"share"},
-                   {fmt::format("rms{}", unit == "1" ? "" : ", " + unit)},
-                   {"largest"}});
-  for (std::size_t i = 0; i < std::min(fit.ranking.size(), kRanked); ++i) {
-    const LawFit& f = fit.ranking[i];
-    table.add({fmt::format("{}", i + 1), shortened(f.law.label()),
-               fmt::format("{:.1f} %", 100 * f.weight), number(f.fit.rms),
-               number(std::abs(f.fit.residuals[f.fit.largest]))});
+/// The parts of a cycle, by where they begin and end; one motion alone has no table of them.
+void add_segments(const SamplesAnswer& answer, Document& document) {
+  const problems::FittedCycle& cycle = answer.cycle();
+  const problems::MotionSamples& samples = cycle.fits.front().motion.samples;
+  const std::string& unit = samples.place_unit;
+  Table table{.key = "segments",
+              .columns = {words("segment", "kind"), numbers("from, " + unit, "begin"),
+                          numbers("+-", "begin_error"), numbers("to, " + unit, "end"),
+                          numbers("+-", "end_error"), numbers("lift", "from"), numbers("to", "to"),
+                          words(shown_unit(samples.unit))},
+              .shown = cycle.segments.size() > 1 ? cycle.segments.size() : 0};
+  const auto error = [](double value) { return Cell(in_digits(value, 2), value); };
+  for (const FoundSegment& s : cycle.segments) {
+    table.add({std::string(to_string(s.kind)), number_cell(s.begin), error(s.begin_error),
+               number_cell(s.end), error(s.end_error), number_cell(s.from), number_cell(s.to), ""});
   }
-  return fmt::format("laws and their share in what may be behind the samples, the best of {}\n{}",
-                     fit.ranking.size(), table.text());
+  document.add(std::move(table));
+  if (cycle.segments.size() < 2) return;
+  document.say(
+      fmt::format("noise {}{}\n\n", with_unit(number(cycle.found.noise), samples.unit),
+                  cycle.found.outlying > 0
+                      ? fmt::format("; {} samples far off, left out here", cycle.found.outlying)
+                      : ""));
+}
+
+/// The laws that were tried, the best first; of one alone there is nothing to compare.
+void add_ranking(const MotionFit& fit, Document& document) {
+  const std::string& unit = fit.motion.samples.unit;
+  Table table{
+      .key = "ranking",
+      .columns = {numbers("#"), words("law", "law"), data("criterion"), numbers("share", "share"),
+                  numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
+                  numbers("largest", "max_residual")},
+      .shown = fit.ranking.size() > 1 ? kRanked : 0};
+  for (const LawFit& f : fit.ranking) {
+    table.add({fmt::format("{}", table.rows.size() + 1),
+               {shortened(f.law.label()), f.law.name()},
+               datum(f.criterion),
+               {fmt::format("{:.1f} %", 100 * f.weight), f.weight},
+               number_cell(f.fit.rms),
+               number_cell(std::abs(f.fit.residuals[f.fit.largest]))});
+  }
+  if (fit.ranking.size() > 1) {
+    document.say(
+        fmt::format("laws and their share in what may be behind the samples, the best of {}\n",
+                    fit.ranking.size()));
+  }
+  document.add(std::move(table));
 }
 
 /// What is left, and how well the samples tell the numbers apart.
-std::string residuals_text(const MotionFit& fit) {
+void add_residuals(const MotionFit& fit, Document& document) {
   const optim::FitResult& found = fit.best().fit;
-  const std::string &unit = fit.motion.samples.unit, &place_unit = fit.motion.samples.place_unit;
-  std::string text =
-      fmt::format("{} samples; rms {}, largest {} at {}; error of prediction {}\n",
-                  fit.motion.samples.place.size(), with_unit(number(found.rms), unit),
-                  with_unit(number(std::abs(found.residuals[found.largest])), unit),
-                  with_unit(number(fit.motion.samples.place[found.largest]), place_unit),
-                  with_unit(number(fit.prediction_error), unit));
-  return text + fmt::format(
-                    "sigma {} with {} degrees of freedom; neighbours' correlation {:.2f}; "
-                    "condition {:.2g}, {}\n",
-                    with_unit(number(found.sigma), unit), found.degrees_of_freedom,
-                    fit.left.correlation, found.condition,
-                    found.free_directions.empty() ? "all numbers are determined"
-                                                  : "not all numbers are determined");
+  const problems::MotionSamples& samples = fit.motion.samples;
+  const std::string &unit = samples.unit, &place_unit = samples.place_unit;
+  const double largest = std::abs(found.residuals[found.largest]);
+  const double largest_at = samples.place[found.largest];
+  document.say(fmt::format(
+      "{} samples; rms {}, largest {} at {}; error of prediction {}\n", samples.place.size(),
+      with_unit(number(found.rms), unit), with_unit(number(largest), unit),
+      with_unit(number(largest_at), place_unit), with_unit(number(fit.prediction_error), unit)));
+  document.say(
+      fmt::format("sigma {} with {} degrees of freedom; neighbours' correlation {:.2f}; "
+                  "condition {:.2g}, {}\n",
+                  with_unit(number(found.sigma), unit), found.degrees_of_freedom,
+                  fit.left.correlation, found.condition,
+                  found.free_directions.empty() ? "all numbers are determined"
+                                                : "not all numbers are determined"));
+  document.fact("samples", samples.place.size());
+  document.fact("rms", found.rms);
+  document.fact("max_residual", largest);
+  document.fact("max_residual_at", largest_at);
+  document.fact("residual_unit", unit);
+  document.fact("place_unit", place_unit);
+  document.fact("sigma", found.sigma);
+  document.fact("degrees_of_freedom", found.degrees_of_freedom);
+  document.fact("neighbour_correlation", fit.left.correlation);
+  document.fact("condition", found.condition);
+  document.fact("free_directions", free_directions_json(fit.best()));
 }
 
 std::string outliers_text(const MotionFit& fit) {
@@ -104,34 +137,6 @@ std::string outliers_text(const MotionFit& fit) {
                      fmt::join(worst, ", "), count > kShown ? ", ..." : "");
 }
 
-std::string motion_text(const MotionFit& fit) {
-  const LawFit& best = fit.best();
-  std::string text = fmt::format("{}\n", best.law.label());
-  text += fitted_table(best.fit) + residuals_text(fit) + outliers_text(fit);
-  if (!fit.distrust.empty()) {
-    text += fmt::format("not to be trusted: {}\n", fit.distrust);
-  } else if (!fit.as_good.empty()) {
-    text += fmt::format("as good for all that the samples tell: {}\n",
-                        problems::first_names(fit.as_good));
-  }
-  if (fit.smooth) text += "the law that is written is a smoothing spline through the samples\n";
-  return text + ranking_text(fit);
-}
-
-/// Numbers that can change together without a residual changing, and by how much each.
-Json free_directions_json(const LawFit& fit) {
-  Json result = Json::array();
-  for (const optim::FreeDirection& direction : fit.fit.free_directions) {
-    Json changes = Json::object();
-    for (std::size_t i = 0; i < direction.parameters.size(); ++i) {
-      const std::string& name = fit.fit.parameters[direction.parameters[i]].name;
-      changes[name] = to_json(direction.changes[i]);
-    }
-    result.push_back(std::move(changes));
-  }
-  return result;
-}
-
 Json outliers_json(const MotionFit& fit) {
   const problems::MotionSamples& samples = fit.motion.samples;
   Json list = Json::array();
@@ -145,44 +150,36 @@ Json outliers_json(const MotionFit& fit) {
           {"samples", std::move(list)}};
 }
 
-Json motion_json(const MotionFit& fit) {
+Document motion_document(const MotionFit& fit) {
   const LawFit& best = fit.best();
-  Json ranking = Json::array();
-  for (const LawFit& f : fit.ranking) {
-    ranking.push_back({{"law", f.law.name()},
-                       {"criterion", to_json(f.criterion)},
-                       {"share", to_json(f.weight)},
-                       {"rms", to_json(f.fit.rms)},
-                       {"max_residual", to_json(std::abs(f.fit.residuals[f.fit.largest]))}});
+  Document document;
+  document.say(best.law.label() + "\n");
+  document.fact("law", best.law.name());
+  document.fact("begin", best.begin);
+  document.fact("end", best.end);
+  document.fact("from", best.from);
+  document.fact("to", best.to);
+  document.add(fitted_table(best.fit));
+  add_residuals(fit, document);
+  document.say(outliers_text(fit));
+  document.fact("outliers", outliers_json(fit));
+  document.fact("criterion", best.criterion);
+  document.fact("criterion_name", "-2 ln evidence");
+  document.fact("prediction_error", fit.prediction_error);
+  add_trust(fit.distrust, document);
+  if (fit.distrust.empty() && !fit.as_good.empty()) {
+    document.say(fmt::format("as good for all that the samples tell: {}\n",
+                             problems::first_names(fit.as_good)));
   }
-  return {{"law", best.law.name()},
-          {"begin", to_json(best.begin)},
-          {"end", to_json(best.end)},
-          {"from", to_json(best.from)},
-          {"to", to_json(best.to)},
-          {"parameters", fitted_json(best.fit)},
-          {"samples", fit.motion.samples.place.size()},
-          {"rms", to_json(best.fit.rms)},
-          {"max_residual", to_json(std::abs(best.fit.residuals[best.fit.largest]))},
-          {"max_residual_at", to_json(fit.motion.samples.place[best.fit.largest])},
-          {"residual_unit", fit.motion.samples.unit},
-          {"place_unit", fit.motion.samples.place_unit},
-          {"sigma", to_json(best.fit.sigma)},
-          {"degrees_of_freedom", best.fit.degrees_of_freedom},
-          {"neighbour_correlation", to_json(fit.left.correlation)},
-          {"condition", to_json(best.fit.condition)},
-          {"free_directions", free_directions_json(best)},
-          {"outliers", outliers_json(fit)},
-          {"criterion", to_json(best.criterion)},
-          {"criterion_name", "-2 ln evidence"},
-          {"prediction_error", to_json(fit.prediction_error)},
-          {"trusted", fit.distrust.empty()},
-          {"reason", fit.distrust},
-          {"as_good", fit.as_good},
-          {"untried", fit.untried},
-          {"smoothed", fit.smooth.has_value()},
-          {"identifiable", all_identifiable(best.fit)},
-          {"ranking", std::move(ranking)}};
+  document.fact("as_good", fit.as_good);
+  document.fact("untried", fit.untried);
+  if (fit.smooth) {
+    document.say("the law that is written is a smoothing spline through the samples\n");
+  }
+  document.fact("smoothed", fit.smooth.has_value());
+  document.fact("identifiable", all_identifiable(best.fit));
+  add_ranking(fit, document);
+  return document;
 }
 
 /// The largest motion: what the answer is about where there are several.
@@ -223,44 +220,31 @@ void draw_motion(const MotionFit& fit, Figure& figure) {
 
 }  // namespace
 
-std::string samples_text(const SamplesAnswer& answer) {
-  std::string text =
-      (answer.cam() != nullptr ? cam_text(*answer.cam()) : "") + segments_text(answer);
-  if (answer.left_out > 0)
-    text = fmt::format("{} rows without a number left out\n", answer.left_out) + text;
-  text = condensed_text(answer.each, answer.far_rows) + record_faults_text(answer) + text;
-  for (const MotionFit& fit : answer.cycle().fits) {
-    if (answer.cycle().fits.size() > 1) {
-      text += fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
-                          number(fit.best().begin),
-                          with_unit(number(fit.best().end), fit.motion.samples.place_unit));
+Document samples_document(const SamplesAnswer& answer) {
+  const std::vector<MotionFit>& fits = answer.cycle().fits;
+  std::vector<Document> motions;
+  for (const MotionFit& fit : fits) {
+    Document motion;
+    if (fits.size() > 1) {
+      motion.say(
+          fmt::format("{} from {} to {}: ", fit.best().to > fit.best().from ? "rise" : "return",
+                      number(fit.best().begin),
+                      with_unit(number(fit.best().end), fit.motion.samples.place_unit)));
     }
-    text += motion_text(fit) + "\n";
+    motion.add(motion_document(fit));
+    motion.say("\n");
+    motions.push_back(std::move(motion));
   }
-  return text;
-}
-
-Json samples_json(const SamplesAnswer& answer) {
-  Json result = motion_json(main_motion(answer));
-  Json segments = Json::array(), motions = Json::array();
-  for (const FoundSegment& s : answer.cycle().segments) {
-    segments.push_back({{"kind", to_string(s.kind)},
-                        {"begin", to_json(s.begin)},
-                        {"end", to_json(s.end)},
-                        {"from", to_json(s.from)},
-                        {"to", to_json(s.to)},
-                        {"begin_error", to_json(s.begin_error)},
-                        {"end_error", to_json(s.end_error)}});
-  }
-  for (const MotionFit& fit : answer.cycle().fits) motions.push_back(motion_json(fit));
-  result["segments"] = std::move(segments);
-  result["motions"] = std::move(motions);
-  result["left_out"] = answer.left_out;
-  result["rows_each"] = answer.each;
-  result["far_rows_left_out"] = answer.far_rows;
-  add_record_faults(answer, result);
-  if (answer.cam() != nullptr) result["cam"] = cam_json(*answer.cam());
-  return result;
+  Document document;
+  document.take_facts(
+      json_of(motions[static_cast<std::size_t>(&main_motion(answer) - fits.data())]));
+  add_condensed(answer.each, answer.far_rows, document);
+  add_record_faults(answer, document);
+  add_left_out(answer.left_out, document);
+  if (answer.cam() != nullptr) document.add("cam", cam_document(*answer.cam()));
+  add_segments(answer, document);
+  document.add("motions", std::move(motions));
+  return document;
 }
 
 Figure samples_figure(const SamplesAnswer& answer) {

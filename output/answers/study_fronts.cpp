@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -31,20 +32,47 @@ std::vector<std::size_t> some_of(const optim::Front& front) {
   return shown;
 }
 
-std::string front_lines(const ProvedFront& front) {
-  if (front.front.points.empty()) return fmt::format("{}: no design was found\n", front.name);
-  std::string text = fmt::format(
-      "{}: {} of {} points certified in {} searches; hypervolume{} {:.2f} % of the limit's\n",
+Table points_table(const ProvedFront& front, const std::vector<std::size_t>& points) {
+  Table table{.key = "points",
+              .columns = {data("front"), numbers("R, mm", "cam_radius_mm"),
+                          numbers("F, N", "inertia_force_N"), numbers("N per mm", "slope_N_per_mm"),
+                          words("law", "law"), data("verdict")}};
+  const auto number = [](double value, int decimals) {
+    return Cell(shown(value, decimals), value);
+  };
+  for (const std::size_t k : points) {
+    const optim::FrontPoint& p = front.front.points[k];
+    table.add({datum(front.name), number(p.objectives[0], 2), number(p.objectives[1], 3),
+               number(front.front.slope(p, 1, 0), 3), front.laws[k], datum(to_string(p.verdict))});
+  }
+  return table;
+}
+
+std::vector<std::size_t> all_of(const optim::Front& front) {
+  std::vector<std::size_t> points(front.points.size());
+  std::iota(points.begin(), points.end(), std::size_t{0});
+  return points;
+}
+
+Document front_document(const ProvedFront& front) {
+  Document document;
+  document.fact("name", front.name);
+  document.fact("hypervolume", front.front.hypervolume);
+  document.fact("share_of_limit", front.share_of_limit);
+  document.fact("points", json_of(points_table(front, all_of(front.front))));
+  if (front.front.points.empty()) {
+    document.say(fmt::format("\n{}: no design was found\n", front.name));
+    return document;
+  }
+  document.say(fmt::format(
+      "\n{}: {} of {} points certified in {} searches; hypervolume{} {:.2f} % of the limit's\n",
       front.name, front.front.certified(), front.front.points.size(), front.front.tasks,
       front.front.hypervolume_of_mixtures ? " with mixtures of neighbours" : " of the points alone",
-      100 * front.share_of_limit);
-  TextTable table({{"R, mm"}, {"F, N"}, {"N per mm"}, {"law", TextTable::Align::Left}});
-  for (const std::size_t k : some_of(front.front)) {
-    const optim::FrontPoint& p = front.front.points[k];
-    table.add({shown(p.objectives[0], 2), shown(p.objectives[1], 3),
-               shown(front.front.slope(p, 1, 0), 3), front.laws[k]});
-  }
-  return text + table.text();
+      100 * front.share_of_limit));
+  Table some = points_table(front, some_of(front.front));
+  some.key.clear();
+  document.add(std::move(some));
+  return document;
 }
 
 std::string saving_text(const problems::Saving& saving) {
@@ -60,45 +88,16 @@ std::string saving_text(const problems::Saving& saving) {
 
 }  // namespace
 
-std::string fronts_text(const SpineCutterFronts& fronts) {
-  std::string text = "proved fronts: the least force for a cam radius, from B = 1.17 to 2\n";
-  for (const ProvedFront* front : all(fronts)) text += fmt::format("\n{}", front_lines(*front));
-  text += "\nagainst the published choices, the free law:\n";
-  for (const problems::Saving& saving : fronts.savings) text += "  " + saving_text(saving);
-  return text;
-}
-
-std::string fronts_csv(const SpineCutterFronts& fronts) {
-  std::vector<std::vector<std::string>> rows{
-      {"front", "cam_radius_mm", "inertia_force_N", "slope_N_per_mm", "law", "verdict"}};
-  for (const ProvedFront* front : all(fronts)) {
-    for (std::size_t k = 0; k < front->front.points.size(); ++k) {
-      const optim::FrontPoint& p = front->front.points[k];
-      rows.push_back({front->name, exact(p.objectives[0]), exact(p.objectives[1]),
-                      exact(front->front.slope(p, 1, 0)), front->laws[k],
-                      std::string(to_string(p.verdict))});
-    }
-  }
-  return to_csv(rows);
-}
-
-Json fronts_json(const SpineCutterFronts& fronts) {
-  Json result = Json::array(), savings = Json::array();
-  for (const ProvedFront* front : all(fronts)) {
-    Json points = Json::array();
-    for (std::size_t k = 0; k < front->front.points.size(); ++k) {
-      const optim::FrontPoint& p = front->front.points[k];
-      points.push_back({{"cam_radius_mm", to_json(p.objectives[0])},
-                        {"inertia_force_N", to_json(p.objectives[1])},
-                        {"law", front->laws[k]},
-                        {"verdict", to_string(p.verdict)}});
-    }
-    result.push_back({{"name", front->name},
-                      {"hypervolume", to_json(front->front.hypervolume)},
-                      {"share_of_limit", to_json(front->share_of_limit)},
-                      {"points", std::move(points)}});
-  }
+Document fronts_document(const SpineCutterFronts& fronts) {
+  Document document;
+  document.say("proved fronts: the least force for a cam radius, from B = 1.17 to 2\n");
+  std::vector<Document> parts;
+  for (const ProvedFront* front : all(fronts)) parts.push_back(front_document(*front));
+  document.add("fronts", std::move(parts));
+  document.say("\nagainst the published choices, the free law:\n");
+  Json savings = Json::array();
   for (const problems::Saving& saving : fronts.savings) {
+    document.say("  " + saving_text(saving));
     savings.push_back({{"law", saving.law},
                        {"cam_radius_mm", saving.cam_radius},
                        {"inertia_force_N", saving.inertia_force},
@@ -107,7 +106,17 @@ Json fronts_json(const SpineCutterFronts& fronts) {
                        {"radius_verdict", to_string(saving.radius_verdict)},
                        {"force_verdict", to_string(saving.force_verdict)}});
   }
-  return {{"fronts", std::move(result)}, {"savings", std::move(savings)}};
+  document.fact("savings", savings);
+  return document;
+}
+
+Table fronts_table(const SpineCutterFronts& fronts) {
+  const auto list = all(fronts);
+  Table table = points_table(*list.front(), {});
+  for (const ProvedFront* front : list) {
+    for (auto& row : points_table(*front, all_of(front->front)).rows) table.add(std::move(row));
+  }
+  return table;
 }
 
 void draw_fronts(const SpineCutterFronts& fronts, Panel& panel) {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
-
-#include "output/answers/law_json.h"
+#include "output/document/document.h"
 #include "output/figure/chart.h"
 #include "problems/published/spine_cutter/proved_fronts.h"
 
 /// The proved fronts of the spine cutter's study as text, CSV, JSON and lines of its picture.
 namespace camlaw::cli {
 
-std::string fronts_text(const problems::SpineCutterFronts& fronts);
-std::string fronts_csv(const problems::SpineCutterFronts& fronts);
-Json fronts_json(const problems::SpineCutterFronts& fronts);
+Document fronts_document(const problems::SpineCutterFronts& fronts);
+/// The points of all fronts, a row each.
+Table fronts_table(const problems::SpineCutterFronts& fronts);
 void draw_fronts(const problems::SpineCutterFronts& fronts, Panel& panel);
 
 }  // namespace camlaw::cli

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "output/answers/law_json.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/law_figure.h"
 
 namespace camlaw::cli {
@@ -33,103 +33,69 @@ bool hidden_by_published(const SpineCutterStudy& study, const StudyRow& row) {
 
 }  // namespace
 
-std::string study_text(const SpineCutterStudy& study) {
-  std::string text = "Spine cutter: which motion law for the cam?\n\ngivens\n";
-  for (const auto& given : problems::givens(study.cutter)) {
-    text += fmt::format("  {:<16} {:<4} = {:g}{}  ({})\n", given.name, given.symbol, given.value,
-                        given.unit == "1" ? "" : " " + given.unit, given.meaning);
-  }
-  TextTable table({{"law", TextTable::Align::Left},
-                   {"", TextTable::Align::Left},
-                   {"B"},
-                   {"C"},
-                   {"D"},
-                   {"Cm"},
-                   {"lambda"},
-                   {"R, mm"},
-                   {"F, N"},
-                   {"F by (7), N"},
-                   {"torque, N m"},
-                   {"above limit, %"}});
+Table study_table(const SpineCutterStudy& study) {
+  Table table{.key = "rows",
+              .columns = {words("law", "law"), words(""), numbers("B", "B"), numbers("C", "C"),
+                          numbers("D", "D"), numbers("Cm", "Cm"), numbers("lambda", "lambda"),
+                          numbers("R, mm", "cam_radius_mm"), numbers("F, N", "inertia_force_N"),
+                          numbers("F by (7), N", "printed_inertia_force_N"),
+                          numbers("torque, N m", "drive_torque_Nm"),
+                          numbers("above limit, %", "above_limit"), data("smooth"),
+                          data("non_dominated"), data("smooth_non_dominated"), data("published")}};
+  const auto number = [](double value, int decimals) {
+    return Cell(shown(value, decimals), value);
+  };
   for (const StudyRow& row : study.rows) {
-    table.add({row.label, marks(row), shown(row.peaks.max_velocity(), 4),
-               shown(row.peaks.max_acceleration(), 4), shown(row.peaks.max_jerk(), 2),
-               shown(row.peaks.max_dynamic_moment(), 4),
-               row.limit_index ? shown(*row.limit_index, 3) : "-", shown(row.cam_radius * 1e3, 2),
-               shown(row.inertia_force, 3), shown(row.printed_inertia_force, 3),
-               shown(row.drive_torque, 4), shown(row.above_limit * 100, 1)});
+    const double radius = row.cam_radius * 1e3;
+    table.add({{row.label, row.law},
+               marks(row),
+               number(row.peaks.max_velocity(), 4),
+               number(row.peaks.max_acceleration(), 4),
+               number(row.peaks.max_jerk(), 2),
+               number(row.peaks.max_dynamic_moment(), 4),
+               row.limit_index ? number(*row.limit_index, 3) : Cell("-", Json(nullptr)),
+               number(radius, 2),
+               number(row.inertia_force, 3),
+               number(row.printed_inertia_force, 3),
+               number(row.drive_torque, 4),
+               {shown(row.above_limit * 100, 1), row.above_limit},
+               datum(row.smooth),
+               datum(row.non_dominated),
+               datum(row.smooth_non_dominated),
+               datum(row.published)});
   }
-  text += "\n" + table.text();
-  text += fmt::format(
-      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration   "
-      "p  in the paper\n"
-      "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
-      "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
-      "{}\n",
-      study.recommendation);
-  return text;
+  return table;
 }
 
-namespace {
-
-/// A row's columns, for CSV and JSON alike.
-Json row_to_json(const StudyRow& row) {
-  return {{"law", row.law},
-          {"B", to_json(row.peaks.max_velocity())},
-          {"C", to_json(row.peaks.max_acceleration())},
-          {"D", to_json(row.peaks.max_jerk())},
-          {"Cm", to_json(row.peaks.max_dynamic_moment())},
-          {"lambda", row.limit_index ? to_json(*row.limit_index) : Json(nullptr)},
-          {"cam_radius_mm", to_json(row.cam_radius * 1e3)},
-          {"inertia_force_N", to_json(row.inertia_force)},
-          {"printed_inertia_force_N", to_json(row.printed_inertia_force)},
-          {"drive_torque_Nm", to_json(row.drive_torque)},
-          {"above_limit", to_json(row.above_limit)},
-          {"smooth", row.smooth},
-          {"non_dominated", row.non_dominated},
-          {"smooth_non_dominated", row.smooth_non_dominated},
-          {"published", row.published}};
-}
-
-std::string cell_text(const Json& value) {
-  if (value.is_null()) return "";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-  return exact(value.get<double>());
-}
-
-}  // namespace
-
-std::string study_csv(const SpineCutterStudy& study) {
-  std::vector<std::vector<std::string>> rows(1);
-  for (const StudyRow& row : study.rows) {
-    const Json columns = row_to_json(row);
-    std::vector<std::string> cells;
-    for (const auto& [name, value] : columns.items()) {
-      if (rows.size() == 1) rows.front().push_back(name);
-      cells.push_back(cell_text(value));
-    }
-    rows.push_back(std::move(cells));
-  }
-  return to_csv(rows);
-}
-
-Json study_json(const SpineCutterStudy& study) {
-  Json givens = Json::array(), rows = Json::array();
+Document study_document(const SpineCutterStudy& study) {
+  Document document;
+  document.fact("study", "spine-cutter");
+  document.say("Spine cutter: which motion law for the cam?\n\ngivens\n");
+  Json givens = Json::array();
   for (const auto& given : problems::givens(study.cutter)) {
+    document.say(fmt::format("  {:<16} {:<4} = {:g}{}  ({})\n", given.name, given.symbol,
+                             given.value, given.unit == "1" ? "" : " " + given.unit,
+                             given.meaning));
     givens.push_back({{"name", given.name},
                       {"symbol", given.symbol},
                       {"value", given.value},
                       {"unit", given.unit}});
   }
-  for (const StudyRow& row : study.rows) rows.push_back(row_to_json(row));
-  return {{"study", "spine-cutter"},
-          {"givens", std::move(givens)},
-          {"rows", std::move(rows)},
-          {"smallest_cam", study.rows[study.smallest_cam].law},
-          {"least_force", study.rows[study.least_force].law},
-          {"compromise", study.rows[study.compromise].law},
-          {"recommendation", study.recommendation}};
+  document.fact("givens", givens);
+  document.say("\n");
+  document.add(study_table(study));
+  document.say(fmt::format(
+      "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration   "
+      "p  in the paper\n"
+      "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
+      "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
+      "{}\n",
+      study.recommendation));
+  document.fact("smallest_cam", study.rows[study.smallest_cam].law);
+  document.fact("least_force", study.rows[study.least_force].law);
+  document.fact("compromise", study.rows[study.compromise].law);
+  document.fact("recommendation", study.recommendation);
+  return document;
 }
 
 Figure trade_off_figure(const SpineCutterStudy& study) {

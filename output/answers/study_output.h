@@ -3,16 +3,16 @@
 
 #include <string>
 
-#include "output/answers/law_json.h"
+#include "output/document/document.h"
 #include "output/figure/chart.h"
 #include "problems/published/spine_cutter/study.h"
 
-/// The spine cutter's study as text, CSV, JSON and pictures.
+/// The spine cutter's study, its table and its pictures.
 namespace camlaw::cli {
 
-std::string study_text(const problems::SpineCutterStudy& study);
-std::string study_csv(const problems::SpineCutterStudy& study);
-Json study_json(const problems::SpineCutterStudy& study);
+Document study_document(const problems::SpineCutterStudy& study);
+/// Of it the laws, a row each.
+Table study_table(const problems::SpineCutterStudy& study);
 /// Peak force over cam radius, with the limit curve.
 Figure trade_off_figure(const problems::SpineCutterStudy& study);
 /// s, v, a, j of the compromise, the law of least force and the published laws.

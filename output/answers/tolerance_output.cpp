@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "numerics/text/units.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {
@@ -67,80 +67,77 @@ std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontP
   return tolerances;
 }
 
-optim::ToleranceReport tolerances_at(const FrontAnswer& answer, const optim::FrontPoint& point,
-                                     const std::vector<double>& tolerances) {
-  return optim::tolerance_report(problem_of(answer, point), point.x, tolerances);
-}
+namespace {
 
-std::string tolerance_text(const FrontAnswer& answer, const optim::FrontPoint& point,
-                           const std::vector<double>& tolerances,
-                           const optim::ToleranceReport& report) {
-  const optim::MultiProblem problem = problem_of(answer, point);
+/// "stroke +-0.4 mm", of those that are not 0.
+std::string tolerances_text(const std::vector<optim::Variable>& variables,
+                            const std::vector<double>& tolerances) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
     if (tolerances[i] == 0) continue;
-    const optim::Variable& v = problem.variables[i];
     parts.push_back(
-        fmt::format("{} +-{}", v.name, with_unit(fmt::format("{:.4g}", tolerances[i]), v.unit)));
+        fmt::format("{} +-{}", variables[i].name,
+                    with_unit(fmt::format("{:.4g}", tolerances[i]), variables[i].unit)));
   }
   constexpr std::size_t kListed = 6;
-  std::string text = parts.size() > kListed
-                         ? fmt::format("\ntolerances of {} variables\n", parts.size())
-                         : fmt::format("\ntolerances: {}\n", fmt::join(parts, ", "));
-  TextTable table({{"", TextTable::Align::Left},
-                   {"as meant"},
-                   {"lowest"},
-                   {"highest"},
-                   {"mean"},
-                   {"deviation"},
-                   {"5 %"},
-                   {"95 %"},
-                   {"unit", TextTable::Align::Left}});
-  const auto number = [](double value) { return fmt::format("{:.6g}", value + 0.0); };
-  for (const optim::Spread& s : report.spreads) {
-    const std::string none = "not possible";
-    table.add({s.is_margin ? "margin of " + s.name : s.name, number(s.nominal),
-               s.possible || !s.worst_is_lowest ? number(s.lowest) : none,
-               s.possible || s.worst_is_lowest ? number(s.highest) : none, number(s.mean),
-               number(s.deviation), number(s.low), number(s.high), s.unit});
-  }
-  text += table.text();
-  if (report.impossible_corners + report.impossible_samples > 0) {
-    text += fmt::format(
-        "not possible: {} of the corners and {} of the samples; the model gives no number there\n",
-        report.impossible_corners, report.impossible_samples);
-  }
-  return text + fmt::format(
-                    "lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
-                    "every limit\n",
-                    report.all_corners ? "every corner of the tolerances"
-                                       : "the corners that single changes point to",
-                    report.samples, 100 * report.yield);
+  return parts.size() > kListed ? fmt::format("\ntolerances of {} variables\n", parts.size())
+                                : fmt::format("\ntolerances: {}\n", fmt::join(parts, ", "));
 }
 
-Json tolerance_json(const std::vector<double>& tolerances, const optim::ToleranceReport& report) {
-  Json spreads = Json::array();
+Table spreads_table(const optim::ToleranceReport& report) {
+  Table table{
+      .key = "spreads",
+      .columns = {words("", "name"), numbers("as meant", "nominal"), numbers("lowest", "lowest"),
+                  numbers("highest", "highest"), numbers("mean", "mean"),
+                  numbers("deviation", "deviation"), numbers("5 %", "low"), numbers("95 %", "high"),
+                  words("unit", "unit"), data("margin"), data("possible"), data("by_variable")}};
+  const auto number = [](double value, bool possible = true) {
+    return Cell(possible ? fmt::format("{:.6g}", value + 0.0) : "not possible", value);
+  };
   for (const optim::Spread& s : report.spreads) {
-    spreads.push_back({{"name", s.name},
-                       {"unit", s.unit},
-                       {"margin", s.is_margin},
-                       {"nominal", to_json(s.nominal)},
-                       {"lowest", to_json(s.lowest)},
-                       {"highest", to_json(s.highest)},
-                       {"possible", s.possible},
-                       {"mean", to_json(s.mean)},
-                       {"deviation", to_json(s.deviation)},
-                       {"low", to_json(s.low)},
-                       {"high", to_json(s.high)},
-                       {"by_variable", to_json(s.by_variable)}});
+    table.add({{s.is_margin ? "margin of " + s.name : s.name, s.name},
+               number(s.nominal),
+               number(s.lowest, s.possible || !s.worst_is_lowest),
+               number(s.highest, s.possible || s.worst_is_lowest),
+               number(s.mean),
+               number(s.deviation),
+               number(s.low),
+               number(s.high),
+               s.unit,
+               datum(s.is_margin),
+               datum(s.possible),
+               datum(s.by_variable)});
   }
-  return {{"tolerances", to_json(tolerances)},
-          {"samples", report.samples},
-          {"impossible_samples", report.impossible_samples},
-          {"impossible_corners", report.impossible_corners},
-          {"yield", report.yield},
-          {"all_corners", report.all_corners},
-          {"spreads", std::move(spreads)}};
+  return table;
+}
+
+}  // namespace
+
+Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
+                            const std::vector<double>& tolerances) {
+  const optim::ToleranceReport report =
+      optim::tolerance_report(problem_of(answer, point), point.x, tolerances);
+  Document document;
+  document.say(tolerances_text(problem_of(answer, point).variables, tolerances));
+  document.fact("tolerances", tolerances);
+  document.add(spreads_table(report));
+  if (report.impossible_corners + report.impossible_samples > 0) {
+    document.say(fmt::format(
+        "not possible: {} of the corners and {} of the samples; the model gives no number there\n",
+        report.impossible_corners, report.impossible_samples));
+  }
+  document.say(
+      fmt::format("lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
+                  "every limit\n",
+                  report.all_corners ? "every corner of the tolerances"
+                                     : "the corners that single changes point to",
+                  report.samples, 100 * report.yield));
+  document.fact("samples", report.samples);
+  document.fact("impossible_samples", report.impossible_samples);
+  document.fact("impossible_corners", report.impossible_corners);
+  document.fact("yield", report.yield);
+  document.fact("all_corners", report.all_corners);
+  return document;
 }
 
 }  // namespace camlaw::cli

@@ -19,12 +19,9 @@ std::vector<double> hundredths(const std::vector<optim::Variable>& variables, op
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments);
 
-optim::ToleranceReport tolerances_at(const FrontAnswer& answer, const optim::FrontPoint& point,
-                                     const std::vector<double>& tolerances);
-
-std::string tolerance_text(const FrontAnswer& answer, const optim::FrontPoint& point,
-                           const std::vector<double>& tolerances,
-                           const optim::ToleranceReport& report);
-Json tolerance_json(const std::vector<double>& tolerances, const optim::ToleranceReport& report);
+/// What becomes of a point where its variables are off by up to `tolerances`, in the variables'
+/// units.
+Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
+                            const std::vector<double>& tolerances);
 
 }  // namespace camlaw::cli

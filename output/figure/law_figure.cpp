@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "kinematics/peaks.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "output/answers/cycle_figure.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
 #include "output/figure/law_figure.h"
 #include "output/report/html.h"

@@ -8,7 +8,7 @@
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
 #include "output/report/design_figure.h"
 #include "output/report/figure_json.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
 #include "output/report/scene.h"

@@ -7,7 +7,7 @@
 
 #include "output/answers/front_output.h"
 #include "output/answers/warnings.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
 #include "output/report/figure_json.h"
 #include "output/report/front_data.h"
@@ -20,35 +20,6 @@ namespace camlaw::cli {
 namespace {
 
 using optim::FrontPoint;
-using Align = HtmlTable::Align;
-
-/// Values beyond which designs are not listed one by one.
-constexpr std::size_t kListed = 6;
-
-std::string points_table(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
-  std::vector<HtmlTable::Column> columns{{"#"}};
-  for (const auto& o : answer.front.objectives)
-    columns.push_back({named_with_unit(o.name, o.unit)});
-  columns.push_back({"verdict", Align::Left});
-  columns.push_back({"law", Align::Left});
-  columns.push_back({"design", Align::Left});
-  HtmlTable table(std::move(columns));
-  for (const std::size_t k : shown) {
-    const FrontPoint& point = answer.front.points[k];
-    std::vector<std::string> cells{fmt::format("{}", k + 1)}, design;
-    for (const double value : point.objectives) cells.push_back(in_digits(value));
-    for (const auto& v : answer.values(point)) {
-      design.push_back(fmt::format("{} = {}", plain_name(v.name), with_unit(v.text, v.unit)));
-    }
-    cells.push_back(verdict_words(point));
-    cells.push_back(answer.family(point));
-    cells.push_back(design.size() > kListed ? fmt::format("{} variables", design.size())
-                                            : fmt::format("{}", fmt::join(design, ", ")));
-    table.add(cells);
-  }
-  return table.html();
-}
-
 /// The charts, who is chosen, and what is compared.
 std::string front_html(const Figure& still) {
   std::string charts;
@@ -99,7 +70,7 @@ std::string lead(const FrontAnswer& answer) {
 
 ReportSection points_section(const FrontAnswer& answer, const std::vector<std::size_t>& shown) {
   constexpr std::size_t kFewPoints = 12;
-  std::string html = points_table(answer, shown);
+  std::string html = html_of(points_table(answer, shown));
   if (shown.size() > kFewPoints) html = details(fmt::format("All {} points", shown.size()), html);
   if (shown.size() < answer.front.points.size()) {
     html += paragraph(fmt::format("{} of {} points are shown, evenly chosen.", shown.size(),
@@ -149,7 +120,7 @@ ReportPage front_report(const FrontAnswer& answer, const std::string& file) {
   }
   page.sections.push_back(points_section(answer, shown));
   page.sections.push_back(
-      {"measures", "The front as a whole", preformatted(front_summary(answer))});
+      {"measures", "The front as a whole", preformatted(text_of(front_summary(answer)))});
   page.sections.push_back(knee_sensitivity(answer));
   page.sections.push_back(provenance_section(facts_of(answer, file), "The problem file",
                                              answer.study.settings().at("problem")));

@@ -21,8 +21,14 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-std::string_view align_class(const HtmlTable::Column& column) {
-  return column.align == HtmlTable::Align::Right ? " class=\"number\"" : "";
+std::string_view align_class(const Column& column) {
+  return column.align == Align::Right ? " class=\"number\"" : "";
+}
+
+std::string cell_html(const Column& column, const Cell& cell) {
+  if (!cell.html.empty()) return cell.html;
+  const std::string text = column.is_names ? plain_name(cell.text) : cell.text;
+  return cell.badge.empty() ? xml_escape(text) : badge(cell.badge, text);
 }
 
 }  // namespace
@@ -78,29 +84,20 @@ std::string definitions(const std::vector<std::pair<std::string, std::string>>& 
   return "<dl>\n" + items + "</dl>\n";
 }
 
-void HtmlTable::add(const std::vector<std::string>& cells) {
-  std::vector<std::string> escaped;
-  for (const std::string& cell : cells) escaped.push_back(xml_escape(cell));
-  add_html(std::move(escaped));
-}
-
-void HtmlTable::add_html(std::vector<std::string> cells) {
-  cells.resize(columns_.size());
-  rows_.push_back(std::move(cells));
-}
-
-std::string HtmlTable::html() const {
-  std::string text = "<div class=\"table\" tabindex=\"0\"><table>\n";
-  if (!caption_.empty()) text += fmt::format("<caption>{}</caption>\n", xml_escape(caption_));
-  text += "<thead><tr>";
-  for (const Column& c : columns_) {
-    text += fmt::format("<th scope=\"col\"{}>{}</th>", align_class(c), xml_escape(c.title));
+std::string html_of(const Table& table) {
+  std::string text = "<div class=\"table\" tabindex=\"0\"><table>\n<thead><tr>";
+  for (const Column& c : table.columns) {
+    if (!c.on_page) continue;
+    text +=
+        fmt::format("<th scope=\"col\"{}>{}</th>", align_class(c), xml_escape(plain_name(c.title)));
   }
   text += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows_) {
+  for (const auto& row : table.rows) {
     text += "<tr>";
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      text += fmt::format("<td{}>{}</td>", align_class(columns_[i]), row[i]);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const Column& c = table.columns[i];
+      if (!c.on_page) continue;
+      text += fmt::format("<td{}>{}</td>", align_class(c), cell_html(c, row[i]));
     }
     text += "</tr>\n";
   }

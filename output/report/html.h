@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "output/document/document.h"
+
 /// Parts of an HTML page. What is called text is escaped here; what is called html is taken as it
 /// is.
 namespace camlaw::cli {
@@ -29,27 +31,6 @@ std::string warnings_html(const std::vector<std::string>& warnings);
 std::string definitions(const std::vector<std::pair<std::string, std::string>>& pairs);
 
 /// A table that scrolls sideways where the page is narrow.
-class HtmlTable {
- public:
-  enum class Align { Left, Right };
-  struct Column {
-    std::string title;
-    Align align = Align::Right;
-  };
-
-  explicit HtmlTable(std::vector<Column> columns, std::string caption = {})
-      : columns_(std::move(columns)), caption_(std::move(caption)) {}
-  /// Adds a row of texts; missing cells are empty.
-  void add(const std::vector<std::string>& cells);
-  /// The same with cells that are HTML.
-  void add_html(std::vector<std::string> cells);
-  bool empty() const { return rows_.empty(); }
-  std::string html() const;
-
- private:
-  std::vector<Column> columns_;
-  std::string caption_;
-  std::vector<std::vector<std::string>> rows_;
-};
+std::string html_of(const Table& table);
 
 }  // namespace camlaw::cli

@@ -8,7 +8,7 @@
 
 #include "kinematics/limits.h"
 #include "output/answers/limit_text.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/report/html.h"
 #include "problems/statement/parameters.h"
 
@@ -16,7 +16,6 @@ namespace camlaw::cli {
 namespace {
 
 using problems::ProblemStatement;
-using Align = HtmlTable::Align;
 
 /// A margin as a share of the bound: to the right of the middle what is left, to the left what is
 /// passed.
@@ -33,18 +32,12 @@ std::string margin_bar(const optim::LimitReport& limit) {
       limit.met ? "good" : "bad", share < 0 ? 50 - width : 50, width);
 }
 
-HtmlTable limit_table(bool priced) {
-  std::vector<HtmlTable::Column> columns{{"limit", Align::Left},
-                                         {"", Align::Left},
-                                         {"value"},
-                                         {"bound"},
-                                         {"margin"},
-                                         {"unit", Align::Left},
-                                         {"worst at"},
-                                         {"", Align::Left},
-                                         {"proved", Align::Left}};
-  if (priced) columns.push_back({"price"});
-  return HtmlTable(std::move(columns));
+Table limit_table(bool priced) {
+  Table table{.columns = {names("limit"), words(""), numbers("value"), numbers("bound"),
+                          numbers("margin"), words("unit"), numbers("worst at"), words(""),
+                          words("proved")}};
+  if (priced) table.columns.push_back(numbers("price"));
+  return table;
 }
 
 /// "\u2264 30" of "<= 30".
@@ -53,22 +46,27 @@ std::string with_sign(const std::string& bound) {
   return sign + bound.substr(2);
 }
 
-std::vector<std::string> limit_row(const optim::LimitReport& limit, const LimitText& text,
-                                   bool priced, const std::vector<std::string>& blamed) {
+Cell with_html(std::string html) {
+  Cell cell;
+  cell.html = std::move(html);
+  return cell;
+}
+
+std::vector<Cell> limit_row(const optim::LimitReport& limit, const LimitText& text, bool priced,
+                            const std::vector<std::string>& blamed) {
   const bool is_blamed = std::find(blamed.begin(), blamed.end(), limit.name) != blamed.end();
-  const std::string price =
-      priced && limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "";
-  return {escaped(plain_name(limit.name)),
-          (limit.met ? badge("good", "met") : badge("bad", "not met")) +
-              (is_blamed ? fmt::format(" {}", badge("bad", "blamed")) : ""),
-          text.value,
-          with_sign(text.bound),
-          text.margin,
-          escaped(shown_unit(limit.unit)),
-          text.place,
-          margin_bar(limit),
-          limit.proved ? "yes" : "no",
-          price};
+  std::vector<Cell> row{limit.name,
+                        with_html((limit.met ? badge("good", "met") : badge("bad", "not met")) +
+                                  (is_blamed ? fmt::format(" {}", badge("bad", "blamed")) : "")),
+                        text.value,
+                        with_sign(text.bound),
+                        text.margin,
+                        shown_unit(limit.unit),
+                        text.place,
+                        with_html(margin_bar(limit)),
+                        limit.proved ? "yes" : "no"};
+  if (priced) row.push_back(limit.multiplier != 0 ? fmt::format("{:.4g}", limit.multiplier) : "");
+  return row;
 }
 
 /// How a design stands against the side of a limit from both sides that its report is not about.
@@ -120,14 +118,13 @@ std::string law_words(const ProblemStatement& design) {
 }
 
 std::string parameter_table(const ProblemStatement& design) {
-  HtmlTable table(
-      {{"parameter", Align::Left}, {"value"}, {"unit", Align::Left}, {"meaning", Align::Left}});
+  Table table{.columns = {names("parameter"), numbers("value"), words("unit"), words("meaning")}};
   const auto& parameters = design.mechanism->parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    table.add({plain_name(parameters[i].name), in_digits(design.constants[i]),
-               shown_unit(parameters[i].unit), parameters[i].meaning});
+    table.add({parameters[i].name, in_digits(design.constants[i]), shown_unit(parameters[i].unit),
+               parameters[i].meaning});
   }
-  return table.html();
+  return html_of(table);
 }
 
 }  // namespace
@@ -139,15 +136,15 @@ ReportSection problem_section(const ProblemStatement& statement) {
 }
 
 ReportSection values_section(const ProblemStatement& design) {
-  HtmlTable varied({{"variable", Align::Left}, {"value"}, {"unit", Align::Left}, {"between"}});
+  Table varied{.columns = {names("variable"), numbers("value"), words("unit"), numbers("between")}};
   for (const auto& v : design.variables) {
-    varied.add({plain_name(v.name), in_digits(value_of_variable(design, v)), shown_unit(v.unit),
-                bounds_text(v)});
+    varied.add(
+        {v.name, in_digits(value_of_variable(design, v)), shown_unit(v.unit), bounds_text(v)});
   }
   const std::string machine = details("Every parameter of the machine", parameter_table(design));
   constexpr std::size_t kMany = 24;
   const std::size_t count = design.variables.size();
-  std::string variables = varied.empty() ? "" : varied.html();
+  std::string variables = varied.rows.empty() ? "" : html_of(varied);
   if (count > kMany) variables = details(fmt::format("All {} variables", count), variables);
   return {"values", "The design", variables + law_words(design) + machine};
 }
@@ -156,12 +153,12 @@ ReportSection limits_section(const ProblemStatement& design,
                              const std::vector<optim::LimitReport>& limits, bool priced,
                              const std::vector<std::string>& blamed) {
   if (limits.empty()) return {"limits", "Limits", paragraph("The problem states no limits.")};
-  HtmlTable table = limit_table(priced);
+  Table table = limit_table(priced);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const problems::ConstraintStatement& stated = design.constraints[i];
-    table.add_html(limit_row(limits[i], limit_text(limits[i], stated), priced, blamed));
+    table.add(limit_row(limits[i], limit_text(limits[i], stated), priced, blamed));
     if (const auto other = other_side(design, i, limits[i])) {
-      table.add_html(limit_row(*other, limit_text(*other, stated), priced, {}));
+      table.add(limit_row(*other, limit_text(*other, stated), priced, {}));
     }
   }
   std::string notes =
@@ -170,25 +167,24 @@ ReportSection limits_section(const ProblemStatement& design,
       "passed. Proved: by intervals, over the whole cycle, rounding included.";
   if (!blamed.empty()) notes += " Blamed: the search found that it cannot be met, or not together.";
   if (priced) notes += " Price: what the objective gains per unit by which the bound is eased.";
-  return {"limits", "Limits", table.html() + paragraph(notes)};
+  return {"limits", "Limits", html_of(table) + paragraph(notes)};
 }
 
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated) {
-  HtmlTable table(
-      {{"number", Align::Left}, {"value"}, {"unit", Align::Left}, {"meaning", Align::Left}});
+  Table table{.columns = {names("number"), numbers("value"), words("unit"), words("meaning")}};
   for (const auto& r : evaluated) {
     if (r.is_curve) continue;
-    table.add({plain_name(r.name), significant(r.value, std::abs(r.value)), shown_unit(r.unit),
-               r.meaning});
+    table.add({r.name, significant(r.value, std::abs(r.value)), shown_unit(r.unit), r.meaning});
   }
-  return {"numbers", "Numbers", table.empty() ? "" : table.html()};
+  return {"numbers", "Numbers", table.rows.empty() ? "" : html_of(table)};
 }
 
 std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
   if (design.mechanism->moved_by != problems::MovedBy::Law) return {};
   const Peaks<double> peak = peaks(design.laws.front().law());
   const std::optional<double> lambda = limit_index(peak);
-  HtmlTable table({{"constant", Align::Left}, {"of this law"}, {"least of any law"}, {"above it"}});
+  Table table{.columns = {words("constant"), numbers("of this law"), numbers("least of any law"),
+                          numbers("above it")}};
   const auto row = [&](const char* name, double value, std::optional<double> least) {
     const bool measured = lambda && least && std::isfinite(value) && std::isfinite(*least);
     table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
@@ -203,7 +199,7 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
   row("Cm", peak.max_dynamic_moment(), {});
   return ReportSection{
       "rulers", "Rulers",
-      table.html() + paragraph(ruler_words(peak, lambda)) +
+      html_of(table) + paragraph(ruler_words(peak, lambda)) +
           (lambda ? paragraph("Least of any law from rest to rest: of B at all, of "
                               "C for this B, of D for this B and C.")
                   : "")};

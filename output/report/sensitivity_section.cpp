@@ -8,13 +8,11 @@
 #include <cmath>
 
 #include "output/answers/tolerance_output.h"
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 #include "output/report/html.h"
 
 namespace camlaw::cli {
 namespace {
-
-using Align = HtmlTable::Align;
 
 /// Variables beyond which a table has no column for each.
 constexpr std::size_t kListed = 6;
@@ -31,34 +29,29 @@ std::string number(double value, const optim::Spread& spread) {
 }
 
 std::string name_of(const optim::Spread& spread) {
-  return (spread.is_margin ? "margin of " : "") + plain_name(spread.name);
+  return (spread.is_margin ? "margin of " : "") + spread.name;
 }
 
 std::string change_table(const std::vector<optim::Variable>& variables,
                          const std::vector<double>& tolerances,
                          const optim::ToleranceReport& report) {
-  std::vector<HtmlTable::Column> columns{{"change of", Align::Left}, {"unit", Align::Left}};
+  Table table{.columns = {names("change of"), words("unit")}};
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    columns.push_back({fmt::format("by {} \u00b1 {}", plain_name(variables[i].name),
-                                   with_unit(number(tolerances[i]), variables[i].unit))});
+    table.columns.push_back(
+        numbers(fmt::format("by {} \u00b1 {}", variables[i].name,
+                            with_unit(number(tolerances[i]), variables[i].unit))));
   }
-  HtmlTable table(std::move(columns));
   for (const optim::Spread& spread : report.spreads) {
-    std::vector<std::string> cells{name_of(spread), shown_unit(spread.unit)};
+    std::vector<Cell> cells{name_of(spread), shown_unit(spread.unit)};
     for (const double change : spread.by_variable) cells.push_back(number(change, spread));
-    table.add(cells);
+    table.add(std::move(cells));
   }
-  return table.html();
+  return html_of(table);
 }
 
 std::string spread_table(const optim::ToleranceReport& report) {
-  HtmlTable table({{"", Align::Left},
-                   {"as meant"},
-                   {"lowest"},
-                   {"highest"},
-                   {"5 %"},
-                   {"95 %"},
-                   {"unit", Align::Left}});
+  Table table{.columns = {names(""), numbers("as meant"), numbers("lowest"), numbers("highest"),
+                          numbers("5 %"), numbers("95 %"), words("unit")}};
   for (const optim::Spread& s : report.spreads) {
     const std::string none = "not possible";
     table.add({name_of(s), number(s.nominal, s),
@@ -66,7 +59,7 @@ std::string spread_table(const optim::ToleranceReport& report) {
                s.possible || s.worst_is_lowest ? number(s.highest, s) : none, number(s.low, s),
                number(s.high, s), shown_unit(s.unit)});
   }
-  return table.html();
+  return html_of(table);
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ TEST_CASE("a drawing's polyline is closed and its points are those of the CSV", 
   CHECK(numbers[0] == 1);
   Words words{"export", "--format", "csv"};
   words.insert(words.end(), what.begin(), what.end());
-  const Table table = csv_of(done(words));
+  const CsvRows table = csv_of(done(words));
   REQUIRE(table.size() == 362);
   for (std::size_t i = 0; i < 360; ++i) {
     CHECK(std::stod(table[i + 1][2]) == numbers[1 + 2 * i]);
@@ -276,7 +276,7 @@ TEST_CASE("every format takes every cam", "[export][heavy]") {
     }
     Words words{"export", file, "--format", "table"};
     if (balancing) words.insert(words.end(), {"--slave", "roller_displacement"});
-    const Table table = csv_of(done(words));
+    const CsvRows table = csv_of(done(words));
     REQUIRE(table.size() == 362);
     CHECK(table[1][1] == table[361][1]);
   }
@@ -343,8 +343,8 @@ TEST_CASE("the law of an export is a law file that can be used", "[export]") {
 }
 
 TEST_CASE("tables have any curve as their slave, at any whole division of the cycle", "[export]") {
-  const Table table = csv_of(done({"export", kRoller, "--format", "table", "--step", "0.5 deg",
-                                   "--decimals", "3", "--slave", "pitch_x"}));
+  const CsvRows table = csv_of(done({"export", kRoller, "--format", "table", "--step", "0.5 deg",
+                                     "--decimals", "3", "--slave", "pitch_x"}));
   REQUIRE(table.size() == 722);
   CHECK(table[0] == Words{"cam_angle [deg]", "pitch_x [mm]"});
   CHECK(table[2][0] == "0.500");

@@ -28,7 +28,7 @@ std::pair<std::string, bool> told(const std::string& path) {
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   const problems::StoredFront stored = problems::stored_front(study, record);
   const FrontAnswer answer{study, stored};
-  const std::string text = front_text(answer) + front_json(answer).dump();
+  const std::string text = text_of(front_document(answer)) + json_of(front_document(answer)).dump();
   return {text, !answer.notes.empty()};
 }
 

@@ -49,7 +49,7 @@ void fill(const Folder& folder) {
   done({"evaluate", folder / "spring.toml", "--set", "mass=2 kg", "--curves", folder / "all.csv"});
   // Of all curves the torque alone, as one records it.
   std::ofstream torque(folder / "torque.csv");
-  const Table all = csv_of(read(folder / "all.csv"));
+  const CsvRows all = csv_of(read(folder / "all.csv"));
   const auto at =
       std::find_if(all[0].begin(), all[0].end(),
                    [](const std::string& name) { return name.starts_with("drive_torque"); }) -

@@ -40,7 +40,7 @@ TEST_CASE("evaluate writes every curve over the cycle", "[program]") {
   const std::string text = done({"evaluate", kCam, "--curves", csv, "--svg", svg});
   CHECK_THAT(text, Contains("wrote " + csv) && Contains("wrote " + svg));
   check_svg(svg);
-  const Table table = csv_of(read(csv));
+  const CsvRows table = csv_of(read(csv));
   REQUIRE(table.size() == 722);
   CHECK(table[0][0] == "cam_angle [deg]");
   CHECK(table[0][1] == "displacement [mm]");

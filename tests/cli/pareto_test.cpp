@@ -485,7 +485,7 @@ TEST_CASE("a front as a table and as a drawing", "[program]") {
   CHECK(read(folder / "f.svg") == read(folder / "out/front.svg"));
   check_svg(folder / "f.svg");
   CHECK_THAT(read(folder / "f.svg"), Contains("no law is below") && Contains("knee"));
-  const Table rows = csv_of(read(folder / "f.csv"));
+  const CsvRows rows = csv_of(read(folder / "f.csv"));
   REQUIRE(rows.size() == json["points"].size() + 1);
   const Words& header = rows.front();
   const auto column = [&](const std::string& name) {

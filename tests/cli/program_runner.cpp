@@ -57,8 +57,8 @@ std::string failed(const Words& words, int status) {
   return outcome.err;
 }
 
-Table csv_of(const std::string& text) {
-  Table rows;
+CsvRows csv_of(const std::string& text) {
+  CsvRows rows;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     rows.push_back(testing::split_fields(line));

@@ -58,9 +58,9 @@ ParsedJson json_of(const Words& words);
 /// What a run that fails says: one line on standard error and nothing else.
 std::string failed(const Words& words, int status);
 
-using Table = std::vector<Words>;
+using CsvRows = std::vector<Words>;
 
-Table csv_of(const std::string& text);
+CsvRows csv_of(const std::string& text);
 
 /// That a picture is one file of XML, and holds numbers only.
 void check_svg(const std::string& path);

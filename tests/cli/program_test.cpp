@@ -171,7 +171,7 @@ TEST_CASE("law prints text with the peaks, and says where files went", "[program
 TEST_CASE("the table of a law has its closed form's values", "[program]") {
   const Folder folder;
   done({"law", "cubic", "--samples", "11", "--csv", folder / "cubic.csv"});
-  const Table rows = csv_of(read(folder / "cubic.csv"));
+  const CsvRows rows = csv_of(read(folder / "cubic.csv"));
   REQUIRE(rows.size() == 12);
   CHECK(rows[0] == Words{"x", "s", "v", "a", "j"});
   const ParsedJson json = json_of({"law", "cubic", "--samples", "11", "--json"});
@@ -216,7 +216,7 @@ TEST_CASE("the study writes its files, and they agree", "[program][heavy]") {
   CHECK_THAT(text, Contains(study["recommendation"].get<std::string>()));
   CHECK(study["givens"][4]["value"].get<double>() == Approx(1.0).epsilon(1e-14));
   CHECK(study["givens"][3]["value"].get<double>() == Approx(1.2).epsilon(1e-14));
-  const Table csv = csv_of(read(folder / "deep/results/study.csv"));
+  const CsvRows csv = csv_of(read(folder / "deep/results/study.csv"));
   REQUIRE(csv.size() == study["rows"].size() + 1);
   for (std::size_t i = 1; i < csv.size(); ++i) {
     const ParsedJson& row = study["rows"][i - 1];

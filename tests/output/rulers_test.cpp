@@ -37,14 +37,15 @@ TEST_CASE("a stopped search for rivals keeps what else is measured", "[rulers]")
     CHECK_FALSE(measured->finished);
     CHECK_FALSE(measured->best);
     CHECK(measured->least_acceleration);
-    CHECK_THAT(rulers_text(answered.answer(), *measured), Contains("rulers not finished"));
-    CHECK(rulers_json(*measured)["finished"] == false);
+    CHECK_THAT(text_of(rulers_document(answered.answer(), *measured)),
+               Contains("rulers not finished"));
+    CHECK(json_of(rulers_document(answered.answer(), *measured))["finished"] == false);
   }
   const auto measured = rulers(answered.answer(), {});
   REQUIRE(measured);
   CHECK(measured->finished);
   CHECK(measured->best);
-  CHECK_THAT(rulers_text(answered.answer(), *measured), !Contains("not finished"));
+  CHECK_THAT(text_of(rulers_document(answered.answer(), *measured)), !Contains("not finished"));
 }
 
 TEST_CASE("the least acceleration is told of laws from rest to rest alone", "[rulers]") {
@@ -52,14 +53,14 @@ TEST_CASE("the least acceleration is told of laws from rest to rest alone", "[ru
   const auto of_open = rulers(open.answer(), {});
   REQUIRE(of_open);
   CHECK_FALSE(of_open->least_acceleration);
-  CHECK_THAT(rulers_text(open.answer(), *of_open), !Contains("the least for"));
-  CHECK(rulers_json(*of_open)["least_C_for_B"].is_null());
+  CHECK_THAT(text_of(rulers_document(open.answer(), *of_open)), !Contains("the least for"));
+  CHECK(json_of(rulers_document(open.answer(), *of_open))["least_C_for_B"].is_null());
   const Answered rest(kFree + "knots = 6\n" + kLeast);
   Rulers of_rest = *rulers(rest.answer(), {});
   CHECK(of_rest.least_acceleration);
-  CHECK_THAT(rulers_text(rest.answer(), of_rest), Contains("the least for"));
+  CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)), Contains("the least for"));
   of_rest.peaks.highest[0].value = 2.5;
-  CHECK_THAT(rulers_text(rest.answer(), of_rest),
+  CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)),
              Contains("the least for a velocity of at most B"));
 }
 
@@ -75,7 +76,8 @@ TEST_CASE("choices of the answer stay where they would make too many combination
   REQUIRE(measured);
   CHECK(measured->held);
   CHECK(measured->best);
-  CHECK_THAT(rulers_text(answered.answer(), *measured), Contains("choices as in the answer"));
+  CHECK_THAT(text_of(rulers_document(answered.answer(), *measured)),
+             Contains("choices as in the answer"));
 }
 
 }  // namespace camlaw::cli::rulers_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 #include <bit>
 #include <catch2/catch.hpp>
@@ -9,13 +9,12 @@
 #include <limits>
 #include <random>
 
-namespace camlaw::cli::text_table_test {
+namespace camlaw::cli::formatting_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 using Rows = std::vector<std::vector<std::string>>;
-using Align = TextTable::Align;
 
 /// An RFC 4180 reader of its own, character by character.
 Rows read_csv(const std::string& text) {
@@ -44,42 +43,6 @@ Rows read_csv(const std::string& text) {
 }
 
 }  // namespace
-
-TEST_CASE("numbers go to the right, words to the left, without spaces at the end", "[table]") {
-  TextTable table({{"law", Align::Left}, {"B"}, {"note", Align::Left}});
-  table.add({"cubic", "1.5", "a"});
-  table.add({"poly-3-4-5", "1.875", ""});
-  CHECK(table.text() ==
-        "law             B  note\n"
-        "cubic         1.5  a\n"
-        "poly-3-4-5  1.875\n");
-}
-
-TEST_CASE("widths count characters, not bytes", "[table]") {
-  TextTable table({{"název", Align::Left}, {"Größe"}});
-  table.add({"Похила", "1"});
-  table.add({"x", "22"});
-  CHECK(table.text() ==
-        "název   Größe\n"
-        "Похила      1\n"
-        "x          22\n");
-}
-
-TEST_CASE("a column is as wide as its title or its widest cell", "[table]") {
-  TextTable table({{"a long title"}, {"b"}});
-  table.add({"1", "123456"});
-  CHECK(table.text() ==
-        "a long title       b\n"
-        "           1  123456\n");
-}
-
-TEST_CASE("missing cells are empty and an empty table is its titles", "[table]") {
-  TextTable table({{"a"}, {"b"}, {"c"}});
-  CHECK(table.text() == "a  b  c\n");
-  table.add({"1"});
-  table.add({});
-  CHECK(table.text() == "a  b  c\n1\n\n");
-}
 
 TEST_CASE("cells are quoted only where they must be", "[csv]") {
   CHECK(to_csv({{"a", "b c", ""}, {"1.5", "-2", "x;y"}}) == "a,b c,\n1.5,-2,x;y\n");
@@ -165,4 +128,4 @@ TEST_CASE("a plain number has no unit", "[text_table]") {
   CHECK(with_unit("3", "mm") == "3 mm");
 }
 
-}  // namespace camlaw::cli::text_table_test
+}  // namespace camlaw::cli::formatting_test

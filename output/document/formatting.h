@@ -6,26 +6,6 @@
 
 namespace camlaw::cli {
 
-/// A table of text with aligned columns. Columns of numbers go to the right, the others to the
-/// left; widths count characters, not bytes.
-class TextTable {
- public:
-  enum class Align { Left, Right };
-  struct Column {
-    std::string title;
-    Align align = Align::Right;
-  };
-
-  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  /// Adds a row; missing cells are empty.
-  void add(std::vector<std::string> cells);
-  std::string text() const;
-
- private:
-  std::vector<Column> columns_;
-  std::vector<std::vector<std::string>> rows_;
-};
-
 /// Rows of values as CSV (RFC 4180 quoting, first row the header). Text that a spreadsheet would
 /// take for a formula, "=..." and the like, gets an apostrophe before it.
 std::string to_csv(const std::vector<std::vector<std::string>>& rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/document/text_table.h"
+#include "output/document/formatting.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,6 @@
 
 namespace camlaw::cli {
 namespace {
-
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a UTF-8 continuation
-  }));
-}
 
 /// Spreadsheets take a cell that begins like this for a formula and carry it out.
 bool looks_like_formula(const std::string& cell) {
@@ -40,36 +34,6 @@ std::string quoted(const std::string& text) {
 }
 
 }  // namespace
-
-void TextTable::add(std::vector<std::string> cells) {
-  cells.resize(columns_.size());
-  rows_.push_back(std::move(cells));
-}
-
-std::string TextTable::text() const {
-  std::vector<std::size_t> widths;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    widths.push_back(width_of(columns_[i].title));
-    for (const auto& row : rows_) widths[i] = std::max(widths[i], width_of(row[i]));
-  }
-  std::string result;
-  const auto add_line = [&](const auto& cell_at) {
-    std::string line;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::string& cell = cell_at(i);
-      const std::string pad(widths[i] - width_of(cell), ' ');
-      line += i == 0 ? "" : "  ";
-      line += columns_[i].align == Align::Right ? pad + cell : cell + pad;
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    result += line + '\n';
-  };
-  add_line([&](std::size_t i) -> const std::string& { return columns_[i].title; });
-  for (const auto& row : rows_) {
-    add_line([&](std::size_t i) -> const std::string& { return row[i]; });
-  }
-  return result;
-}
 
 std::string to_csv(const std::vector<std::vector<std::string>>& rows) {
   std::string result;

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "output/answers/claim_output.h"
+#include "output/answers/front_output.h"
+#include "output/answers/warnings.h"
+#include "output/document/formatting.h"
+
+namespace camlaw::cli {
+namespace {
+
+using optim::Front;
+using optim::FrontPoint;
+
+std::string with_its_unit(const FrontAnswer& answer, std::size_t i, double value) {
+  return with_unit(in_digits(value), answer.front.objectives[i].unit);
+}
+
+std::string verdict_text(const FrontPoint& point) {
+  return fmt::format("{}{}", to_string(point.verdict), point.is_global ? ", global" : "");
+}
+
+/// "R 33.1 mm, F 4.2 N".
+std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    parts.push_back(fmt::format("{} {}", answer.front.objectives[i].name,
+                                with_its_unit(answer, i, answer.value(i, costs[i]))));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// The least and the greatest limit index of a front's points.
+std::pair<double, double> indices(const Front& front, const problems::FrontRuler& limit) {
+  std::pair<double, double> result{optim::kInfinity, -optim::kInfinity};
+  for (const FrontPoint& point : front.points) {
+    const double index = limit.limit_index(point.objectives);
+    result = {std::min(result.first, index), std::max(result.second, index)};
+  }
+  return result;
+}
+
+/// More variables than this are not listed in tables.
+constexpr std::size_t kListed = 6;
+
+/// The limits of a design, with what easing each by a unit buys of the first objective.
+Table limits_table(const FrontAnswer& answer, const FrontPoint& point) {
+  Table table{.key = "limits",
+              .columns = {words("limit", "name"), numbers("margin", "margin"),
+                          words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
+                          words("proved", "proved"), numbers("price", "price")},
+              .shown = point.limits.size()};
+  for (const optim::Standing& limit : point.limits) {
+    const double price = answer.front.price(point, limit);
+    table.add({limit.name,
+               {fmt::format("{:.4g}", limit.margin), limit.margin},
+               limit.unit,
+               {limit.angle ? fmt::format("{:.4g}", *limit.angle) : "", limit.angle},
+               datum(limit.met),
+               yes_or_no(limit.proved),
+               {shown(price, 4), price}});
+  }
+  return table;
+}
+
+/// "a = 1 mm, b = 2", or how many there are.
+std::string design_text(const std::vector<FrontAnswer::Value>& values) {
+  if (values.size() > kListed) return fmt::format("{} variables", values.size());
+  std::vector<std::string> parts;
+  for (const auto& value : values) {
+    parts.push_back(fmt::format("{} = {}", value.name, with_unit(value.text, value.unit)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Json variables_json(const std::vector<FrontAnswer::Value>& values) {
+  Json variables = Json::object();
+  for (const auto& value : values) {
+    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
+  }
+  return variables;
+}
+
+Json objectives_json(const FrontAnswer& answer, const FrontPoint& point) {
+  Json objectives = Json::object();
+  for (std::size_t i = 0; i < point.objectives.size(); ++i) {
+    objectives[answer.front.objectives[i].name] = to_json(point.objectives[i]);
+  }
+  return objectives;
+}
+
+Json slopes_json(const FrontAnswer& answer, const FrontPoint& point) {
+  Json slopes = Json::array();
+  for (std::size_t i = 1; i < point.objectives.size(); ++i) {
+    slopes.push_back({{"of", answer.front.objectives[i].name},
+                      {"per", answer.front.objectives[0].name},
+                      {"value", to_json(answer.front.slope(point, i, 0))}});
+  }
+  return slopes;
+}
+
+std::vector<Column> point_columns(const FrontAnswer& answer) {
+  const auto& objectives = answer.front.objectives;
+  std::vector<Column> columns{numbers("#")};
+  for (const auto& o : objectives) {
+    columns.push_back(numbers(o.unit == "1" ? o.name : fmt::format("{}, {}", o.name, o.unit)));
+  }
+  for (std::size_t i = 1; i < objectives.size(); ++i) {
+    const std::string title = objectives.size() == 2 ? "slope" : fmt::format("slope {}", i + 1);
+    columns.push_back(numbers(title).only_in_text());
+  }
+  const bool laws = !answer.front.points.empty() && !answer.law(answer.front.points[0]).empty();
+  columns.insert(columns.end(),
+                 {data("objectives"), data("variables"), words("verdict", "verdict"),
+                  laws ? words("law", "law") : data("law"), data("reason"), data("global"), data("slopes"),
+                  data("limits"), data("lambda"), data("solver"), names("design")});
+  return columns;
+}
+
+std::vector<Cell> point_cells(const FrontAnswer& answer, std::size_t k) {
+  const FrontPoint& point = answer.front.points[k];
+  std::vector<Cell> cells{fmt::format("{}", k + 1)};
+  for (const double value : point.objectives) cells.push_back(in_digits(value));
+  for (std::size_t i = 1; i < point.objectives.size(); ++i) {
+    cells.push_back(shown(answer.front.slope(point, i, 0), 4));
+  }
+  const auto values = answer.values(point);
+  const auto law = answer.study.law(point);
+  cells.insert(
+      cells.end(),
+      {datum(objectives_json(answer, point)),
+       datum(variables_json(values)),
+       {verdict_text(point), to_string(point.verdict)},
+       {answer.family(point), law ? Json(law->name()) : Json(nullptr)},
+       datum(point.reason),
+       datum(point.is_global),
+       datum(slopes_json(answer, point)),
+       datum(json_of(limits_table(answer, point))),
+       datum(answer.ruler ? to_json(answer.ruler->limit_index(point.objectives)) : Json(nullptr)),
+       datum(point.solver),
+       design_text(values)});
+  return cells;
+}
+
+std::string slopes_note(const FrontAnswer& answer) {
+  const auto& o = answer.front.objectives;
+  std::string text;
+  for (std::size_t i = 1; i < o.size(); ++i) {
+    const std::string unit = o[i].unit == "1" && o[0].unit == "1"
+                                 ? ""
+                                 : fmt::format(", {} per {}", o[i].unit, o[0].unit);
+    text += fmt::format("slope{}: change of {} per unit of {} along the front{}\n",
+                        o.size() == 2 ? "" : fmt::format(" {}", i + 1), o[i].name, o[0].name, unit);
+  }
+  return text;
+}
+
+std::string knee_text(const FrontAnswer& answer) {
+  const auto all = answer.costs();
+  const auto knee = optim::knee(all, answer.front.tolerances);
+  if (!knee) return "";
+  std::string text =
+      fmt::format("knee: point {}, {}\n", knee->point + 1, values_text(answer, all[knee->point]));
+  for (std::size_t i = 0; i < knee->low.size(); ++i) {
+    text += fmt::format("  stays the knee while {} counts {} to {} times as much\n",
+                        answer.front.objectives[i].name, shown(knee->low[i], 2),
+                        shown(knee->high[i], 2));
+  }
+  return text;
+}
+
+std::string measures_text(const FrontAnswer& answer) {
+  const Front& front = answer.front;
+  std::string text = fmt::format("ideal: {}\nnadir: {}\n", values_text(answer, front.ideal),
+                                 values_text(answer, front.nadir));
+  text += fmt::format("hypervolume {} from {}\n", in_digits(front.hypervolume),
+                      values_text(answer, front.reference));
+  if (front.hypervolume_of_mixtures) {
+    text += fmt::format("  with mixtures of neighbours, which the problem allows, {}\n",
+                        in_digits(*front.hypervolume_of_mixtures));
+  }
+  if (front.hypervolume_at_most) {
+    const double more = 100 * (*front.hypervolume_at_most / front.hypervolume - 1);
+    text += fmt::format("  {}, it is at most {}{}\n",
+                        front.each_is_global ? "whatever lies between the points"
+                                             : "if each search found the best there is",
+                        in_digits(*front.hypervolume_at_most),
+                        std::isfinite(more) ? fmt::format(" ({:.3f} % more)", more) : "");
+  }
+  const auto& limit = answer.ruler;
+  if (const double most = limit ? limit->hypervolume(front.reference) : 0; most > 0) {
+    const double reached = front.hypervolume_of_mixtures.value_or(front.hypervolume);
+    text += fmt::format("  no law exceeds {}: this is {:.3f} % of that\n", in_digits(most),
+                        100 * reached / most);
+  }
+  if (limit) {
+    const auto [least, greatest] = indices(front, *limit);
+    text += fmt::format("lambda from {} to {}: 1 where no law is better\n", shown(least, 5),
+                        shown(greatest, 5));
+  }
+  const auto all = answer.costs();
+  if (front.objectives.size() == 2 && all.size() > 2) {
+    const auto lengths = optim::steps(all, answer.front.tolerances);
+    double sum = 0;
+    for (const double l : lengths) sum += l;
+    text += fmt::format("largest step between neighbours: {:.2f} times the mean\n",
+                        *std::max_element(lengths.begin(), lengths.end()) / sum *
+                            static_cast<double>(lengths.size()));
+  }
+  if (front.largest_gap) {
+    text +=
+        fmt::format("largest gap between neighbours: {:.2f} times the mean\n", *front.largest_gap);
+  }
+  return text;
+}
+
+std::string unfinished_text(problems::Resuming resuming) {
+  switch (resuming) {
+    case problems::Resuming::Works:
+      return "the study is not finished; --resume goes on with it\n";
+    case problems::Resuming::Refused:
+      return "the study is not finished, and this program cannot go on with it: begin it again in "
+             "another file\n";
+    case problems::Resuming::NoRecord:
+      break;
+  }
+  return "the search was stopped before the front was finished; nothing of it was recorded\n";
+}
+
+std::string work_text(const FrontAnswer& answer) {
+  const Front& front = answer.front;
+  std::string text =
+      fmt::format("{} of {} points certified; {} searches, {} evaluations\n", front.certified(),
+                  front.points.size(), front.tasks, front.evaluations);
+  if (front.parts > 1) {
+    text += fmt::format("{} combinations{}\n", front.parts,
+                        front.empty_parts > 0
+                            ? fmt::format(", {} of them without a design", front.empty_parts)
+                            : "");
+  }
+  if (front.without_end > 0) {
+    text += fmt::format("the front may lack a part: the least of an objective was not found{}\n",
+                        front.parts > 1 ? fmt::format(" in {} of them", front.without_end) : "");
+  }
+  for (const optim::FailedTask& failed : front.failures) {
+    text += fmt::format("search {} failed: {}\n", failed.number + 1, failed.why);
+  }
+  text += warnings_text(answer.warnings);
+  text += record_text(answer.notes);
+  if (front.stopped) {
+    text += unfinished_text(answer.resuming);
+  } else if (!front.complete) {
+    text += "the front is not complete: its largest gap is more than " +
+            fmt::format("{} times the mean\n", in_digits(optim::kLargestGap));
+  }
+  return text;
+}
+
+Json costs_json(const FrontAnswer& answer, const optim::Costs& costs) {
+  Json result = Json::array();
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    result.push_back(to_json(answer.value(i, costs[i])));
+  }
+  return result;
+}
+
+Json next_json(const FrontAnswer& answer, std::size_t point) {
+  constexpr double kTenth = 0.1;
+  Json next = Json::array();
+  const auto all = answer.costs();
+  for (std::size_t i = 0; i < 2 && answer.front.objectives.size() == 2; ++i) {
+    const auto other = optim::cost_of_next(all, point, i, kTenth);
+    next.push_back({{"better", answer.front.objectives[i].name},
+                    {"by", kTenth},
+                    {"other", answer.front.objectives[1 - i].name},
+                    {"value", other ? to_json(answer.value(1 - i, *other)) : Json(nullptr)}});
+  }
+  return next;
+}
+
+Json record_json(const FrontAnswer& answer) {
+  Json faults = Json::array();
+  for (const optim::RecordFault& fault : answer.faults) {
+    faults.push_back({{"task", fault.task},
+                      {"what", fault.is_damaged ? "damaged" : "wrong"},
+                      {"why", fault.is_damaged ? Json(nullptr) : Json(fault.why)}});
+  }
+  return {{"faults", std::move(faults)}, {"notes", answer.notes}};
+}
+
+Json objectives_json(const FrontAnswer& answer) {
+  const Front& front = answer.front;
+  Json objectives = Json::array();
+  for (std::size_t i = 0; i < front.objectives.size(); ++i) {
+    const auto& o = front.objectives[i];
+    objectives.push_back({{"name", o.name},
+                          {"unit", o.unit},
+                          {"sense", o.sense == optim::Sense::Minimize ? "minimize" : "maximize"},
+                          {"tolerance", i < front.tolerances.size() ? to_json(front.tolerances[i])
+                                                                    : Json(nullptr)}});
+  }
+  return objectives;
+}
+
+void add_measures(const FrontAnswer& answer, Document& document) {
+  const Front& front = answer.front;
+  if (!front.points.empty()) document.say(measures_text(answer));
+  document.fact("ideal", costs_json(answer, front.ideal));
+  document.fact("nadir", costs_json(answer, front.nadir));
+  document.fact("reference", costs_json(answer, front.reference));
+  document.fact("hypervolume", front.hypervolume);
+  document.fact("hypervolume_at_most", front.hypervolume_at_most);
+  document.fact("hypervolume_at_most_proved", front.hypervolume_at_most && front.each_is_global);
+  document.fact("hypervolume_of_mixtures", front.hypervolume_of_mixtures);
+  document.fact("limit_hypervolume", answer.ruler && !front.reference.empty()
+                                         ? to_json(answer.ruler->hypervolume(front.reference))
+                                         : Json(nullptr));
+}
+
+void add_knee(const FrontAnswer& answer, Document& document) {
+  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
+  document.say(knee_text(answer));
+  document.fact("knee", knee ? Json{{"point", knee->point},
+                                    {"factor_low", to_json(knee->low)},
+                                    {"factor_high", to_json(knee->high)},
+                                    {"next", next_json(answer, knee->point)}}
+                             : Json(nullptr));
+}
+
+void add_work(const FrontAnswer& answer, Document& document) {
+  const Front& front = answer.front;
+  document.say(work_text(answer));
+  document.fact("complete", front.complete);
+  document.fact("finished", !front.stopped);
+  document.fact("largest_gap", front.largest_gap);
+  document.fact("warnings", answer.warnings);
+  document.fact("record", record_json(answer));
+  document.fact("searches", front.tasks);
+  document.fact("evaluations", front.evaluations);
+  document.fact("combinations", front.parts);
+  document.fact("empty_combinations", front.empty_parts);
+  document.fact("combinations_without_end", front.without_end);
+  Json failures = Json::array();
+  for (const optim::FailedTask& failed : front.failures) {
+    failures.push_back({{"search", failed.number + 1}, {"why", failed.why}});
+  }
+  document.fact("failures", failures);
+  document.fact("seed", answer.study.options().seed);
+}
+
+void add_next(const FrontAnswer& answer, std::size_t k, Document& document) {
+  constexpr double kTenth = 0.1;
+  const FrontPoint& point = answer.front.points[k];
+  const auto all = answer.costs();
+  for (std::size_t i = 0; i < 2 && answer.front.objectives.size() == 2; ++i) {
+    const auto other = optim::cost_of_next(all, k, i, kTenth);
+    document.say(
+        fmt::format("10 % better {}: {}\n", answer.front.objectives[i].name,
+                    other ? fmt::format("{} {} instead of {}", answer.front.objectives[1 - i].name,
+                                        with_its_unit(answer, 1 - i, answer.value(1 - i, *other)),
+                                        with_its_unit(answer, 1 - i, point.objectives[1 - i]))
+                          : "the front does not reach that far"));
+  }
+  document.fact("next", next_json(answer, k));
+}
+
+}  // namespace
+
+Document front_summary(const FrontAnswer& answer) {
+  const bool empty = answer.front.points.empty();
+  Document document;
+  add_measures(answer, document);
+  add_knee(answer, document);
+  if (!empty) document.say("\n");
+  add_work(answer, document);
+  return document;
+}
+
+Table points_table(const FrontAnswer& answer, const std::vector<std::size_t>& points) {
+  Table table{.key = "points", .columns = point_columns(answer), .shown = points.size()};
+  for (const std::size_t k : points) table.add(point_cells(answer, k));
+  return table;
+}
+
+Document front_document(const FrontAnswer& answer) {
+  const std::string& title = answer.study.bound().statement().title;
+  std::vector<std::size_t> all(answer.front.points.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Document document;
+  if (!title.empty()) document.say(title + "\n\n");
+  document.fact("title", title);
+  document.fact("objectives", objectives_json(answer));
+  document.add(points_table(answer, all));
+  document.say(all.empty() ? "no design that meets every limit was found\n"
+                           : slopes_note(answer) + "\n");
+  document.add(front_summary(answer));
+  return document;
+}
+
+Document point_document(const FrontAnswer& answer, std::size_t k) {
+  const FrontPoint& point = answer.front.points[k];
+  const Warnings warnings = warnings_of(answer.study.design(point));
+  Document document;
+  document.say(fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
+                           verdict_text(point), point.reason));
+  document.take_facts(json_of(points_table(answer, {k})).front());
+  document.fact("point", k);
+  document.say(warnings_text(warnings));
+  document.fact("warnings", warnings);
+  if (const std::string law = answer.law(point); !law.empty()) {
+    document.say("  law " + law + "\n");
+  }
+  const auto values = answer.values(point);
+  if (values.size() > 4 * kListed) {
+    document.say(fmt::format("  {} variables; --json and --csv have them\n", values.size()));
+  } else {
+    for (const auto& value : values) {
+      document.say(fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit)));
+    }
+  }
+  if (!point.limits.empty()) {
+    const auto& first = answer.front.objectives.front();
+    document.say("\n");
+    document.add(limits_table(answer, point));
+    document.say(fmt::format("price: by how much {} improves{} per unit of the limit's bound\n",
+                             first.name,
+                             first.unit == "1" ? "" : fmt::format(", in {},", first.unit)));
+  }
+  add_next(answer, k, document);
+  return document;
+}
+
+}  // namespace camlaw::cli

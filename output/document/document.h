@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "output/document/json.h"
+
+/// An answer as a document: what it says is put together once, and each format has one renderer.
+/// People read sentences and tables (text_of here, html_of in output/report/html.h), programs a
+/// JSON object of facts and tables (json_of), spreadsheets one table (csv_of).
+namespace camlaw::cli {
+
+/// What stands in one place of a table.
+struct Cell {
+  std::string text;        ///< for people
+  Json value;              ///< for programs
+  std::string badge = {};  ///< on pages its kind: good, bad, unsure or plain; none where empty
+  std::string html = {};   ///< on pages instead of the text, where that is not enough
+
+  Cell() : value(nullptr) {}
+  Cell(std::string words) : text(std::move(words)), value(text) {}
+  Cell(const char* words) : Cell(std::string(words)) {}
+  /// A number is shown rounded, and given to programs with all its digits.
+  template <class Value>
+  Cell(std::string shown, const Value& exact) : text(std::move(shown)), value(json_value(exact)) {}
+};
+/// For a column that programs alone read.
+template <class Value>
+Cell datum(const Value& value) {
+  return {"", value};
+}
+/// "yes" and "no" for people.
+inline Cell yes_or_no(bool value) { return {value ? "yes" : "no", value}; }
+
+enum class Align { Left, Right };
+
+/// A column, its name for programs and its title for people.
+struct Column {
+  std::string key;    ///< empty: programs do not read it
+  std::string title;  ///< may be empty
+  Align align = Align::Right;
+  bool in_text = true, on_page = true;
+  bool is_names = false;  ///< on pages "pressure angle" of "pressure_angle"
+
+  Column only_in_text() const {
+    Column result = *this;
+    result.on_page = false;
+    return result;
+  }
+  Column only_on_page() const {
+    Column result = *this;
+    result.in_text = false;
+    return result;
+  }
+};
+/// A column of numbers, to the right, one of words, to the left, and one that people do not read.
+Column numbers(std::string title, std::string key = {});
+Column words(std::string title, std::string key = {});
+Column data(std::string key);
+/// Words that are the program's names, or hold such.
+Column names(std::string title, std::string key = {});
+
+/// A table of rows with as many cells as there are columns.
+struct Table {
+  std::string key;  ///< of its list of objects for programs; empty: they do not read it
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows = {};
+  std::size_t shown = static_cast<std::size_t>(-1);  ///< rows that people read at most; 0: no table
+
+  /// Throws std::logic_error for another number of cells than there are columns.
+  void add(std::vector<Cell> cells);
+};
+
+/// Columns aligned; widths count characters, not bytes.
+std::string text_of(const Table& table);
+/// A list of objects, by the columns' keys.
+Json json_of(const Table& table);
+/// RFC 4180, the keys as header, numbers with all their digits, "yes" as 1 and "no" as 0, nothing
+/// where there is no value.
+std::string csv_of(const Table& table);
+
+/// Sentences, tables and facts in the order in which they are read.
+class Document {
+ public:
+  using Block = std::variant<std::string, Table>;
+
+  /// Lines for people; each ends with "\n". Nothing is added where there are none.
+  void say(std::string lines);
+  /// A value for programs.
+  template <class Value>
+  void fact(const std::string& key, const Value& value) {
+    facts_[key] = json_value(value);
+  }
+  /// A table for both.
+  void add(Table table);
+  /// Facts among these, such as another document's without what it says.
+  void take_facts(const Json& facts) { facts_.update(facts); }
+  /// What another document says, after this, and its facts among these.
+  void add(Document other);
+  /// The same; its facts are an object of their own.
+  void add(const std::string& key, Document other);
+  /// Documents in a row; their facts are a list of objects.
+  void add(const std::string& key, std::vector<Document> others);
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  const Json& facts() const { return facts_; }
+
+ private:
+  void read_after(Document& other);
+
+  std::vector<Block> blocks_;
+  Json facts_ = Json::object();
+};
+
+std::string text_of(const Document& document);
+/// Facts and tables, by their keys.
+inline const Json& json_of(const Document& document) { return document.facts(); }
+/// On standard output, for people or as JSON.
+void print(const Document& document, bool as_json);
+
+}  // namespace camlaw::cli

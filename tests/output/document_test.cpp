@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "output/document/document.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+namespace camlaw::cli::document_test {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+Table limits() {
+  Table table{.key = "limits",
+              .columns = {words("limit", "name"), numbers("margin", "margin"), data("tolerance"),
+                          words("met", "met"), numbers("#")}};
+  table.add({"stress", {"1.2", 1.2345678901234567}, datum(1e-6), yes_or_no(true), "1"});
+  table.add({"angle, worst", {"-", std::nan("")}, datum(kInf), yes_or_no(false), "2"});
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("numbers go to the right, words to the left, without spaces at the end", "[document]") {
+  Table table{.columns = {words("law"), numbers("B"), words("note")}};
+  table.add({"cubic", "1.5", "a"});
+  table.add({"poly-3-4-5", "1.875", ""});
+  CHECK(text_of(table) ==
+        "law             B  note\n"
+        "cubic         1.5  a\n"
+        "poly-3-4-5  1.875\n");
+}
+
+TEST_CASE("widths count characters, not bytes", "[document]") {
+  Table table{.columns = {words("název"), numbers("Größe")}};
+  table.add({"Похила", "1"});
+  table.add({"x", "22"});
+  CHECK(text_of(table) ==
+        "název   Größe\n"
+        "Похила      1\n"
+        "x          22\n");
+}
+
+TEST_CASE("a column is as wide as its title or its widest cell", "[document]") {
+  Table table{.columns = {numbers("a long title"), numbers("b")}};
+  table.add({"1", "123456"});
+  CHECK(text_of(table) ==
+        "a long title       b\n"
+        "           1  123456\n");
+}
+
+TEST_CASE("a table without rows is its titles, one that is not shown is nothing", "[document]") {
+  Table table{.columns = {numbers("a"), numbers("b"), numbers("c")}};
+  CHECK(text_of(table) == "a  b  c\n");
+  table.add({"1", "", ""});
+  CHECK(text_of(table) == "a  b  c\n1\n");
+  CHECK_THROWS_AS(table.add({"1"}), std::logic_error);
+  table.shown = 0;
+  CHECK(text_of(table).empty());
+}
+
+TEST_CASE("a table is told once: people read rounded numbers, programs all digits", "[document]") {
+  CHECK(text_of(limits()) ==
+        "limit         margin  met  #\n"
+        "stress           1.2  yes  1\n"
+        "angle, worst       -  no   2\n");
+  const Json json = json_of(limits());
+  REQUIRE(json.size() == 2);
+  CHECK(json[0].dump() ==
+        R"({"name":"stress","margin":1.2345678901234567,"tolerance":1e-06,"met":true})");
+  CHECK(json[1].dump() == R"({"name":"angle, worst","margin":null,"tolerance":"inf","met":false})");
+  CHECK(csv_of(limits()) ==
+        "name,margin,tolerance,met\n"
+        "stress,1.2345678901234567,1e-06,1\n"
+        "\"angle, worst\",,inf,0\n");
+}
+
+TEST_CASE("people read the first rows of a long table, programs all", "[document]") {
+  Table table{.key = "laws", .columns = {words("law", "law")}, .shown = 1};
+  table.add({"cubic"});
+  table.add({"quintic"});
+  CHECK(text_of(table) == "law\ncubic\n");
+  CHECK(json_of(table).size() == 2);
+}
+
+TEST_CASE("a document is read in its order, and its facts are one object", "[document]") {
+  Document document;
+  document.say("an answer\n");
+  document.fact("verdict", "feasible");
+  document.fact("best", std::optional<double>());
+  document.fact("proved", std::optional<double>(2.5));
+  document.add(limits());
+  Document part;
+  part.say("of a part\n");
+  part.fact("share", kInf);
+  document.add("part", part);
+  document.add("parts", {part, part});
+  document.add(part);
+  CHECK(text_of(document) ==
+        "an answer\n" + text_of(limits()) + "of a part\nof a part\nof a part\nof a part\n");
+  const Json expected{{"verdict", "feasible"},
+                      {"best", nullptr},
+                      {"proved", 2.5},
+                      {"limits", json_of(limits())},
+                      {"part", {{"share", "inf"}}},
+                      {"parts", {{{"share", "inf"}}, {{"share", "inf"}}}},
+                      {"share", "inf"}};
+  CHECK(json_of(document) == expected);
+}
+
+}  // namespace camlaw::cli::document_test
