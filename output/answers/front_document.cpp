@@ -8,6 +8,7 @@
 
 #include "output/answers/claim_output.h"
 #include "output/answers/front_output.h"
+#include "output/answers/front_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 
@@ -17,24 +18,6 @@ namespace {
 using optim::Front;
 using optim::FrontPoint;
 
-std::string with_its_unit(const FrontAnswer& answer, std::size_t i, double value) {
-  return with_unit(in_digits(value), answer.front.objectives[i].unit);
-}
-
-std::string verdict_text(const FrontPoint& point) {
-  return fmt::format("{}{}", to_string(point.verdict), point.is_global ? ", global" : "");
-}
-
-/// "R 33.1 mm, F 4.2 N".
-std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    parts.push_back(fmt::format("{} {}", answer.front.objectives[i].name,
-                                with_its_unit(answer, i, answer.value(i, costs[i]))));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 /// The least and the greatest limit index of a front's points.
 std::pair<double, double> indices(const Front& front, const problems::FrontRuler& limit) {
   std::pair<double, double> result{optim::kInfinity, -optim::kInfinity};
@@ -43,108 +26,6 @@ std::pair<double, double> indices(const Front& front, const problems::FrontRuler
     result = {std::min(result.first, index), std::max(result.second, index)};
   }
   return result;
-}
-
-/// More variables than this are not listed in tables.
-constexpr std::size_t kListed = 6;
-
-/// The limits of a design, with what easing each by a unit buys of the first objective.
-Table limits_table(const FrontAnswer& answer, const FrontPoint& point) {
-  Table table{.key = "limits",
-              .columns = {words("limit", "name"), numbers("margin", "margin"),
-                          words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
-                          words("proved", "proved"), numbers("price", "price")},
-              .shown = point.limits.size()};
-  for (const optim::Standing& limit : point.limits) {
-    const double price = answer.front.price(point, limit);
-    table.add({limit.name,
-               {fmt::format("{:.4g}", limit.margin), limit.margin},
-               limit.unit,
-               {limit.angle ? fmt::format("{:.4g}", *limit.angle) : "", limit.angle},
-               datum(limit.met),
-               yes_or_no(limit.proved),
-               {shown(price, 4), price}});
-  }
-  return table;
-}
-
-/// "a = 1 mm, b = 2", or how many there are.
-std::string design_text(const std::vector<FrontAnswer::Value>& values) {
-  if (values.size() > kListed) return fmt::format("{} variables", values.size());
-  std::vector<std::string> parts;
-  for (const auto& value : values) {
-    parts.push_back(fmt::format("{} = {}", value.name, with_unit(value.text, value.unit)));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-Json variables_json(const std::vector<FrontAnswer::Value>& values) {
-  Json variables = Json::object();
-  for (const auto& value : values) {
-    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
-  }
-  return variables;
-}
-
-Json objectives_json(const FrontAnswer& answer, const FrontPoint& point) {
-  Json objectives = Json::object();
-  for (std::size_t i = 0; i < point.objectives.size(); ++i) {
-    objectives[answer.front.objectives[i].name] = to_json(point.objectives[i]);
-  }
-  return objectives;
-}
-
-Json slopes_json(const FrontAnswer& answer, const FrontPoint& point) {
-  Json slopes = Json::array();
-  for (std::size_t i = 1; i < point.objectives.size(); ++i) {
-    slopes.push_back({{"of", answer.front.objectives[i].name},
-                      {"per", answer.front.objectives[0].name},
-                      {"value", to_json(answer.front.slope(point, i, 0))}});
-  }
-  return slopes;
-}
-
-std::vector<Column> point_columns(const FrontAnswer& answer) {
-  const auto& objectives = answer.front.objectives;
-  std::vector<Column> columns{numbers("#")};
-  for (const auto& o : objectives) {
-    columns.push_back(numbers(o.unit == "1" ? o.name : fmt::format("{}, {}", o.name, o.unit)));
-  }
-  for (std::size_t i = 1; i < objectives.size(); ++i) {
-    const std::string title = objectives.size() == 2 ? "slope" : fmt::format("slope {}", i + 1);
-    columns.push_back(numbers(title).only_in_text());
-  }
-  const bool laws = !answer.front.points.empty() && !answer.law(answer.front.points[0]).empty();
-  columns.insert(columns.end(),
-                 {data("objectives"), data("variables"), words("verdict", "verdict"),
-                  laws ? words("law", "law") : data("law"), data("reason"), data("global"), data("slopes"),
-                  data("limits"), data("lambda"), data("solver"), names("design")});
-  return columns;
-}
-
-std::vector<Cell> point_cells(const FrontAnswer& answer, std::size_t k) {
-  const FrontPoint& point = answer.front.points[k];
-  std::vector<Cell> cells{fmt::format("{}", k + 1)};
-  for (const double value : point.objectives) cells.push_back(in_digits(value));
-  for (std::size_t i = 1; i < point.objectives.size(); ++i) {
-    cells.push_back(shown(answer.front.slope(point, i, 0), 4));
-  }
-  const auto values = answer.values(point);
-  const auto law = answer.study.law(point);
-  cells.insert(
-      cells.end(),
-      {datum(objectives_json(answer, point)),
-       datum(variables_json(values)),
-       {verdict_text(point), to_string(point.verdict)},
-       {answer.family(point), law ? Json(law->name()) : Json(nullptr)},
-       datum(point.reason),
-       datum(point.is_global),
-       datum(slopes_json(answer, point)),
-       datum(json_of(limits_table(answer, point))),
-       datum(answer.ruler ? to_json(answer.ruler->limit_index(point.objectives)) : Json(nullptr)),
-       datum(point.solver),
-       design_text(values)});
-  return cells;
 }
 
 std::string slopes_note(const FrontAnswer& answer) {
@@ -269,20 +150,6 @@ Json costs_json(const FrontAnswer& answer, const optim::Costs& costs) {
   return result;
 }
 
-Json next_json(const FrontAnswer& answer, std::size_t point) {
-  constexpr double kTenth = 0.1;
-  Json next = Json::array();
-  const auto all = answer.costs();
-  for (std::size_t i = 0; i < 2 && answer.front.objectives.size() == 2; ++i) {
-    const auto other = optim::cost_of_next(all, point, i, kTenth);
-    next.push_back({{"better", answer.front.objectives[i].name},
-                    {"by", kTenth},
-                    {"other", answer.front.objectives[1 - i].name},
-                    {"value", other ? to_json(answer.value(1 - i, *other)) : Json(nullptr)}});
-  }
-  return next;
-}
-
 Json record_json(const FrontAnswer& answer) {
   Json faults = Json::array();
   for (const optim::RecordFault& fault : answer.faults) {
@@ -325,11 +192,12 @@ void add_measures(const FrontAnswer& answer, Document& document) {
 void add_knee(const FrontAnswer& answer, Document& document) {
   const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
   document.say(knee_text(answer));
-  document.fact("knee", knee ? Json{{"point", knee->point},
-                                    {"factor_low", to_json(knee->low)},
-                                    {"factor_high", to_json(knee->high)},
-                                    {"next", next_json(answer, knee->point)}}
-                             : Json(nullptr));
+  document.fact("knee", knee
+                            ? Json{{"point", knee->point},
+                                   {"factor_low", to_json(knee->low)},
+                                   {"factor_high", to_json(knee->high)},
+                                   {"next", json_of(next_document(answer, knee->point)).at("next")}}
+                            : Json(nullptr));
 }
 
 void add_work(const FrontAnswer& answer, Document& document) {
@@ -353,22 +221,6 @@ void add_work(const FrontAnswer& answer, Document& document) {
   document.fact("seed", answer.study.options().seed);
 }
 
-void add_next(const FrontAnswer& answer, std::size_t k, Document& document) {
-  constexpr double kTenth = 0.1;
-  const FrontPoint& point = answer.front.points[k];
-  const auto all = answer.costs();
-  for (std::size_t i = 0; i < 2 && answer.front.objectives.size() == 2; ++i) {
-    const auto other = optim::cost_of_next(all, k, i, kTenth);
-    document.say(
-        fmt::format("10 % better {}: {}\n", answer.front.objectives[i].name,
-                    other ? fmt::format("{} {} instead of {}", answer.front.objectives[1 - i].name,
-                                        with_its_unit(answer, 1 - i, answer.value(1 - i, *other)),
-                                        with_its_unit(answer, 1 - i, point.objectives[1 - i]))
-                          : "the front does not reach that far"));
-  }
-  document.fact("next", next_json(answer, k));
-}
-
 }  // namespace
 
 Document front_summary(const FrontAnswer& answer) {
@@ -379,12 +231,6 @@ Document front_summary(const FrontAnswer& answer) {
   if (!empty) document.say("\n");
   add_work(answer, document);
   return document;
-}
-
-Table points_table(const FrontAnswer& answer, const std::vector<std::size_t>& points) {
-  Table table{.key = "points", .columns = point_columns(answer), .shown = points.size()};
-  for (const std::size_t k : points) table.add(point_cells(answer, k));
-  return table;
 }
 
 Document front_document(const FrontAnswer& answer) {
@@ -399,39 +245,6 @@ Document front_document(const FrontAnswer& answer) {
   document.say(all.empty() ? "no design that meets every limit was found\n"
                            : slopes_note(answer) + "\n");
   document.add(front_summary(answer));
-  return document;
-}
-
-Document point_document(const FrontAnswer& answer, std::size_t k) {
-  const FrontPoint& point = answer.front.points[k];
-  const Warnings warnings = warnings_of(answer.study.design(point));
-  Document document;
-  document.say(fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
-                           verdict_text(point), point.reason));
-  document.take_facts(json_of(points_table(answer, {k})).front());
-  document.fact("point", k);
-  document.say(warnings_text(warnings));
-  document.fact("warnings", warnings);
-  if (const std::string law = answer.law(point); !law.empty()) {
-    document.say("  law " + law + "\n");
-  }
-  const auto values = answer.values(point);
-  if (values.size() > 4 * kListed) {
-    document.say(fmt::format("  {} variables; --json and --csv have them\n", values.size()));
-  } else {
-    for (const auto& value : values) {
-      document.say(fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit)));
-    }
-  }
-  if (!point.limits.empty()) {
-    const auto& first = answer.front.objectives.front();
-    document.say("\n");
-    document.add(limits_table(answer, point));
-    document.say(fmt::format("price: by how much {} improves{} per unit of the limit's bound\n",
-                             first.name,
-                             first.unit == "1" ? "" : fmt::format(", in {},", first.unit)));
-  }
-  add_next(answer, k, document);
   return document;
 }
 

@@ -29,8 +29,6 @@ std::string shaded_verdict(optim::Verdict verdict) {
                                                        : Shade::Unsure);
 }
 
-std::string number(double value) { return fmt::format("{:.7g}", value); }
-
 const Assessment& assessment(const Answer& answer) { return answer.optimum.found.assessment; }
 
 std::string objective_name(const Answer& answer) {
@@ -309,13 +307,13 @@ Table scaling_table(const optim::Problem& problem) {
   Table table{.columns = {words("scaling"), numbers("size"), numbers("tolerance"), words("unit")}};
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
-        {problem.variables[i].name, number(sizes.variables[i]), "", problem.variables[i].unit});
+        {problem.variables[i].name, in_digits(sizes.variables[i]), "", problem.variables[i].unit});
   }
-  table.add({problem.objective.response.name + " (objective)", number(sizes.objective),
-             number(sizes.objective_tolerance), problem.objective.response.unit});
+  table.add({problem.objective.response.name + " (objective)", in_digits(sizes.objective),
+             in_digits(sizes.objective_tolerance), problem.objective.response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    table.add({problem.constraints[i].response.name, number(sizes.constraints[i].size),
-               number(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
+    table.add({problem.constraints[i].response.name, in_digits(sizes.constraints[i].size),
+               in_digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
   return table;
 }

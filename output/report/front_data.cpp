@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "output/answers/front_words.h"
 #include "output/document/formatting.h"
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
@@ -202,10 +203,6 @@ std::vector<std::size_t> shown_points(const FrontAnswer& answer) {
     if (at != shown.end()) *at = knee->point;
   }
   return shown;
-}
-
-std::string verdict_words(const FrontPoint& point) {
-  return fmt::format("{}{}", to_string(point.verdict), point.is_global ? ", global" : "");
 }
 
 problems::ProblemStatement design_of(const FrontAnswer& answer, const FrontPoint& point) {

@@ -14,8 +14,6 @@ std::vector<std::size_t> shown_points(const FrontAnswer& answer);
 /// A point of the front as a design of its own.
 problems::ProblemStatement design_of(const FrontAnswer& answer, const optim::FrontPoint& point);
 
-/// "certified optimum, global".
-std::string verdict_words(const optim::FrontPoint& point);
 /// "peak drive torque, N m".
 std::string named_with_unit(const std::string& name, const std::string& unit);
 

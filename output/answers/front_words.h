@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "output/answers/front_answer.h"
+#include "output/document/document.h"
+
+/// What is said of points of a front in several places.
+namespace camlaw::cli {
+
+/// "certified optimum, global".
+std::string verdict_words(const optim::FrontPoint& point);
+/// A value of objective `i`, "33.1 mm".
+std::string with_its_unit(const FrontAnswer& answer, std::size_t i, double value);
+/// "R 33.1 mm, F 4.2 N".
+std::string values_text(const FrontAnswer& answer, const std::vector<double>& costs);
+/// What a tenth better of each of two objectives costs of the other.
+Document next_document(const FrontAnswer& answer, std::size_t point);
+
+}  // namespace camlaw::cli
