@@ -23,8 +23,8 @@ struct StudyProgress {
 struct ParetoOptions {
   std::size_t points = 50;  ///< wanted on the front
   ParetoMethod method = ParetoMethod::Automatic;
-  OptimiseOptions solve = {};                   ///< of each search; the time limit holds for each
-  std::uint64_t seed = 1;                       ///< of the scout and of starts
+  OptimiseOptions solve = {};  ///< of each search; the time limit holds for each
+  std::uint64_t seed = 1;      ///< of the scout and of starts
   /// Whether the automatic method may look at a problem with NSGA-II first, where that is there; of
   /// a study that is read, whether it did.
   bool scouts = true;
