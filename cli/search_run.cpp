@@ -48,6 +48,7 @@ optim::OptimiseOptions search_options(const problems::SolverStatement& line,
   result.starts = line.starts ? line.starts : file.starts;
   result.seed = line.seed.value_or(file.seed.value_or(result.seed));
   result.time_limit = line.time_limit ? line.time_limit : file.time_limit;
+  result.native = file.native;
   return result;
 }
 

@@ -12,7 +12,7 @@ set(CAMLAW_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/camlaw)
 set(parts numerics kinematics optim machines problems fitting output)
 install(DIRECTORY ${parts}
   DESTINATION ${CAMLAW_HEADER_DIR} COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN "nlopt_*.h" EXCLUDE
+  FILES_MATCHING PATTERN "*.h" PATTERN "ipopt_*.h" EXCLUDE PATTERN "nlopt_*.h" EXCLUDE
   PATTERN "study_tables.h" EXCLUDE PATTERN "nsga2_plugin.h" EXCLUDE PATTERN "run_end.h" EXCLUDE)
 
 # Each library is a part of the package of its own, so that who asks for kinematics needs no solver.

@@ -25,13 +25,26 @@ std::string output_of(const std::string& command) {
   return result;
 }
 
+/// Whether a page shows the example, without its licence line.
+bool shows(const std::string& page, const std::string& file) {
+  const std::string example = file_text(file);
+  const std::string shown = example.substr(example.find('\n') + 1);
+  CHECK(shown.size() > 500);
+  return file_text(page).find(shown) != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("the README shows the example that is compiled here") {
-  const std::string example = file_text(CAMLAW_SOURCE_DIR "/examples/peaks_and_cam.cpp");
-  const std::string shown = example.substr(example.find('\n') + 1);  // without the licence line
-  CHECK(shown.size() > 500);
-  CHECK(file_text(CAMLAW_SOURCE_DIR "/README.md").find(shown) != std::string::npos);
+  CHECK(shows(CAMLAW_SOURCE_DIR "/README.md", CAMLAW_SOURCE_DIR "/examples/peaks_and_cam.cpp"));
+}
+
+TEST_CASE("the page of optimisation shows the solver that is registered here", "[solvers]") {
+  CHECK(shows(CAMLAW_SOURCE_DIR "/docs/optimisation.md",
+              CAMLAW_SOURCE_DIR "/examples/own_solver.cpp"));
+  // From 2 (x - 1) + y = 0 and x + 4 y = 0: x = 8/7, y = -2/7, and (1 - 16 + 8) / 49 = -1/7.
+  CHECK(output_of(CAMLAW_OWN_SOLVER) ==
+        "-0.142857 at (1.142857, -0.285714) by compass: certified optimum\n");
 }
 
 TEST_CASE("the example prints what the library's closed forms give") {

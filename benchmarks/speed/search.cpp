@@ -29,6 +29,7 @@ optim::Optimum solved(const problems::BoundProblem& problem) {
   options.solver = file.name.value_or("auto");
   options.starts = file.starts;
   options.seed = file.seed.value_or(options.seed);
+  options.native = file.native;
   return optim::optimise(problem.space(), options);
 }
 

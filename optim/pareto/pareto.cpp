@@ -430,6 +430,7 @@ std::size_t Front::certified() const {
 
 Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
+  check_solvers(options.solve);
   Front front = Study(space, options, executor).run();
   front.remark = executor.remark();
   return front;

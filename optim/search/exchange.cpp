@@ -44,8 +44,16 @@ WarmStart carried_over(const Solution& last, const std::vector<std::size_t>& bef
   return warm;
 }
 
+/// A start may lie outside the bounds, and a solver may end there, if only by rounding.
+void draw_into_box(const Problem& problem, std::vector<double>& x) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Variable& v = problem.variables[i];
+    x[i] = std::clamp(x[i], v.lower, v.upper);
+  }
+}
+
 /// What came of one solve: the attempt takes it; the auxiliary variable's value comes back.
-double take(const Program& program, const Solution& solution, std::size_t variables,
+double take(const Problem& problem, const Program& program, const Solution& solution,
             Attempt& attempt) {
   ++attempt.rounds;
   attempt.iterations += solution.iterations;
@@ -55,9 +63,11 @@ double take(const Program& program, const Solution& solution, std::size_t variab
   attempt.message = solution.message;
   attempt.error = solution.error;
   if (solution.y.size() != program.variables()) return 0;
+  const std::size_t variables = problem.variables.size();
   std::vector<double> x = program.design(solution.y);
   const double auxiliary = x.size() > variables ? x.back() : 0;
   x.resize(variables);
+  draw_into_box(problem, x);
   const bool numbers = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
   if (numbers) attempt.x = std::move(x);
   return auxiliary;
@@ -90,13 +100,12 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
   SolverOptions left = tightened(problem, sizes, options);
-  const std::size_t variables = problem.variables.size();
   std::optional<WarmStart> warm;
   while (true) {
     const Program program = working.program(attempt.x);
     const auto groups = working.row_groups();
     const Solution solution = solver.solve(program, left, warm ? &*warm : nullptr);
-    const double auxiliary = take(program, solution, variables, attempt);
+    const double auxiliary = take(problem, program, solution, attempt);
     const bool usable = went_well(attempt.status) || attempt.status == Status::Stalled ||
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
@@ -127,6 +136,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     left.max_iterations = options.max_iterations - attempt.iterations;
     // Without multipliers the design alone is the start.
+    warm.reset();
     if (!solution.rows.empty()) warm = carried_over(solution, groups, working.row_groups());
     if (options.time_limit) {
       const std::chrono::duration<double> spent = Clock::now() - began;
@@ -150,10 +160,7 @@ Attempt exchange(const Problem& problem, const Sizes& sizes, Design start, const
                  const SolverOptions& options, Aim aim) {
   Attempt attempt;
   attempt.x.assign(start.begin(), start.end());
-  for (std::size_t i = 0; i < attempt.x.size(); ++i) {
-    const Variable& v = problem.variables[i];
-    attempt.x[i] = std::clamp(attempt.x[i], v.lower, v.upper);
-  }
+  draw_into_box(problem, attempt.x);
   try {
     as_taken(problem, sizes, solver, [&](const Problem& taken, const Sizes& its_sizes) {
       run(taken, its_sizes, solver, options, aim, attempt);

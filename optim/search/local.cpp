@@ -41,6 +41,15 @@ std::string words_of(const std::exception_ptr& error) {
   }
 }
 
+/// An exception of a search, and who let it out: the model, or a solver that was registered.
+struct Thrown {
+  std::exception_ptr error = {};
+  std::string who = "the model threw";
+
+  explicit operator bool() const { return error != nullptr; }
+  std::string words() const { return fmt::format("{}: {}", who, words_of(error)); }
+};
+
 class Search {
  public:
   Search(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline,
@@ -72,10 +81,10 @@ class Search {
     } catch (const Interrupted&) {
       return end_in_haste();
     } catch (...) {
-      error_ = std::current_exception();
+      thrown_ = {std::current_exception()};
     }
-    if (error_ && !is_feasible(found_.assessment)) {
-      return fail(fmt::format("the model threw: {}", words_of(error_)));
+    if (thrown_ && !is_feasible(found_.assessment)) {
+      return fail(thrown_.words());
     }
     return std::move(found_);
   }
@@ -149,6 +158,8 @@ class Search {
     // Where one start has used up its iterations in vain, there may be no design to be found.
     constexpr int kShare = 4;
     SolverOptions how = solver_options();
+    if (const auto native = options_.native.find(solver.name()); native != options_.native.end())
+      how.native = native->second;
     if (in_vain_ && aim == Aim::Optimum && !is_feasible(found_.assessment))
       how.max_iterations = 1 + how.max_iterations / kShare;
     Attempt result = exchange(problem_, sizes_, start, solver, how, aim);
@@ -157,7 +168,7 @@ class Search {
     found_.solves += result.rounds;
     if (!result.x.empty()) latest_design_ = result.x;
     if (is_interruption(result.error)) throw Interrupted();
-    if (result.error) error_ = result.error;
+    if (result.error) thrown_ = {result.error, result.message};
     return result;
   }
 
@@ -179,8 +190,8 @@ class Search {
       if (!latest_design_.empty() && latest_design_ != found_.x) consider_in_haste(latest_design_);
       consider_in_haste(plain.start());
     } catch (...) {
-      error_ = std::current_exception();
-      return fail(fmt::format("the model threw: {}", words_of(error_)));
+      thrown_ = {std::current_exception()};
+      return fail(thrown_.words());
     }
     if (found_.assessment.verdict == Verdict::Infeasible) return std::move(found_);
     constexpr double kNothing = 1e-3;  // s, the least that a deadline says is left
@@ -237,7 +248,7 @@ class Search {
       in_vain_ = in_vain_ || in_vain;
       const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded && !in_vain;
       if (!is_settled(latest_) && goes_on) search_rescaled(tried.x, *solver);
-      if (is_settled(latest_) || error_ || deadline_.passed()) return;
+      if (is_settled(latest_) || thrown_ || deadline_.passed()) return;
       look_for_emptiness();
       if (is_settled(latest_) || found_.assessment.verdict == Verdict::Infeasible) return;
     }
@@ -496,12 +507,12 @@ class Search {
     constexpr std::size_t kTried = 4;
     constexpr double kGain = 1e-6;
     if (convex_set_ || !prove_) return least;
-    const std::exception_ptr error = error_;
+    const Thrown thrown = thrown_;
     for (const auto& x :
          least_violating(problem_, sizes_, least.attempt.x, kTried, options_.seed)) {
       if (is_feasible(least.blame) || deadline_.passed()) break;
       Least other = least_violation_at(x);
-      error_ = error;
+      thrown_ = thrown;
       if (other.attempt.x.empty()) continue;
       const double gain = largest_violation(problem_, sizes_, least.attempt.x) -
                           largest_violation(problem_, sizes_, other.attempt.x);
@@ -627,10 +638,17 @@ class Search {
   std::vector<double> objectives_;            ///< where each start ended
   std::vector<std::vector<double>> watched_;  ///< angles of the objective and of each constraint
   std::vector<double> latest_design_;         ///< where the last attempt ended
-  std::exception_ptr error_;
+  Thrown thrown_;
 };
 
 }  // namespace
+
+void check_solvers(const OptimiseOptions& options) {
+  if (options.solver != "auto") find_solver(options.solver);
+  for (const auto& [solver, native] : options.native) {
+    check_native_options(find_solver(solver), native);
+  }
+}
 
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
                         const Deadline& deadline, bool prove) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct OptimiseOptions {
   int max_iterations = 1000;              ///< of each local solve
   long max_evaluations = 20000;           ///< of each solve by a global or derivative-free method
   std::optional<double> memory = {};      ///< bytes that a search may take (memory.h)
+  /// Of each solver by its name, wherever that solver runs.
+  std::map<std::string, NativeOptions> native = {};
   bool divides = true;  ///< whether a lower bound is sought by dividing the box (subdivided)
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const Progress&)> progress = {};
@@ -36,6 +39,10 @@ struct OptimiseOptions {
   /// where it proves better than all before it.
   std::function<void(const Candidate&)> candidate = {};
 };
+
+/// Throws std::invalid_argument for an unknown solver, and for native options that the solver of
+/// that name does not accept.
+void check_solvers(const OptimiseOptions& options);
 
 /// What the search came to.
 struct Found {

@@ -274,7 +274,7 @@ class Optimiser {
 }  // namespace
 
 Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options) {
-  if (options.solver != "auto") find_solver(options.solver);
+  check_solvers(options);
   if (options.starts && *options.starts < 1) {
     throw std::invalid_argument("starts: at least one is needed");
   }

@@ -19,7 +19,8 @@ struct Optimum {
 /// Solves a problem: continuous variables by a local or global method from one or several starts,
 /// choices and integer variables by enumeration, or by branch and bound where there are too many
 /// combinations. The verdict is the code's own (optim/verdict). Throws std::invalid_argument for a
-/// problem that is not well posed and for an unknown solver.
+/// problem that is not well posed, for an unknown solver and for native options that it does not
+/// accept.
 Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options = {});
 Optimum optimise(const Problem& problem, const OptimiseOptions& options = {});
 

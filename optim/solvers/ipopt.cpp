@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <IpoptConfig.h>
+#include <fmt/format.h>
 
-#include <IpIpoptApplication.hpp>
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <chrono>
@@ -10,8 +10,8 @@
 
 #include "numerics/library_mutex.h"
 #include "optim/solvers/exit_guard.h"
+#include "optim/solvers/ipopt_options.h"
 #include "optim/solvers/run_end.h"
-#include "optim/solvers/solver.h"
 
 /// Ipopt: interior point with exact sparse second derivatives. Its linear solver, MUMPS, has its
 /// state in static variables: one thread at a time searches, in the whole process.
@@ -191,35 +191,12 @@ RunEnd run_end(Ipopt::ApplicationReturnStatus status) {
       return {Status::Stalled, "no step could be computed"};
     case Ipopt::Not_Enough_Degrees_Of_Freedom:
       return {Status::Failed, "more equations than variables"};
+    case Ipopt::Invalid_Option:
+      return {Status::Failed, "this build of Ipopt cannot do what its options ask for"};
     case Ipopt::Invalid_Number_Detected:
       return {Status::Failed, "the model gives no number"};
     default:
       return {Status::Failed, "failed"};
-  }
-}
-
-void set_options(Ipopt::OptionsList& list, const SolverOptions& options, bool warm) {
-  list.SetIntegerValue("print_level", 0);
-  list.SetStringValue("sb", "yes");
-  list.SetIntegerValue("max_iter", options.max_iterations);
-  list.SetNumericValue("tol", options.tolerance);
-  list.SetNumericValue("constr_viol_tol", options.tolerance);
-  list.SetNumericValue("compl_inf_tol", options.tolerance);
-  list.SetNumericValue("dual_inf_tol", 1e3 * options.tolerance);
-  // Where rounding keeps the last digits away, five iterations show it as well as Ipopt's fifteen.
-  list.SetNumericValue("acceptable_tol", 1e2 * options.tolerance);
-  list.SetIntegerValue("acceptable_iter", 5);
-  // The program is scaled already, and its bounds are meant: Ipopt would widen them by 1e-8.
-  list.SetStringValue("nlp_scaling_method", "none");
-  list.SetNumericValue("bound_relax_factor", options.bound_relaxation);
-  list.SetStringValue("honor_original_bounds", "no");
-  if (!warm) return;
-  list.SetStringValue("warm_start_init_point", "yes");
-  list.SetNumericValue("mu_init", 1e-5);
-  for (const char* push :
-       {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
-        "warm_start_slack_bound_frac", "warm_start_mult_bound_push"}) {
-    list.SetNumericValue(push, 1e-6);
   }
 }
 
@@ -249,8 +226,11 @@ class IpoptSolver final : public Solver {
     return {};
   }
 
-  Solution solve(const Program& program, const SolverOptions& options,
-                 const WarmStart* warm) const override {
+  std::vector<NativeRule> native_rules() const override { return ipopt_rules(); }
+
+ private:
+  Solution search(const Program& program, const SolverOptions& options,
+                  const WarmStart* warm) const override {
     const bool with_multipliers = warm != nullptr && warm->rows.size() == program.rows() &&
                                   warm->lower.size() == program.variables() &&
                                   warm->upper.size() == program.variables();
@@ -277,7 +257,6 @@ class IpoptSolver final : public Solver {
     return solution;
   }
 
- private:
   static void name_end(Adapter& adapter) {
     Solution& solution = adapter.solution;
     if (adapter.stopped) solution.status = Status::Stopped, solution.message = "stopped";
@@ -289,11 +268,17 @@ class IpoptSolver final : public Solver {
                   bool warm) {
     Solution& solution = adapter->solution;
     Ipopt::IpoptApplication application(false);
-    set_options(*application.Options(), options, warm);
+    set_ipopt_options(*application.Options(), options, warm);
     application.Initialize("");
-    const auto result = run_end(application.OptimizeTNLP(GetRawPtr(adapter)));
+    const auto status = application.OptimizeTNLP(GetRawPtr(adapter));
+    const auto result = run_end(status);
     solution.status = result.status;
     solution.message = result.message;
+    if (status == Ipopt::Invalid_Option) {
+      for (const auto& [name, value] : options.native) {
+        solution.message += fmt::format(", {} {}", name, to_text(value));
+      }
+    }
   }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/solvers/nlopt_options.h"
 #include "optim/solvers/nlopt_search.h"
 #include "optim/solvers/run_end.h"
 
@@ -94,7 +95,8 @@ Solution solution(const Point& point, RunEnd outcome, const Evaluator& evaluator
   Solution result;
   result.status = outcome.status;
   result.message = std::move(outcome.message);
-  if (point.violation > kAcceptableViolation && point.defined) {
+  const bool threw = evaluator.error() != nullptr;
+  if (point.violation > kAcceptableViolation && point.defined && !threw) {
     result.message += fmt::format("; a row is violated by {:.2g} of its size", point.violation);
   }
   result.y = point.y;
@@ -103,8 +105,8 @@ Solution solution(const Point& point, RunEnd outcome, const Evaluator& evaluator
   return result;
 }
 
-Solution search(const NloptMethod& method, const Program& program, const SolverOptions& options,
-                std::vector<double> y) {
+Solution search_from(const NloptMethod& method, const Program& program,
+                     const SolverOptions& options, std::vector<double> y) {
   Evaluator evaluator(program, options, evaluation_limit(method, options));
   if (const auto unfit = unfit_start(method, program, y, evaluator)) {
     return solution(evaluator.best(), *unfit, evaluator);
@@ -136,8 +138,11 @@ class NloptSolver final : public Solver {
     return why_refused(method_, program);
   }
 
-  Solution solve(const Program& program, const SolverOptions& options,
-                 const WarmStart* warm) const override {
+  std::vector<NativeRule> native_rules() const override { return nlopt_rules(method_); }
+
+ private:
+  Solution search(const Program& program, const SolverOptions& options,
+                  const WarmStart* warm) const override {
     if (const auto why = refusal(program)) {
       Solution refused;
       refused.message = *why;
@@ -145,10 +150,9 @@ class NloptSolver final : public Solver {
     }
     const bool warmed = warm != nullptr && warm->y.size() == program.variables();
     const std::span<const double> start = warmed ? warm->y : program.start();
-    return search(method_, program, options, {start.begin(), start.end()});
+    return search_from(method_, program, options, {start.begin(), start.end()});
   }
 
- private:
   const NloptMethod& method_;
 };
 

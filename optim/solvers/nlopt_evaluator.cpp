@@ -121,7 +121,8 @@ void Evaluator::remember() {
 void Evaluator::compare_with_best() {
   if (best_.defined && !better(last_, best_, options_.tolerance)) return;
   best_ = last_;
-  if (best_.violation <= kAcceptableViolation && best_.objective < kBottomless && is_far_out()) {
+  if (best_.violation <= kAcceptableViolation && best_.objective < kBottomless &&
+      is_far_out(program_, best_.y)) {
     halt_ = Halt::Unbounded;
   }
   if (!options_.progress) return;
@@ -129,16 +130,6 @@ void Evaluator::compare_with_best() {
     options_.progress({static_cast<int>(evaluations_), program_.unscaled_objective(best_.objective),
                        best_.violation});
   });
-}
-
-/// Whether a variable without a bound has gone far: inside a box nothing falls without end.
-bool Evaluator::is_far_out() const {
-  constexpr double kFar = 1e4;
-  for (std::size_t i = 0; i < best_.y.size(); ++i) {
-    const bool open = std::isinf(program_.lower()[i]) || std::isinf(program_.upper()[i]);
-    if (open && std::abs(best_.y[i]) > kFar) return true;
-  }
-  return false;
 }
 
 /// The first exception is kept and halts the search: none may fly through NLopt's C.

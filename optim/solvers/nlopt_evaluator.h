@@ -56,7 +56,6 @@ class Evaluator {
   void watch_limits();
   void remember();
   void compare_with_best();
-  bool is_far_out() const;
   template <class Work>
   bool guarded(Work work);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/solvers/native_options.h"
 #include "optim/solvers/program.h"
 
 /// NLopt's methods as camlaw offers them: what each can take, and why not. For nlopt.cpp alone.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "optim/solvers/nlopt_options.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -111,6 +113,7 @@ NloptHandle NloptSearch::create_inner() const {
     nlopt_set_maxeval(helper.get(), 3000);
   }
   nlopt_set_vector_storage(inner.get(), 20);
+  set_nlopt_options(method_, program_, options_.native, inner.get(), helper.get());
   if (helper) nlopt_set_local_optimizer(inner.get(), helper.get());
   return inner;
 }

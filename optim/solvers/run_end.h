@@ -8,7 +8,7 @@
 
 #include "optim/solvers/solver.h"
 
-/// What both back ends ask and answer in the same way.
+/// What back ends ask and answer in the same way.
 namespace camlaw::optim {
 
 /// How a run ended, in our words.
@@ -19,6 +19,16 @@ struct RunEnd {
 
 inline bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Whether a variable without a bound has gone far: inside a box nothing falls without end.
+inline bool is_far_out(const Program& program, std::span<const double> y) {
+  constexpr double kFar = 1e4;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const bool open = std::isinf(program.lower()[i]) || std::isinf(program.upper()[i]);
+    if (open && std::abs(y[i]) > kFar) return true;
+  }
+  return false;
 }
 
 }  // namespace camlaw::optim

@@ -2,6 +2,7 @@
 #include "optim/study/encoding.h"
 
 #include <cstring>
+#include <map>
 #include <type_traits>
 
 namespace camlaw::optim {
@@ -34,6 +35,15 @@ class Writer {
   void operator()(const std::optional<T>& value) {
     (*this)(value.has_value());
     if (value) (*this)(*value);
+  }
+  template <class T>
+  void operator()(const std::map<std::string, T>& table) {
+    (*this)(table.size());
+    for (const auto& [name, value] : table) (*this)(name), (*this)(value);
+  }
+  void operator()(const NativeValue& value) {
+    (*this)(value.index());
+    std::visit(*this, value);
   }
 
  private:
@@ -91,6 +101,22 @@ class Reader {
     (*this)(there);
     if (there) (*this)(value.emplace());
   }
+  template <class T>
+  void operator()(std::map<std::string, T>& table) {
+    for (std::size_t left = count(); good_ && left > 0; --left) {
+      std::string name;
+      (*this)(name);
+      (*this)(table[name]);
+    }
+  }
+  void operator()(NativeValue& value) {
+    std::size_t kind = 0;
+    (*this)(kind);
+    if (kind == 0) (*this)(value.emplace<0>());
+    if (kind == 1) (*this)(value.emplace<1>());
+    if (kind == 2) (*this)(value.emplace<2>());
+    good_ = good_ && kind < std::variant_size_v<NativeValue>;
+  }
 
  private:
   bool has(std::size_t size) {
@@ -142,10 +168,10 @@ void visit(Archive& archive, T& task) {
 template <class Archive, class O>
 requires std::is_same_v<std::remove_const_t<O>, OptimiseOptions>
 void visit(Archive& archive, O& options) {
-  auto& [solver, starts, seed, time_limit, spent, iterations, evaluations, memory, divides, stop,
-         progress, candidate] = options;
+  auto& [solver, starts, seed, time_limit, spent, iterations, evaluations, memory, native, divides,
+         stop, progress, candidate] = options;
   archive(solver), archive(starts), archive(seed), archive(time_limit), archive(spent);
-  archive(iterations), archive(evaluations), archive(memory), archive(divides);
+  archive(iterations), archive(evaluations), archive(memory), archive(native), archive(divides);
 }
 
 template <class Archive, class O>

@@ -12,6 +12,18 @@
 #include "optim/study/child_process.h"
 
 namespace camlaw::optim {
+namespace {
+
+/// A solver that a search asks for and that this process alone knows; empty where there is none.
+std::string registered_solver(const OptimiseOptions& options) {
+  if (is_registered(options.solver)) return options.solver;
+  for (const auto& [solver, native] : options.native) {
+    if (is_registered(solver)) return solver;
+  }
+  return "";
+}
+
+}  // namespace
 
 /// The tasks of one run: which wait, which are done.
 class ProcessExecutor::Run {
@@ -133,6 +145,10 @@ WorkerProcess* ProcessExecutor::hire() {
   if (has_one_thread()) return &crew_.emplace_back(WorkerProcess::forked(space_, crew_));
   if (!program_) {
     if (remark_.empty()) stay_here("it has several threads, and the problem is not sent as data");
+    return nullptr;
+  }
+  if (const std::string own = registered_solver(options_); !own.empty()) {
+    stay_here(fmt::format("it has several threads, and no other process knows the solver {}", own));
     return nullptr;
   }
   try {

@@ -132,6 +132,7 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   options_.solve.solver = solver.name.value_or("auto");
   options_.solve.starts = solver.starts;
   options_.solve.time_limit = solver.time_limit;
+  options_.solve.native = solver.native;
 }
 
 FrontStudy FrontStudy::of(const optim::StudyRecord& record) { return of(record.settings()); }

@@ -52,11 +52,45 @@ double parse_time_limit(std::string_view text, const std::string& what) {
   return value;
 }
 
+namespace {
+
+optim::NativeValue native_value(const Entry& entry) {
+  switch (entry.kind) {
+    case Entry::Kind::Text:
+      return entry.text;
+    case Entry::Kind::Integer:
+      return entry.integer;
+    case Entry::Kind::Float:
+      return entry.number;
+    default:
+      refuse(entry, fmt::format("{} is given; a text, an integer or a number is wanted",
+                                to_string(entry.kind)));
+  }
+}
+
+/// What [solver.NAME] says, checked whether or not that solver is the one which is asked for.
+optim::NativeOptions read_native(const Entry& table) {
+  expect(table, Entry::Kind::Table, fmt::format("a table, [solver.{}]", table.key));
+  const auto rules = optim::find_solver(table.key).native_rules();
+  optim::NativeOptions options;
+  for (const Entry& entry : table.items) {
+    const optim::NativeValue value = native_value(entry);
+    located(entry, [&] { optim::check_native_option(table.key, rules, entry.key, value); });
+    options.emplace(entry.key, value);
+  }
+  return options;
+}
+
+}  // namespace
+
 void read_solver(const Entry& file, ProblemStatement& problem) {
   const Entry* solver = find(file, "solver");
   if (solver == nullptr) return;
   expect(*solver, Entry::Kind::Table, "a table, [solver]");
-  check_keys(*solver, {"name", "starts", "seed", "time_limit"});
+  const std::vector<std::string> solvers = optim::solver_names();
+  std::vector<std::string> keys{"name", "starts", "seed", "time_limit"};
+  keys.insert(keys.end(), solvers.begin(), solvers.end());
+  check_keys(*solver, keys);
   if (const Entry* name = find(*solver, "name")) {
     const std::string& text = text_of(*name);
     problem.solver.name = located(*name, [&] { return find_solver_name(text); });
@@ -68,6 +102,10 @@ void read_solver(const Entry& file, ProblemStatement& problem) {
     problem.solver.seed = static_cast<std::uint64_t>(whole_of(*seed, 0, kMostSeed));
   }
   problem.solver.time_limit = find_positive(*solver, "time_limit", "s");
+  for (const std::string& name : solvers) {
+    const Entry* table = find(*solver, name);
+    if (table != nullptr) problem.solver.native.emplace(name, read_native(*table));
+  }
 }
 
 }  // namespace camlaw::problems

@@ -11,6 +11,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "machines/model/mechanism.h"
+#include "optim/solvers/native_options.h"
 #include "problems/statement/program_timing.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,
@@ -53,6 +54,8 @@ struct SolverStatement {
   std::optional<int> starts;
   std::optional<std::uint64_t> seed;
   std::optional<double> time_limit;  ///< seconds
+  /// Options that one solver alone has, by its name: [solver.ipopt].
+  std::map<std::string, optim::NativeOptions> native;
 };
 
 /// Laws of files by the names that a problem's text has for them: what it does not hold itself.

@@ -189,6 +189,15 @@ std::string constraint_sentence(const ConstraintStatement& c) {
                      tolerance_note(c.tolerance, c.response.unit));
 }
 
+/// "mu_strategy adaptive, max_soc 2".
+std::string text(const optim::NativeOptions& options) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : options) {
+    parts.push_back(fmt::format("{} {}", name, optim::to_text(value)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string solver_sentence(const SolverStatement& solver) {
   std::vector<std::string> parts;
   if (solver.name) parts.push_back("with " + *solver.name);
@@ -197,7 +206,11 @@ std::string solver_sentence(const SolverStatement& solver) {
   }
   if (solver.seed) parts.push_back(fmt::format("with seed {}", *solver.seed));
   if (solver.time_limit) parts.push_back(fmt::format("for at most {:.6g} s", *solver.time_limit));
-  return parts.empty() ? "" : fmt::format("Solve {}.\n", fmt::join(parts, ", "));
+  std::string words = parts.empty() ? "" : fmt::format("Solve {}.\n", fmt::join(parts, ", "));
+  for (const auto& [name, options] : solver.native) {
+    if (!options.empty()) words += fmt::format("Where {} runs, it has {}.\n", name, text(options));
+  }
+  return words;
 }
 
 }  // namespace

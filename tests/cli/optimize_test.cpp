@@ -142,6 +142,25 @@ TEST_CASE("optimize's settings are read as the file's are", "[program]") {
   CHECK(answer["seed"] == 9223372036854775807);
 }
 
+TEST_CASE("options of one solver are kept, and have effect where it runs", "[program][solvers]") {
+  const Folder folder;
+  const std::string plain = force_and_radius("30 N", "40 mm");
+  const std::string own = "[solver.ipopt]\nmu_strategy = \"adaptive\"\n";
+  const auto answer = [&](const std::string& text, const char* solver) {
+    return json_of({"optimize", written(folder, text), "--json", "--solver", solver});
+  };
+  const ParsedJson adaptive = answer(plain + own, "ipopt");
+  CHECK(adaptive["iterations"] != answer(plain, "ipopt")["iterations"]);
+  CHECK(adaptive["objective"].get<double>() ==
+        Approx(answer(plain, "ipopt")["objective"].get<double>()).epsilon(1e-6));
+  CHECK(adaptive["design"]["problem"] == plain + own);
+  CHECK(answer(plain + own, "slsqp")["iterations"] == answer(plain, "slsqp")["iterations"]);
+  CHECK_THAT(done({"check", written(folder, plain + own)}),
+             Contains("Where ipopt runs, it has mu_strategy adaptive."));
+  CHECK_THAT(failed({"optimize", written(folder, plain + "[solver.ipopt]\nmax_iter = 3\n")}, 2),
+             Contains("solver.ipopt.max_iter: ipopt: option max_iter cannot be set"));
+}
+
 TEST_CASE("text tells units, sides and solvers, and no rounding", "[program]") {
   const std::string text =
       done({"optimize", shipped("least_radius.toml"), "--solver", "crs2", "--seed", "2"});

@@ -195,6 +195,20 @@ TEST_CASE("a study that was made without NSGA-II is read without it", "[fronts]"
   CHECK(study.run(another).tasks == 0);
 }
 
+TEST_CASE("a study keeps the options of its solvers", "[fronts][solvers]") {
+  const auto study_with = [](const std::string& value) {
+    return FrontStudy(shipped_front() + "[solver.ipopt]\nmu_strategy = '" + value + "'\n",
+                      "front.toml", {});
+  };
+  const testing::Folder folder;
+  const FrontStudy study = study_with("adaptive");
+  const optim::NativeOptions adaptive{{"mu_strategy", "adaptive"}};
+  CHECK(study.options().solve.native.at("ipopt") == adaptive);
+  const auto record = optim::StudyRecord::create(folder / "s.db", study.settings());
+  CHECK(FrontStudy::of(record).options().solve.native.at("ipopt") == adaptive);
+  CHECK_THROWS_WITH(study_with("monotone").check_same(record), Contains("cannot be resumed"));
+}
+
 TEST_CASE("a record that lacks a setting or has another version says which", "[fronts]") {
   const FrontStudy study(shipped_front(), "front.toml", {});
   for (const std::string name : {"problem", "source", "points", "method"}) {

@@ -432,4 +432,27 @@ TEST_CASE("the solver's settings are known and of use", "[statement]") {
        {"[solver]\ntime_limit = '10 mm'", ":5: solver.time_limit: ", {"a time is wanted"}}}));
 }
 
+TEST_CASE("options of one solver are those that it has", "[statement][solvers]") {
+  check(after_law(
+      kAlpha,
+      {{"[solver.ipot]\nmu_init = 1", ":4: solver.ipot: unknown key", {"did you mean ipopt"}},
+       {"[solver.auto]\nmu_init = 1", ":4: solver.auto: unknown key", {}},
+       {"[solver]\nipopt = 'fast'", ":5: solver.ipopt: a text", {"a table, [solver.ipopt]"}},
+       {"[solver.ipopt]\nmu_stratgy = 'adaptive'",
+        ":5: solver.ipopt.mu_stratgy: ipopt has no option 'mu_stratgy'",
+        {"near: mu_strategy"}},
+       {"[solver.ipopt]\nmu_strategy = 'adaptve'",
+        ":5: solver.ipopt.mu_strategy: ipopt: option mu_strategy: 'adaptve' is not ",
+        {"monotone, adaptive"}},
+       {"[solver.ipopt]\nmax_soc = 1.5", ":5: solver.ipopt.max_soc: ", {"an integer from 0"}},
+       {"[solver.ipopt]\nmu_init = inf", ":5: solver.ipopt.mu_init: ", {"a number above 0"}},
+       {"[solver.ipopt]\nmu_init = true", ":5: solver.ipopt.mu_init: true or false is given", {}},
+       {"[solver.ipopt]\nprint_level = 5",
+        ":5: solver.ipopt.print_level: ",
+        {"cannot be set", "standard output"}},
+       {"[solver]\nname = 'slsqp'\n[solver.crs2]\npopulation = 0",
+        ":7: solver.crs2.population: ",
+        {"an integer from 1"}}}));
+}
+
 }  // namespace camlaw::problems::statement_errors_test

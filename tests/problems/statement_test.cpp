@@ -305,6 +305,23 @@ TEST_CASE("a solver may be auto, in any case", "[statement]") {
   CHECK(read("[solver]\nname = 'SLSQP'").solver.name == "slsqp");
 }
 
+TEST_CASE("a solver's own options are read, whichever solver is asked for",
+          "[statement][solvers]") {
+  const ProblemStatement p = read(
+      "[solver]\nname = 'slsqp'\nseed = 3\n[solver.ipopt]\nmu_strategy = 'adaptive'\n"
+      "max_soc = 2\nmu_init = 1\n[solver.crs2]\n");
+  CHECK(p.solver.name == "slsqp");
+  const std::int64_t one = 1, two = 2;
+  const optim::NativeOptions ipopt{{"mu_strategy", "adaptive"}, {"max_soc", two}, {"mu_init", one}};
+  CHECK(p.solver.native.at("ipopt") == ipopt);
+  CHECK(p.solver.native.at("crs2").empty());
+  const std::string words = in_words(p);
+  CHECK(words.find("Solve with slsqp, with seed 3.\n"
+                   "Where ipopt runs, it has max_soc 2, mu_init 1, mu_strategy adaptive.\n") !=
+        std::string::npos);
+  CHECK(words.find("crs2") == std::string::npos);
+}
+
 TEST_CASE("a problem without objective or with too many combinations is not bound", "[statement]") {
   const auto refused = [](const ProblemStatement& problem) {
     try {

@@ -14,6 +14,7 @@
 #include "numerics/library_mutex.h"
 #include "numerics/text/units.h"
 #include "optim/solvers/exit_guard.h"
+#include "optim/solvers/solver.h"
 #include "optim/study/child_process.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
@@ -59,6 +60,22 @@ class Company {
  private:
   std::atomic<bool> over_ = false;
   std::vector<std::thread> threads_;
+};
+
+/// A solver that a program registers.
+class OwnSlsqp final : public optim::Solver {
+ public:
+  std::string name() const override { return "own-slsqp"; }
+  bool is_global() const override { return false; }
+  std::optional<std::string> refusal(const optim::Program& program) const override {
+    return optim::find_solver("slsqp").refusal(program);
+  }
+
+ private:
+  optim::Solution search(const optim::Program& program, const optim::SolverOptions& options,
+                         const optim::WarmStart* warm) const override {
+    return optim::find_solver("slsqp").solve(program, options, warm);
+  }
 };
 
 void allocate(const std::atomic<bool>& over) {
@@ -282,6 +299,20 @@ TEST_CASE("a program that is not a worker is not waited for", "[threads][study]"
     CHECK_THAT(front.remark, Catch::Contains(said) && Catch::Contains("in the calling process"));
     CHECK(children().empty());
   }
+}
+
+TEST_CASE("a solver that no other process knows searches in this one",
+          "[threads][study][solvers]") {
+  const Watchdog watchdog;
+  optim::register_solver(std::make_unique<OwnSlsqp>());
+  problems::FrontStudy study = study_of("spine_cutter/front.toml");
+  study.options().solve.solver = "own-slsqp";
+  const std::string expected = bits(optim::pareto(study.space(), study.options()));
+  const Company company(allocate);
+  optim::ProcessExecutor workers = workers_of(study);
+  const optim::Front front = study.run(workers);
+  CHECK(bits(front) == expected);
+  CHECK_THAT(front.remark, Catch::Contains("no other process knows the solver own-slsqp"));
 }
 
 TEST_CASE("a study that is stopped does not wait for workers that say nothing",

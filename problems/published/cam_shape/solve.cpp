@@ -59,7 +59,8 @@ CamShapeCase solve_cam_shape(int n) {
 std::vector<double> cam_shape_by_ipopt_defaults(int n) {
   const optim::Program program = published_program(cam_shape(n));
   const optim::Solution solution = optim::ipopt_solver().solve(
-      program, {.tolerance = 1e-8, .max_iterations = 3000, .bound_relaxation = 1e-8});
+      program,
+      {.tolerance = 1e-8, .max_iterations = 3000, .native = {{"bound_relax_factor", 1e-8}}});
   if (solution.status != optim::Status::Solved) {
     throw std::runtime_error(
         fmt::format("cam shape, n = {}: Ipopt with its defaults: {}", n, solution.message));

@@ -111,6 +111,8 @@ TEST_CASE("an order comes back from its bytes to the last bit", "[study]") {
                    .time_limit = 0.25,
                    .max_iterations = 17,
                    .max_evaluations = 1'234'567'890'123,
+                   .native = {{"ipopt", {{"mu_init", 0.1}, {"mu_strategy", "adaptive"}}},
+                              {"crs2", {{"population", std::int64_t{50}}}}},
                    .divides = false};
   const std::string bytes = encoded(order);
   const auto back = decoded_order(bytes);
@@ -124,6 +126,7 @@ TEST_CASE("an order comes back from its bytes to the last bit", "[study]") {
   CHECK(back->options.time_limit == 0.25);
   CHECK(back->options.max_iterations == 17);
   CHECK(back->options.max_evaluations == 1'234'567'890'123);
+  CHECK(back->options.native == order.options.native);
   CHECK_FALSE(back->options.divides);
   CHECK(encoded(*back) == bytes);
   CHECK(encoded(*decoded_order(encoded(Order{}))) == encoded(Order{}));
