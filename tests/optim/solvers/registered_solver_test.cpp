@@ -8,6 +8,7 @@
 
 #include "optim/search/exchange.h"
 #include "problems/statement/solver_settings.h"
+#include "problems/statement/statement.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::registered_solver_test {
@@ -29,9 +30,10 @@ Script& script() {
 /// through all that there are.
 class Scripted final : public Solver {
  public:
-  explicit Scripted(std::string name) : name_(std::move(name)) {}
+  explicit Scripted(std::string name, bool is_global = false)
+      : name_(std::move(name)), is_global_(is_global) {}
   std::string name() const override { return name_; }
-  bool is_global() const override { return false; }
+  bool is_global() const override { return is_global_; }
   std::optional<std::string> refusal(const Program& program) const override {
     return slsqp().refusal(program);
   }
@@ -49,13 +51,17 @@ class Scripted final : public Solver {
   }
 
   std::string name_;
+  bool is_global_;
 };
 
 /// Registered once, with a script until the end of the test.
 class As {
  public:
   explicit As(Script now) {
-    if (!is_registered("scripted")) register_solver(std::make_unique<Scripted>("scripted"));
+    if (!is_registered("scripted")) {
+      register_solver(std::make_unique<Scripted>("scripted-global", true));
+      register_solver(std::make_unique<Scripted>("scripted"));
+    }
     script() = std::move(now);
   }
   As(const As&) = delete;
@@ -251,6 +257,29 @@ TEST_CASE("what the model throws through a solver is told", "[solvers]") {
   const Found found = optimise(problem, {.solver = "scripted"}).found;
   CHECK(found.assessment.verdict == Verdict::Failed);
   CHECK(contains(found.assessment.reason, "the table ends here"));
+}
+
+TEST_CASE("a global solver that lies is not believed either", "[solvers]") {
+  for (const Solution& lie :
+       {at({0, 0}), at({kNan, 1}), at({1}), at({1e9, 1e9}), at({0, 0}, Status::Unbounded)}) {
+    const As as([&](const auto&...) { return lie; });
+    const Found found = optimise(limited_bowl(), {.solver = "scripted-global"}).found;
+    CHECK(found.assessment.verdict == Verdict::Certified);
+    CHECK(found.assessment.objective.value == Approx(-0.625).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a problem file names a registered solver and its options", "[solvers]") {
+  const As as({});
+  const std::string file =
+      "mechanism = 'spine-cutter'\n[law]\nname = 'cosine'\n"
+      "[solver]\nname = 'scripted'\n[solver.scripted]\ndepth = ";
+  const auto solver = problems::read_problem(file + "3", "f.toml").solver;
+  CHECK(solver.name == "scripted");
+  CHECK(solver.native.at("scripted") == NativeOptions{{"depth", std::int64_t{3}}});
+  CHECK_THROWS_WITH(problems::read_problem(file + "'deep'", "f.toml"),
+                    "f.toml:7: solver.scripted.depth: scripted: option depth: 'deep' is not an "
+                    "integer from 1 and up to 9");
 }
 
 TEST_CASE("the time limit ends a solver that lets the model's exceptions through", "[solvers]") {
