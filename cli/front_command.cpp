@@ -12,7 +12,6 @@
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
 #include "output/answers/tolerance_output.h"
-#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
 #include "problems/results/recorded_design.h"

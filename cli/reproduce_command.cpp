@@ -9,7 +9,6 @@
 #include "cli/files.h"
 #include "cli/progress_line.h"
 #include "output/answers/reproduction_output.h"
-#include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/report/report.h"
 #include "problems/published/cam_shape/solve.h"

@@ -77,8 +77,6 @@ void take(void* self, const double* genes, const double* costs) {
 
 }  // namespace
 
-bool is_nsga2_installed() { return CAMLAW_HAS_PAGMO && own_file(kPlugin).has_value(); }
-
 bool has_nsga2() { return loaded().function != nullptr; }
 
 void require_nsga2() {

@@ -28,9 +28,7 @@ struct Evolved {
 /// require_nsga2() does.
 std::vector<Evolved> nsga2(const Evolution& evolution);
 
-/// Whether the plug-in's file is there.
-bool is_nsga2_installed();
-/// Whether it can be used.
+/// Whether the plug-in is there.
 bool has_nsga2();
 /// Throws std::runtime_error, which names the plug-in and says why, where it is not.
 void require_nsga2();

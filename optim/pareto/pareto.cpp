@@ -115,8 +115,8 @@ class Study {
     for (const auto& part : parts_) {
       const MultiProblem multi = space_.problem(space_.options(part->part()));
       const bool wanted = options_.method == ParetoMethod::Nsga2 ||
-                          (options_.method == ParetoMethod::Automatic && options_.scouts &&
-                           !is_convex(multi) && has_nsga2());
+                          (options_.method == ParetoMethod::Automatic && !is_convex(multi) &&
+                           (options_.scouts ? *options_.scouts : has_nsga2()));
       if (wanted && varying(multi) > 0) tasks.push_back(scout_task(part->part()));
     }
     scouted_.resize(parts_.size());

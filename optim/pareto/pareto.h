@@ -25,9 +25,9 @@ struct ParetoOptions {
   ParetoMethod method = ParetoMethod::Automatic;
   OptimiseOptions solve = {};  ///< of each search; the time limit holds for each
   std::uint64_t seed = 1;      ///< of the scout and of starts
-  /// Whether the automatic method may look at a problem with NSGA-II first, where that is there; of
-  /// a study that is read, whether it did.
-  bool scouts = true;
+  /// Whether the automatic method looks at problems that are not convex with NSGA-II first. Unless
+  /// told: where the plug-in is there.
+  std::optional<bool> scouts = {};
   std::size_t population = 0, generations = 0;  ///< of NSGA-II; 0: chosen
   std::optional<Costs> reference = {};          ///< of the hypervolume, as costs
   std::function<void(const StudyProgress&)> progress = {};

@@ -3,12 +3,14 @@
 
 #include <IpRegOptions.hpp>
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 namespace camlaw::optim {
 namespace {
 
-/// Options that camlaw relies on, and why. A name that ends in * stands for all that begin so.
+/// Options that camlaw relies on, and why; some of them later versions of Ipopt have. A name that
+/// ends in * stands for all that begin so.
 struct Reserved {
   const char* reason;
   std::vector<std::string_view> names;
@@ -18,18 +20,19 @@ const std::vector<Reserved>& reserved() {
   static const std::vector<Reserved> list{
       {"standard output is the answer's, and a search writes no files",
        {"print_*", "file_print_level", "output_file", "sb", "suppress_all_output", "inf_pr_output",
-        "ma77_print_level", "ma86_print_level", "ma97_print_level", "pardiso_msglvl"}},
+        "ma77_print_level", "ma86_print_level", "ma97_print_level", "mumps_print_level",
+        "spral_print_level", "pardiso_msglvl"}},
       {"options come by name, not from a file of Ipopt's", {"option_file_name"}},
-      {"the limit of iterations is common to all solvers (max_iterations)", {"max_iter"}},
-      {"the time limit is common to all solvers (time_limit)", {"max_cpu_time"}},
+      {"the limit of iterations is common to all solvers", {"max_iter"}},
+      {"the time limit is common to all solvers", {"max_cpu_time", "max_wall_time"}},
       {"it follows from the tolerances of the problem's limits and objective",
        {"tol", "constr_viol_tol", "compl_inf_tol", "dual_inf_tol", "acceptable_tol"}},
       {"the program is scaled already, and tolerances are those of its scaled rows",
        {"nlp_scaling_*", "obj_scaling_factor"}},
       {"derivatives are exact and none is constant",
        {"hessian_approximation*", "limited_memory_*", "jacobian_approximation",
-        "findiff_perturbation", "hessian_constant", "jac_c_constant", "jac_d_constant",
-        "num_linear_variables"}},
+        "findiff_perturbation", "gradient_approximation", "hessian_constant", "grad_f_constant",
+        "jac_c_constant", "jac_d_constant", "num_linear_variables"}},
       {"camlaw has a check of its own, which 'camlaw check --derivatives' does",
        {"derivative_test*", "point_perturbation_radius"}},
       {"a run begins with multipliers where an earlier one has left them",

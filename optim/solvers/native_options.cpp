@@ -40,6 +40,9 @@ std::vector<std::string> free_names(const std::vector<NativeRule>& rules) {
 }
 
 std::string bounds_text(const NativeRule& rule) {
+  if (std::isfinite(rule.upper - rule.lower) && !rule.above_lower && !rule.below_upper) {
+    return fmt::format(" from {:.15g} to {:.15g}", rule.lower, rule.upper);
+  }
   std::vector<std::string> parts;
   if (std::isfinite(rule.lower)) {
     parts.push_back(fmt::format("{} {:.15g}", rule.above_lower ? "above" : "from", rule.lower));

@@ -57,9 +57,9 @@ void add_ends(const NloptMethod& method, std::vector<NativeRule>& rules) {
   }
   rules.push_back(reserved("maxeval",
                            "the limits of iterations and evaluations are common to all "
-                           "solvers (max_iterations, max_evaluations)"));
+                           "solvers"));
   rules.push_back(reserved("maxtime", "the time limit is common to all solvers (time_limit)"));
-  rules.push_back(reserved("stopval", "what objective is good enough nobody knows before"));
+  rules.push_back(reserved("stopval", "no objective is known beforehand to be good enough"));
 }
 
 /// No more than a quarter of a variable's range: NLopt refuses a step that leaves the box.

@@ -305,6 +305,15 @@ std::size_t StudyRecord::size() const {
   });
 }
 
+std::optional<bool> StudyRecord::scouted() const {
+  if (size() == 0) return {};
+  return reading([&](StudyTables&) {
+    return file_->base()
+               .execAndGet("SELECT count(*) FROM task WHERE text LIKE 'scout %'")
+               .getInt64() > 0;
+  });
+}
+
 std::string sqlite_version() { return fmt::format("sqlite {}", SQLite::getLibVersion()); }
 
 }  // namespace camlaw::optim

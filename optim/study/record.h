@@ -62,6 +62,8 @@ class StudyRecord {
   /// Removes tasks, so that they are carried out again.
   void forget(const std::vector<std::int64_t>& numbers);
   std::size_t size() const;
+  /// Whether NSGA-II chose its first designs; none while there is no task.
+  std::optional<bool> scouted() const;
 
  private:
   class File;

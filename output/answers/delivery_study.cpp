@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "output/answers/law_json.h"
-#include "output/document/formatting.h"
-
 namespace camlaw::cli {
 
 using problems::DeliveryChoice;

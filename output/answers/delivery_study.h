@@ -11,7 +11,7 @@
 namespace camlaw::cli {
 
 Document delivery_document(std::span<const problems::DeliveryChoice> choices);
-/// Of it the choices, a row each.
+/// Its choices, one row each.
 Table delivery_table(std::span<const problems::DeliveryChoice> choices);
 Figure delivery_figure(std::span<const problems::DeliveryChoice> choices);
 

@@ -9,9 +9,9 @@
 namespace camlaw::cli {
 
 Document front_document(const FrontAnswer& answer);
-/// Of it what is said of the front as a whole: measures, rulers, the knee, the work.
+/// What is said of the front as a whole: measures, rulers, the knee, the work.
 Document front_summary(const FrontAnswer& answer);
-/// Of it some points, a row each.
+/// Some of its points, one row each.
 Table points_table(const FrontAnswer& answer, const std::vector<std::size_t>& points);
 std::string front_csv(const FrontAnswer& answer);
 /// Empty of panels unless there are two or three objectives.

@@ -52,7 +52,7 @@ std::vector<Cell> limit_cells(const optim::LimitReport& report,
   const LimitText text = limit_text(report, stated);
   return {report.name,
           {text.value, report.value},
-          {text.bound, Json(report.bound)},
+          {text.bound, report.bound},
           datum(report.is_upper ? "upper" : "lower"),
           {text.margin, report.margin},
           report.unit,

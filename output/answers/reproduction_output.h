@@ -10,7 +10,7 @@
 namespace camlaw::cli {
 
 Document reproduction_document(const problems::SystemReproduction& result);
-/// Of it the printed values beside ours, with what each difference comes from.
+/// The printed values beside ours, with what each difference comes from.
 Table values_table(const problems::SystemReproduction& result);
 /// How many values of each system come out.
 Table counts_table(const std::vector<problems::SystemReproduction>& results);

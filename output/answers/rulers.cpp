@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "kinematics/limits.h"
-#include "output/document/formatting.h"
 
 namespace camlaw::cli {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
 
 #include "output/document/formatting.h"
@@ -32,7 +31,7 @@ std::vector<std::size_t> some_of(const optim::Front& front) {
   return shown;
 }
 
-Table points_table(const ProvedFront& front, const std::vector<std::size_t>& points) {
+Table proved_points_table(const ProvedFront& front, const std::vector<std::size_t>& points) {
   Table table{.key = "points",
               .columns = {data("front"), numbers("R, mm", "cam_radius_mm"),
                           numbers("F, N", "inertia_force_N"), numbers("N per mm", "slope_N_per_mm"),
@@ -54,12 +53,12 @@ std::vector<std::size_t> all_of(const optim::Front& front) {
   return points;
 }
 
-Document front_document(const ProvedFront& front) {
+Document proved_front_document(const ProvedFront& front) {
   Document document;
   document.fact("name", front.name);
   document.fact("hypervolume", front.front.hypervolume);
   document.fact("share_of_limit", front.share_of_limit);
-  document.fact("points", json_of(points_table(front, all_of(front.front))));
+  document.fact("points", json_of(proved_points_table(front, all_of(front.front))));
   if (front.front.points.empty()) {
     document.say(fmt::format("\n{}: no design was found\n", front.name));
     return document;
@@ -69,7 +68,7 @@ Document front_document(const ProvedFront& front) {
       front.name, front.front.certified(), front.front.points.size(), front.front.tasks,
       front.front.hypervolume_of_mixtures ? " with mixtures of neighbours" : " of the points alone",
       100 * front.share_of_limit));
-  Table some = points_table(front, some_of(front.front));
+  Table some = proved_points_table(front, some_of(front.front));
   some.key.clear();
   document.add(std::move(some));
   return document;
@@ -92,7 +91,7 @@ Document fronts_document(const SpineCutterFronts& fronts) {
   Document document;
   document.say("proved fronts: the least force for a cam radius, from B = 1.17 to 2\n");
   std::vector<Document> parts;
-  for (const ProvedFront* front : all(fronts)) parts.push_back(front_document(*front));
+  for (const ProvedFront* front : all(fronts)) parts.push_back(proved_front_document(*front));
   document.add("fronts", std::move(parts));
   document.say("\nagainst the published choices, the free law:\n");
   Json savings = Json::array();
@@ -112,9 +111,10 @@ Document fronts_document(const SpineCutterFronts& fronts) {
 
 Table fronts_table(const SpineCutterFronts& fronts) {
   const auto list = all(fronts);
-  Table table = points_table(*list.front(), {});
+  Table table = proved_points_table(*list.front(), {});
   for (const ProvedFront* front : list) {
-    for (auto& row : points_table(*front, all_of(front->front)).rows) table.add(std::move(row));
+    for (auto& row : proved_points_table(*front, all_of(front->front)).rows)
+      table.add(std::move(row));
   }
   return table;
 }

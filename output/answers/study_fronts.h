@@ -9,7 +9,7 @@
 namespace camlaw::cli {
 
 Document fronts_document(const problems::SpineCutterFronts& fronts);
-/// The points of all fronts, a row each.
+/// The points of all fronts, one row each.
 Table fronts_table(const problems::SpineCutterFronts& fronts);
 void draw_fronts(const problems::SpineCutterFronts& fronts, Panel& panel);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "output/answers/law_json.h"
 #include "output/document/formatting.h"
 #include "output/figure/law_figure.h"
 

@@ -11,7 +11,7 @@
 namespace camlaw::cli {
 
 Document study_document(const problems::SpineCutterStudy& study);
-/// Of it the laws, a row each.
+/// Its laws, one row each.
 Table study_table(const problems::SpineCutterStudy& study);
 /// Peak force over cam radius, with the limit curve.
 Figure trade_off_figure(const problems::SpineCutterStudy& study);

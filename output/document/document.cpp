@@ -27,7 +27,7 @@ std::string csv_cell(const Json& value) {
   if (value.is_null()) return "";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
-  return exact(value.get<double>());
+  return value.is_number_float() ? exact(value.get<double>()) : value.dump();
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ std::string text_of(const Table& table);
 /// A list of objects, by the columns' keys.
 Json json_of(const Table& table);
 /// RFC 4180, the keys as header, numbers with all their digits, "yes" as 1 and "no" as 0, nothing
-/// where there is no value.
+/// where there is no value, lists and objects as JSON.
 std::string csv_of(const Table& table);
 
 /// Sentences, tables and facts in the order in which they are read.

@@ -20,6 +20,7 @@ namespace camlaw::cli {
 namespace {
 
 using optim::FrontPoint;
+
 /// The charts, who is chosen, and what is compared.
 std::string front_html(const Figure& still) {
   std::string charts;

@@ -85,6 +85,7 @@ std::string definitions(const std::vector<std::pair<std::string, std::string>>& 
 }
 
 std::string html_of(const Table& table) {
+  if (table.shown == 0) return "";
   std::string text = "<div class=\"table\" tabindex=\"0\"><table>\n<thead><tr>";
   for (const Column& c : table.columns) {
     if (!c.on_page) continue;
@@ -92,12 +93,12 @@ std::string html_of(const Table& table) {
         fmt::format("<th scope=\"col\"{}>{}</th>", align_class(c), xml_escape(plain_name(c.title)));
   }
   text += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
+  for (std::size_t k = 0; k < std::min(table.rows.size(), table.shown); ++k) {
     text += "<tr>";
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const Column& c = table.columns[i];
       if (!c.on_page) continue;
-      text += fmt::format("<td{}>{}</td>", align_class(c), cell_html(c, row[i]));
+      text += fmt::format("<td{}>{}</td>", align_class(c), cell_html(c, table.rows[k][i]));
     }
     text += "</tr>\n";
   }

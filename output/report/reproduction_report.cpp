@@ -69,9 +69,7 @@ ReportPage reproduction_report(const std::vector<SystemReproduction>& results) {
                   .data = Json::object()};
   for (const SystemReproduction& r : results) {
     page.sections.push_back({r.system, plain_name(r.title),
-                             paragraph(r.source) +
-                                 (r.values.empty() ? "" : html_of(values_table(r))) +
-                                 departures_html(r)});
+                             paragraph(r.source) + html_of(values_table(r)) + departures_html(r)});
   }
   page.sections.push_back(provenance_section({}, "", ""));
   return page;

@@ -30,13 +30,10 @@ const std::string& find(const optim::StudySettings& settings, const char* name) 
   return at->second;
 }
 
-constexpr const char* kScout = ", pagmo ";
-
-/// NSGA-II is told where it may have chosen the first designs: without it a study is another one.
-std::string versions(bool scouts) {
+std::string versions() {
   std::vector<std::string> all = optim::solver_versions();
   all.insert(all.begin(), kProgram);
-  if (scouts) all.push_back(optim::pagmo_version());
+  all.push_back(optim::pagmo_version());
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
@@ -126,7 +123,7 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
   options_.method = settings.method;
-  options_.scouts = optim::is_nsga2_installed();
+  options_.scouts = settings.scouts;
   options_.reference = bound_.reference();
   options_.seed = solver.seed.value_or(1);
   options_.solve.solver = solver.name.value_or("auto");
@@ -135,13 +132,14 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   options_.solve.native = solver.native;
 }
 
-FrontStudy FrontStudy::of(const optim::StudyRecord& record) { return of(record.settings()); }
+FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
+  FrontStudy study = of(record.settings());
+  study.options_.scouts = record.scouted();
+  return study;
+}
 
 FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
   FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(settings));
-  if (const auto its = settings.find("versions"); its != settings.end()) {
-    study.options_.scouts = its->second.find(kScout) != std::string::npos;
-  }
   check_laws(find(settings, "laws"), study.settings().at("laws"));
   return study;
 }
@@ -149,7 +147,9 @@ FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
   const optim::StudySettings settings = record.settings();
   if (record.has_checksums()) find(settings, "set");  // only earlier programs left it out
-  return settings_of(settings);
+  FrontSettings result = settings_of(settings);
+  result.scouts = record.scouted();
+  return result;
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
@@ -166,7 +166,7 @@ optim::StudySettings FrontStudy::settings() const {
           {"method", std::string(to_string(options_.method))},
           {"seed", fmt::format("{}", options_.seed)},
           {"solver", options_.solve.solver},
-          {"versions", versions(options_.scouts)}};
+          {"versions", versions()}};
 }
 
 void FrontStudy::check_same(const optim::StudyRecord& record) const {

@@ -13,6 +13,7 @@ struct FrontSettings {
   std::size_t points = 50;
   optim::ParetoMethod method = optim::ParetoMethod::Automatic;
   std::vector<std::string> set = {};  ///< beside the file, as set_values takes it
+  std::optional<bool> scouts = {};    ///< as ParetoOptions has it; of a record, whether it did
 };
 
 inline constexpr std::size_t kMostPoints = 100'000;

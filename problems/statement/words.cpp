@@ -189,11 +189,11 @@ std::string constraint_sentence(const ConstraintStatement& c) {
                      tolerance_note(c.tolerance, c.response.unit));
 }
 
-/// "mu_strategy adaptive, max_soc 2".
+/// "mu_strategy = adaptive, max_soc = 2".
 std::string text(const optim::NativeOptions& options) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : options) {
-    parts.push_back(fmt::format("{} {}", name, optim::to_text(value)));
+    parts.push_back(fmt::format("{} = {}", name, optim::to_text(value)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -208,7 +208,7 @@ std::string solver_sentence(const SolverStatement& solver) {
   if (solver.time_limit) parts.push_back(fmt::format("for at most {:.6g} s", *solver.time_limit));
   std::string words = parts.empty() ? "" : fmt::format("Solve {}.\n", fmt::join(parts, ", "));
   for (const auto& [name, options] : solver.native) {
-    if (!options.empty()) words += fmt::format("Where {} runs, it has {}.\n", name, text(options));
+    if (!options.empty()) words += fmt::format("Let {} run with {}.\n", name, text(options));
   }
   return words;
 }

@@ -75,6 +75,12 @@ TEST_CASE("a table is told once: people read rounded numbers, programs all digit
         "\"angle, worst\",,inf,0\n");
 }
 
+TEST_CASE("CSV has whole numbers with all their digits, and lists as JSON", "[document]") {
+  Table table{.columns = {data("count"), data("causes")}};
+  table.add({datum(std::int64_t{9007199254740993}), datum(std::vector<std::string>{"a", "b"})});
+  CHECK(csv_of(table) == "count,causes\n9007199254740993,\"[\"\"a\"\",\"\"b\"\"]\"\n");
+}
+
 TEST_CASE("people read the first rows of a long table, programs all", "[document]") {
   Table table{.key = "laws", .columns = {words("law", "law")}, .shown = 1};
   table.add({"cubic"});

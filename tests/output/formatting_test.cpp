@@ -112,7 +112,7 @@ TEST_CASE("exact is short where a short number says it, and has words for the re
   CHECK(exact(-kNan).empty());
 }
 
-TEST_CASE("a number is shown to 7 digits of what it stands beside", "[text_table]") {
+TEST_CASE("a number is shown to 7 digits of what it stands beside", "[formatting]") {
   CHECK(significant(33.07973373, 33) == "33.07973");
   CHECK(significant(3.55e-15, 30, 3) == "0");
   CHECK(significant(-1e-16, 30, 3) == "0");
@@ -123,7 +123,7 @@ TEST_CASE("a number is shown to 7 digits of what it stands beside", "[text_table
   CHECK(significant(std::nan(""), 1) == "-");
 }
 
-TEST_CASE("a plain number has no unit", "[text_table]") {
+TEST_CASE("a plain number has no unit", "[formatting]") {
   CHECK(with_unit("3", "1") == "3");
   CHECK(with_unit("3", "mm") == "3 mm");
 }

@@ -43,9 +43,9 @@ TEST_CASE("an option is refused with its solver, its name and what is accepted",
   CHECK(complaint("ipopt", "mu_strategy", two) ==
         "ipopt: option mu_strategy: 2 is not one of monotone, adaptive");
   CHECK(complaint("ipopt", "max_soc", 2.5) ==
-        "ipopt: option max_soc: 2.5 is not an integer from 0 and up to 2147483647");
+        "ipopt: option max_soc: 2.5 is not an integer from 0 to 2147483647");
   CHECK(complaint("ipopt", "max_soc", std::int64_t{1} << 40) ==
-        "ipopt: option max_soc: 1099511627776 is not an integer from 0 and up to 2147483647");
+        "ipopt: option max_soc: 1099511627776 is not an integer from 0 to 2147483647");
   CHECK(complaint("ipopt", "mu_init", "much") ==
         "ipopt: option mu_init: 'much' is not a number above 0");
   CHECK(complaint("ipopt", "mu_init", 0.0) == "ipopt: option mu_init: 0 is not a number above 0");
@@ -57,7 +57,7 @@ TEST_CASE("an option is refused with its solver, its name and what is accepted",
   CHECK(complaint("crs2", "zzz", two) == "crs2 has no option 'zzz'; known are population");
   CHECK(complaint("direct-l", "zzz", two) == "direct-l has no option 'zzz'; it takes none");
   CHECK(complaint("crs2", "population", std::int64_t{0}) ==
-        "crs2: option population: 0 is not an integer from 1 and up to 1000000");
+        "crs2: option population: 0 is not an integer from 1 to 1000000");
 }
 
 TEST_CASE("a number may be given as an integer", "[solvers]") {

@@ -175,7 +175,7 @@ TEST_CASE("a registered solver gets its own options, checked", "[solvers]") {
   run({{"depth", std::int64_t{3}}});
   CHECK(got == NativeOptions{{"depth", std::int64_t{3}}});
   CHECK_THROWS_WITH(run({{"depth", std::int64_t{10}}}),
-                    "scripted: option depth: 10 is not an integer from 1 and up to 9");
+                    "scripted: option depth: 10 is not an integer from 1 to 9");
   CHECK_THROWS_WITH(run({{"dept", std::int64_t{1}}}), "scripted has no option 'dept'; near: depth");
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("a problem file names a registered solver and its options", "[solvers]
   CHECK(solver.native.at("scripted") == NativeOptions{{"depth", std::int64_t{3}}});
   CHECK_THROWS_WITH(problems::read_problem(file + "'deep'", "f.toml"),
                     "f.toml:7: solver.scripted.depth: scripted: option depth: 'deep' is not an "
-                    "integer from 1 and up to 9");
+                    "integer from 1 to 9");
 }
 
 TEST_CASE("the time limit ends a solver that lets the model's exceptions through", "[solvers]") {
