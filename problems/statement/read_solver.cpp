@@ -70,7 +70,7 @@ optim::NativeValue native_value(const Entry& entry) {
 
 /// What [solver.NAME] says, checked whether or not that solver is the one which is asked for.
 optim::NativeOptions read_native(const Entry& table) {
-  expect(table, Entry::Kind::Table, fmt::format("a table [solver.{}]", table.key));
+  expect(table, Entry::Kind::Table, fmt::format("a table, [solver.{}]", table.key));
   const auto rules = optim::find_solver(table.key).native_rules();
   optim::NativeOptions options;
   for (const Entry& entry : table.items) {
