@@ -110,7 +110,7 @@ void add_limits(const std::vector<optim::LimitReport>& limits, const ProblemStat
                     limits[i].name, text.value, with_unit(text.bound, limits[i].unit),
                     text.place.empty() ? "" : fmt::format(" (worst at {})", text.place)));
   }
-  document.add(standing_table(limits, statement));
+  document.add(limits_table(limits, statement));
 }
 
 Document evaluation_document(const ProblemStatement& statement,

@@ -131,7 +131,7 @@ std::vector<std::filesystem::path> left_behind(const FitCommand& options) {
 void give(const FitCommand& options, const Document& answer, std::vector<OutputFile> files) {
   options.answers();
   if (options.out) {
-    files.push_back({in_out(options, "fit.json"), json_of(answer).dump(2) + "\n"});
+    files.push_back({in_out(options, "fit.json"), json_text(answer)});
   }
   print(answer, options.json);
   if (options.out) write_out(left_behind(options), files, !options.json);

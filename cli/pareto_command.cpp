@@ -117,9 +117,9 @@ void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) 
   }
 }
 
-std::vector<OutputFile> front_files(const FrontAnswer& answer, const std::string& json,
+std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& document,
                                     const fs::path& out) {
-  std::vector<OutputFile> files{{out / "front.json", json}};
+  std::vector<OutputFile> files{{out / "front.json", json_text(document)}};
   if (answer.front.points.empty()) return files;
   files.push_back({out / "front.csv", front_csv(answer)});
   const Figure figure = front_figure(answer);
@@ -181,10 +181,9 @@ int run_pareto(const ParetoCommand& options) {
     if (teller != nullptr) teller->answers();
     const FrontAnswer answer{study, found};
     const Document document = front_document(answer);
-    const std::string json = json_of(document).dump(2) + "\n";
     print(document, options.json);
     if (path && !options.json && !is_quiet()) say("study {}\n", *path);
-    if (options.out) write_out(possible, front_files(answer, json, out), !options.json);
+    if (options.out) write_out(possible, front_files(answer, document, out), !options.json);
     if (!path || options.json || front.points.empty()) return status_of(front);
     say_next(fmt::format("front {} --knee --sensitivity", shell_word(*path)));
     say_next("report " + shell_word(*path));

@@ -49,7 +49,7 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
     files.push_back({out / "fronts.csv", csv_of(fronts_table(fronts))});
   }
   answer.add(study_document(study));
-  files.push_back({out / "study.json", json_of(answer).dump(2) + "\n"});
+  files.push_back({out / "study.json", json_text(answer)});
   files.push_back({out / "trade_off.svg", to_svg(trade_off)});
   files.push_back({out / "motion.svg", to_svg(study_motion_figure(study))});
   return {std::move(answer), std::move(files)};
@@ -63,7 +63,7 @@ StudyOutput study_delivery(const StudyOptions& options, const std::filesystem::p
   const Document answer = delivery_document(choices);
   return {answer,
           {{out / "study.csv", csv_of(delivery_table(choices))},
-           {out / "study.json", json_of(answer).dump(2) + "\n"},
+           {out / "study.json", json_text(answer)},
            {out / "trade_off.svg", to_svg(delivery_figure(choices))}}};
 }
 

@@ -28,10 +28,10 @@ double FrontAnswer::value(std::size_t i, double cost) const {
   return front.objectives[i].sense == optim::Sense::Minimize ? cost : -cost;
 }
 
-std::vector<FrontAnswer::Value> FrontAnswer::values(const FrontPoint& point) const {
+std::vector<DesignValue> FrontAnswer::values(const FrontPoint& point) const {
   const auto& space = study.space();
   const auto options = space.options(point.part);
-  std::vector<Value> result;
+  std::vector<DesignValue> result;
   const std::size_t first = study.bound().statement().chooses_law() ? 1 : 0;
   for (std::size_t i = first; i < space.choices.size(); ++i) {
     const optim::Choice& choice = space.choices[i];

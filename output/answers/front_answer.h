@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "output/answers/design_value.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
 #include "problems/fronts/stored_front.h"
@@ -22,11 +23,7 @@ struct FrontAnswer {
   FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
 
   /// A point's option of each choice but the law, and the values of its variables, with units.
-  struct Value {
-    std::string name, unit, text;
-    double number;  ///< NaN for a choice in words
-  };
-  std::vector<Value> values(const optim::FrontPoint& point) const;
+  std::vector<DesignValue> values(const optim::FrontPoint& point) const;
   /// The law of a point in a few words, of a program its segments; empty where the mechanism takes
   /// none.
   std::string law(const optim::FrontPoint& point) const;

@@ -40,20 +40,6 @@ std::string slopes_note(const FrontAnswer& answer) {
   return text;
 }
 
-std::string knee_text(const FrontAnswer& answer) {
-  const auto all = answer.costs();
-  const auto knee = optim::knee(all, answer.front.tolerances);
-  if (!knee) return "";
-  std::string text =
-      fmt::format("knee: point {}, {}\n", knee->point + 1, values_text(answer, all[knee->point]));
-  for (std::size_t i = 0; i < knee->low.size(); ++i) {
-    text += fmt::format("  stays the knee while {} counts {} to {} times as much\n",
-                        answer.front.objectives[i].name, shown(knee->low[i], 2),
-                        shown(knee->high[i], 2));
-  }
-  return text;
-}
-
 std::string measures_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text = fmt::format("ideal: {}\nnadir: {}\n", values_text(answer, front.ideal),
@@ -189,14 +175,23 @@ void add_measures(const FrontAnswer& answer, Document& document) {
 }
 
 void add_knee(const FrontAnswer& answer, Document& document) {
-  const auto knee = optim::knee(answer.costs(), answer.front.tolerances);
-  document.say(knee_text(answer));
-  document.fact("knee", knee
-                            ? Json{{"point", knee->point},
-                                   {"factor_low", to_json(knee->low)},
-                                   {"factor_high", to_json(knee->high)},
-                                   {"next", json_of(next_document(answer, knee->point)).at("next")}}
-                            : Json(nullptr));
+  const auto all = answer.costs();
+  const auto knee = optim::knee(all, answer.front.tolerances);
+  if (!knee) {
+    document.fact("knee", Json(nullptr));
+    return;
+  }
+  document.say(
+      fmt::format("knee: point {}, {}\n", knee->point + 1, values_text(answer, all[knee->point])));
+  for (std::size_t i = 0; i < knee->low.size(); ++i) {
+    document.say(fmt::format("  stays the knee while {} counts {} to {} times as much\n",
+                             answer.front.objectives[i].name, shown(knee->low[i], 2),
+                             shown(knee->high[i], 2)));
+  }
+  document.fact("knee", Json{{"point", knee->point},
+                             {"factor_low", to_json(knee->low)},
+                             {"factor_high", to_json(knee->high)},
+                             {"next", json_of(next_document(answer, knee->point)).at("next")}});
 }
 
 void add_work(const FrontAnswer& answer, Document& document) {

@@ -38,7 +38,7 @@ Table limits_table(const FrontAnswer& answer, const FrontPoint& point) {
 }
 
 /// "a = 1 mm, b = 2", or how many there are.
-std::string design_text(const std::vector<FrontAnswer::Value>& values) {
+std::string design_text(const std::vector<DesignValue>& values) {
   if (values.size() > kListed) return fmt::format("{} variables", values.size());
   std::vector<std::string> parts;
   for (const auto& value : values) {
@@ -47,10 +47,10 @@ std::string design_text(const std::vector<FrontAnswer::Value>& values) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Json variables_json(const std::vector<FrontAnswer::Value>& values) {
+Json variables_json(const std::vector<DesignValue>& values) {
   Json variables = Json::object();
   for (const auto& value : values) {
-    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
+    variables[value.name] = value.json();
   }
   return variables;
 }

@@ -9,17 +9,6 @@
 #include "output/document/formatting.h"
 
 namespace camlaw::cli {
-namespace {
-
-/// What limit_cells fills.
-std::vector<Column> limit_columns() {
-  return {words("limit", "name"),           numbers("value", "value"),
-          numbers("bound", "bound"),        data("side"),
-          numbers("margin", "margin"),      words("unit", "unit"),
-          numbers("at", "worst_angle_deg"), data("met")};
-}
-
-}  // namespace
 
 std::string place_text(double place, const problems::ResponseName& curve) {
   const std::string unit = curve.response != nullptr ? curve.response->along : "";
@@ -40,31 +29,24 @@ LimitText limit_text(const optim::LimitReport& report,
           report.worst_angle ? place_text(*report.worst_angle, stated.response) : ""};
 }
 
-Table empty_limits_table(const std::string& price) {
-  Table table{.key = "constraints", .columns = limit_columns()};
-  table.columns.insert(table.columns.end(), {data("tolerance"), words("proved", "proved"),
-                                             numbers(price, "multiplier"), data("at_rest")});
-  return table;
-}
-
-std::vector<Cell> limit_cells(const optim::LimitReport& report,
-                              const problems::ConstraintStatement& stated) {
-  const LimitText text = limit_text(report, stated);
-  return {report.name,
-          {text.value, report.value},
-          {text.bound, report.bound},
-          datum(report.is_upper ? "upper" : "lower"),
-          {text.margin, report.margin},
-          report.unit,
-          {text.place, report.worst_angle},
-          datum(report.met)};
-}
-
-Table standing_table(const std::vector<optim::LimitReport>& limits,
-                     const problems::ProblemStatement& design) {
-  Table table{.key = "constraints", .columns = limit_columns(), .shown = 0};
+Table limits_table(const std::vector<optim::LimitReport>& limits,
+                   const problems::ProblemStatement& design) {
+  Table table{.key = "constraints",
+              .columns = {words("limit", "name"), numbers("value", "value"),
+                          numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
+                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met")},
+              .shown = 0};
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    table.add(limit_cells(limits[i], design.constraints[i]));
+    const optim::LimitReport& limit = limits[i];
+    const LimitText text = limit_text(limit, design.constraints[i]);
+    table.add({limit.name,
+               {text.value, limit.value},
+               {text.bound, limit.bound},
+               datum(limit.is_upper ? "upper" : "lower"),
+               {text.margin, limit.margin},
+               limit.unit,
+               {text.place, limit.worst_angle},
+               datum(limit.met)});
   }
   return table;
 }

@@ -21,15 +21,10 @@ struct LimitText {
 /// `stated` is the constraint behind the report.
 LimitText limit_text(const optim::LimitReport& report, const problems::ConstraintStatement& stated);
 
-/// A table of limits for a row of limit_cells each with four cells more: tolerance, whether proved,
-/// multiplier and whether at rest. `price` is the title of the multipliers.
-Table empty_limits_table(const std::string& price);
-/// Name, value, bound, side, margin, unit, the worst place, and whether met.
-std::vector<Cell> limit_cells(const optim::LimitReport& report,
-                              const problems::ConstraintStatement& stated);
-/// How limits stand, for programs alone.
-Table standing_table(const std::vector<optim::LimitReport>& limits,
-                     const problems::ProblemStatement& design);
+/// How limits stand: name, value, bound, side, margin, unit, the worst place, and whether met. Only
+/// programs read it, unless `shown` is set.
+Table limits_table(const std::vector<optim::LimitReport>& limits,
+                   const problems::ProblemStatement& design);
 
 /// A place of a curve over the cycle: "342.2 deg", along a normalised law "0.8912".
 std::string place_text(double place, const problems::ResponseName& curve);

@@ -45,23 +45,24 @@ bool has_prices(const Assessment& a) {
   return a.verdict == optim::Verdict::Certified || a.verdict == optim::Verdict::Feasible;
 }
 
-Table limits_table(const Answer& answer) {
+Table priced_limits(const Answer& answer) {
   const std::vector<LimitReport> limits = answer.limits();
   const bool priced = has_prices(assessment(answer));
-  Table table = empty_limits_table(priced ? "price" : "");
+  Table table = limits_table(limits, answer.bound.statement());
   table.shown = limits.size();
+  table.columns.insert(table.columns.end(),
+                       {data("tolerance"), words("proved", "proved"),
+                        numbers(priced ? "price" : "", "multiplier"), data("at_rest")});
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitReport& limit = limits[i];
     const bool price = priced && limit.multiplier != 0;
-    std::vector<Cell> row = limit_cells(limit, answer.bound.statement().constraints[i]);
-    row.insert(row.end(), {datum(limit.tolerance),
-                           yes_or_no(limit.proved),
-                           {price                     ? fmt::format("{:.4g}", limit.multiplier)
-                            : priced && limit.at_rest ? "at rest"
-                                                      : "",
-                            limit.multiplier},
-                           datum(limit.at_rest)});
-    table.add(std::move(row));
+    table.rows[i].insert(table.rows[i].end(), {datum(limit.tolerance),
+                                               yes_or_no(limit.proved),
+                                               {price ? fmt::format("{:.4g}", limit.multiplier)
+                                                : priced && limit.at_rest ? "at rest"
+                                                                          : "",
+                                                limit.multiplier},
+                                               datum(limit.at_rest)});
   }
   return table;
 }
@@ -130,18 +131,18 @@ std::string list_of(const std::string& name) {
 }
 
 /// Where the run of values of one list ends that begins at one.
-std::size_t end_of_list(const std::vector<Answer::Value>& values, std::size_t from) {
+std::size_t end_of_list(const std::vector<DesignValue>& values, std::size_t from) {
   const std::string list = list_of(values[from].name);
   std::size_t end = from + 1;
   while (!list.empty() && end < values.size() && list_of(values[end].name) == list) ++end;
   return end;
 }
 
-std::string long_list(const std::vector<Answer::Value>& values, std::size_t from, std::size_t end) {
+std::string long_list(const std::vector<DesignValue>& values, std::size_t from, std::size_t end) {
   const auto [least, most] = std::minmax_element(
       values.begin() + static_cast<std::ptrdiff_t>(from),
       values.begin() + static_cast<std::ptrdiff_t>(end),
-      [](const Answer::Value& a, const Answer::Value& b) { return a.number < b.number; });
+      [](const DesignValue& a, const DesignValue& b) { return a.number < b.number; });
   return fmt::format("  {}: {} numbers from {:.6g} to {}; --json has them\n",
                      list_of(values[from].name), end - from, least->number,
                      with_unit(fmt::format("{:.6g}", most->number), values[from].unit));
@@ -173,8 +174,8 @@ std::string design_text(const Answer& answer) {
 
 }  // namespace
 
-std::vector<Answer::Value> Answer::values() const {
-  std::vector<Value> result;
+std::vector<DesignValue> Answer::values() const {
+  std::vector<DesignValue> result;
   for (std::size_t i = 0; i < space.choices.size() && i < optimum.options.size(); ++i) {
     const optim::Choice& choice = space.choices[i];
     const std::size_t option = optimum.options[i];
@@ -221,8 +222,8 @@ Json active_bounds(const Assessment& a) {
 void add_design(const Answer& answer, Document& document) {
   const Assessment& a = assessment(answer);
   Json variables = Json::object(), units = Json::object();
-  for (const Answer::Value& value : answer.values()) {
-    variables[value.name] = std::isnan(value.number) ? Json(value.text) : to_json(value.number);
+  for (const DesignValue& value : answer.values()) {
+    variables[value.name] = value.json();
     if (!value.unit.empty()) units[value.name] = value.unit;
   }
   document.say("\n" + design_text(answer));
@@ -293,7 +294,7 @@ Document answer_document(const Answer& answer) {
   document.fact("warnings", answer.warnings);
   add_design(answer, document);
   if (!a.limits.empty()) document.say("\n");
-  document.add(limits_table(answer));
+  document.add(priced_limits(answer));
   add_conditions(answer, document);
   add_search(answer, document);
   document.fact("law", law ? Json(law->name()) : Json(nullptr));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "optim/search/optimise.h"
+#include "output/answers/design_value.h"
 #include "output/answers/law_json.h"
 #include "output/document/document.h"
 #include "output/figure/chart.h"
@@ -24,11 +25,7 @@ struct Answer {
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
 
   /// Option or variable by name, with units: the design.
-  struct Value {
-    std::string name, unit, text;
-    double number;  ///< NaN for a choice in words
-  };
-  std::vector<Value> values() const;
+  std::vector<DesignValue> values() const;
   /// The law of the design with all its parameters; none where the model gave no design.
   std::optional<Member> law() const;
   /// The limits, turned as they were stated.

@@ -36,13 +36,11 @@ Table proved_points_table(const ProvedFront& front, const std::vector<std::size_
               .columns = {data("front"), numbers("R, mm", "cam_radius_mm"),
                           numbers("F, N", "inertia_force_N"), numbers("N per mm", "slope_N_per_mm"),
                           words("law", "law"), data("verdict")}};
-  const auto number = [](double value, int decimals) {
-    return Cell(shown(value, decimals), value);
-  };
   for (const std::size_t k : points) {
     const optim::FrontPoint& p = front.front.points[k];
-    table.add({datum(front.name), number(p.objectives[0], 2), number(p.objectives[1], 3),
-               number(front.front.slope(p, 1, 0), 3), front.laws[k], datum(to_string(p.verdict))});
+    table.add({datum(front.name), shown_cell(p.objectives[0], 2), shown_cell(p.objectives[1], 3),
+               shown_cell(front.front.slope(p, 1, 0), 3), front.laws[k],
+               datum(to_string(p.verdict))});
   }
   return table;
 }

@@ -41,22 +41,19 @@ Table study_table(const SpineCutterStudy& study) {
                           numbers("torque, N m", "drive_torque_Nm"),
                           numbers("above limit, %", "above_limit"), data("smooth"),
                           data("non_dominated"), data("smooth_non_dominated"), data("published")}};
-  const auto number = [](double value, int decimals) {
-    return Cell(shown(value, decimals), value);
-  };
   for (const StudyRow& row : study.rows) {
     const double radius = row.cam_radius * 1e3;
     table.add({{row.label, row.law},
                marks(row),
-               number(row.peaks.max_velocity(), 4),
-               number(row.peaks.max_acceleration(), 4),
-               number(row.peaks.max_jerk(), 2),
-               number(row.peaks.max_dynamic_moment(), 4),
-               row.limit_index ? number(*row.limit_index, 3) : Cell("-", Json(nullptr)),
-               number(radius, 2),
-               number(row.inertia_force, 3),
-               number(row.printed_inertia_force, 3),
-               number(row.drive_torque, 4),
+               shown_cell(row.peaks.max_velocity(), 4),
+               shown_cell(row.peaks.max_acceleration(), 4),
+               shown_cell(row.peaks.max_jerk(), 2),
+               shown_cell(row.peaks.max_dynamic_moment(), 4),
+               row.limit_index ? shown_cell(*row.limit_index, 3) : Cell("-", Json(nullptr)),
+               shown_cell(radius, 2),
+               shown_cell(row.inertia_force, 3),
+               shown_cell(row.printed_inertia_force, 3),
+               shown_cell(row.drive_torque, 4),
                {shown(row.above_limit * 100, 1), row.above_limit},
                datum(row.smooth),
                datum(row.non_dominated),

@@ -115,10 +115,10 @@ Table spreads_table(const optim::ToleranceReport& report) {
 
 Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
                             const std::vector<double>& tolerances) {
-  const optim::ToleranceReport report =
-      optim::tolerance_report(problem_of(answer, point), point.x, tolerances);
+  const optim::MultiProblem problem = problem_of(answer, point);
+  const optim::ToleranceReport report = optim::tolerance_report(problem, point.x, tolerances);
   Document document;
-  document.say(tolerances_text(problem_of(answer, point).variables, tolerances));
+  document.say(tolerances_text(problem.variables, tolerances));
   document.fact("tolerances", tolerances);
   document.add(spreads_table(report));
   if (report.impossible_corners + report.impossible_samples > 0) {

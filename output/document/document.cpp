@@ -44,6 +44,8 @@ Json to_json(const std::vector<double>& values) {
   return result;
 }
 
+Cell shown_cell(double value, int decimals) { return {shown(value, decimals), value}; }
+
 Column numbers(std::string title, std::string key) {
   return {std::move(key), std::move(title), Align::Right};
 }
@@ -157,8 +159,10 @@ std::string text_of(const Document& document) {
   return text;
 }
 
+std::string json_text(const Document& document) { return json_of(document).dump(2) + "\n"; }
+
 void print(const Document& document, bool as_json) {
-  as_json ? print_data(json_of(document).dump(2) + "\n") : print_text(text_of(document));
+  as_json ? print_data(json_text(document)) : print_text(text_of(document));
 }
 
 }  // namespace camlaw::cli

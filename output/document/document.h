@@ -32,6 +32,8 @@ template <class Value>
 Cell datum(const Value& value) {
   return {"", value};
 }
+/// A number that is shown to so many places (shown, formatting.h).
+Cell shown_cell(double value, int decimals);
 /// "yes" and "no" for people.
 inline Cell yes_or_no(bool value) { return {value ? "yes" : "no", value}; }
 
@@ -118,6 +120,8 @@ class Document {
 std::string text_of(const Document& document);
 /// Facts and tables, by their keys.
 inline const Json& json_of(const Document& document) { return document.facts(); }
+/// The same as the text of a file.
+std::string json_text(const Document& document);
 /// On standard output, for people or as JSON.
 void print(const Document& document, bool as_json);
 
