@@ -16,6 +16,7 @@
 #include "output/document/short_version.h"
 #include "output/document/text_table.h"
 #include "problems/results/recorded_design.h"
+#include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "benchmarks/timing.h"
+#include "optim/cycle/extremes.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 

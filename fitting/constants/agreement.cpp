@@ -5,9 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
 #include "optim/fit/identifiability.h"
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 #include "optim/pareto/shifted.h"
+#include "optim/search/deadline.h"
+#include "optim/search/local.h"
 #include "optim/search/optimise.h"
 
 namespace camlaw::problems {

@@ -3,6 +3,8 @@
 #include <set>
 
 #include "machines/model/mechanism.h"
+#include "numerics/scalar/interval.h"
+#include "numerics/scalar/scalar.h"
 #include "optim/problem/automatic.h"
 
 namespace camlaw::problems {

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
+#include "optim/verdict/limits.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/verdict/verdict.h"
+
 namespace camlaw::optim {
 namespace {
 

@@ -15,6 +15,8 @@
 #include "optim/search/plan.h"
 #include "optim/search/rescaling.h"
 #include "optim/search/with_numbers.h"
+#include "optim/verdict/limits.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {

@@ -7,10 +7,14 @@
 #include <chrono>
 #include <limits>
 
+#include "optim/cycle/sizes.h"
 #include "optim/problem/combinations.h"
 #include "optim/search/discrete.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/memory.h"
+#include "optim/solvers/solver.h"
+#include "optim/verdict/subdivision.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {

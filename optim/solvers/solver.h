@@ -11,35 +11,11 @@
 #include <vector>
 
 #include "optim/solvers/program.h"
+#include "optim/solvers/status.h"
 
 /// Back ends: what a solver is to the rest of camlaw. Solver headers are included in the back ends'
 /// .cpp files alone.
 namespace camlaw::optim {
-
-class LibraryMutex;
-
-/// How a back end ended. It is a hint: whether a design is good the verdict says.
-enum class Status {
-  Solved,          ///< its own tests of optimality hold
-  Acceptable,      ///< they hold to its looser tolerance
-  Stalled,         ///< no more progress: steps too small, rounding
-  IterationLimit,  ///< or limit of evaluations
-  TimeLimit,
-  Infeasible,      ///< it thinks that the rows contradict one another
-  Unbounded,       ///< the objective falls without end
-  NonFiniteStart,  ///< objective or rows are not numbers at the start
-  Stopped,         ///< by the user
-  Failed,          ///< anything else; the message says what
-};
-std::string_view to_string(Status status);
-
-/// What is reported while a solver runs.
-struct Progress {
-  int iteration;
-  double objective;  ///< scaled back to the problem's unit
-  double violation;  ///< the largest of the scaled rows
-  double done = 0;   ///< share of starts and combinations that are through; 0 where none can say
-};
 
 struct SolverOptions {
   double tolerance = 1e-9;                ///< of scaled rows, gradients and complementarity
@@ -88,7 +64,6 @@ class Solver {
 
 /// "ipopt", "slsqp", ...; throws std::invalid_argument listing the known names.
 const Solver& find_solver(std::string_view name);
-std::vector<std::string> solver_names();
 
 /// The libraries behind the solvers with the versions in use: "ipopt 3.11.9".
 std::vector<std::string> solver_versions();
@@ -97,9 +72,6 @@ std::vector<std::string> solver_versions();
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
 std::string ipopt_version();
-/// Held while Ipopt searches (numerics/library_mutex.h). A program that calls Ipopt or MUMPS itself
-/// holds it meanwhile, where other threads may search.
-LibraryMutex& ipopt_mutex();
 std::string nlopt_version();
 
 }  // namespace camlaw::optim

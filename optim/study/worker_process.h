@@ -10,19 +10,9 @@
 
 #include "optim/pareto/executor.h"
 #include "optim/study/messages.h"
+#include "optim/study/workers.h"
 
 namespace camlaw::optim {
-
-/// How long a program that was started may take to say that it is a worker. It says so before it
-/// does anything else, within some milliseconds: what takes longer is another program.
-inline constexpr std::chrono::milliseconds kGreetingPatience{5000};
-
-/// How a program is started that works on a study.
-struct WorkerProgram {
-  std::string path;     ///< of the program, which calls serve_as_program on its standard input
-  std::string problem;  ///< the study's problem, as the program takes it
-  std::chrono::milliseconds patience = kGreetingPatience;
-};
 
 /// A process that carries tasks out, one at a time. It ends with this object.
 class WorkerProcess {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "optim/study/child_process.h"
+#include "optim/study/worker_process.h"
 
 namespace camlaw::optim {
 
@@ -119,6 +120,9 @@ ProcessExecutor::ProcessExecutor(const MultiSpace& space, const OptimiseOptions&
   if (workers < 1) throw std::invalid_argument("workers: at least one is needed");
   workers_ = static_cast<std::size_t>(workers);
 }
+
+ProcessExecutor::ProcessExecutor(ProcessExecutor&&) noexcept = default;
+ProcessExecutor::~ProcessExecutor() = default;
 
 void ProcessExecutor::stay_here(const std::string& why) {
   program_.reset();

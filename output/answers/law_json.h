@@ -3,6 +3,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/pieces_json.h"
 
 /// Laws as JSON. Numbers keep every digit that a double has; unbounded ones are the strings "inf"

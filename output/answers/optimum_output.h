@@ -8,6 +8,7 @@
 #include "optim/search/optimise.h"
 #include "output/answers/law_json.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 #include "problems/statement/bind.h"
 
 /// The answer to a problem file, for people, for programs and as a picture.

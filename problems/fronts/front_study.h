@@ -2,7 +2,7 @@
 #pragma once
 
 #include "optim/pareto/pareto.h"
-#include "optim/study/recorded_executor.h"
+#include "optim/study/record.h"
 #include "problems/statement/bind.h"
 
 /// The front of a problem file: from the text to a study on disk and back.

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "optim/study/worker_process.h"
+#include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 
 /// Studies of problem files sent to processes that are started afresh (optim/study/workers.h).

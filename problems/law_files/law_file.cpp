@@ -10,8 +10,11 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
+#include "numerics/scalar/dual.h"
 #include "numerics/text/file_text.h"
 #include "numerics/text/names.h"
+#include "problems/law_files/json_text.h"
+#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::problems {
 namespace {

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
-#include "numerics/text/file_format.h"
-#include "problems/law_files/pieces_json.h"
+#include "problems/law_files/json_type.h"
 
 /// Laws as files, and a catalogue of one's own: a folder of such files (docs/problem-files.md,
 /// "Laws as files").
@@ -15,8 +14,6 @@ namespace camlaw::problems {
 
 /// The environment variable that names the folder of one's own laws.
 inline constexpr const char* kOwnLaws = "CAMLAW_LAWS";
-
-inline constexpr FileFormat kLawFormat{"camlaw law", 1};
 
 /// The file's object: format, title, ends, B, C, D, Cm and lambda for people, provenance, and the
 /// pieces, which alone are the law.

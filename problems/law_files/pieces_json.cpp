@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "problems/law_files/json_text.h"
+
 namespace camlaw::problems {
 namespace {
 

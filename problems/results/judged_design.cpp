@@ -8,7 +8,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
 #include "optim/pareto/judged_again.h"
+#include "optim/verdict/subdivision.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "optim/verdict/verdict.h"
+#include "optim/verdict/assessment.h"
 #include "problems/results/recorded_design.h"
 
 /// A stored design, judged again: nothing that was recorded of it is believed.

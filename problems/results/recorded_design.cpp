@@ -9,7 +9,10 @@
 #include <stdexcept>
 
 #include "numerics/text/file_text.h"
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/results/seal.h"
+#include "problems/results/stated_numbers.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/parameters.h"
 

@@ -11,6 +11,7 @@
 #include "kinematics/laws/build.h"
 #include "machines/model/responses.h"
 #include "problems/statement/choices.h"
+#include "problems/statement/law_rooms.h"
 
 namespace camlaw::problems {
 namespace {

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "optim/problem/multi_problem.h"
-#include "optim/verdict/limits.h"
-#include "problems/statement/law_rooms.h"
+#include "optim/verdict/assessment.h"
 #include "problems/statement/statement.h"
 
 /// From a statement to functions: names become fields once, here.
 namespace camlaw::problems {
+
+struct LawRange;
 
 /// A statement with every name bound. Choices are, in this order: the law where there are several,
 /// variables with listed values, and integer variables with few enough values to try each.

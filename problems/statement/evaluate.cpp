@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/law_binding.h"
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/limits.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {

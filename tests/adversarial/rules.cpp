@@ -7,7 +7,9 @@
 #include <cmath>
 #include <ctime>
 
+#include "optim/cycle/extremes.h"
 #include "optim/pareto/pareto.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::adversary {

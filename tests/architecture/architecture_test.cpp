@@ -41,15 +41,16 @@ const std::map<std::string, Names>& libraries() {
   static const std::map<std::string, Names> known{
       {"CLI/", {"cli/command_line.cpp", "cli/version_text.cpp"}},
       {"toml++/", {"problems/statement/toml_entry.cpp"}},
-      {"nlohmann/", {"problems/law_files/json_text.h", "cli/version_text.cpp"}},
+      {"nlohmann/",
+       {"problems/law_files/json_text.h", "problems/law_files/json_type.h",
+        "cli/version_text.cpp"}},
       {"udunits", {"numerics/text/units.cpp"}},
       {"Ip", {"optim/solvers/ipopt.cpp"}},
       {"nlopt", {"optim/solvers/nlopt_methods.h"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
       {"ceres/",
-       {"numerics/scalar/scalar.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h",
-        "optim/problem/plain_numbers.h"}}};
+       {"numerics/scalar/dual.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h"}}};
   return known;
 }
 

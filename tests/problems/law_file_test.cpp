@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "problems/law_files/json_text.h"
 #include "problems/statement/statement.h"
 #include "tests/temporary_folder.h"
 

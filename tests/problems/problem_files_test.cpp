@@ -7,10 +7,12 @@
 
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/peaks.h"
+#include "machines/model/law_binding.h"
 #include "machines/registry.h"
 #include "machines/spine_cutter/spine_cutter.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems::problem_files_test {

@@ -15,6 +15,7 @@
 #include "numerics/text/units.h"
 #include "optim/solvers/exit_guard.h"
 #include "optim/study/child_process.h"
+#include "optim/study/recorded_executor.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
 #include "tests/optim/pareto/outcomes.h"

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "optim/search/optimise.h"
+#include "optim/solvers/program.h"
+#include "optim/solvers/solver.h"
 #include "problems/cam_shape/cam_shape.csv.h"
 
 namespace camlaw::problems {

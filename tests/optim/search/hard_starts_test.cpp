@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::hard_starts_test {

@@ -2,6 +2,7 @@
 #include "optim/search/interruptible.h"
 
 #include "optim/cycle/remembered.h"
+#include "optim/search/local.h"
 #include "optim/search/memory.h"
 #include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
