@@ -7,6 +7,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
+#include "optim/pareto/measures.h"
 #include "optim/pareto/nsga2.h"
 
 namespace camlaw::optim {
