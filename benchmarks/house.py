@@ -1,16 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What the house measures: benchmarks/house.py [TREE] [--build FOLDER]
+"""What the house measures: benchmarks/house.py [TREE] [--build FOLDER] [--headers]
 
 Prints, for a checkout (this one where none is named), a line for each room: files, statements, lines
 of code and of comments, the longest file and how many have more than 400 lines; then the
 cycles in which folders include one another. With --build FOLDER (a build by Ninja) also objects, the seconds that they took and the weak
-symbols in them.
+symbols in them. With --headers each installed header: its lines, how many headers of camlaw it
+reaches, and the CPU seconds (user and system, the median of five) that g++ takes to read it, beside
+those for the headers of other libraries that it reaches: what lies between is camlaw's own share.
 """
 import argparse
 import collections
+import os
 import pathlib
 import re
+import statistics
 import subprocess
 
 ROOMS = ["numerics", "kinematics", "optim", "machines", "problems", "fitting", "output", "cli"]
@@ -132,11 +136,56 @@ def built(build):
     print(f"weak symbols: {weak} emitted, {len(distinct)} distinct")
 
 
+def reached(tree, header):
+    """Files of the tree that a header includes, itself among them, and what else it includes."""
+    own, others, wanted = set(), set(), [header]
+    while wanted:
+        file = wanted.pop()
+        if file in own:
+            continue
+        own.add(file)
+        for bracket, name in re.findall(r'#include ([<"])([^>"]+)', (tree / file).read_text()):
+            if bracket == "<":
+                others.add(name)
+            else:
+                wanted.append(name)
+    return own, others
+
+
+def reading_time(tree, includes):
+    """CPU seconds of g++ for a file that has these includes and nothing else."""
+    text = "".join(f"#include {name}\n" for name in includes)
+    eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True)
+    command = ["g++", "-std=c++20", "-O0", "-fsyntax-only", "-I", str(tree), *eigen.stdout.split(),
+               "-x", "c++", "-"]
+    seconds = []
+    for _ in range(5):
+        before = os.times()
+        subprocess.run(command, input=text, text=True, check=True, cwd=tree)
+        after = os.times()
+        seconds.append(after.children_user - before.children_user
+                       + after.children_system - before.children_system)
+    return statistics.median(seconds)
+
+
+def installed_headers(tree):
+    headers = re.findall(r"[\w/]+/\w+\.h\b", (tree / "cmake/CamlawHeaders.cmake").read_text())
+    print(f"\n{'installed header':<42}{'lines':>6}{'reaches':>9}{'seconds':>9}{'others':>8}")
+    for header in headers:
+        own, others = reached(tree, header)
+        lines = (tree / header).read_text().count("\n")
+        whole = reading_time(tree, [f'"{header}"'])
+        alone = reading_time(tree, [f"<{name}>" for name in sorted(others)])
+        print(f"{header:<42}{lines:>6}{len(own) - 1:>9}{whole:>9.2f}{alone:>8.2f}")
+    print(f"{len(headers)} headers")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("tree", nargs="?", default=pathlib.Path(__file__).parents[1],
                         type=pathlib.Path)
     parser.add_argument("--build", type=pathlib.Path, help="a build folder of Ninja")
+    parser.add_argument("--headers", action="store_true", help="the installed headers")
     arguments = parser.parse_args()
     table(arguments.tree)
     found = folder_circles(arguments.tree)
@@ -145,6 +194,8 @@ def main():
         print("  " + " ".join(circle))
     if arguments.build:
         built(arguments.build)
+    if arguments.headers:
+        installed_headers(arguments.tree)
 
 
 if __name__ == "__main__":

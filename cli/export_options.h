@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "output/export/exported_curve.h"
 #include "output/export/gcode.h"
+#include "problems/law_files/json_text.h"
 
 /// The options of camlaw export, and what they say together. Each function throws
 /// std::invalid_argument that names the option and what is accepted.

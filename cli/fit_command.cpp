@@ -209,7 +209,7 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
     for (const problems::ProgramLaw& law : program.laws) {
       const Json provenance{{"fitted_to", answer.source}, {"law", "smoothing spline"}};
       files.push_back({in_out(options, law.name.c_str()),
-                       problems::law_file(law.law, law.title, provenance).dump(2) + "\n"});
+                       problems::law_text(law.law, law.title, provenance.dump())});
     }
   }
   give_samples(options, answer, std::move(files));

@@ -14,7 +14,8 @@
 #include "output/answers/tolerance_output.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
-#include "problems/results/recorded_design.h"
+#include "problems/results/design_json.h"
+#include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {

@@ -10,6 +10,7 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "kinematics/limits.h"
+#include "kinematics/shape.h"
 #include "numerics/text/units.h"
 #include "output/answers/law_json.h"
 #include "output/document/formatting.h"

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "kinematics/limits.h"
+#include "kinematics/shape.h"
 #include "output/answers/law_json.h"
 #include "output/document/document.h"
 #include "output/document/formatting.h"

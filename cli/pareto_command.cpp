@@ -130,7 +130,7 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& d
 /// As many workers as are asked for and have room. Throws optim::MemoryRefusal where not one has.
 int workers_with_room(const ParetoCommand& options, const problems::FrontStudy& study) {
   const double allowed = memory_of(options.limits);
-  const optim::MultiSpace& space = study.space();
+  const optim::ProblemSpace& space = study.space();
   const optim::Problem one = space.problem(space.options(0)).alone(0);
   const optim::MemoryNeed need = optim::check_memory(one, allowed);
   const double room = std::floor(allowed / std::max(need.bytes, 1.0));

@@ -13,6 +13,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/watched_run.h"
+#include "optim/verdict/verdict.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/next_step.h"
 #include "output/answers/warnings.h"

@@ -10,6 +10,7 @@
 #include "cli/files.h"
 #include "cli/run_limits.h"
 #include "output/answers/optimum_output.h"
+#include "problems/law_files/json_text.h"
 
 /// What the commands that search have in common: their options, the search itself, what is printed
 /// and written of it.

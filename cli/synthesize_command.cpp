@@ -37,7 +37,7 @@ Json provenance(const Answer& answer) {
           {"verdict", std::string(optim::to_string(a.verdict))},
           {"objective", statement.objectives.front().response.name},
           {"value", to_json(a.objective.value)},
-          {"unit", answer.optimum.problem.objective.response.unit}};
+          {"unit", answer.optimum.problem.objective().response.unit}};
 }
 
 /// Rulers are an addition: where they fail the answer stands without them.
@@ -58,7 +58,7 @@ Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
 OutputFile law_json(const Answer& answer, const Member& law, const std::filesystem::path& out) {
   const std::string& stated = answer.bound.statement().title;
   const std::string title = stated.empty() ? law.label() : stated;
-  std::string text = problems::law_file(law.law(), title, provenance(answer)).dump(2) + "\n";
+  std::string text = problems::law_text(law.law(), title, provenance(answer).dump());
   problems::check_law_text(text);
   return {out / "law.json", std::move(text)};
 }

@@ -8,13 +8,14 @@ include(GNUInstallDirs)
 set(CAMLAW_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/camlaw)
 set(CAMLAW_HEADER_DIR ${CMAKE_INSTALL_INCLUDEDIR}/camlaw)
 
-# Headers that name a solver, or SQLite, belong to what is behind them.
-set(parts numerics kinematics optim machines problems fitting output)
-install(DIRECTORY ${parts}
-  DESTINATION ${CAMLAW_HEADER_DIR} COMPONENT development
-  FILES_MATCHING PATTERN "*.h" PATTERN "ipopt_*.h" EXCLUDE PATTERN "nlopt_*.h" EXCLUDE
-  PATTERN "study_tables.h" EXCLUDE PATTERN "nsga2_plugin.h" EXCLUDE PATTERN "run_end.h" EXCLUDE)
+# Under the folders that they have here, so that both trees are included from alike.
+include(CamlawHeaders)
+foreach(header IN LISTS CAMLAW_HEADERS)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header} DESTINATION ${CAMLAW_HEADER_DIR}/${folder} COMPONENT development)
+endforeach()
 
+set(parts numerics kinematics optim machines problems fitting output)
 # Each library is a part of the package of its own, so that who asks for kinematics needs no solver.
 foreach(part IN LISTS parts)
   set_target_properties(camlaw_${part} PROPERTIES EXPORT_NAME ${part})

@@ -6,6 +6,7 @@
 #include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 #include "optim/search/optimise.h"
+#include "optim/solvers/solver.h"
 
 using namespace camlaw::optim;
 
@@ -56,10 +57,9 @@ int main() {
   Problem problem;  // least (x - 1)^2 + x y + 2 y^2 in a box
   problem.variables = {{.name = "x", .lower = -3, .upper = 3, .start = 0},
                        {.name = "y", .lower = -3, .upper = 3, .start = 0}};
-  problem.objective.response = {"cost", "1", function<camlaw::Interval>({0, 1}, [](const auto& u) {
-                                  return (u[0] - 1.0) * (u[0] - 1.0) + u[0] * u[1] +
-                                         2.0 * u[1] * u[1];
-                                })};
+  problem.objectives = {{{"cost", "1", function<camlaw::Interval>({0, 1}, [](const auto& u) {
+                            return (u[0] - 1.0) * (u[0] - 1.0) + u[0] * u[1] + 2.0 * u[1] * u[1];
+                          })}}};
   const Optimum best =
       optimise(problem, {.solver = "compass", .native = {{"compass", {{"first_step", 0.25}}}}});
   const auto verdict = to_string(best.found.assessment.verdict);

@@ -6,6 +6,7 @@
 #include "kinematics/limits.h"
 #include "kinematics/peaks.h"
 #include "machines/spine_cutter/spine_cutter.h"
+#include "numerics/scalar/dual.h"
 
 int main() {
   using namespace camlaw;

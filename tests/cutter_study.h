@@ -4,6 +4,7 @@
 #include <string>
 
 #include "numerics/text/file_text.h"
+#include "optim/study/recorded_executor.h"
 #include "problems/fronts/front_study.h"
 
 namespace camlaw::testing {

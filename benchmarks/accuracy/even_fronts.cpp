@@ -21,7 +21,7 @@ struct Evolved {
   long evaluations = 0;  ///< of one seed
 };
 
-Evolved evolved(const optim::MultiSpace& space, std::size_t points, std::size_t generations,
+Evolved evolved(const optim::ProblemSpace& space, std::size_t points, std::size_t generations,
                 const optim::Costs& reference) {
   Evolved result;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -43,7 +43,7 @@ Evolved evolved(const optim::MultiSpace& space, std::size_t points, std::size_t 
   return result;
 }
 
-void print_row(const std::string& name, const optim::MultiSpace& space,
+void print_row(const std::string& name, const optim::ProblemSpace& space,
                const optim::ParetoOptions& options) {
   constexpr std::size_t kGenerations = 250;
   optim::Front front;
@@ -68,7 +68,7 @@ void print_even_fronts() {
       const auto surface = sets::known_surface(name, objectives);
       optim::ParetoOptions options;
       options.points = objectives == 3 ? 40 : 100;
-      print_row(surface.problem.name, optim::MultiSpace::of(surface.problem), options);
+      print_row(surface.problem.name, optim::ProblemSpace::of(surface.problem), options);
     }
   }
   for (const auto& [name, points] :

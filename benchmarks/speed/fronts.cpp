@@ -45,7 +45,7 @@ constexpr Case kCases[] = {
 /// Evaluations until NSGA-II reaches a hypervolume; none within the most that are allowed.
 std::optional<long> evaluations_of_nsga2(const problems::FrontStudy& study, double wanted) {
   constexpr std::size_t kPopulation = 100, kMostGenerations = 1024;
-  const optim::MultiProblem problem = study.space().problem({});
+  const optim::Problem problem = study.space().problem({});
   for (std::size_t generations = 1; generations <= kMostGenerations; generations *= 2) {
     optim::Task task;
     task.kind = optim::Task::Kind::Scout;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "benchmarks/timing.h"
+#include "optim/cycle/extremes.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 
@@ -35,7 +36,7 @@ optim::Optimum solved(const problems::BoundProblem& problem) {
 
 /// Seconds that the objective, of a curve its peak, and its gradient there take at a design.
 double one_evaluation(const optim::Problem& problem, const std::vector<double>& x) {
-  const optim::Response& response = problem.objective.response;
+  const optim::Response& response = problem.objective().response;
   std::vector<double> gradient;
   const auto work = [&] {
     if (response.is_curve()) {

@@ -9,6 +9,7 @@
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/recorded_motion.h"
 #include "fitting/samples/turn.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::problems {
 namespace {

@@ -5,9 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
 #include "optim/fit/identifiability.h"
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 #include "optim/pareto/shifted.h"
+#include "optim/search/deadline.h"
+#include "optim/search/local.h"
 #include "optim/search/optimise.h"
 
 namespace camlaw::problems {
@@ -101,8 +105,8 @@ std::pair<double, double> Agreement::range(std::size_t unknown,
   std::pair<double, double> result{about[unknown], about[unknown]};
   for (const optim::Sense sense : {optim::Sense::Minimize, optim::Sense::Maximize}) {
     optim::Problem problem = stated(about);
-    problem.objective = {{model_->unknowns()[unknown].name, "1", optim::variable_function(unknown)},
-                         sense};
+    problem.objectives = {
+        {{model_->unknowns()[unknown].name, "1", optim::variable_function(unknown)}, sense}};
     const auto x = answer(problem);
     if (!x || !all_agree(*x)) continue;
     result.first = std::min(result.first, (*x)[unknown]);
@@ -240,7 +244,7 @@ std::optional<std::vector<double>> Agreement::balanced(const std::vector<double>
   largest.start = 1;
   largest.scale = 1;
   problem.variables.push_back(largest);
-  problem.objective = {{"largest", "1", optim::variable_function(t)}};
+  problem.objectives = {{{"largest", "1", optim::variable_function(t)}}};
   problem.constraints.clear();
   for (const std::size_t c : finite_) {
     const PrintedConstant& printed = model_->constants()[c];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "kinematics/shape.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fitting/motions/law_fit.h"
 #include "machines/model/law_binding.h"
 
 namespace camlaw::problems {
@@ -15,9 +16,6 @@ struct Coefficient {
   double low, high;        ///< accepted values
   double value;            ///< of the member
 };
-
-/// Whether the place where a law's acceleration changes sign is one of its numbers.
-enum class Skew { Held, Free };
 
 /// All numbers of a law but what shapes its data, the crossover only where it is free; the
 /// variables behind them are counted from `first`.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fitting/motions/motion_residuals.h"
+#include "optim/fit/eigen_matrix.h"
 #include "optim/fit/fit_report.h"
 
 namespace camlaw::problems {
@@ -197,8 +198,8 @@ class GapSearch {
     constexpr double kSingular = 1e-12;
     if (!(solved.vectorD().minCoeff() > kSingular)) return;
     const MatrixXd inverse = solved.solve(MatrixXd::Identity(scaled.rows(), scaled.cols()));
-    best_.covariance = MatrixXd::Zero(m, m);
-    best_.covariance(free, free) = size.asDiagonal() * inverse * size.asDiagonal();
+    best_.covariance = optim::SquareMatrix(static_cast<std::size_t>(m));
+    optim::as_eigen(best_.covariance)(free, free) = size.asDiagonal() * inverse * size.asDiagonal();
     // What the residuals alone leave open the jumps settle.
     best_.free_directions.clear();
     for (auto& parameter : best_.parameters) parameter.identifiable = true;

@@ -16,6 +16,7 @@
 #include "fitting/motions/rounding_errors.h"
 #include "fitting/samples/condensed.h"
 #include "numerics/linear/statistics.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::problems {
 namespace {
@@ -339,6 +340,8 @@ LawFitOptions without_deadline(LawFitOptions options) {
   options.deadline.reset();
   return options;
 }
+
+bool LawFit::has_coefficients() const { return !coefficients_of(law, 0, skew).empty(); }
 
 double LawFit::value(double place, int order) const {
   const double length = end - begin;

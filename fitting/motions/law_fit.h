@@ -2,16 +2,20 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
-#include "fitting/motions/coefficients.h"
 #include "fitting/samples/motion_samples.h"
 #include "kinematics/laws/catalogue.h"
 #include "optim/fit/least_squares.h"
 
 /// Laws through samples of one motion (docs/optimisation.md, "Fits to samples").
 namespace camlaw::problems {
+
+/// Whether the place where a law's acceleration changes sign is one of its numbers.
+enum class Skew { Held, Free };
 
 struct LawFitOptions {
   using Clock = std::chrono::steady_clock;
@@ -53,7 +57,7 @@ struct LawFit {
 
   double value(double place, int order) const;
   /// Whether it has coefficients of its own, the crossover among them.
-  bool has_coefficients() const { return !coefficients_of(law, 0, skew).empty(); }
+  bool has_coefficients() const;
 };
 
 /// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is

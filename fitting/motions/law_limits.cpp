@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numerics/linear/statistics.h"
+#include "optim/fit/eigen_matrix.h"
 
 namespace camlaw::problems {
 namespace {
@@ -102,6 +103,7 @@ optim::FitResult LimitedResiduals::of_coefficients(
         -(own ? 1 : limit_.factors[i]) / limit_.factors[replaced_];
     identifiable = identifiable && fit.parameters[first_ + i].identifiable;
   }
+  auto stated = optim::as_eigen(fit.covariance);
   Eigen::VectorXd covariance = Eigen::VectorXd::Constant(size, std::nan(""));
   double variance = optim::kInfinity;
   if (identifiable) {
@@ -109,7 +111,7 @@ optim::FitResult LimitedResiduals::of_coefficients(
     for (Index j = 0; j < size; ++j) {
       covariance[j] = 0;
       for (Index i = 0; i < size; ++i) {
-        if (row[i] != 0) covariance[j] += row[i] * fit.covariance(i, j);
+        if (row[i] != 0) covariance[j] += row[i] * stated(i, j);
       }
     }
     variance = 0;
@@ -117,9 +119,9 @@ optim::FitResult LimitedResiduals::of_coefficients(
       if (row[i] != 0) variance += row[i] * covariance[i];
     }
   }
-  fit.covariance.row(at) = covariance.transpose();
-  fit.covariance.col(at) = covariance;
-  fit.covariance(at, at) = variance;
+  stated.row(at) = covariance.transpose();
+  stated.col(at) = covariance;
+  stated(at, at) = variance;
   optim::FittedParameter& found = fit.parameters[k];
   const optim::FitParameter& given = parameters[k];
   found = {.name = given.name, .unit = given.unit, .value = coefficient(p)};

@@ -7,6 +7,7 @@
 
 #include "fitting/motions/coefficients.h"
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 
 /// What the coefficients of a law must meet together, for fits: bounds of each say too little
 /// (docs/optimisation.md, "Fits to samples").

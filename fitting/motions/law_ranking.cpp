@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fitting/motions/coefficients.h"
 #include "fitting/motions/law_choice.h"
 #include "fitting/samples/lift_samples.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::problems {
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/fit/eigen_matrix.h"
+
 namespace camlaw::problems {
 
 Occam occam_of(const optim::Residuals& residuals,
@@ -45,8 +47,9 @@ Occam occam_of(const optim::Residuals& residuals,
   // Of the covariance in units of what was known before: its eigenvalues, one by one.
   const double larger = std::max(1.0, deviation / fit.sigma);
   const Eigen::VectorXd scale = before.cwiseInverse() * larger;
-  const Eigen::MatrixXd known =
-      scale.asDiagonal() * Eigen::MatrixXd(fit.covariance(own, own)) * scale.asDiagonal();
+  const Eigen::MatrixXd known = scale.asDiagonal() *
+                                Eigen::MatrixXd(optim::as_eigen(fit.covariance)(own, own)) *
+                                scale.asDiagonal();
   if (!known.allFinite()) return result;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(known);
   constexpr double kLeast = 1e-30;

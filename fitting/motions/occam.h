@@ -2,6 +2,7 @@
 #pragma once
 
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 
 namespace camlaw::problems {
 

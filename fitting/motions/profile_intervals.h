@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 
 namespace camlaw::problems {
 

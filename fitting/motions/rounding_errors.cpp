@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fitting/motions/motion_residuals.h"
+#include "optim/fit/eigen_matrix.h"
 #include "optim/fit/fit_report.h"
 
 namespace camlaw::problems {
@@ -70,18 +71,19 @@ std::vector<double> count_rounding(const MotionSamples& samples, const optim::Re
   }
   squares += alone * (jacobian.transpose() * jacobian);
   // Of parameters that are not determined nothing is known; the others have no part of them.
-  MatrixXd inverse = fit.covariance / (fit.sigma * fit.sigma);
+  MatrixXd inverse = optim::as_eigen(fit.covariance) / (fit.sigma * fit.sigma);
   const MatrixXd known = inverse.unaryExpr([](double x) { return std::isfinite(x) ? x : 0; });
   const MatrixXd covariance = known * squares * known;
+  auto stated = optim::as_eigen(fit.covariance);
   for (Index i = 0; i < m; ++i) {
-    const double before = fit.covariance(i, i);
+    const double before = stated(i, i);
     if (std::isfinite(before) && before > 0) {
       grown[static_cast<std::size_t>(i)] = std::sqrt(covariance(i, i) / before);
     }
   }
   for (Index i = 0; i < m; ++i) {
     for (Index j = 0; j < m; ++j) {
-      if (std::isfinite(fit.covariance(i, j))) fit.covariance(i, j) = covariance(i, j);
+      if (std::isfinite(stated(i, j))) stated(i, j) = covariance(i, j);
     }
   }
   optim::set_intervals(given, confidence, fit);

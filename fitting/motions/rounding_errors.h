@@ -3,6 +3,7 @@
 
 #include "fitting/samples/motion_samples.h"
 #include "optim/fit/least_squares.h"
+#include "optim/fit/residuals.h"
 
 namespace camlaw::problems {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fitting/samples/turn.h"
+#include "optim/fit/residuals.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kinematics/law.h"
-#include "kinematics/shape.h"
 
 /// The catalogue of motion laws by name. It is the one list: the program's listing, its JSON and
 /// the table in docs/laws.md are printed from it.
@@ -113,7 +112,7 @@ struct Family {
   std::string formula;
   std::vector<Parameter> parameters;
   std::string ends;  ///< VDI 2143 pair, "R-R"; "by parameters" where they decide
-  int continuity;    ///< class of the default member: kSmooth where nothing known jumps
+  int continuity;    ///< class of the default member (shape.h): kSmooth where nothing known jumps
   bool symmetric;    ///< of the default member: s(x) + s(1 - x) = 1
   std::string source;
   Maker maker;

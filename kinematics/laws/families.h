@@ -3,6 +3,7 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/transform.h"
+#include "numerics/scalar/dual.h"
 
 /// The catalogue's entries, one function per group of laws.
 namespace camlaw {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "kinematics/laws/spline.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw {
 namespace {

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include "kinematics/program/segments.h"
+#include "numerics/scalar/dual.h"
+
 namespace camlaw {
 namespace {
 

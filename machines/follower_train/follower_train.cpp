@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "numerics/scalar/dual.h"
+
 namespace camlaw {
 namespace {
 

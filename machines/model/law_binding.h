@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::problems {
 

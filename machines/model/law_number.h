@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
+#include "kinematics/laws/catalogue.h"
 #include "machines/model/affine_kernel.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 
 /// Numbers of a mechanism that its law, or program, decides as a whole.

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <set>
 
+#include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
+#include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 
 namespace camlaw::problems {

@@ -10,6 +10,7 @@
 
 #include "machines/model/cycle_mean.h"
 #include "machines/model/law_binding.h"
+#include "numerics/scalar/dual.h"
 #include "optim/problem/function.h"
 
 /// Mean squares of a law's derivatives over x from 0 to 1 (docs/theory.md, "Mean squares").

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "machines/model/form.h"
-#include "machines/model/law_binding.h"
 #include "optim/problem/problem.h"
 
 /// Mechanisms as problem files and programs see them: parameters and responses by name. The
 /// formulas are in the machine's folder too; names, units and ranges are joined to them once.
 namespace camlaw::problems {
+
+class LawBinding;
 
 /// A number that describes the machine.
 struct MechanismParameter {
@@ -80,6 +80,26 @@ enum class MovedBy {
   Law,      ///< a law, run once in each stretch of the mechanism's own cycle
   Program,  ///< a motion program over the whole cycle
   Nothing,  ///< it moves as its geometry makes it; x is the driving side's uniform progress
+};
+
+/// How a machine is built: which picture shows it, and how a measured cam of it is read.
+enum class Form : char {
+  Other,
+  DiscRoller,          ///< a disc cam and a follower that slides
+  DiscKnifeEdge,       ///< the same, with a knife edge
+  DiscFlat,            ///< the same, with a flat face
+  DiscConjugate,       ///< two discs, each with a roller of the same follower
+  DiscTrailingRoller,  ///< a disc cam and a roller on an arm that it pulls
+  DiscLeadingRoller,   ///< the same, the arm pushed
+  DiscFlatArm,         ///< a disc cam and a flat face on an arm
+  EndRoller,           ///< an end or barrel cam and a roller that slides
+  EndArm,              ///< the same, the roller on an arm
+  Plate,               ///< a plate that moves along a line
+  BalancingCam,        ///< a cam between springs, on a shaft
+  Geneva,
+  SphericalGeneva,
+  SignatureFeeder,
+  LawAlone,  ///< a law by itself, no machine
 };
 
 /// Says of the responses of these names where they are numbers.

@@ -8,6 +8,7 @@
 
 #include "machines/model/curve_formula.h"
 #include "machines/model/cycle.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 #include "optim/problem/curve.h"
 

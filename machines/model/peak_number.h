@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "optim/cycle/peak_function.h"
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "machines/model/law_binding.h"
 #include "machines/model/mechanism_curve.h"
 
 namespace camlaw::problems {

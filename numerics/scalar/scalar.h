@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <ceres/jet.h>
-
-#include <concepts>
+#include <cmath>
 #include <numbers>
 #include <type_traits>
 
 #include "numerics/scalar/interval.h"
 
+namespace ceres {
+template <typename T, int N>
+struct Jet;
+}
+
 /// The scalars that laws and mechanisms are generic in.
 ///
 ///   double     speed
-///   Dual       value and gradient (ceres::Jet), Dual2 value, gradient and Hessian (nested)
+///   Dual       value and gradient (ceres::Jet), Dual2 value, gradient and Hessian (nested): who
+///              makes one includes numerics/scalar/dual.h; a law by itself needs no Ceres
 ///   Interval   enclosure (numerics/scalar/interval.h)
 ///
 /// Any other type with + - * / and sqrt, sin, cos found by argument-dependent lookup joins by

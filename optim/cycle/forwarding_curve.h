@@ -50,7 +50,7 @@ void replace_curves(Problem& problem, const Make& make) {
     if (!its) its = make(curve);
     curve = its;
   };
-  replace(problem.objective.response);
+  for (Objective& objective : problem.objectives) replace(objective.response);
   for (Constraint& c : problem.constraints) replace(c.response);
 }
 

@@ -116,8 +116,8 @@ SizedProblem with_peaks_as_numbers(const Problem& problem, const Sizes& sizes) {
     return Response{curve.name, curve.unit, peak_function(curve, part, n)};
   };
   SizedProblem result{problem, sizes};
-  Objective& objective = result.problem.objective;
-  if (objective.response.is_curve()) {
+  for (Objective& objective : result.problem.objectives) {
+    if (!objective.response.is_curve()) continue;
     objective.response = number(objective.response, objective.part);
     objective.part = Part::Value;
   }

@@ -250,16 +250,16 @@ Sizes sizes(const Problem& problem, Design about) {
   const Changes changes(problem, about);
   MaximaAt maxima(about);
   CurveChanges known;
-  const Response& objective = problem.objective.response;
+  const Response& objective = problem.objective().response;
   Sizes result;
   result.variables = typical_scales(problem, about);
   result.own = own_magnitudes(problem, about);
   result.objective = or_one(changes.at_design(objective));
   const double typical = changes.typical(objective);
   result.objective_typical = objective_typical(
-      problem.objective, typical > 0 ? typical : result.objective, changes, maxima, result.own);
+      problem.objective(), typical > 0 ? typical : result.objective, changes, maxima, result.own);
   result.objective_tolerance =
-      objective_tolerance(problem.objective, result.objective_typical, about);
+      objective_tolerance(problem.objective(), result.objective_typical, about);
   for (const Constraint& c : problem.constraints) {
     result.constraints.push_back({size_of(c, changes, maxima, result.own, known), 0, 0});
     set_tolerance(c, maxima, about, result.own, result.constraints.back());
@@ -269,7 +269,7 @@ Sizes sizes(const Problem& problem, Design about) {
 
 Sizes judged_at(const Problem& problem, Sizes sizes, Design x) {
   sizes.own = own_magnitudes(problem, x);
-  sizes.objective_tolerance = objective_tolerance(problem.objective, sizes.objective_typical, x);
+  sizes.objective_tolerance = objective_tolerance(problem.objective(), sizes.objective_typical, x);
   MaximaAt maxima(x);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     set_tolerance(problem.constraints[i], maxima, x, sizes.own, sizes.constraints[i]);

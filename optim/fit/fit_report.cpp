@@ -9,7 +9,9 @@
 #include <limits>
 
 #include "numerics/linear/statistics.h"
+#include "optim/fit/eigen_matrix.h"
 #include "optim/fit/identifiability.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::optim {
 namespace {
@@ -106,13 +108,14 @@ void describe_directions(const Identifiability& known, const std::vector<Index>&
 void fill_covariance(const Identifiability& known, const std::vector<Index>& free,
                      FitResult& result) {
   const auto m = static_cast<Index>(result.parameters.size());
-  result.covariance = MatrixXd::Zero(m, m);
-  result.covariance(free, free) = result.sigma * result.sigma * known.inverse;
+  result.covariance = SquareMatrix(result.parameters.size());
+  auto covariance = as_eigen(result.covariance);
+  covariance(free, free) = result.sigma * result.sigma * known.inverse;
   for (Index j = 0; j < m; ++j) {
     if (result.parameters[static_cast<std::size_t>(j)].identifiable) continue;
-    result.covariance.row(j).setConstant(kNan);
-    result.covariance.col(j).setConstant(kNan);
-    result.covariance(j, j) = kInfinity;
+    covariance.row(j).setConstant(kNan);
+    covariance.col(j).setConstant(kNan);
+    covariance(j, j) = kInfinity;
   }
 }
 
@@ -148,9 +151,8 @@ void set_intervals(const std::vector<FitParameter>& parameters, double confidenc
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     FittedParameter& p = result.parameters[j];
     const FitParameter& bounds = parameters[j];
-    const auto index = static_cast<Index>(j);
     const bool fixed = bounds.lower == bounds.upper;
-    p.standard_deviation = p.at_bound ? kNan : std::sqrt(result.covariance(index, index));
+    p.standard_deviation = p.at_bound ? kNan : std::sqrt(result.covariance(j, j));
     const double half = fixed ? 0 : p.identifiable ? quantile * p.standard_deviation : kInfinity;
     p.low = std::isnan(half) ? kNan : std::max(bounds.lower, p.value - half);
     p.high = std::isnan(half) ? kNan : std::min(bounds.upper, p.value + half);

@@ -12,6 +12,7 @@
 #include "optim/fit/fit_report.h"
 #include "optim/fit/gauss_newton_polish.h"
 #include "optim/fit/identifiability.h"
+#include "optim/fit/loss.h"
 #include "optim/problem/starts.h"
 
 namespace camlaw::optim {

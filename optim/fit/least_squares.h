@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "optim/fit/loss.h"
-#include "optim/fit/residuals.h"
+#include "optim/problem/function.h"
 
 /// Parameters from measurements by nonlinear least squares, and how far they can be trusted:
 ///   minimise sum_i rho(r_i(p)),  lower <= p <= upper
 /// rho(r) = r^2 without a loss. What the numbers mean and how they are found:
 /// docs/optimisation.md, "Fitting".
 namespace camlaw::optim {
+
+class Residuals;
+
+/// What is summed over the residuals, with t = r / k and k the loss's scale:
+///   None    rho = r^2
+///   Huber   rho = r^2 while |t| <= 1, else k^2 (2 |t| - 1): a pull that no longer grows
+///   Cauchy  rho = k^2 log(1 + t^2): a pull that fades
+enum class Loss { None, Huber, Cauchy };
 
 struct FitParameter {
   std::string name;
@@ -70,11 +77,29 @@ struct FreeDirection {
   std::vector<double> changes;          ///< how much each changes, in its unit; up to a factor
 };
 
+/// A square matrix, column by column as Eigen stores one (optim/fit/eigen_matrix.h).
+class SquareMatrix {
+ public:
+  SquareMatrix() = default;
+  /// Of zeros.
+  explicit SquareMatrix(std::size_t size) : size_(size), entries_(size * size) {}
+
+  std::size_t size() const { return size_; }
+  double& operator()(std::size_t i, std::size_t j) { return entries_[j * size_ + i]; }
+  double operator()(std::size_t i, std::size_t j) const { return entries_[j * size_ + i]; }
+  double* data() { return entries_.data(); }
+  const double* data() const { return entries_.data(); }
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<double> entries_;
+};
+
 struct FitResult {
   std::vector<FittedParameter> parameters;
   /// sigma^2 (J^T J)^-1 of the parameters in their units. Rows of parameters that are held are
   /// zero, of those not identifiable NaN with an infinite variance.
-  Eigen::MatrixXd covariance;
+  SquareMatrix covariance;
 
   std::vector<double> residuals;
   std::vector<double> weights;  ///< by the loss: rho'(r) / (2 r), 1 each without one

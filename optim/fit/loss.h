@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "optim/fit/least_squares.h"
 #include "optim/fit/residuals.h"
 
 /// Losses: how much a large residual counts.
 namespace camlaw::optim {
-
-/// What is summed over the residuals, with t = r / k and k the loss's scale:
-///   None    rho = r^2
-///   Huber   rho = r^2 while |t| <= 1, else k^2 (2 |t| - 1): a pull that no longer grows
-///   Cauchy  rho = k^2 log(1 + t^2): a pull that fades
-enum class Loss { None, Huber, Cauchy };
 
 /// A loss at one residual, with rho near r^2 for small r.
 struct LossAt {

@@ -36,7 +36,7 @@ Sizes without_tolerances(const Problem& problem) {
   return sizes;
 }
 
-void compare_variables(const MultiProblem& multi, Design x, std::vector<std::string>& found) {
+void compare_variables(const Problem& multi, Design x, std::vector<std::string>& found) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Variable& v = multi.variables[i];
     if (x[i] >= v.lower && x[i] <= v.upper) continue;
@@ -45,7 +45,7 @@ void compare_variables(const MultiProblem& multi, Design x, std::vector<std::str
   }
 }
 
-void compare_objectives(const MultiProblem& multi, const FrontPoint& point,
+void compare_objectives(const Problem& multi, const FrontPoint& point,
                         std::vector<std::string>& found) {
   for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
     const Objective& o = multi.objectives[i];
@@ -78,7 +78,7 @@ bool stands_so(const Standing& stated, const Constraint& constraint, Design x, L
   return agree(stated.margin, report.margin, std::max(tolerance, rounding()));
 }
 
-void compare_limits(const MultiProblem& multi, const FrontPoint& point,
+void compare_limits(const Problem& multi, const FrontPoint& point,
                     std::vector<std::string>& found) {
   const Problem problem = multi.alone(0);
   const std::size_t count = problem.constraints.size();
@@ -113,7 +113,7 @@ void compare_limits(const MultiProblem& multi, const FrontPoint& point,
 
 }  // namespace
 
-std::vector<std::string> differences(const MultiProblem& multi, const FrontPoint& point) {
+std::vector<std::string> differences(const Problem& multi, const FrontPoint& point) {
   std::vector<std::string> found;
   const std::size_t objectives = multi.objectives.size();
   if (point.x.size() != multi.variables.size() || point.objectives.size() != objectives ||
@@ -127,7 +127,7 @@ std::vector<std::string> differences(const MultiProblem& multi, const FrontPoint
   return found;
 }
 
-Assessment assessed_on_front(const MultiProblem& multi, Design x, std::size_t sought) {
+Assessment assessed_on_front(const Problem& multi, Design x, std::size_t sought) {
   Problem problem = multi.alone(sought);
   const std::vector<double> own = costs(multi, x);
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -136,7 +136,7 @@ Assessment assessed_on_front(const MultiProblem& multi, Design x, std::size_t so
   return assess(problem, sizes(problem, x), x, true);
 }
 
-FrontPoint judged_again(const MultiProblem& multi, const FrontPoint& point) {
+FrontPoint judged_again(const Problem& multi, const FrontPoint& point) {
   FrontPoint judged = point;
   judged.costs = costs(multi, point.x);
   std::size_t sought = 0;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "optim/cycle/sizes.h"
+#include "optim/pareto/costs.h"
 #include "optim/pareto/nsga2.h"
 #include "optim/pareto/round.h"
 
@@ -13,7 +14,7 @@ namespace camlaw::optim {
 namespace {
 
 /// Whether every search of the sweep has one optimum, whatever its bounds.
-bool is_convex(const MultiProblem& multi) {
+bool is_convex(const Problem& multi) {
   const bool steps = std::any_of(multi.variables.begin(), multi.variables.end(),
                                  [](const Variable& v) { return v.integer && v.lower < v.upper; });
   if (steps) return false;
@@ -28,7 +29,7 @@ bool is_convex(const MultiProblem& multi) {
 }
 
 /// Whether a mixture of two designs costs no more than the mixture of their costs.
-bool costs_are_convex(const MultiProblem& multi) {
+bool costs_are_convex(const Problem& multi) {
   return std::all_of(multi.objectives.begin(), multi.objectives.end(), [](const Objective& o) {
     const Shape shape = o.response.shape();
     if (o.part == Part::Magnitude) return shape == Shape::Linear;
@@ -36,7 +37,7 @@ bool costs_are_convex(const MultiProblem& multi) {
   });
 }
 
-std::size_t varying(const MultiProblem& multi) {
+std::size_t varying(const Problem& multi) {
   return static_cast<std::size_t>(
       std::count_if(multi.variables.begin(), multi.variables.end(),
                     [](const Variable& v) { return v.lower < v.upper; }));
@@ -44,12 +45,15 @@ std::size_t varying(const MultiProblem& multi) {
 
 class Study {
  public:
-  Study(const MultiSpace& space, const ParetoOptions& options, Executor& executor)
+  Study(const ProblemSpace& space, const ParetoOptions& options, Executor& executor)
       : space_(space), options_(options), executor_(executor) {
     front_.parts = space.parts();
     progress_.wanted = options.points;
-    const MultiProblem first = space.problem(space.options(0));
+    const Problem first = space.problem(space.options(0));
     first.check();
+    if (first.objectives.size() < 2) {
+      throw std::invalid_argument("a front needs two objectives or more; there is 1");
+    }
     if (options.reference && options.reference->size() != first.objectives.size()) {
       throw std::invalid_argument("reference: one number for each objective is wanted");
     }
@@ -113,7 +117,7 @@ class Study {
   bool scout() {
     std::vector<Task> tasks;
     for (const auto& part : parts_) {
-      const MultiProblem multi = space_.problem(space_.options(part->part()));
+      const Problem multi = space_.problem(space_.options(part->part()));
       const bool wanted = options_.method == ParetoMethod::Nsga2 ||
                           (options_.method == ParetoMethod::Automatic && !is_convex(multi) &&
                            (options_.scouts ? *options_.scouts : has_nsga2()));
@@ -169,7 +173,7 @@ class Study {
   /// at `best(objective)`, nullptr where no design is known.
   template <class Best>
   void settle_tolerances(Best best) {
-    const MultiProblem first = space_.problem(space_.options(0));
+    const Problem first = space_.problem(space_.options(0));
     for (std::size_t i = 0; i < objectives(); ++i) {
       const auto& stated = first.objectives[i].tolerance;
       front_.tolerances.push_back(stated ? *stated : default_tolerance(i, best(i)));
@@ -373,7 +377,7 @@ class Study {
 
   /// Of a convex problem more is known of what lies between the points.
   void settle_convex() {
-    const MultiProblem multi = space_.problem(space_.options(0));
+    const Problem multi = space_.problem(space_.options(0));
     if (!costs_are_convex(multi) || !is_convex(multi)) return;
     const std::vector<Costs> all = costs_of(front_.points);
     front_.hypervolume_of_mixtures = hypervolume_of_mixtures(all, front_.reference);
@@ -389,7 +393,7 @@ class Study {
   static constexpr std::size_t kTasksPerPoint = 20;
   static constexpr std::size_t kRound = 16;  ///< tasks of a round beside the sweep
 
-  const MultiSpace& space_;
+  const ProblemSpace& space_;
   const ParetoOptions& options_;
   Executor& executor_;
   Front front_;
@@ -428,7 +432,7 @@ std::size_t Front::certified() const {
                     [](const FrontPoint& p) { return p.verdict == Verdict::Certified; }));
 }
 
-Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor) {
+Front pareto(const ProblemSpace& space, const ParetoOptions& options, Executor& executor) {
   if (options.points < 2) throw std::invalid_argument("points: a front has at least two");
   check_solvers(options.solve);
   Front front = Study(space, options, executor).run();
@@ -436,19 +440,19 @@ Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& ex
   return front;
 }
 
-Front front_of_designs(const MultiSpace& space, const ParetoOptions& options,
+Front front_of_designs(const ProblemSpace& space, const ParetoOptions& options,
                        const std::vector<FrontPoint>& designs) {
   DirectExecutor none(space, options.solve);
   return Study(space, options, none).of(designs);
 }
 
-Front pareto(const MultiSpace& space, const ParetoOptions& options) {
+Front pareto(const ProblemSpace& space, const ParetoOptions& options) {
   DirectExecutor executor(space, options.solve);
   return pareto(space, options, executor);
 }
 
-Front pareto(const MultiProblem& problem, const ParetoOptions& options) {
-  return pareto(MultiSpace::of(problem), options);
+Front pareto(const Problem& problem, const ParetoOptions& options) {
+  return pareto(ProblemSpace::of(problem), options);
 }
 
 }  // namespace camlaw::optim

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/pareto/executor.h"
 #include "optim/pareto/measures.h"
+#include "optim/pareto/task.h"
 
 /// Fronts: the designs than which none is better in one objective without being worse in another.
 namespace camlaw::optim {
@@ -93,14 +93,14 @@ struct Front {
 /// The front of a space. What is done is decided by outcomes alone, in their order: the same
 /// problem, options and seed give the same front to the last bit, whatever the executor. Throws
 /// std::invalid_argument for a problem that is not well posed.
-Front pareto(const MultiSpace& space, const ParetoOptions& options, Executor& executor);
+Front pareto(const ProblemSpace& space, const ParetoOptions& options, Executor& executor);
 /// In this process.
-Front pareto(const MultiSpace& space, const ParetoOptions& options = {});
-Front pareto(const MultiProblem& problem, const ParetoOptions& options = {});
+Front pareto(const ProblemSpace& space, const ParetoOptions& options = {});
+Front pareto(const Problem& problem, const ParetoOptions& options = {});
 
 /// The front of designs that were found before, without a search: of a study that cannot be read
 /// whole. It counts as stopped, and nothing bounds what it lacks.
-Front front_of_designs(const MultiSpace& space, const ParetoOptions& options,
+Front front_of_designs(const ProblemSpace& space, const ParetoOptions& options,
                        const std::vector<FrontPoint>& designs);
 
 }  // namespace camlaw::optim

@@ -7,6 +7,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/dominance.h"
+#include "optim/pareto/measures.h"
 #include "optim/pareto/nsga2.h"
 
 namespace camlaw::optim {
@@ -19,7 +20,7 @@ struct Genome {
   std::size_t integer = 0;
 };
 
-Genome genome_of(const MultiProblem& multi) {
+Genome genome_of(const Problem& multi) {
   Genome genome;
   const Problem problem = multi.alone(0);
   const std::vector<double> scales = variable_scales(problem);
@@ -50,7 +51,7 @@ std::vector<double> design_of(const Genome& genome, const std::vector<double>& g
 
 /// The problem without limits that NSGA-II sees.
 struct Unlimited {
-  const MultiProblem& multi;
+  const Problem& multi;
   const Problem& problem;
   const Sizes& sizes;
 
@@ -95,7 +96,7 @@ struct Unlimited {
 
 }  // namespace
 
-Outcome scout(const Task& task, const MultiProblem& multi) {
+Outcome scout(const Task& task, const Problem& multi) {
   const Genome genome = genome_of(multi);
   Outcome outcome;
   if (genome.variables.empty()) {

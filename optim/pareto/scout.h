@@ -9,6 +9,6 @@ namespace camlaw::optim {
 /// go first: of two designs that pass some the one that passes them by less is better, and any that
 /// meets all is better than both. The designs of the last generation that meet every limit and that
 /// no other one dominates. Integer variables stay integers. The same seed, the same designs.
-Outcome scout(const Task& task, const MultiProblem& multi);
+Outcome scout(const Task& task, const Problem& multi);
 
 }  // namespace camlaw::optim

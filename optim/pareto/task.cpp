@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <limits>
 
+#include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/scout.h"
 #include "optim/pareto/shifted.h"
+#include "optim/verdict/limits.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
@@ -19,7 +24,7 @@ struct Stated {
   std::vector<std::size_t> of_objective;  ///< of each added limit, the objective behind it
 };
 
-Stated bounded(const MultiProblem& multi, const Task& task) {
+Stated bounded(const Problem& multi, const Task& task) {
   Stated stated{multi.alone(task.sought), {}};
   for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
     if (i == task.sought || i >= task.bounds.size() || std::isinf(task.bounds[i])) continue;
@@ -30,7 +35,7 @@ Stated bounded(const MultiProblem& multi, const Task& task) {
 }
 
 /// Least t with every cost at most origin + t * direction (Pascoletti and Serafini 1984).
-Stated toward(const MultiProblem& multi, const Task& task) {
+Stated toward(const Problem& multi, const Task& task) {
   Stated stated{multi.alone(0), {}};
   Problem& problem = stated.problem;
   const std::size_t t = problem.variables.size();
@@ -38,7 +43,7 @@ Stated toward(const MultiProblem& multi, const Task& task) {
   distance.name = "distance along the direction";
   distance.scale = 1;
   problem.variables.push_back(distance);
-  problem.objective = {{"distance", "1", variable_function(t)}};
+  problem.objectives = {{{"distance", "1", variable_function(t)}}};
   for (std::size_t i = 0; i < multi.objectives.size(); ++i) {
     const Objective& objective = multi.objectives[i];
     const double slope = task.direction[i];
@@ -57,7 +62,7 @@ Stated toward(const MultiProblem& multi, const Task& task) {
 }
 
 /// The distance that a design needs.
-double distance_of(const MultiProblem& multi, const Task& task, Design x) {
+double distance_of(const Problem& multi, const Task& task, Design x) {
   const std::vector<double> cost = costs(multi, x);
   double t = -kInfinity;
   for (std::size_t i = 0; i < cost.size(); ++i) {
@@ -84,7 +89,7 @@ std::vector<Standing> standings(const std::vector<LimitReport>& limits, std::siz
   return result;
 }
 
-FrontPoint point_of(const MultiProblem& multi, std::size_t part, Design x) {
+FrontPoint point_of(const Problem& multi, std::size_t part, Design x) {
   FrontPoint point;
   point.part = part;
   point.x.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(multi.variables.size()));
@@ -96,7 +101,7 @@ FrontPoint point_of(const MultiProblem& multi, std::size_t part, Design x) {
 }
 
 /// The normal of the front: prices of the limits that the task has added.
-std::vector<double> weights_of(const MultiProblem& multi, const Stated& stated, const Task& task,
+std::vector<double> weights_of(const Problem& multi, const Stated& stated, const Task& task,
                                const std::vector<LimitReport>& limits) {
   std::vector<double> weights(multi.objectives.size(), 0.0);
   if (task.kind == Task::Kind::Bounded) weights[task.sought] = 1;
@@ -109,7 +114,7 @@ std::vector<double> weights_of(const MultiProblem& multi, const Stated& stated, 
 bool is_certified(const Found& found) { return found.assessment.verdict == Verdict::Certified; }
 
 /// From each start until one leads to an optimum that is the global one.
-Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& task,
+Found best_of_starts(Problem problem, const Problem& multi, const Task& task,
                      OptimiseOptions options, long& evaluations) {
   options.divides = false;  // a front has many points, and is not called global
   const auto search = [&] {
@@ -133,7 +138,7 @@ Found best_of_starts(Problem problem, const MultiProblem& multi, const Task& tas
   return std::move(*best);
 }
 
-FrontPoint point_of(const MultiProblem& multi, const Task& task, const Stated& stated,
+FrontPoint point_of(const Problem& multi, const Task& task, const Stated& stated,
                     const Found& found) {
   const Assessment& a = found.assessment;
   FrontPoint point = point_of(multi, task.part, found.x);
@@ -148,7 +153,7 @@ FrontPoint point_of(const MultiProblem& multi, const Task& task, const Stated& s
 
 /// Where a cost keeps clear of its limit on the way along a direction, the distance does not tell
 /// how small it could be: it is sought with the others held, eased so that there is room.
-FrontPoint pressed(FrontPoint point, const MultiProblem& multi, const Task& task,
+FrontPoint pressed(FrontPoint point, const Problem& multi, const Task& task,
                    const OptimiseOptions& options, long& evaluations) {
   constexpr double kSlack = 1e-6;
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
@@ -171,7 +176,7 @@ FrontPoint pressed(FrontPoint point, const MultiProblem& multi, const Task& task
   return point;
 }
 
-Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOptions& options) {
+Outcome search(const Task& task, const Problem& multi, const OptimiseOptions& options) {
   Outcome outcome;
   const Stated stated =
       task.kind == Task::Kind::Toward ? toward(multi, task) : bounded(multi, task);
@@ -195,6 +200,28 @@ Outcome search(const Task& task, const MultiProblem& multi, const OptimiseOption
   return outcome;
 }
 
+void make_plain(double& value) {
+  value = std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
+}
+
+void make_plain(std::vector<double>& values) {
+  for (double& value : values) make_plain(value);
+}
+
+Outcome plain(Outcome outcome) {
+  for (FrontPoint& point : outcome.points) {
+    for (auto* values : {&point.x, &point.objectives, &point.costs, &point.weights}) {
+      make_plain(*values);
+    }
+    for (Standing& limit : point.limits) {
+      make_plain(limit.margin);
+      make_plain(limit.price);
+      if (limit.angle) make_plain(*limit.angle);
+    }
+  }
+  return outcome;
+}
+
 }  // namespace
 
 Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
@@ -212,7 +239,7 @@ std::vector<std::vector<double>> costs_of(const std::vector<FrontPoint>& points)
   return result;
 }
 
-FrontPoint looked_at(const MultiProblem& multi, std::size_t part, Design x) {
+FrontPoint looked_at(const Problem& multi, std::size_t part, Design x) {
   const Problem problem = multi.alone(0);
   const std::vector<LimitReport> limits = limit_reports(problem, sizes(problem, x), x, true);
   FrontPoint point = point_of(multi, part, x);
@@ -248,12 +275,39 @@ std::string Task::text() const {
   return text;
 }
 
-Outcome carry_out(const Task& task, const MultiSpace& space, const OptimiseOptions& options) {
-  const MultiProblem multi = space.problem(space.options(task.part));
+Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOptions& options) {
+  const Problem multi = space.problem(space.options(task.part));
   if (task.kind == Task::Kind::Scout) return scout(task, multi);
   OptimiseOptions own = options;
   own.seed = task.seed;
   return search(task, multi, own);
+}
+
+Outcome carry_out_safely(const Task& task, const ProblemSpace& space,
+                         const OptimiseOptions& options) {
+  Outcome failed;
+  try {
+    return plain(carry_out(task, space, options));
+  } catch (const std::exception& error) {
+    failed.failure = error.what();
+  } catch (...) {
+    failed.failure = "the model threw something that is not a std::exception";
+  }
+  return failed;
+}
+
+std::vector<Outcome> DirectExecutor::run(const std::vector<Task>& tasks,
+                                         const OnOutcome& on_outcome) {
+  const auto stopped = [&] { return options_.stop != nullptr && *options_.stop; };
+  std::vector<Outcome> outcomes;
+  for (const Task& task : tasks) {
+    if (stopped()) break;
+    Outcome outcome = carry_out_safely(task, space_, options_);
+    if (stopped()) break;  // cut short: not what the task gives
+    if (on_outcome) on_outcome(task, outcome);
+    outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
 }
 
 }  // namespace camlaw::optim

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 #include "optim/search/optimise.h"
 
 /// The searches that a study is made of. A task is plain data and its outcome follows from it and
@@ -20,7 +20,7 @@ struct Task {
     Scout,    ///< many designs at once, by NSGA-II
   };
   Kind kind = Kind::Bounded;
-  std::size_t part = 0;             ///< of MultiSpace
+  std::size_t part = 0;             ///< of ProblemSpace
   std::size_t sought = 0;           ///< an objective
   std::vector<double> bounds = {};  ///< one for each objective; infinite: none
   std::vector<double> origin = {}, direction = {};
@@ -80,9 +80,41 @@ struct Outcome {
 };
 
 /// Carries a task out. `options` hold for each solve; starts and seed are the task's.
-Outcome carry_out(const Task& task, const MultiSpace& space, const OptimiseOptions& options);
+Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOptions& options);
 
 /// A design looked at, not searched for: its objectives and standing, with proofs.
-FrontPoint looked_at(const MultiProblem& problem, std::size_t part, Design x);
+FrontPoint looked_at(const Problem& problem, std::size_t part, Design x);
+
+/// Called with each outcome as soon as it is there, in any order.
+using OnOutcome = std::function<void(const Task&, const Outcome&)>;
+
+/// Carries tasks out: here, in other processes, or from a record of what was done before.
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  /// The outcomes in the order of the tasks; of as many as were done, from the first on: fewer only
+  /// where the study is to stop.
+  virtual std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) = 0;
+  /// What a user should know of how tasks were carried out, such as that they were not carried out
+  /// side by side; empty: nothing. The outcomes are the same.
+  virtual std::string remark() const { return {}; }
+};
+
+/// One after the other, in this process.
+class DirectExecutor final : public Executor {
+ public:
+  DirectExecutor(const ProblemSpace& space, const OptimiseOptions& options)
+      : space_(space), options_(options) {}
+  std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
+
+ private:
+  const ProblemSpace& space_;
+  const OptimiseOptions& options_;
+};
+
+/// A task carried out; what is thrown on the way becomes the outcome's failure. Numbers are as a
+/// record keeps them: zero has no sign, and there is one NaN.
+Outcome carry_out_safely(const Task& task, const ProblemSpace& space,
+                         const OptimiseOptions& options);
 
 }  // namespace camlaw::optim

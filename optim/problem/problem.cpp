@@ -104,10 +104,22 @@ Shape objective_shape(const Objective& objective) {
 
 }  // namespace
 
+Objective no_objective() { return {.response = {"", "1", Function()}}; }
+
+Problem Problem::alone(std::size_t objective) const {
+  return {.name = name,
+          .variables = variables,
+          .objectives = {objectives.at(objective)},
+          .constraints = constraints};
+}
+
 void Problem::check() const {
+  if (objectives.empty()) throw std::invalid_argument("a problem needs an objective");
   for (const Variable& variable : variables) check_variable(variable);
-  check_inputs(objective.response, variables.size());
-  check_objective(objective);
+  for (const Objective& objective : objectives) {
+    check_inputs(objective.response, variables.size());
+    check_objective(objective);
+  }
   for (const Constraint& constraint : constraints) {
     check_inputs(constraint.response, variables.size());
     check_constraint(constraint);
@@ -128,6 +140,48 @@ ProblemSpace ProblemSpace::of(Problem problem) {
   return {{}, [problem = std::move(problem)](const auto&) { return problem; }};
 }
 
+std::size_t ProblemSpace::parts() const {
+  std::size_t product = 1;
+  for (const Choice& choice : choices) {
+    if (choice.options.empty()) {
+      throw std::invalid_argument(fmt::format("choice '{}': it has no options", choice.name));
+    }
+    product *= choice.options.size();
+    if (product > kMostCombinations) {
+      throw std::invalid_argument(
+          fmt::format("choice '{}': more than {} combinations", choice.name, kMostCombinations));
+    }
+  }
+  return product;
+}
+
+std::vector<std::size_t> ProblemSpace::options(std::size_t part) const {
+  std::vector<std::size_t> result(choices.size());
+  for (std::size_t i = choices.size(); i-- > 0;) {
+    result[i] = part % choices[i].options.size();
+    part /= choices[i].options.size();
+  }
+  return result;
+}
+
+ProblemSpace joined(const std::string& choice, const std::vector<std::string>& names,
+                    const std::vector<ProblemSpace>& spaces) {
+  Choice all;
+  all.name = choice;
+  std::vector<std::pair<std::size_t, std::size_t>> behind;  // of each option: space and its part
+  for (std::size_t s = 0; s < spaces.size(); ++s) {
+    const std::size_t parts = spaces[s].parts();
+    for (std::size_t part = 0; part < parts; ++part) {
+      all.options.push_back(parts == 1 ? names[s] : fmt::format("{} {}", names[s], part + 1));
+      behind.emplace_back(s, part);
+    }
+  }
+  return {{all}, [spaces, behind](const std::vector<std::size_t>& options) {
+            const auto& [space, part] = behind[options.front()];
+            return spaces[space].problem(spaces[space].options(part));
+          }};
+}
+
 bool convex_set(const Problem& problem) {
   return std::all_of(
       problem.constraints.begin(), problem.constraints.end(), [](const Constraint& c) {
@@ -139,15 +193,17 @@ bool convex_set(const Problem& problem) {
 }
 
 std::optional<std::string> why_convex(const Problem& problem) {
-  const Shape shape = objective_shape(problem.objective);
+  const Shape shape = objective_shape(problem.objective());
   if (!convex_below(shape) || !convex_set(problem)) return {};
   return fmt::format(
-      "{} is {} in the variables{}", problem.objective.response.name,
+      "{} is {} in the variables{}", problem.objective().response.name,
       is_convex(shape) ? "convex" : "quasiconvex and slopes",
       problem.constraints.empty() ? "" : ", and the set that the limits leave is convex");
 }
 
-bool needs_slope(const Problem& problem) { return !is_convex(objective_shape(problem.objective)); }
+bool needs_slope(const Problem& problem) {
+  return !is_convex(objective_shape(problem.objective()));
+}
 
 std::vector<double> variable_scales(const Problem& problem) {
   std::vector<double> scales;

@@ -51,6 +51,9 @@ struct Objective {
   std::optional<double> tolerance = {};  ///< in the unit; by default 1e-7 of the size
 };
 
+/// Zero everywhere, so that any design is the best one: of a problem that has limits alone.
+Objective no_objective();
+
 /// What must hold: lower <= response <= upper, of a curve at every angle. Equal bounds make an
 /// equation (not for curves).
 struct Constraint {
@@ -71,13 +74,17 @@ struct KnownAnswer {
 struct Problem {
   std::string name;
   std::vector<Variable> variables;
-  Objective objective;
+  std::vector<Objective> objectives;  ///< one of a search, two or more of a front
   std::vector<Constraint> constraints;
   std::optional<KnownAnswer> known = {};
 
-  /// Throws std::invalid_argument naming what is wrong: bounds that cross, a start that is no
-  /// number, inputs that no variable has, a constraint without bounds, a peak asked for the wrong
-  /// way.
+  /// The first one.
+  const Objective& objective() const { return objectives.at(0); }
+  /// With one of its objectives, the others and the known answer left out.
+  Problem alone(std::size_t objective) const;
+  /// Throws std::invalid_argument naming what is wrong: no objective, bounds that cross, a start
+  /// that is not a number, inputs that no variable has, a constraint without bounds, a peak asked
+  /// for the wrong way.
   void check() const;
   std::vector<double> start() const;
 };
@@ -101,7 +108,17 @@ struct ProblemSpace {
 
   /// A space of one problem.
   static ProblemSpace of(Problem problem);
+  /// Number of combinations. Throws std::invalid_argument for a choice without options and for more
+  /// than kMostCombinations.
+  std::size_t parts() const;
+  /// The options of a combination: digits of a counter, the last choice's fastest.
+  std::vector<std::size_t> options(std::size_t part) const;
 };
+
+/// Several spaces as one with a choice among them, by these names; their objectives are the same.
+/// The options of a part are those of all combinations of all spaces in turn.
+ProblemSpace joined(const std::string& choice, const std::vector<std::string>& names,
+                    const std::vector<ProblemSpace>& spaces);
 
 /// Whether any local optimum is the global one, by the shapes of the parts: a convex objective over
 /// a convex set, or a quasiconvex one where its slope does not vanish (needs_slope). The reason in

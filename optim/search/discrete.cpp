@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optim/verdict/verdict.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -37,7 +39,7 @@ class IntegerSearch {
         options_(options),
         deadline_(deadline),
         whole_(integer_variables(problem)),
-        sign_(problem.objective.sense == Sense::Minimize ? 1 : -1) {
+        sign_(problem.objective().sense == Sense::Minimize ? 1 : -1) {
     if (!options.progress) return;
     options_.progress = [this, whole = options.progress](Progress progress) {
       progress.done = done(progress.done);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "optim/problem/problem.h"
 #include "optim/search/local.h"
 
 /// Integer variables: enumeration, or branch and bound over the continuous rest.

@@ -22,7 +22,7 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
     options.tolerance = std::min(options.tolerance, 0.1 * c.tolerance / c.size);
   }
   const double wanted = 0.1 * sizes.objective_tolerance / sizes.objective;
-  if (problem.objective.tolerance) options.tolerance = std::min(options.tolerance, wanted);
+  if (problem.objective().tolerance) options.tolerance = std::min(options.tolerance, wanted);
   options.tolerance = std::max(options.tolerance, kTightest);
   return options;
 }
@@ -82,7 +82,7 @@ bool is_no_worse(const Problem& problem, const Sizes& sizes, Design polished, De
     const double before = largest_violation(problem, sizes, solved);
     return largest_violation(problem, sizes, polished) <= before * (1 + kShare);
   }
-  const Objective& objective = problem.objective;
+  const Objective& objective = problem.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   const double before = objective_value(objective, solved);
   const double slack = kShare * std::max(std::abs(before), sizes.objective);
@@ -180,7 +180,7 @@ std::optional<std::string> refusal(const Problem& problem, const Sizes& sizes, D
     working.begin_at(start);
     return solver.refusal(working.program(start));
   });
-  if (why && problem.objective.response.is_curve() && !solver.is_global()) {
+  if (why && problem.objective().response.is_curve() && !solver.is_global()) {
     *why += "; a peak that is sought takes a limit at each of many angles";
   }
   return why;

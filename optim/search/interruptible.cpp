@@ -134,7 +134,7 @@ Problem interruptible(Problem problem, const Deadline& deadline) {
   const auto make = [&](Response& response) {
     if (!response.is_curve()) response.measure = interruptible(response.function(), deadline);
   };
-  make(problem.objective.response);
+  for (Objective& objective : problem.objectives) make(objective.response);
   for (Constraint& c : problem.constraints) make(c.response);
   return problem;
 }

@@ -15,6 +15,8 @@
 #include "optim/search/plan.h"
 #include "optim/search/rescaling.h"
 #include "optim/search/with_numbers.h"
+#include "optim/verdict/limits.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
@@ -296,7 +298,7 @@ class Search {
   }
 
   bool is_proved(const Assessment& a) const {
-    const Response& sought = problem_.objective.response;
+    const Response& sought = problem_.objective().response;
     const bool searched =
         sought.is_curve() ? a.objective.angle.has_value() : sought.function().is_searched();
     if (!searched) return is_feasible(a);
@@ -327,9 +329,10 @@ class Search {
     };
     const Assessment& a = found_.assessment;
     watched_.resize(1 + a.limits.size());
-    prove_number(problem_.objective.response);
+    prove_number(problem_.objectives.front().response);
     if (a.objective.angle && std::isinf(a.objective.proved.upper - a.objective.proved.lower)) {
-      watch(0, *a.objective.angle, guarded_.objective.response, problem_.objective.response);
+      watch(0, *a.objective.angle, guarded_.objective().response,
+            problem_.objectives.front().response);
     }
     for (std::size_t i = 0; i < a.limits.size(); ++i) {
       prove_number(problem_.constraints[i].response);

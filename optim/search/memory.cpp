@@ -54,7 +54,7 @@ Extent extent_of(const Problem& problem, Design x) {
       add_rows(response.function(), 1, extent);
     }
   };
-  add(problem.objective.response, problem.objective.part == Part::Magnitude ? 2 : 1);
+  add(problem.objective().response, problem.objective().part == Part::Magnitude ? 2 : 1);
   for (const Constraint& c : problem.constraints) add(c.response, sides_of(c));
   for (const auto& [curve, sides] : curves) {
     Extent one;

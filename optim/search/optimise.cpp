@@ -7,10 +7,13 @@
 #include <chrono>
 #include <limits>
 
-#include "optim/problem/combinations.h"
+#include "optim/cycle/sizes.h"
 #include "optim/search/discrete.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/memory.h"
+#include "optim/solvers/solver.h"
+#include "optim/verdict/subdivision.h"
+#include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
@@ -163,7 +166,7 @@ class Optimiser {
         deadline_(options.time_limit, options.stop, options.spent) {}
 
   Optimum run() {
-    const std::size_t count = combinations_of(space_.choices);
+    const std::size_t count = space_.parts();
     tally_.combinations = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (deadline_.passed() && i > 0) {
@@ -200,6 +203,11 @@ class Optimiser {
   void solve(std::vector<std::size_t> options, const OptimiseOptions& how) {
     Problem problem = space_.problem(options);
     problem.check();
+    if (problem.objectives.size() > 1) {
+      throw std::invalid_argument(
+          fmt::format("a search has one objective, this problem {}: pareto() finds their front",
+                      problem.objectives.size()));
+    }
     if (options_.memory) check_memory(problem, *options_.memory);
     const bool alone = space_.choices.empty() && !has_integers(problem);
     if (alone) {

@@ -7,16 +7,11 @@
 #include "optim/cycle/sizes.h"
 
 namespace camlaw::optim {
-namespace {
-
-/// A response that is zero everywhere, whose optimum is any design.
-Objective nothing() { return {{"", "1", Function()}}; }
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<Problem> with_numbers_only(const Problem& problem, Design x, double share) {
   Problem result = problem;
-  result.objective = nothing();
+  result.objectives = {no_objective()};
   result.constraints.clear();
   for (Constraint c : problem.constraints) {
     const double value = objective_value(

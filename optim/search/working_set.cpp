@@ -99,8 +99,8 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
     : problem_(problem),
       sizes_(sizes),
       aim_(aim),
-      auxiliary_(aim == Aim::LeastViolation || problem.objective.response.is_curve()) {
-  const Objective& objective = problem.objective;
+      auxiliary_(aim == Aim::LeastViolation || problem.objective().response.is_curve()) {
+  const Objective& objective = problem.objective();
   if (aim == Aim::Optimum && objective.response.is_curve()) {
     const auto add = [&](double sign) {
       sides_.push_back(
@@ -187,7 +187,7 @@ std::size_t WorkingSet::add_violated(Design x, double auxiliary, double share) {
     // A minimised peak is bounded from above by the auxiliary, a maximised lowest value from below,
     // a magnitude from both sides.
     const double limit =
-        side.of_peak && problem_.objective.part == Part::Magnitude ? bound : side.sign * bound;
+        side.of_peak && problem_.objective().part == Part::Magnitude ? bound : side.sign * bound;
     const Curve& curve = side.response->curve();
     const auto trace = curve.trace(x);
     const RestWeights weights = weights_of(side, x);
@@ -239,7 +239,7 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
     for (std::size_t k = 0; k < side.places.size(); ++k) {
       const double size = side.size * side.weights[k];
       Row row{side.response->curve().at(side.places[k]), -kInfinity, kInfinity, size, {}};
-      const bool magnitude = side.of_peak && problem_.objective.part == Part::Magnitude;
+      const bool magnitude = side.of_peak && problem_.objective().part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};
       if (aim_ == Aim::LeastViolation) row.auxiliary = {{auxiliary, -side.sign * side.size}};
@@ -261,7 +261,7 @@ std::vector<std::size_t> WorkingSet::row_groups() const {
 }
 
 double WorkingSet::auxiliary_start(Design x) const {
-  if (aim_ == Aim::Optimum) return objective_value(problem_.objective, x);
+  if (aim_ == Aim::Optimum) return objective_value(problem_.objective(), x);
   return std::max(0.0, largest_violation(problem_, sizes_, x));
 }
 
@@ -278,7 +278,7 @@ Program WorkingSet::program(Design start) const {
     columns.push_back({0, kInfinity, auxiliary_start(start), 1});
     return Program(std::move(columns), variable_function(auxiliary), 1, 1, std::move(rows));
   }
-  const Objective& objective = problem_.objective;
+  const Objective& objective = problem_.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   if (!auxiliary_) {
     return Program(std::move(columns), objective.response.function(), sign, sizes_.objective,

@@ -13,37 +13,12 @@
 
 #include "optim/solvers/native_options.h"
 #include "optim/solvers/program.h"
+#include "optim/solvers/status.h"
 
 /// Back ends: what a solver is to the rest of camlaw. Solver headers are included in the back ends'
 /// .cpp files alone.
 namespace camlaw::optim {
 
-class LibraryMutex;
-
-/// How a back end ended. It is a hint: whether a design is good the verdict says.
-enum class Status {
-  Solved,          ///< its own tests of optimality hold
-  Acceptable,      ///< they hold to its looser tolerance
-  Stalled,         ///< no more progress: steps too small, rounding
-  IterationLimit,  ///< or limit of evaluations
-  TimeLimit,
-  Infeasible,      ///< it thinks that the rows contradict one another
-  Unbounded,       ///< the objective falls without end
-  NonFiniteStart,  ///< objective or rows are not numbers at the start
-  Stopped,         ///< by the user
-  Failed,          ///< anything else; the message says what
-};
-std::string_view to_string(Status status);
-
-/// What is reported while a solver runs.
-struct Progress {
-  int iteration;
-  double objective;  ///< scaled back to the problem's unit
-  double violation;  ///< the largest of the scaled rows
-  double done = 0;   ///< share of starts and combinations that are through; 0 where none can say
-};
-
-/// What every method is told.
 struct SolverOptions {
   double tolerance = 1e-9;                ///< of scaled rows, gradients and complementarity
   int max_iterations = 1000;              ///< of a local method
@@ -108,7 +83,6 @@ void check_native_options(const Solver& solver, const NativeOptions& options);
 /// "ipopt", "slsqp", ..., and those that were registered; throws std::invalid_argument listing the
 /// known names.
 const Solver& find_solver(std::string_view name);
-std::vector<std::string> solver_names();
 
 /// Makes a solver known by its name to everything that knows solvers, for as long as the program
 /// runs. Other threads may search meanwhile. Throws std::invalid_argument for none at all, for a
@@ -125,9 +99,6 @@ std::vector<std::string> solver_versions();
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
 std::string ipopt_version();
-/// Held while Ipopt searches (numerics/library_mutex.h). A program that calls Ipopt or MUMPS itself
-/// holds it meanwhile, where other threads may search.
-LibraryMutex& ipopt_mutex();
 std::string nlopt_version();
 
 }  // namespace camlaw::optim

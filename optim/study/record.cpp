@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr int kPatience = 60000;  // ms, for another who reads or writes
 
 /// Whether every design has the numbers that the problem asks for.
-bool fits(const Outcome& outcome, const MultiProblem& problem) {
+bool fits(const Outcome& outcome, const Problem& problem) {
   const std::size_t objectives = problem.objectives.size();
   return std::all_of(outcome.points.begin(), outcome.points.end(), [&](const FrontPoint& p) {
     const bool weighed = p.weights.empty() || p.weights.size() == objectives;
@@ -267,7 +267,7 @@ void StudyRecord::put(const StudySettings& settings) {
 
 bool StudyRecord::has_checksums() const { return file_->tables().has_checksums(); }
 
-std::optional<Outcome> StudyRecord::find(const Task& task, const MultiProblem& problem) const {
+std::optional<Outcome> StudyRecord::find(const Task& task, const Problem& problem) const {
   return reading([&](StudyTables& tables) {
     const std::string text = task.text();
     std::optional<Outcome> outcome = tables.find(text, task.part);
@@ -294,7 +294,7 @@ void StudyRecord::forget(const std::vector<std::int64_t>& numbers) {
   writing([&](StudyTables& tables) { tables.forget(numbers); });
 }
 
-void StudyRecord::add(const Task& task, const Outcome& outcome, const MultiProblem& problem) {
+void StudyRecord::add(const Task& task, const Outcome& outcome, const Problem& problem) {
   writing([&](StudyTables& tables) { tables.add(task, outcome, problem); });
 }
 

@@ -48,7 +48,7 @@ class StudyRecord {
   /// None where there is no such task, or its rows are not as they were written (`damaged`).
   /// `problem` is that of the task's part. Throws std::invalid_argument where the file cannot be
   /// read.
-  std::optional<Outcome> find(const Task& task, const MultiProblem& problem) const;
+  std::optional<Outcome> find(const Task& task, const Problem& problem) const;
   /// The number of the task's row, by which it is named.
   std::optional<std::int64_t> number(const Task& task) const;
   /// Tasks whose rows are not as they were written, as far as was looked, by number.
@@ -58,7 +58,7 @@ class StudyRecord {
 
   /// Throws std::runtime_error where it cannot be written, such as on a full disk; then nothing of
   /// the outcome is on it. `problem` is that of the task's part, for the names.
-  void add(const Task& task, const Outcome& outcome, const MultiProblem& problem);
+  void add(const Task& task, const Outcome& outcome, const Problem& problem);
   /// Removes tasks, so that they are carried out again.
   void forget(const std::vector<std::int64_t>& numbers);
   std::size_t size() const;

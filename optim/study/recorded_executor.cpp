@@ -8,14 +8,14 @@
 
 namespace camlaw::optim {
 
-RecordedExecutor::RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others)
+RecordedExecutor::RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others)
     : space_(space), record_(record), others_(others) {
   const std::vector<std::int64_t> damaged = record.damaged();
   for (const std::int64_t task : damaged) faults_[task] = {task, true, ""};
   if (others != nullptr) record.forget(damaged);
 }
 
-const MultiProblem& RecordedExecutor::problem(std::size_t part) {
+const Problem& RecordedExecutor::problem(std::size_t part) {
   const auto known = problems_.find(part);
   if (known != problems_.end()) return known->second;
   return problems_.emplace(part, space_.problem(space_.options(part))).first->second;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/pareto/executor.h"
+#include "optim/pareto/task.h"
 #include "optim/study/record.h"
 
 namespace camlaw::optim {
@@ -19,7 +19,7 @@ struct RecordFault {
 /// named. Without another executor the study stops at the first task that is not there.
 class RecordedExecutor final : public Executor {
  public:
-  RecordedExecutor(const MultiSpace& space, StudyRecord& record, Executor* others);
+  RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others);
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
 
@@ -29,15 +29,15 @@ class RecordedExecutor final : public Executor {
   std::vector<Outcome> believed();
 
  private:
-  const MultiProblem& problem(std::size_t part);
+  const Problem& problem(std::size_t part);
   /// Why an outcome is not believed; empty where it is.
   std::string why_wrong(const Outcome& outcome, std::size_t part);
   std::optional<Outcome> find(const Task& task);
 
-  const MultiSpace& space_;
+  const ProblemSpace& space_;
   StudyRecord& record_;
   Executor* others_;
-  std::map<std::size_t, MultiProblem> problems_;  ///< of each part that was met
+  std::map<std::size_t, Problem> problems_;  ///< of each part that was met
   std::map<std::int64_t, RecordFault> faults_;
 };
 

@@ -10,7 +10,7 @@
 #include <exception>
 #include <thread>
 
-#include "optim/pareto/executor.h"
+#include "optim/pareto/task.h"
 #include "optim/study/encoding.h"
 #include "optim/study/messages.h"
 
@@ -30,7 +30,7 @@ void ignore_interrupts() {
   _exit(EXIT_FAILURE);
 }
 
-void serve(int socket, const MultiSpace& space, Inbox& inbox) {
+void serve(int socket, const ProblemSpace& space, Inbox& inbox) {
   std::string message;
   while (receive_message(socket, inbox, message)) {
     const auto order = decoded_order(message);
@@ -42,19 +42,19 @@ void serve(int socket, const MultiSpace& space, Inbox& inbox) {
 
 }  // namespace
 
-void serve(int socket, const MultiSpace& space) {
+void serve(int socket, const ProblemSpace& space) {
   ignore_interrupts();
   Inbox inbox;
   serve(socket, space, inbox);
 }
 
-int serve_as_program(int socket, const std::function<MultiSpace(const std::string&)>& space_of) {
+int serve_as_program(int socket, const std::function<ProblemSpace(const std::string&)>& space_of) {
   ignore_interrupts();
   Inbox inbox;
   std::string problem;
   if (!send_message(socket, kGreeting)) return EXIT_FAILURE;
   if (!receive_message(socket, inbox, problem)) return EXIT_FAILURE;
-  MultiSpace space;
+  ProblemSpace space;
   try {
     space = space_of(problem);
   } catch (const std::exception& error) {

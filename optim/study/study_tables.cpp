@@ -313,7 +313,7 @@ FrontPoint StudyTables::design_of(std::int64_t id, std::size_t part) {
   return point;
 }
 
-void StudyTables::add(const Task& task, const Outcome& outcome, const MultiProblem& problem) {
+void StudyTables::add(const Task& task, const Outcome& outcome, const Problem& problem) {
   SQLite::Transaction all(base_, SQLite::TransactionBehavior::IMMEDIATE);
   if (data_version() != data_version_) look_within();
   const std::string text = task.text();
@@ -392,7 +392,7 @@ void StudyTables::forget(const std::vector<std::int64_t>& numbers) {
 }
 
 std::int64_t StudyTables::add_design(std::int64_t task, const FrontPoint& point,
-                                     const MultiProblem& problem) {
+                                     const Problem& problem) {
   SQLite::Statement design(base_,
                            "INSERT INTO design (task, verdict, reason, is_global, solver) "
                            "VALUES (?, ?, ?, ?, ?)");
@@ -410,7 +410,7 @@ std::int64_t StudyTables::add_design(std::int64_t task, const FrontPoint& point,
 }
 
 void StudyTables::add_variables(std::int64_t design, const FrontPoint& point,
-                                const MultiProblem& problem) {
+                                const Problem& problem) {
   SQLite::Statement insert(base_, "INSERT INTO variable VALUES (?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < point.x.size(); ++i) {
     insert.bind(1, design);
@@ -424,7 +424,7 @@ void StudyTables::add_variables(std::int64_t design, const FrontPoint& point,
 }
 
 void StudyTables::add_objectives(std::int64_t design, const FrontPoint& point,
-                                 const MultiProblem& problem) {
+                                 const Problem& problem) {
   SQLite::Statement insert(base_, "INSERT INTO objective VALUES (?, ?, ?, ?, ?, ?, ?)");
   for (std::size_t i = 0; i < point.costs.size(); ++i) {
     insert.bind(1, design);

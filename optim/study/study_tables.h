@@ -43,7 +43,7 @@ class StudyTables {
   std::optional<Outcome> find(const std::string& text, std::size_t part);
   /// The row's number of a task that find() gives.
   std::optional<std::int64_t> number(const std::string& text);
-  void add(const Task& task, const Outcome& outcome, const MultiProblem& problem);
+  void add(const Task& task, const Outcome& outcome, const Problem& problem);
   void forget(const std::vector<std::int64_t>& numbers);
   /// Counts the task as damaged: it cannot be what was written.
   void doubt(const std::string& text);
@@ -70,9 +70,9 @@ class StudyTables {
   void insert(const StudySettings& settings);
   void remove(const Entry& entry);
   FrontPoint design_of(std::int64_t id, std::size_t part);
-  std::int64_t add_design(std::int64_t task, const FrontPoint& point, const MultiProblem& problem);
-  void add_variables(std::int64_t design, const FrontPoint& point, const MultiProblem& problem);
-  void add_objectives(std::int64_t design, const FrontPoint& point, const MultiProblem& problem);
+  std::int64_t add_design(std::int64_t task, const FrontPoint& point, const Problem& problem);
+  void add_variables(std::int64_t design, const FrontPoint& point, const Problem& problem);
+  void add_objectives(std::int64_t design, const FrontPoint& point, const Problem& problem);
   void add_margins(std::int64_t design, const FrontPoint& point);
 
   SQLite::Database& base_;

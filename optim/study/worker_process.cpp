@@ -85,7 +85,7 @@ void WorkerProcess::end() {
   status_of(std::exchange(process_, -1));
 }
 
-WorkerProcess WorkerProcess::forked(const MultiSpace& space,
+WorkerProcess WorkerProcess::forked(const ProblemSpace& space,
                                     const std::vector<WorkerProcess>& others) {
   const SocketEnds ends = new_ends();
   const pid_t parent = getpid(), process = fork();

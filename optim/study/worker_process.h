@@ -8,28 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "optim/pareto/executor.h"
+#include "optim/pareto/task.h"
 #include "optim/study/messages.h"
+#include "optim/study/workers.h"
 
 namespace camlaw::optim {
-
-/// How long a program that was started may take to say that it is a worker. It says so before it
-/// does anything else, within some milliseconds: what takes longer is another program.
-inline constexpr std::chrono::milliseconds kGreetingPatience{5000};
-
-/// How a program is started that works on a study.
-struct WorkerProgram {
-  std::string path;     ///< of the program, which calls serve_as_program on its standard input
-  std::string problem;  ///< the study's problem, as the program takes it
-  std::chrono::milliseconds patience = kGreetingPatience;
-};
 
 /// A process that carries tasks out, one at a time. It ends with this object.
 class WorkerProcess {
  public:
   /// A copy of this process, which must have one thread. `others` are closed in it. Throws
   /// std::runtime_error where there is no process to be had.
-  static WorkerProcess forked(const MultiSpace& space, const std::vector<WorkerProcess>& others);
+  static WorkerProcess forked(const ProblemSpace& space, const std::vector<WorkerProcess>& others);
   /// A program; the process may have any number of threads. Does not wait for it: what it is given
   /// goes to it once it has said that it is a worker, and read() and late() tell where it is not
   /// one. Throws as forked() does, and where the program cannot be executed.

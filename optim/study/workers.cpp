@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "optim/solvers/solver.h"
 #include "optim/study/child_process.h"
+#include "optim/study/worker_process.h"
 
 namespace camlaw::optim {
 namespace {
@@ -125,12 +127,15 @@ class ProcessExecutor::Run {
   std::size_t done_ = 0;
 };
 
-ProcessExecutor::ProcessExecutor(const MultiSpace& space, const OptimiseOptions& options,
+ProcessExecutor::ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options,
                                  int workers, std::optional<WorkerProgram> program)
     : space_(space), options_(options), workers_(0), program_(std::move(program)) {
   if (workers < 1) throw std::invalid_argument("workers: at least one is needed");
   workers_ = static_cast<std::size_t>(workers);
 }
+
+ProcessExecutor::ProcessExecutor(ProcessExecutor&&) noexcept = default;
+ProcessExecutor::~ProcessExecutor() = default;
 
 void ProcessExecutor::stay_here(const std::string& why) {
   program_.reset();

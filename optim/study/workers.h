@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/study/worker_process.h"
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "optim/pareto/task.h"
+
+/// Searches of a front in processes side by side.
 namespace camlaw::optim {
+
+class WorkerProcess;
+
+/// How long a program that was started may take to say that it is a worker. It says so before it
+/// does anything else, within some milliseconds: what takes longer is another program.
+inline constexpr std::chrono::milliseconds kGreetingPatience{5000};
+
+/// How a program is started that works on a study.
+struct WorkerProgram {
+  std::string path;     ///< of the program, which calls serve_as_program on its standard input
+  std::string problem;  ///< the study's problem, as the program takes it
+  std::chrono::milliseconds patience = kGreetingPatience;
+};
 
 /// Carries tasks out in processes of their own, `workers` at a time. A process that dies takes its
 /// task with it and nothing else: the outcome is a failure that says how it died. The outcomes are
@@ -16,8 +36,11 @@ namespace camlaw::optim {
 class ProcessExecutor final : public Executor {
  public:
   /// Throws std::invalid_argument for no workers at all.
-  ProcessExecutor(const MultiSpace& space, const OptimiseOptions& options, int workers,
+  ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options, int workers,
                   std::optional<WorkerProgram> program = {});
+  ProcessExecutor(ProcessExecutor&&) noexcept;
+  ~ProcessExecutor() override;
+
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return remark_; }
 
@@ -27,7 +50,7 @@ class ProcessExecutor final : public Executor {
   WorkerProcess* hire();
   void stay_here(const std::string& why);
 
-  const MultiSpace& space_;
+  const ProblemSpace& space_;
   const OptimiseOptions& options_;
   std::size_t workers_;
   std::optional<WorkerProgram> program_;

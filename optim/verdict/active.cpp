@@ -19,7 +19,7 @@ class Collector {
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
     if (least_violation) violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
-    if (!least_violation && problem_.objective.response.is_curve()) add_objective();
+    if (!least_violation && problem_.objective().response.is_curve()) add_objective();
     for (std::size_t i = 0; i < problem_.constraints.size(); ++i) add_constraint(i);
     for (std::size_t i = 0; i < problem_.variables.size(); ++i) add_bounds(i);
     return std::move(limits_);
@@ -31,7 +31,7 @@ class Collector {
   };
 
   void add_objective() {
-    const Objective& objective = problem_.objective;
+    const Objective& objective = problem_.objective();
     const Curve& curve = objective.response.curve();
     const Trace& trace = maxima_.trace(curve);
     const double reach = std::max(net_.width * sizes_.objective, 2 * sizes_.objective_tolerance);

@@ -59,7 +59,7 @@ std::vector<double> reaches(const Problem& problem, const Sizes& sizes, const La
 
 double objective_measure(const Problem& problem, const Sizes& sizes, Design x) {
   constexpr double kShare = 0.1;  // of a typical change, where the objective is near zero
-  const double value = objective_value(problem.objective, x);
+  const double value = objective_value(problem.objective(), x);
   return std::max(std::abs(value), kShare * sizes.objective_typical) / sizes.objective;
 }
 
@@ -68,7 +68,7 @@ Layout lay_out(const Problem& problem, Optimality optimality) {
   for (const Variable& v : problem.variables) {
     layout.row.push_back(v.lower == v.upper ? -1 : layout.rows++);
   }
-  const bool peak = problem.objective.response.is_curve();
+  const bool peak = problem.objective().response.is_curve();
   if (peak || optimality == Optimality::LeastViolation) layout.auxiliary = layout.rows++;
   return layout;
 }
@@ -80,10 +80,10 @@ Eigen::VectorXd objective_gradient(const Problem& problem, const Sizes& sizes, D
     b[layout.auxiliary] = 1;
     return b;
   }
-  const Function& f = problem.objective.response.function();
+  const Function& f = problem.objective().response.function();
   std::vector<double> g(f.inputs().size());
   f.gradient(x, g);
-  const double sign = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
   for (std::size_t k = 0; k < g.size(); ++k) {
     const std::size_t variable = f.inputs()[k];
     if (layout.row[variable] < 0) continue;

@@ -134,7 +134,7 @@ class Duality {
 std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes, Design x,
                                      const Weighed& weighed) {
   std::vector<Inequality> rows;
-  const Objective& objective = problem.objective;
+  const Objective& objective = problem.objective();
   const double best = objective_value(objective, x);
   const auto convex_row = [](Shape shape, double sign) {
     return sign > 0 ? is_convex(shape) : is_concave(shape);
@@ -186,7 +186,7 @@ std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, D
   // With a gain that is large enough no design obeys all of the inequalities. Rounding in the
   // values counts too.
   constexpr double kRounding = 1e-13;
-  const double value = std::abs(objective_value(problem.objective, x)) / sizes.objective;
+  const double value = std::abs(objective_value(problem.objective(), x)) / sizes.objective;
   double gain = kRounding * std::max(1.0, value);
   for (int i = 0; i < 20; ++i) {
     const auto left = sum_with(gain);

@@ -41,7 +41,7 @@ bool improves_along(const SecondOrderPoint& point, const Weighed& weighed,
   constexpr std::size_t kMostDirections = 20;
   constexpr double kSteps[] = {1e-3, 1e-2, 1e-1, 0.3, 1};
   if (flat.empty()) return false;
-  const Objective& objective = point.problem.objective;
+  const Objective& objective = point.problem.objective();
   const double sign = objective.sense == Sense::Minimize ? 1 : -1;
   const double here = objective_value(objective, point.x);
   const double least = threshold(point, weighed, here);

@@ -29,7 +29,7 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   result.upper.assign(variables, 0);
   result.active_lower.assign(variables, false);
   result.active_upper.assign(variables, false);
-  const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;

@@ -120,7 +120,7 @@ void show_side(const Constraint& c, Design x, bool upper, LimitReport& report) {
 }
 
 ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Design x, bool prove) {
-  const Objective& objective = problem.objective;
+  const Objective& objective = problem.objective();
   ObjectiveReport result;
   result.tolerance = sizes.objective_tolerance;
   if (!objective.response.is_curve()) {
@@ -172,7 +172,8 @@ std::string undefined_response(const Response& response, Part part, Design x) {
 }  // namespace
 
 std::string undefined_at(const Problem& problem, Design x, const std::string& where) {
-  std::string result = undefined_response(problem.objective.response, problem.objective.part, x);
+  std::string result =
+      undefined_response(problem.objective().response, problem.objective().part, x);
   for (const Constraint& c : problem.constraints) {
     if (!result.empty()) break;
     result = undefined_response(c.response, Part::Magnitude, x);

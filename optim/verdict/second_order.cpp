@@ -224,7 +224,7 @@ Eigen::SparseMatrix<double> lagrangian_hessian(const SecondOrderPoint& point,
                                                const std::vector<ActiveLimit>& limits,
                                                const std::vector<double>& multipliers) {
   EntrySum entries(point.layout.rows);
-  const Objective& objective = point.problem.objective;
+  const Objective& objective = point.problem.objective();
   if (point.layout.auxiliary < 0) {
     const double sign = objective.sense == Sense::Minimize ? 1 : -1;
     add_hessian(point, objective.response.function(), sign / point.sizes.objective, entries);
@@ -249,7 +249,7 @@ SecondOrder second_order(const SecondOrderPoint& point, const std::vector<Active
   if (point.layout.rows > kDense) return {sparse_test(H, P), {}};
   const Eigen::MatrixXd dense_H = H, dense_P = P, dense_W = W;
   // Rounding in a response of this size.
-  const double value = objective_value(point.problem.objective, point.x);
+  const double value = objective_value(point.problem.objective(), point.x);
   const double floor = 1e-9 * std::max(1.0, std::abs(value) / point.sizes.objective);
   return ConeTest(dense_H, dense_P, dense_W, floor).run();
 }

@@ -51,8 +51,8 @@ class Division {
       : problem_(problem),
         sizes_(sizes),
         x_(x.begin(), x.end()),
-        sense_(problem.objective.sense == Sense::Minimize ? 1 : -1),
-        best_(sense_ * objective_value(problem.objective, x)),
+        sense_(problem.objective().sense == Sense::Minimize ? 1 : -1),
+        best_(sense_ * objective_value(problem.objective(), x)),
         tolerance_(kBoundTolerance * sizes.objective * objective_measure(problem, sizes, x)) {
     take_rows();
   }
@@ -98,7 +98,7 @@ class Division {
 
   /// The objective, every limit that is a number, and what holds the design, with its multipliers.
   void take_rows() {
-    const Objective& objective = problem_.objective;
+    const Objective& objective = problem_.objective();
     const Layout layout = lay_out(problem_, Optimality::Objective);
     const Weighed weighed = layout.rows > 0
                                 ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, {1e-4})
@@ -273,7 +273,7 @@ class Division {
     std::vector<double> y;
     for (const Bounds& side : box) y.push_back(middle(side));
     bool news = false;
-    const Objective& objective = problem_.objective;
+    const Objective& objective = problem_.objective();
     const double value = sense_ * objective_value(objective, y);
     if (!(value < best_ - 10 * tolerance_)) {
       if (objective.part != Part::Value && std::isfinite(value)) {

@@ -18,7 +18,7 @@ using Numbers = std::vector<double>;
 /// Objectives and margins of designs.
 class Measured {
  public:
-  Measured(const MultiProblem& problem, Design x)
+  Measured(const Problem& problem, Design x)
       : multi_(problem), problem_(problem.alone(0)), sizes_(sizes(problem_, x)) {}
 
   Numbers at(Design x) const {
@@ -57,7 +57,7 @@ class Measured {
   }
 
  private:
-  const MultiProblem& multi_;
+  const Problem& multi_;
   Problem problem_;
   Sizes sizes_;
 };
@@ -195,7 +195,7 @@ void check(Design x, const Numbers& tolerances, std::size_t samples) {
 
 }  // namespace
 
-ToleranceReport tolerance_report(const MultiProblem& problem, Design x,
+ToleranceReport tolerance_report(const Problem& problem, Design x,
                                  const std::vector<double>& tolerances, std::size_t samples,
                                  std::uint64_t seed) {
   check(x, tolerances, samples);

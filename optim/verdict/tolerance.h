@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 
 /// What becomes of a design that is not made as it was meant (docs/optimisation.md, "Tolerances").
 namespace camlaw::optim {
@@ -36,7 +36,7 @@ struct ToleranceReport {
 /// point to, and over the samples. Samples are even over the box, from a generator with this seed.
 /// Bounds of variables do not hold here: a design at its bound may be made beyond it. Throws
 /// std::invalid_argument where tolerances are not one for each variable or are negative.
-ToleranceReport tolerance_report(const MultiProblem& problem, Design x,
+ToleranceReport tolerance_report(const Problem& problem, Design x,
                                  const std::vector<double>& tolerances, std::size_t samples = 1000,
                                  std::uint64_t seed = 1);
 

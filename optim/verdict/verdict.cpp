@@ -80,14 +80,14 @@ void take_bound(const Problem& problem, const Sizes& sizes, const Kkt& condition
   constexpr double kMuch = 1e-3;  // of the objective, for the limits' own tolerances
   result.objective_measure = sizes.objective * objective_measure(problem, sizes, x);
   if (conditions.largest_gain) {
-    const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+    const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
     result.best_possible = result.objective.value - sense * *conditions.largest_gain;
   }
   if (conditions.gain_of_tolerances > kMuch) {
     result.sign = fmt::format(
         "easing the limits by no more than their tolerances would change {} by {:.2g} of itself, "
         "so the conditions of optimality say nothing here",
-        problem.objective.response.name, conditions.gain_of_tolerances);
+        problem.objective().response.name, conditions.gain_of_tolerances);
   }
 }
 
@@ -137,17 +137,17 @@ std::string doubt(const Problem& problem, const Sizes& sizes, const Assessment& 
     }
   }
   const Bounds& peak = a.objective.proved;
-  if (needs_proof(problem.objective.response) && !(std::isfinite(peak.lower + peak.upper))) {
-    if (!problem.objective.response.is_curve()) {
-      return fmt::format("{} is not proved", problem.objective.response.name);
+  if (needs_proof(problem.objective().response) && !(std::isfinite(peak.lower + peak.upper))) {
+    if (!problem.objective().response.is_curve()) {
+      return fmt::format("{} is not proved", problem.objective().response.name);
     }
-    const bool lowest = problem.objective.part == Part::Lowest;
-    return fmt::format("{} is not proved to be nowhere {}", problem.objective.response.name,
+    const bool lowest = problem.objective().part == Part::Lowest;
+    return fmt::format("{} is not proved to be nowhere {}", problem.objective().response.name,
                        lowest ? "lower" : "higher");
   }
-  if (is_wide(problem.objective.response, a.objective, sizes.objective_tolerance)) {
+  if (is_wide(problem.objective().response, a.objective, sizes.objective_tolerance)) {
     return fmt::format("{} is proved to lie between {:.9g} and {:.9g} only",
-                       problem.objective.response.name, peak.lower, peak.upper);
+                       problem.objective().response.name, peak.lower, peak.upper);
   }
   if (is_bounded(a)) return {};
   if (std::isinf(a.kkt_residual)) {
@@ -177,8 +177,8 @@ std::string outwards(double value, double sign) {
 /// Why no better design exists anywhere, with the bound that shows it; `why` as a lower bound of
 /// its own says, empty: as the shapes do.
 std::string global_words(const Problem& problem, const Assessment& a, const std::string& why) {
-  const Response& response = problem.objective.response;
-  const bool least = problem.objective.sense == Sense::Minimize;
+  const Response& response = problem.objective().response;
+  const bool least = problem.objective().sense == Sense::Minimize;
   const bool boxed = std::all_of(
       problem.variables.begin(), problem.variables.end(),
       [](const Variable& v) { return std::isfinite(v.lower) && std::isfinite(v.upper); });
@@ -270,7 +270,7 @@ Assessment assess(const Problem& problem, const Sizes& about, Design x, bool pro
 
 void take_subdivision(const Problem& problem, const Sizes& about, const Subdivision& division,
                       Assessment& a) {
-  const double sense = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
   if (a.best_possible && sense * *a.best_possible >= sense * division.best_possible) return;
   a.best_possible = division.best_possible;
   if (!is_bounded(a)) return;
@@ -348,7 +348,7 @@ bool better(const Problem& problem, const Assessment& a, const Assessment& b) {
     return number ? worst_violation(assessment.limits) : kInfinity;
   };
   if (!a_meets) return badness(a) < badness(b);
-  const double sign = problem.objective.sense == Sense::Minimize ? 1 : -1;
+  const double sign = problem.objective().sense == Sense::Minimize ? 1 : -1;
   return sign * a.objective.value < sign * b.objective.value;
 }
 

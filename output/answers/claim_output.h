@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/answers/law_json.h"
+#include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
 /// What a command says of a result that it was given: whether it is as it was written, and whether

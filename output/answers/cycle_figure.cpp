@@ -117,7 +117,7 @@ Figure cycle_figure(const Answer& answer) {
     }
     for (const double value : levels) panel->lines.push_back(level(*panel, value));
   };
-  add(problem.objective.response, statement.objectives.front().response, {});
+  add(problem.objective().response, statement.objectives.front().response, {});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const optim::Constraint& c = problem.constraints[i];
     std::vector<double> levels;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "output/document/formatting.h"
-#include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::cli {
 namespace {

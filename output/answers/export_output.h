@@ -7,6 +7,7 @@
 #include "output/answers/law_json.h"
 #include "output/export/motion_table.h"
 #include "output/export/tool_path.h"
+#include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
 /// What camlaw export writes as CSV and JSON, and says about it.

@@ -10,6 +10,7 @@
 #include "fitting/records/record_fit.h"
 #include "output/document/document.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 
 /// Fits for people and for programs.
 namespace camlaw::cli {

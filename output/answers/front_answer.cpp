@@ -38,7 +38,7 @@ std::vector<DesignValue> FrontAnswer::values(const FrontPoint& point) const {
     result.push_back({choice.name, choice.unit, choice.options[options[i]],
                       choice.values.empty() ? std::nan("") : choice.values[options[i]]});
   }
-  const optim::MultiProblem problem = space.problem(options);
+  const optim::Problem problem = space.problem(options);
   for (std::size_t i = 0; i < point.x.size(); ++i) {
     const optim::Variable& v = problem.variables[i];
     result.push_back({v.name, v.unit, fmt::format("{:.7g}", point.x[i]), point.x[i]});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "optim/study/recorded_executor.h"
 #include "output/answers/design_value.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"

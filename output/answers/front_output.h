@@ -4,6 +4,7 @@
 #include "output/answers/front_answer.h"
 #include "output/document/document.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 
 /// A front for people, for programs and as a picture.
 namespace camlaw::cli {

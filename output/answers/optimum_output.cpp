@@ -12,7 +12,8 @@
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
 #include "output/document/short_version.h"
-#include "problems/results/recorded_design.h"
+#include "problems/results/design_json.h"
+#include "problems/results/seal.h"
 
 namespace camlaw::cli {
 namespace {
@@ -36,7 +37,7 @@ std::string objective_name(const Answer& answer) {
 }
 
 const std::string& objective_unit(const Answer& answer) {
-  return answer.optimum.problem.objective.response.unit;
+  return answer.optimum.problem.objective().response.unit;
 }
 
 /// Multipliers are prices of the objective where every limit is met; else they only weigh the
@@ -310,8 +311,8 @@ Table scaling_table(const optim::Problem& problem) {
     table.add(
         {problem.variables[i].name, in_digits(sizes.variables[i]), "", problem.variables[i].unit});
   }
-  table.add({problem.objective.response.name + " (objective)", in_digits(sizes.objective),
-             in_digits(sizes.objective_tolerance), problem.objective.response.unit});
+  table.add({problem.objective().response.name + " (objective)", in_digits(sizes.objective),
+             in_digits(sizes.objective_tolerance), problem.objective().response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     table.add({problem.constraints[i].response.name, in_digits(sizes.constraints[i].size),
                in_digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});

@@ -10,6 +10,7 @@
 #include "output/answers/law_json.h"
 #include "output/document/document.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 #include "problems/statement/bind.h"
 
 /// The answer to a problem file, for people, for programs and as a picture.

@@ -182,9 +182,9 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
   return text + fmt::format("  the best named law is {} with {} = {:.7g}{}, {} {} (of {})\n",
                             r.best->law, answer.bound.statement().objectives.front().response.name,
                             r.best->objective,
-                            answer.optimum.problem.objective.response.unit == "1"
+                            answer.optimum.problem.objective().response.unit == "1"
                                 ? ""
-                                : " " + answer.optimum.problem.objective.response.unit,
+                                : " " + answer.optimum.problem.objective().response.unit,
                             percent(std::abs(r.best->objective / own - 1)),
                             r.best->objective >= own ? "more" : "less", among);
 }

@@ -6,6 +6,7 @@
 
 #include "kinematics/peaks.h"
 #include "output/answers/optimum_output.h"
+#include "problems/law_files/json_text.h"
 
 /// What a law that was found is measured with.
 namespace camlaw::cli {

@@ -8,7 +8,7 @@
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 #include "output/figure/fit_panels.h"
-#include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::cli {
 namespace {

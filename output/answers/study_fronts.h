@@ -3,6 +3,7 @@
 
 #include "output/document/document.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 #include "problems/published/spine_cutter/proved_fronts.h"
 
 /// The proved fronts of the spine cutter's study as text, CSV, JSON and lines of its picture.

@@ -5,6 +5,7 @@
 
 #include "output/document/document.h"
 #include "output/figure/chart.h"
+#include "problems/law_files/json_text.h"
 #include "problems/published/spine_cutter/study.h"
 
 /// The spine cutter's study, its table and its pictures.

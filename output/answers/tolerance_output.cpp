@@ -14,12 +14,12 @@
 namespace camlaw::cli {
 namespace {
 
-optim::MultiProblem problem_of(const FrontAnswer& answer, const optim::FrontPoint& point) {
-  const optim::MultiSpace& space = answer.study.space();
+optim::Problem problem_of(const FrontAnswer& answer, const optim::FrontPoint& point) {
+  const optim::ProblemSpace& space = answer.study.space();
   return space.problem(space.options(point.part));
 }
 
-std::size_t variable_named(const optim::MultiProblem& problem, const std::string& name) {
+std::size_t variable_named(const optim::Problem& problem, const std::string& name) {
   const auto at = std::find_if(problem.variables.begin(), problem.variables.end(),
                                [&](const optim::Variable& v) { return v.name == name; });
   if (at == problem.variables.end()) {
@@ -46,7 +46,7 @@ std::vector<double> hundredths(const std::vector<optim::Variable>& variables, op
 
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments) {
-  const optim::MultiProblem problem = problem_of(answer, point);
+  const optim::Problem problem = problem_of(answer, point);
   if (assignments.empty()) return hundredths(problem.variables, point.x);
   std::vector<double> tolerances(point.x.size(), 0.0);
   for (const std::string& assignment : assignments) {
@@ -115,7 +115,7 @@ Table spreads_table(const optim::ToleranceReport& report) {
 
 Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
                             const std::vector<double>& tolerances) {
-  const optim::MultiProblem problem = problem_of(answer, point);
+  const optim::Problem problem = problem_of(answer, point);
   const optim::ToleranceReport report = optim::tolerance_report(problem, point.x, tolerances);
   Document document;
   document.say(tolerances_text(problem.variables, tolerances));

@@ -6,6 +6,7 @@
 
 #include "optim/verdict/tolerance.h"
 #include "output/answers/front_output.h"
+#include "problems/law_files/json_text.h"
 
 /// What becomes of a design of a front that is not made as it was meant.
 namespace camlaw::cli {

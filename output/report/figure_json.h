@@ -4,6 +4,7 @@
 #include "output/answers/law_json.h"
 #include "output/figure/chart.h"
 #include "output/report/design_figure.h"
+#include "problems/law_files/json_text.h"
 
 /// Figures as data for the scripts of a report. Numbers have six digits: they are drawn, not
 /// computed with.

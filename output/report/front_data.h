@@ -4,6 +4,7 @@
 #include "output/answers/front_answer.h"
 #include "output/answers/law_json.h"
 #include "output/report/design_figure.h"
+#include "problems/law_files/json_text.h"
 
 /// A front as data for the scripts of a report.
 namespace camlaw::cli {

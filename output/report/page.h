@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/answers/law_json.h"
+#include "problems/law_files/json_text.h"
 
 namespace camlaw::cli {
 

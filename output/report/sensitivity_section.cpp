@@ -64,7 +64,7 @@ std::string spread_table(const optim::ToleranceReport& report) {
 
 }  // namespace
 
-ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Design x) {
+ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x) {
   constexpr std::size_t kSamples = 300;  // a page is to be there at once
   const auto& variables = problem.variables;
   const std::vector<double> tolerances = hundredths(variables, x);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 #include "output/report/page.h"
 
 namespace camlaw::cli {
 
 /// What becomes of a design when each variable is off by up to a hundredth of its value: the change
 /// by each, and the spread of all together.
-ReportSection sensitivity_section(const optim::MultiProblem& problem, optim::Design x);
+ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x);
 
 }  // namespace camlaw::cli

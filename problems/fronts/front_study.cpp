@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "optim/pareto/nsga2.h"
+#include "optim/solvers/solver.h"
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/pieces_json.h"
 
 namespace camlaw::problems {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "optim/pareto/pareto.h"
-#include "optim/study/recorded_executor.h"
+#include "optim/study/record.h"
 #include "problems/statement/bind.h"
 
 /// The front of a problem file: from the text to a study on disk and back.
@@ -36,7 +36,7 @@ class FrontStudy {
   static FrontSettings settings_of(const optim::StudySettings& settings);
 
   const BoundProblem& bound() const { return bound_; }
-  const optim::MultiSpace& space() const { return space_; }
+  const optim::ProblemSpace& space() const { return space_; }
   /// Of the search; progress and stop may be set.
   optim::ParetoOptions& options() { return options_; }
   const optim::ParetoOptions& options() const { return options_; }
@@ -57,7 +57,7 @@ class FrontStudy {
  private:
   std::string text_, source_;
   BoundProblem bound_;
-  optim::MultiSpace space_;
+  optim::ProblemSpace space_;
   optim::ParetoOptions options_;
 };
 

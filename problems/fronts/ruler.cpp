@@ -9,6 +9,7 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/peaks.h"
+#include "machines/model/law_binding.h"
 #include "optim/cycle/sizes.h"
 #include "problems/statement/bind.h"
 

@@ -29,7 +29,7 @@ std::string other_version(const FrontStudy& study, const optim::StudyRecord& rec
 /// The designs with their verdicts as this program finds them; those that it finds to be none are
 /// left out.
 std::vector<FrontPoint> judged(const FrontStudy& study, const std::vector<FrontPoint>& designs) {
-  const optim::MultiSpace& space = study.space();
+  const optim::ProblemSpace& space = study.space();
   std::vector<FrontPoint> result;
   for (const FrontPoint& point : designs) {
     FrontPoint now = optim::judged_again(space.problem(space.options(point.part)), point);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "optim/study/recorded_executor.h"
 #include "problems/fronts/front_study.h"
 
 namespace camlaw::problems {

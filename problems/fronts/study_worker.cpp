@@ -58,8 +58,8 @@ optim::WorkerProgram worker_program(const FrontStudy& study) {
   return {worker_path(), optim::encoded(texts)};
 }
 
-optim::MultiSpace JoinedStudies::space() const {
-  std::vector<optim::MultiSpace> spaces;
+optim::ProblemSpace JoinedStudies::space() const {
+  std::vector<optim::ProblemSpace> spaces;
   for (const FrontStudy& study : studies) spaces.push_back(study.space());
   return optim::joined(choice, names, spaces);
 }
@@ -73,7 +73,7 @@ optim::WorkerProgram worker_program(const JoinedStudies& joined) {
   return {worker_path(), optim::encoded(texts)};
 }
 
-optim::MultiSpace space_of_worker(const std::string& problem) {
+optim::ProblemSpace space_of_worker(const std::string& problem) {
   const auto texts = optim::decoded_texts(problem);
   if (!texts) throw std::invalid_argument("what was sent is not a study");
   Reader reader(*texts);

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "optim/study/worker_process.h"
+#include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 
 /// Studies of problem files sent to processes that are started afresh (optim/study/workers.h).
@@ -27,12 +27,12 @@ struct JoinedStudies {
   std::vector<std::string> names;
   std::span<const FrontStudy> studies;
 
-  optim::MultiSpace space() const;
+  optim::ProblemSpace space() const;
 };
 optim::WorkerProgram worker_program(const JoinedStudies& joined);
 
 /// The space that a worker program was sent. Throws std::invalid_argument where it comes from
 /// another version of camlaw or its libraries, and where a law file is not what it was.
-optim::MultiSpace space_of_worker(const std::string& problem);
+optim::ProblemSpace space_of_worker(const std::string& problem);
 
 }  // namespace camlaw::problems

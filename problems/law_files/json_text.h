@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-namespace camlaw::problems {
+#include "problems/law_files/json_type.h"
 
-using Json = nlohmann::ordered_json;
+namespace camlaw::problems {
 
 /// Reads JSON that comes from outside. Throws std::invalid_argument for what is not JSON and for
 /// brackets nested deeper than 64, which no file of camlaw has: what walks through them recurses.

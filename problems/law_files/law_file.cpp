@@ -10,8 +10,11 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
+#include "numerics/scalar/dual.h"
 #include "numerics/text/file_text.h"
 #include "numerics/text/names.h"
+#include "problems/law_files/json_text.h"
+#include "problems/law_files/pieces_json.h"
 
 namespace camlaw::problems {
 namespace {
@@ -19,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSource = "a law file";  ///< what a family from a file says of itself
-
-Json plain(double value) {
-  if (std::isnan(value)) return nullptr;
-  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  return value;
-}
 
 /// Reads the object that law_file wrote.
 struct ReadLaw {
@@ -127,20 +124,9 @@ std::string own_law_file(const std::string& name) {
 
 }  // namespace
 
-Json law_file(const Law<double>& law, const std::string& title, const Json& provenance) {
-  const auto peak = peaks(law);
-  const auto lambda = limit_index(peak);
-  return {{"format", kLawFormat.text()},
-          {"title", title},
-          {"ends", to_string(law.ends())},
-          {"constants",
-           {{"B", plain(peak.max_velocity())},
-            {"C", plain(peak.max_acceleration())},
-            {"D", plain(peak.max_jerk())},
-            {"Cm", plain(peak.max_dynamic_moment())},
-            {"lambda", lambda ? plain(*lambda) : Json(nullptr)}}},
-          {"provenance", provenance},
-          {"pieces", pieces_to_json(law)}};
+std::string law_text(const Law<double>& law, const std::string& title,
+                     std::string_view provenance) {
+  return law_file(law, title, parse_json(provenance)).dump(2) + "\n";
 }
 
 void check_law_text(const std::string& text) { law_of(text); }

@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
-#include "numerics/text/file_format.h"
-#include "problems/law_files/pieces_json.h"
 
 /// Laws as files, and a catalogue of one's own: a folder of such files (docs/problem-files.md,
 /// "Laws as files").
@@ -16,11 +14,10 @@ namespace camlaw::problems {
 /// The environment variable that names the folder of one's own laws.
 inline constexpr const char* kOwnLaws = "CAMLAW_LAWS";
 
-inline constexpr FileFormat kLawFormat{"camlaw law", 1};
-
-/// The file's object: format, title, ends, B, C, D, Cm and lambda for people, provenance, and the
-/// pieces, which alone are the law.
-Json law_file(const Law<double>& law, const std::string& title, const Json& provenance);
+/// A law file's text: format, title, ends, B, C, D, Cm and lambda for people, provenance (a JSON
+/// value that says where the law comes from), and the pieces, which alone are the law.
+std::string law_text(const Law<double>& law, const std::string& title,
+                     std::string_view provenance = "null");
 
 /// Throws std::invalid_argument unless a text is a law file's that can be read.
 void check_law_text(const std::string& text);

@@ -5,8 +5,18 @@
 
 #include <cmath>
 
+#include "kinematics/limits.h"
+#include "kinematics/peaks.h"
+#include "problems/law_files/json_text.h"
+
 namespace camlaw::problems {
 namespace {
+
+Json plain(double value) {
+  if (std::isnan(value)) return nullptr;
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
 
 struct CurveToJson {
   Json operator()(const HalfEllipse<double>& c) const {
@@ -124,6 +134,22 @@ Piece<double> piece_of(const Json& object, const std::string& what) {
 }
 
 }  // namespace
+
+Json law_file(const Law<double>& law, const std::string& title, const Json& provenance) {
+  const auto peak = peaks(law);
+  const auto lambda = limit_index(peak);
+  return {{"format", kLawFormat.text()},
+          {"title", title},
+          {"ends", to_string(law.ends())},
+          {"constants",
+           {{"B", plain(peak.max_velocity())},
+            {"C", plain(peak.max_acceleration())},
+            {"D", plain(peak.max_jerk())},
+            {"Cm", plain(peak.max_dynamic_moment())},
+            {"lambda", lambda ? plain(*lambda) : Json(nullptr)}}},
+          {"provenance", provenance},
+          {"pieces", pieces_to_json(law)}};
+}
 
 Json pieces_to_json(const Law<double>& law) {
   Json result = Json::array();

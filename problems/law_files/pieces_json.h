@@ -2,10 +2,16 @@
 #pragma once
 
 #include "kinematics/law.h"
-#include "problems/law_files/json_text.h"
+#include "numerics/text/file_format.h"
+#include "problems/law_files/json_type.h"
 
-/// A law's data as JSON, both ways: what is read back is the same law to the last bit.
+/// Laws as JSON, both ways: what is read back is the same law to the last bit.
 namespace camlaw::problems {
+
+inline constexpr FileFormat kLawFormat{"camlaw law", 1};
+
+/// The object of a law file (law_file.h).
+Json law_file(const Law<double>& law, const std::string& title, const Json& provenance);
 
 /// A list of pieces with begin, end, origin, polynomial, harmonics and curves.
 Json pieces_to_json(const Law<double>& law);

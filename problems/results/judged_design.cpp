@@ -8,7 +8,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
+#include "optim/pareto/costs.h"
 #include "optim/pareto/judged_again.h"
+#include "optim/verdict/subdivision.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -24,7 +28,7 @@ std::optional<HeldProblem> held_problem(const ReadDesign& read) {
   const bool whole =
       read.problem.laws.size() == 1 && held.variables.size() == read.statement.variables.size();
   const BoundProblem bound(std::move(held), true);
-  optim::MultiProblem problem = bound.problem({});
+  optim::Problem problem = bound.problem({});
   std::vector<double> x = problem.alone(0).start();
   return HeldProblem{std::move(problem), std::move(x), whole};
 }
@@ -106,7 +110,7 @@ double stated_value(const ReadDesign& read, const std::string& name, bool alone)
 
 /// Keeps of the problem what the result states a number of.
 optim::FrontPoint stated_point(const ReadDesign& read, const std::vector<double>& x,
-                               optim::MultiProblem& problem, std::vector<std::string>& words) {
+                               optim::Problem& problem, std::vector<std::string>& words) {
   optim::FrontPoint point;
   point.x = x;
   const bool alone = problem.objectives.size() == 1;
@@ -145,7 +149,7 @@ std::vector<std::string> differences(const ReadDesign& read) {
   compare_shown_variables(read, words);
   const auto held = held_problem(read);
   if (!held) return words;
-  optim::MultiProblem problem = held->problem;
+  optim::Problem problem = held->problem;
   const optim::FrontPoint point = stated_point(read, held->x, problem, words);
   if (problem.objectives.empty()) {
     words.emplace_back("nothing is stated of what is sought");

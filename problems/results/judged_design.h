@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "optim/verdict/verdict.h"
+#include "optim/verdict/assessment.h"
 #include "problems/results/recorded_design.h"
 
 /// A stored design, judged again: nothing that was recorded of it is believed.
@@ -12,7 +12,7 @@ namespace camlaw::problems {
 /// The problem of a design with its choices and integer variables held at what was found: what its
 /// verdict can be judged by without a search.
 struct HeldProblem {
-  optim::MultiProblem problem;
+  optim::Problem problem;
   std::vector<double> x;
   bool whole;  ///< nothing had to be held: it is the problem itself
 };

@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
 #include "numerics/text/file_text.h"
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/results/seal.h"
+#include "problems/results/stated_numbers.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/parameters.h"
 
@@ -30,14 +31,6 @@ const Json& key(const Json& record, const char* name, bool (Json::*is)() const n
 
 std::string text_of(const Json& record, const char* name) {
   return key(record, name, &Json::is_string, "text").get<std::string>();
-}
-
-Json laws_to_json(const LawFiles& files) {
-  Json result = Json::object();
-  for (const auto& [name, law] : files) {
-    result[name] = law_file(law.law(), law.family->formula, nullptr);
-  }
-  return result;
 }
 
 LawFiles laws_of(const Json& record) {
@@ -137,25 +130,6 @@ void read_reason(const Json& result, ReadDesign& design) {
 }
 
 }  // namespace
-
-Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
-                     optim::Design x) {
-  const ProblemStatement& problem = bound.statement();
-  const bool finite = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
-  if (!finite || options.size() != bound.choices().size() ||
-      x.size() != bound.problem(options).variables.size()) {
-    return nullptr;
-  }
-  Json variables = Json::object();
-  for (const VariableStatement& v : bound.at(options, x).variables) variables[v.name] = v.start;
-  return {
-      {"source", std::filesystem::path(problem.source).filename().string()},
-      {"problem", problem.text},
-      {"set", problem.settings},
-      {"law_files", laws_to_json(problem.law_files)},
-      {"law", problem.chooses_law() ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
-      {"variables", std::move(variables)}};
-}
 
 ReadDesign read_result(std::string_view json, const std::string& source) {
   try {

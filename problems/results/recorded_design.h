@@ -1,28 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "numerics/text/file_format.h"
-#include "problems/law_files/pieces_json.h"
-#include "problems/results/stated_numbers.h"
 #include "problems/statement/bind.h"
 
 /// A design as a result keeps it, so that the result stands alone: the text of the problem, the law
 /// files that it names, and what was chosen (docs/problem-files.md, "Answers").
 namespace camlaw::problems {
 
-inline constexpr FileFormat kResultFormat{"camlaw result", 1};
+/// A limit as a result has it; NaN for what is not there.
+struct StatedLimit {
+  std::string name;
+  double value, bound, margin;
+  bool is_upper = true;
+  bool met = false;
+};
 
-/// The object that a result has under "design": `source` (the file's name), `problem` (its text),
-/// `set` (what was set beside it, as set_values takes it), `law_files` by name, `law` where there
-/// were several to choose from, `variables` by name. Numbers keep every digit. Null where x is no
-/// design.
-Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
-                     optim::Design x);
+/// What the checksum of a result says of it.
+enum class Seal {
+  None,    ///< it has no checksum: earlier versions wrote none
+  Fits,    ///< it is as it was written, whatever was done to its layout
+  Broken,  ///< it was changed since, by someone or by accident
+};
+
+/// The numbers that a result states of its design. None of them is believed: they are there to be
+/// compared with what the design is (`differences`, judged_design.h).
+struct StatedNumbers {
+  std::map<std::string, double> objectives = {};  ///< of a point of a front, by name
+  std::optional<std::vector<StatedLimit>> limits = {};
+  std::map<std::string, double> variables = {};  ///< as they are shown, by name
+  std::optional<double> best_possible = {};
+  std::string program = {};  ///< that wrote it: "camlaw 0.1.0"; empty: it does not say
+  Seal seal = Seal::None;
+};
 
 /// A design that was read.
 struct ReadDesign {

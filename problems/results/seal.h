@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "numerics/text/file_format.h"
 #include "problems/law_files/json_text.h"
+#include "problems/results/recorded_design.h"
 
-/// The checksum of a result: whether it is as it was written.
+/// What a result says of itself as a file: its format, and the checksum that tells whether it is as
+/// it was written.
 namespace camlaw::problems {
 
-enum class Seal {
-  None,    ///< it has no checksum: earlier versions wrote none
-  Fits,    ///< it is as it was written, whatever was done to its layout
-  Broken,  ///< it was changed since, by someone or by accident
-};
+inline constexpr FileFormat kResultFormat{"camlaw result", 1};
 
 /// Gives an object `checksum`, over all else that it holds: 16 digits of optim::Checksum. The order
 /// of keys, the layout and how a number is written do not matter.

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/law_files/json_text.h"
+#include "problems/results/seal.h"
+
 namespace camlaw::problems {
 namespace {
 

@@ -11,6 +11,7 @@
 #include "kinematics/laws/build.h"
 #include "machines/model/responses.h"
 #include "problems/statement/choices.h"
+#include "problems/statement/law_rooms.h"
 
 namespace camlaw::problems {
 namespace {
@@ -139,7 +140,7 @@ optim::ProblemSpace BoundProblem::space() const {
           [bound = *this](const auto& options) { return bound.problem(options).alone(0); }};
 }
 
-optim::MultiSpace BoundProblem::front_space() const {
+optim::ProblemSpace BoundProblem::front_space() const {
   check_objective();
   if (statement_.objectives.size() < 2) {
     refuse(statement_,
@@ -227,8 +228,8 @@ Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
   return binding;
 }
 
-optim::MultiProblem BoundProblem::problem(const std::vector<std::size_t>& options) const {
-  optim::MultiProblem problem;
+optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) const {
+  optim::Problem problem;
   problem.name = statement_.title;
   const Member chosen = member(options);
   std::vector<LawRange> varying;
@@ -255,9 +256,9 @@ optim::MultiProblem BoundProblem::problem(const std::vector<std::size_t>& option
 
 /// The problem of a combination that leaves its law no room: a limit that no design meets. Its
 /// other responses are numbers without a meaning, and bound nothing.
-optim::MultiProblem BoundProblem::without_designs(const Member& chosen,
-                                                  std::span<const LawRange> varying,
-                                                  optim::MultiProblem problem) const {
+optim::Problem BoundProblem::without_designs(const Member& chosen,
+                                             std::span<const LawRange> varying,
+                                             optim::Problem problem) const {
   for (const ObjectiveStatement& objective : statement_.objectives) {
     problem.objectives.push_back({constant(objective.response.name, objective.response.unit, 0),
                                   objective.sense, Part::Value, objective.tolerance});

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "optim/problem/multi_problem.h"
-#include "optim/verdict/limits.h"
-#include "problems/statement/law_rooms.h"
+#include "optim/problem/problem.h"
+#include "optim/verdict/assessment.h"
 #include "problems/statement/statement.h"
 
 /// From a statement to functions: names become fields once, here.
 namespace camlaw::problems {
+
+struct LawRange;
 
 /// A statement with every name bound. Choices are, in this order: the law where there are several,
 /// variables with listed values, and integer variables with few enough values to try each.
@@ -23,14 +24,14 @@ class BoundProblem {
   optim::ProblemSpace space() const;
   /// Of a problem with two objectives or more; throws std::invalid_argument where there is one or
   /// none.
-  optim::MultiSpace front_space() const;
+  optim::ProblemSpace front_space() const;
   /// What hypervolumes are measured from, as costs; none where the file does not say.
   std::optional<std::vector<double>> reference() const;
 
   /// Of one combination of options: the problem, and the mechanism and law behind its variables. A
   /// combination that leaves its law no room has no design: its problem is a limit that nothing
   /// meets.
-  optim::MultiProblem problem(const std::vector<std::size_t>& options) const;
+  optim::Problem problem(const std::vector<std::size_t>& options) const;
   /// Throws std::invalid_argument where the combination makes no law.
   Binding binding(const std::vector<std::size_t>& options) const;
 
@@ -44,8 +45,8 @@ class BoundProblem {
   std::vector<Slot> slots(const std::vector<std::size_t>& options) const;
   const Member& law(const std::vector<std::size_t>& options) const;
   Member member(const std::vector<std::size_t>& options) const;
-  optim::MultiProblem without_designs(const Member& chosen, std::span<const LawRange> varying,
-                                      optim::MultiProblem problem) const;
+  optim::Problem without_designs(const Member& chosen, std::span<const LawRange> varying,
+                                 optim::Problem problem) const;
 
   ProblemStatement statement_;
   std::vector<optim::Choice> choices_;

@@ -85,7 +85,7 @@ std::vector<Found> looked_at(const BoundProblem& bound) {
   std::vector<Found> found(stated.size());
   for (std::size_t place = 0; place < kPlaces; ++place) {
     try {
-      const optim::MultiProblem problem = bound.problem(options_at(bound, place));
+      const optim::Problem problem = bound.problem(options_at(bound, place));
       const std::vector<double> x = design_at(problem.variables, place);
       optim::MaximaAt maxima(x);
       for (std::size_t i = 0; i < stated.size(); ++i) {

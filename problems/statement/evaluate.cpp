@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/law_binding.h"
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/limits.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems {
@@ -99,6 +102,7 @@ std::string place_name(const ProblemStatement& statement) {
 std::vector<optim::LimitReport> standing(const ProblemStatement& statement) {
   optim::Problem problem;
   problem.name = statement.title;
+  problem.objectives = {optim::no_objective()};
   problem.constraints = constraints_of(statement, fixed(statement));
   problem.check();
   return as_stated(statement, optim::limit_reports(problem, optim::sizes(problem, {}), {}, true));

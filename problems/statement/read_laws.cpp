@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/program_timing.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 

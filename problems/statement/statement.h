@@ -12,7 +12,6 @@
 #include "kinematics/laws/catalogue.h"
 #include "machines/model/mechanism.h"
 #include "optim/solvers/native_options.h"
-#include "problems/statement/program_timing.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,
 /// what is wanted and what must hold. Reading it checks every name, unit and range; after that no
@@ -56,6 +55,23 @@ struct SolverStatement {
   std::optional<double> time_limit;  ///< seconds
   /// Options that one solver alone has, by its name: [solver.ipopt].
   std::map<std::string, optim::NativeOptions> native;
+};
+
+/// A turn, and what takes a stated time of it. A cam that is cut has angles: a time becomes one
+/// once, when the file is read, by how long a turn takes then.
+struct ProgramTiming {
+  struct Segment {
+    std::string name;
+    double time;  ///< s
+  };
+
+  double speed = 0;               ///< at which the times hold, rpm
+  std::vector<Segment> segments;  ///< those that the file states in time
+
+  /// A turn, s: 60 s / (speed in rpm).
+  double turn() const { return 60 / speed; }
+  /// Of the cam, deg.
+  double angle_of(double time) const { return time / turn() * 360; }
 };
 
 /// Laws of files by the names that a problem's text has for them: what it does not hold itself.

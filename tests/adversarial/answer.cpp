@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/verdict.h"
+
 namespace camlaw::adversary {
 namespace {
 

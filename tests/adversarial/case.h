@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 #include "problems/statement/statement.h"
 #include "tests/adversarial/plain_problem.h"
 #include "tests/adversarial/random.h"
@@ -18,7 +18,7 @@ struct Case {
   problems::LawFiles files = {};
   std::optional<optim::Problem> api = {};
   /// A front whose numbers come with enclosures that are too wide to show anything.
-  std::optional<optim::MultiProblem> vague_front = {};
+  std::optional<optim::Problem> vague_front = {};
   PlainProblem plain;
   /// Of a front: what is to be least, each a peak; the text has [[objectives]] then.
   struct Sought {

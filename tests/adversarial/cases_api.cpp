@@ -47,8 +47,9 @@ struct Both {
   /// A number f(u) of all variables.
   template <class F>
   void seek(F f, bool least, Shape shape = Shape::General) {
-    problem.objective = {.response = {.name = "cost", .measure = optim::function(all(), f, shape)},
-                         .sense = least ? optim::Sense::Minimize : optim::Sense::Maximize};
+    problem.objectives = {
+        {.response = {.name = "cost", .measure = optim::function(all(), f, shape)},
+         .sense = least ? optim::Sense::Minimize : optim::Sense::Maximize}};
     test.plain.objective = respond(
         "cost", [f](const Point& x, double) { return f(x); }, false);
     test.plain.sense = least ? 1 : -1;
@@ -336,7 +337,7 @@ Case vague_front_case(Random& random) {
   // Distances from three places, with enclosures of a hundredth of them.
   Case test;
   test.kind = "front-point";
-  optim::MultiProblem problem;
+  optim::Problem problem;
   problem.name = "three places";
   for (const char* name : {"x", "y"}) {
     problem.variables.push_back(

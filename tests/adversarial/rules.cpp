@@ -7,7 +7,9 @@
 #include <cmath>
 #include <ctime>
 
+#include "optim/cycle/extremes.h"
 #include "optim/pareto/pareto.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::adversary {
@@ -279,7 +281,7 @@ void judge_front(const Case& test, const problems::BoundProblem& bound, double& 
 }
 
 /// (g): a point that is certified though the enclosures of its own numbers do not show them.
-void judge_vague_front(const optim::MultiProblem& problem, double& solved_at, Outcome& outcome) {
+void judge_vague_front(const optim::Problem& problem, double& solved_at, Outcome& outcome) {
   const optim::Front front = optim::pareto(problem, {.points = 3});
   solved_at = processor_s();
   outcome.answer.said = Said::Feasible;
@@ -402,7 +404,7 @@ double difference(const Case& test, Random random, std::string& where) {
               look->value(index, at), size.magnitude);
     }
   };
-  of_response(problem.objective.response, plain.objective, "objective");
+  of_response(problem.objective().response, plain.objective, "objective");
   for (std::size_t i = 0; i < plain.limits.size(); ++i) {
     of_response(problem.constraints[i].response, plain.limits[i].response,
                 problem.constraints[i].response.name);

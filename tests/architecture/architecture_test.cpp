@@ -41,7 +41,9 @@ const std::map<std::string, Names>& libraries() {
   static const std::map<std::string, Names> known{
       {"CLI/", {"cli/command_line.cpp", "cli/version_text.cpp"}},
       {"toml++/", {"problems/statement/toml_entry.cpp"}},
-      {"nlohmann/", {"problems/law_files/json_text.h", "cli/version_text.cpp"}},
+      {"nlohmann/",
+       {"problems/law_files/json_text.h", "problems/law_files/json_type.h",
+        "cli/version_text.cpp"}},
       {"udunits", {"numerics/text/units.cpp"}},
       {"Ip",
        {"optim/solvers/ipopt.cpp", "optim/solvers/ipopt_options.cpp",
@@ -50,8 +52,7 @@ const std::map<std::string, Names>& libraries() {
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
       {"ceres/",
-       {"numerics/scalar/scalar.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h",
-        "optim/problem/plain_numbers.h"}}};
+       {"numerics/scalar/dual.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h"}}};
   return known;
 }
 
@@ -191,6 +192,59 @@ TEST_CASE("no machine is told by its name but where files and people name it", "
         CHECK_FALSE(begins);
       }
     }
+  }
+}
+
+/// The headers that cmake/CamlawHeaders.cmake installs.
+Names installed_headers() {
+  Names headers;
+  for (const std::string& word :
+       words_of(fs::path(CAMLAW_SOURCE_DIR) / "cmake/CamlawHeaders.cmake")) {
+    if (word.ends_with(".h") && word.find('/') != std::string::npos) headers.insert(word);
+  }
+  return headers;
+}
+
+/// The headers of other libraries that installed ones include, and which do.
+const std::map<std::string, Names>& let_through() {
+  static const std::map<std::string, Names> known{
+      {"boost/numeric/interval.hpp", {"numerics/scalar/interval.h"}},
+      {"ceres/jet.h", {"numerics/scalar/dual.h", "optim/problem/automatic.h"}}};
+  return known;
+}
+
+TEST_CASE("installed headers are few, short and light", "[architecture]") {
+  const Names headers = installed_headers();
+  CHECK(headers.size() <= 45);
+  REQUIRE(headers.size() > 20);
+  for (const std::string& header : headers) {
+    INFO(header);
+    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / header);
+    CHECK(std::count(text.begin(), text.end(), '\n') <= 400);
+  }
+  for (const Include& include : includes_of({headers.begin(), headers.end()})) {
+    INFO(include.from << " includes " << include.to);
+    if (include.is_own) {
+      CHECK(headers.count(include.to) == 1);
+    } else if (include.to.find_first_of("/.") != std::string::npos) {
+      const auto known = let_through().find(include.to);
+      CHECK((known != let_through().end() && known->second.count(include.from) == 1));
+    }
+  }
+}
+
+TEST_CASE("who asks for dual numbers alone gets Ceres, and Eigen with it", "[architecture]") {
+  // Of the installed headers: the number itself, and formulas that are derived by it.
+  const Names dual{"numerics/scalar/dual.h", "optim/problem/automatic.h", "optim/fit/residuals.h"};
+  std::map<std::string, Names> graph;
+  const Names headers = installed_headers();
+  for (const Include& include : includes_of({headers.begin(), headers.end()})) {
+    graph[include.from].insert(include.to);
+  }
+  for (const std::string& header : headers) {
+    Names seen;
+    INFO(header);
+    CHECK(reaches(graph, header, "ceres/jet.h", seen) == (dual.count(header) == 1));
   }
 }
 

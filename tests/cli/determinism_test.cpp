@@ -7,6 +7,7 @@
 
 #include "optim/search/optimise.h"
 #include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 #include "problems/statement/bind.h"
 #include "tests/cli/shell.h"
 

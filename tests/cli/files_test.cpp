@@ -15,6 +15,7 @@
 
 #include "cli/inputs.h"
 #include "cli/replacing.h"
+#include "problems/law_files/json_text.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::cli::files_test {

@@ -13,6 +13,7 @@
 #include "fitting/motions/motion_fit.h"
 #include "fitting/samples/condensed.h"
 #include "fitting/samples/sample_table.h"
+#include "optim/fit/loss.h"
 
 namespace camlaw::problems::law_fit_test {
 namespace {

@@ -9,6 +9,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 prefix=$folder/prefix
 example=$source/examples/peaks_and_cam.cpp
+own_solver=$source/examples/own_solver.cpp
 
 fail() {
   echo "install: $*" >&2
@@ -28,13 +29,16 @@ for file in bin/camlaw share/man/man1/camlaw.1 share/bash-completion/completions
 done
 (cd / && "$prefix/bin/camlaw" law cubic | grep '^cubic') >/dev/null || fail "the installed program fails"
 
-# find_package: kinematics alone, then all with every header that is installed.
+# find_package: kinematics alone, then all, with every header that is installed.
 step cmake -S "$source/tests/install/project" -B "$folder/project" -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"
+  -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DOWN_SOLVER="$own_solver" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"
 step cmake --build "$folder/project"
 "$folder/project/example" | grep '^C is proved' >/dev/null || fail "the example does not run"
+"$folder/project/own_solver" | grep 'by compass: certified' >/dev/null || fail "a solver of one's own"
 radius=$("$folder/project/design" "$source/problems/spine_cutter/least_radius.toml")
 [ "$radius" = 33.08 ] || fail "least radius: $radius, not 33.08"
+
+"$folder/project/parts" "$source/problems/spine_cutter/least_radius.toml" || fail "a part of the library fails"
 
 # pkg-config, also from a prefix that was moved.
 mv "$prefix" "$folder/moved"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "numerics/scalar/dual.h"
+
 namespace camlaw::catalogue_test {
 namespace {
 

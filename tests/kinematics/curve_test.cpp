@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "numerics/scalar/dual.h"
+
 namespace camlaw::curve_test {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 #include "tests/kinematics/reference_data.h"
 
 /// The contract of a motion law, checked by one call: check_law(family, arguments, expected).

@@ -9,6 +9,7 @@
 #include "kinematics/laws/phases.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::law_test {
 namespace {

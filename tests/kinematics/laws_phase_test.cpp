@@ -7,6 +7,7 @@
 #include "kinematics/laws/trigonometric.h"
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::laws_phase_test {
 namespace {

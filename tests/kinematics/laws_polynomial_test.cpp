@@ -6,6 +6,7 @@
 #include <random>
 
 #include "kinematics/laws/polynomial.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::laws_polynomial_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::linear_parameters_test {
 namespace {

@@ -8,6 +8,7 @@
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/peaks.h"
+#include "numerics/scalar/dual.h"
 
 // Members at which an earlier peak search went wrong.
 

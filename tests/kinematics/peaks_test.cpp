@@ -5,6 +5,7 @@
 
 #include "kinematics/laws/build.h"
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 #include "tests/kinematics/reference_data.h"
 
 namespace camlaw::peaks_test {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kinematics/peaks.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::program_test {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::spline_test {
 namespace {

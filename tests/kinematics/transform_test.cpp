@@ -10,6 +10,7 @@
 #include "kinematics/laws/phases.h"
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/laws/trigonometric.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::transform_test {
 namespace {

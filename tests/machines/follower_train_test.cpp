@@ -7,6 +7,7 @@
 #include "kinematics/peaks.h"
 #include "machines/follower_train/elastic_follower.h"
 #include "machines/registry.h"
+#include "optim/cycle/extremes.h"
 #include "tests/machines/system_fixture.h"
 
 namespace camlaw::problems::follower_train_test {

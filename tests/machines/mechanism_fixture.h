@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/laws/catalogue.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 
 /// Designs of a mechanism for tests: some of its parameters and some of its law's vary.

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 #include "problems/published/spine_cutter/study.h"
 
 namespace camlaw::problems::spine_cutter_test {

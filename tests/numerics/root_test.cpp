@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "numerics/scalar/dual.h"
+
 namespace camlaw::root_test {
 
 TEST_CASE("a root between two ends is found to the last places", "[root]") {

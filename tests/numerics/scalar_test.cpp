@@ -5,6 +5,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "numerics/scalar/dual.h"
+
 namespace camlaw::scalar_test {
 namespace {
 

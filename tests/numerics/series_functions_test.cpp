@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "numerics/scalar/dual.h"
 #include "numerics/scalar/series.h"
 
 namespace camlaw::series_functions_test {

@@ -189,7 +189,7 @@ TEST_CASE("derivatives of all rows agree with differences", "[cam-shape]") {
 TEST_CASE("cam-shape enclosures hold the value and are narrow", "[cam-shape]") {
   const optim::Problem problem = cam_shape(5);
   const Point r = random_radii(5, 3);
-  std::vector<optim::Function> functions{problem.objective.response.function()};
+  std::vector<optim::Function> functions{problem.objective().response.function()};
   for (const auto& c : problem.constraints) functions.push_back(c.response.function());
   for (const optim::Function& f : functions) {
     const auto [lower, upper] = f.enclose(r);

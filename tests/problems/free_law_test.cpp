@@ -478,8 +478,8 @@ TEST_CASE("Numbers of the whole law have exact derivatives and the shapes they s
   const optim::Problem problem = bound.problem({}).alone(0);
   agreeing_derivatives(problem);
   // The quadratic form, put together piece by piece, lies in the enclosure of the law's own number.
-  const double form = problem.objective.response.function().value(problem.start());
-  const auto proved = problem.objective.response.function().enclose(problem.start());
+  const double form = problem.objective().response.function().value(problem.start());
+  const auto proved = problem.objective().response.function().enclose(problem.start());
   CHECK(proved.lower <= form * (1 + 1e-12));
   CHECK(proved.upper >= form * (1 - 1e-12));
   CHECK(proved.upper - proved.lower < 1e-6 * form);

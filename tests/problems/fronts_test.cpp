@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "optim/study/recorded_executor.h"
 #include "problems/fronts/front_study.h"
 #include "tests/problems/complaint.h"
 #include "tests/problems/front_files.h"

@@ -24,7 +24,7 @@ struct Named {
 
 /// The objective, then the constraints.
 std::vector<Named> functions(const Problem& problem) {
-  std::vector<Named> all{{problem.name + " f", problem.objective.response.function()}};
+  std::vector<Named> all{{problem.name + " f", problem.objective().response.function()}};
   for (const auto& c : problem.constraints) {
     all.push_back({problem.name + " " + c.response.name, c.response.function()});
   }
@@ -145,7 +145,7 @@ TEST_CASE("at the known answer every limit holds and the objective has its known
   for (const Problem& problem : hock_schittkowski_problems()) {
     const auto& [objective, x, source] = *problem.known;
     INFO(source);
-    CHECK(problem.objective.response.function().value(x) ==
+    CHECK(problem.objective().response.function().value(x) ==
           Approx(objective).epsilon(1e-13).margin(1e-13));
     for (const auto& c : problem.constraints) {
       INFO(c.response.name);

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "problems/law_files/json_text.h"
+#include "problems/law_files/pieces_json.h"
 #include "problems/statement/statement.h"
 #include "tests/temporary_folder.h"
 

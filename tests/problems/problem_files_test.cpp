@@ -7,10 +7,12 @@
 
 #include "kinematics/laws/polynomial.h"
 #include "kinematics/peaks.h"
+#include "machines/model/law_binding.h"
 #include "machines/registry.h"
 #include "machines/spine_cutter/spine_cutter.h"
 #include "optim/problem/check_derivatives.h"
 #include "optim/search/optimise.h"
+#include "optim/verdict/verdict.h"
 #include "problems/statement/bind.h"
 
 namespace camlaw::problems::problem_files_test {
@@ -179,8 +181,8 @@ Optimum least_acceleration(double b, std::size_t knots, std::size_t degree = 2,
   const Mechanism& law = find_mechanism("law");
   Binding binding{{}, {}, {}, std::make_shared<LawBinding>(member, variables)};
   for (const auto& parameter : law.parameters) binding.constants.push_back(parameter.default_value);
-  problem.objective = {make_response(law, find_response(law, "acceleration"), binding),
-                       optim::Sense::Minimize, optim::Part::Magnitude};
+  problem.objectives = {{make_response(law, find_response(law, "acceleration"), binding),
+                         optim::Sense::Minimize, optim::Part::Magnitude}};
   problem.constraints = {{make_response(law, find_response(law, "velocity"), binding), {}, b}};
   return optim::optimise(problem, {.solver = solver});
 }

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "optim/cycle/extremes.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/problems/complaint.h"

@@ -4,7 +4,10 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
+#include "problems/results/design_json.h"
 #include "tests/temporary_folder.h"
 
 namespace camlaw::problems::recorded_design_test {

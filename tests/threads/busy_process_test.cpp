@@ -16,6 +16,7 @@
 #include "optim/solvers/exit_guard.h"
 #include "optim/solvers/solver.h"
 #include "optim/study/child_process.h"
+#include "optim/study/recorded_executor.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
 #include "tests/optim/pareto/outcomes.h"
@@ -204,7 +205,7 @@ TEST_CASE("studies that are joined by a choice are sent as such", "[threads][stu
   text.replace(text.find(law), law.size(), "name = \"polynomial-7\"\n\n[variables.A]");
   studies.emplace_back(text, path, settings);
   const problems::JoinedStudies joined{"law", {"five", "seven"}, studies};
-  const optim::MultiSpace space = joined.space();
+  const optim::ProblemSpace space = joined.space();
   const auto& options = studies.front().options();
   const std::string expected = bits(optim::pareto(space, options));
   const Company company(allocate);
@@ -217,7 +218,7 @@ TEST_CASE("studies that are joined by a choice are sent as such", "[threads][stu
 TEST_CASE("a problem of one's own functions is searched in the calling process",
           "[threads][study]") {
   using namespace optim;
-  const MultiSpace space = MultiSpace::of(front_tests::two_centres_limited());
+  const ProblemSpace space = ProblemSpace::of(front_tests::two_centres_limited());
   ParetoOptions options;
   options.points = 8;
   const std::string expected = bits(pareto(space, options));

@@ -12,6 +12,7 @@
 #include "numerics/text/units.h"
 #include "optim/pareto/scout.h"
 #include "optim/search/optimise.h"
+#include "optim/solvers/solver.h"
 #include "problems/fronts/front_study.h"
 #include "problems/statement/bind.h"
 #include "tests/optim/pareto/outcomes.h"

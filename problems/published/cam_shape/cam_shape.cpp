@@ -82,10 +82,11 @@ optim::Problem cam_shape(int n) {
     const double t = i / (n + 1.0);
     problem.variables.push_back({fmt::format("r{}", i), "1", kLeast, kMost, 1 + t * t, 1.0});
   }
-  problem.objective.response.name = "valve opening";
-  problem.objective.response.measure = cam_shape_parts::sum(problem.variables.size(), kPi / n);
-  problem.objective.sense = optim::Sense::Maximize;
-  problem.objective.tolerance = kObjectiveTolerance;
+  problem.objectives = {
+      {.response = {.name = "valve opening",
+                    .measure = cam_shape_parts::sum(problem.variables.size(), kPi / n)},
+       .sense = optim::Sense::Maximize,
+       .tolerance = kObjectiveTolerance}};
   for (int i = 0; i <= n + 1; ++i) problem.constraints.push_back(convexity_row(i, n));
   for (int i = 0; i <= n; ++i) problem.constraints.push_back(slope_row(i, n));
   problem.known = {cam_shape_optimum(n), cam_shape_radii(n), "forward recursion in 1/r"};

@@ -10,7 +10,7 @@ constexpr int kSuite = 1000;  // points of the value that is not from COPS
 
 double valve_opening(int n, bool widened) {
   if (!widened) return solve_cam_shape(n).objective;
-  return cam_shape(n).objective.response.function().value(cam_shape_by_ipopt_defaults(n));
+  return cam_shape(n).objective().response.function().value(cam_shape_by_ipopt_defaults(n));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "optim/search/optimise.h"
+#include "optim/solvers/program.h"
+#include "optim/solvers/solver.h"
 #include "problems/cam_shape/cam_shape.csv.h"
 
 namespace camlaw::problems {
@@ -35,7 +37,7 @@ optim::Program published_program(const optim::Problem& problem) {
   for (const optim::Variable& v : problem.variables) {
     columns.push_back({v.lower, v.upper, 1.5, 1});  // COPS's start
   }
-  return {std::move(columns), problem.objective.response.function(), -1, 1, std::move(rows)};
+  return {std::move(columns), problem.objective().response.function(), -1, 1, std::move(rows)};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "kinematics/laws/catalogue.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"

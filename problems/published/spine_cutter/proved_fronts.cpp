@@ -103,7 +103,7 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
     names.emplace_back(family.name);
   }
   const JoinedStudies joined{"law", names, studies};
-  const optim::MultiSpace space = joined.space();
+  const optim::ProblemSpace space = joined.space();
   optim::ProcessExecutor executor(space, studies.front().options().solve, workers,
                                   worker_program(joined));
   ProvedFront result;

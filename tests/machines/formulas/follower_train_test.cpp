@@ -8,6 +8,7 @@
 #include <string>
 
 #include "kinematics/laws/catalogue.h"
+#include "numerics/scalar/dual.h"
 
 namespace camlaw::follower_train_test {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "optim/fit/least_squares.h"
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 
 #include "numerics/linear/least_squares.h"
+#include "optim/fit/loss.h"
 #include "tests/optim/fit/fitted_data.h"
 
 namespace camlaw::optim::least_squares_test {

@@ -45,7 +45,7 @@ void check_even(const Case& c) {
   CHECK(even.crowded >= 0.2);
   CHECK(farthest(by_range(samples, samples), places) <= c.covered * even.mean_nearest);
   constexpr std::size_t kGenerations = 100;
-  const MultiSpace space = MultiSpace::of(surface.problem);
+  const ProblemSpace space = ProblemSpace::of(surface.problem);
   CHECK(front.hypervolume >= 0.995 * best_of_nsga2(space, c.points, kGenerations, front.reference));
   // Searches of fronts of one combination: what must be more than points are ends, and what is
   // looked for beyond them.
@@ -77,7 +77,7 @@ TEST_CASE("fronts of five objectives are even", "[front][heavy]") {
 }
 
 TEST_CASE("a cost that is the same all along the front does not disturb it", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives.push_back(
       cost("f3", linear({0}, [](const auto& u) { return 0.0 * u[0] + 7.0; })));
   ParetoOptions options;
@@ -96,7 +96,7 @@ TEST_CASE("a cost that is the same all along the front does not disturb it", "[f
 }
 
 TEST_CASE("three objectives of which two agree have the front of two", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives.push_back(problem.objectives[1]);
   ParetoOptions options;
   options.points = 20;
@@ -121,7 +121,7 @@ TEST_CASE("a front that was stopped or is uneven is not complete", "[front]") {
   // Searches that find nothing leave gaps that are not known to be empty.
   class Deaf final : public Executor {
    public:
-    explicit Deaf(const MultiSpace& space) : direct_(space, options_) {}
+    explicit Deaf(const ProblemSpace& space) : direct_(space, options_) {}
     std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& told) override {
       std::vector<Outcome> outcomes = direct_.run(tasks, told);
       for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("a front that was stopped or is uneven is not complete", "[front]") {
     OptimiseOptions options_;
     DirectExecutor direct_;
   };
-  const MultiSpace space = MultiSpace::of(surface.problem);
+  const ProblemSpace space = ProblemSpace::of(surface.problem);
   Deaf deaf(space);
   ParetoOptions few;
   few.points = 60;
@@ -152,7 +152,7 @@ TEST_CASE("a front that was stopped or is uneven is not complete", "[front]") {
 }
 
 TEST_CASE("three objectives: a study that is resumed gives the same bits", "[front]") {
-  const MultiSpace space = MultiSpace::of(three_centres());
+  const ProblemSpace space = ProblemSpace::of(three_centres());
   ParetoOptions options;
   options.points = 24;
   const std::string whole = bits(pareto(space, options));

@@ -100,7 +100,7 @@ inline double farthest(const std::vector<Costs>& samples, const std::vector<Cost
 
 /// The greatest hypervolume of NSGA-II's fronts by five seeds, each of `points` designs for each
 /// combination of choices.
-inline double best_of_nsga2(const MultiSpace& space, std::size_t points, std::size_t generations,
+inline double best_of_nsga2(const ProblemSpace& space, std::size_t points, std::size_t generations,
                             const Costs& reference) {
   double best = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {

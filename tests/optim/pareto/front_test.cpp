@@ -19,14 +19,14 @@ using study_tests::bits;
 namespace {
 
 /// What every front is: of designs that meet the limits and do not dominate each other, in order.
-void check_front(const MultiSpace& space, const Front& front) {
+void check_front(const ProblemSpace& space, const Front& front) {
   const std::vector<Costs> all = costs_of(front);
   const std::vector<bool> kept = non_dominated(all, 0);
   for (std::size_t k = 0; k < front.points.size(); ++k) {
     const FrontPoint& p = front.points[k];
     INFO("point " << k);
     CHECK(kept[k]);
-    const MultiProblem multi = space.problem(space.options(p.part));
+    const Problem multi = space.problem(space.options(p.part));
     REQUIRE(p.x.size() == multi.variables.size());
     CHECK(p.costs == costs(multi, p.x));
     for (std::size_t i = 0; i < p.costs.size(); ++i) {
@@ -47,8 +47,8 @@ void check_front(const MultiSpace& space, const Front& front) {
   }
 }
 
-void check_front(const MultiProblem& problem, const Front& front) {
-  check_front(MultiSpace::of(problem), front);
+void check_front(const Problem& problem, const Front& front) {
+  check_front(ProblemSpace::of(problem), front);
 }
 
 ParetoOptions options_of(std::size_t points, ParetoMethod method = ParetoMethod::Automatic) {
@@ -106,7 +106,7 @@ bool has_as_good(const Front& front, const Costs& costs, double share) {
 /// Carries tasks out, but for some that it says have failed.
 class Failing final : public Executor {
  public:
-  Failing(const MultiSpace& space, std::set<std::size_t> which)
+  Failing(const ProblemSpace& space, std::set<std::size_t> which)
       : which_(std::move(which)), others_(space, options_) {}
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override {
     std::vector<Outcome> outcomes = others_.run(tasks, on_outcome);
@@ -127,7 +127,7 @@ class Failing final : public Executor {
 
 /// Least f1 = x and f2 of x, in [lower, upper].
 template <class F>
-MultiProblem of_one(double lower, double upper, double start, F f2) {
+Problem of_one(double lower, double upper, double start, F f2) {
   return {"of one",
           {variable("x", lower, upper, start)},
           {cost("f1", linear({0}, [](const auto& u) { return 1.0 * u[0]; })),
@@ -239,7 +239,7 @@ TEST_CASE("weights are the normal of the front", "[front]") {
 
 TEST_CASE("two centres: the front in closed form, cut by a limit", "[front]") {
   for (const bool limited : {false, true}) {
-    const MultiProblem problem = limited ? two_centres_limited() : two_centres();
+    const Problem problem = limited ? two_centres_limited() : two_centres();
     const Front front = pareto(problem, options_of(25));
     check_front(problem, front);
     CHECK(front.points.size() >= 25);
@@ -270,7 +270,7 @@ TEST_CASE("three centres: the designs are those of the triangle", "[front]") {
 }
 
 TEST_CASE("four objectives", "[front]") {
-  MultiProblem problem = three_centres();
+  Problem problem = three_centres();
   problem.objectives.push_back(cost("f4", distance(1, 1)));
   const Front front = pareto(problem, options_of(20));
   check_front(problem, front);
@@ -281,8 +281,8 @@ TEST_CASE("four objectives", "[front]") {
 }
 
 TEST_CASE("what is to be great is a negative cost, the same front", "[front]") {
-  const MultiProblem least = two_centres();
-  MultiProblem greatest = least;
+  const Problem least = two_centres();
+  Problem greatest = least;
   greatest.objectives[1].sense = Sense::Maximize;
   greatest.objectives[1].response.measure = function<Interval>(
       {0, 1}, [](const auto& u) { return -1.0 * (square(u[0] - 1.0) + square(u[1])); },
@@ -307,7 +307,7 @@ TEST_CASE("parts of curves as objectives, by boxes and along directions", "[fron
         using std::sin;
         return u[0] * sin(angle);
       });
-  MultiProblem problem{
+  Problem problem{
       "waves",
       {variable("x", -1, 3, 2.5), variable("y", 0, 2, 1)},
       {{{"wave", "mm", wave}, Sense::Minimize, Part::Magnitude, {}},
@@ -342,7 +342,7 @@ TEST_CASE("parts of curves as objectives, by boxes and along directions", "[fron
 }
 
 TEST_CASE("choices alone: the front of a list", "[front]") {
-  MultiSpace space;
+  ProblemSpace space;
   space.choices = {{"bearing", "", {"a", "b", "c", "d", "e"}, {}, 0},
                    {"spring", "mm", {"1", "2"}, {1, 2}, 0}};
   space.problem = [](const std::vector<std::size_t>& options) {
@@ -355,7 +355,7 @@ TEST_CASE("choices alone: the front of a list", "[front]") {
         return constant<T>(value);
       });
     };
-    return MultiProblem{
+    return Problem{
         "list", {}, {cost("mass", constant_of(mass)), cost("loss", constant_of(loss))}, {}};
   };
   const Front front = pareto(space, options_of(50));
@@ -370,11 +370,11 @@ TEST_CASE("choices alone: the front of a list", "[front]") {
 TEST_CASE("integer variables: the front has every step", "[front]") {
   // n and (12 - n)^2 / n: each whole n is on the front.
   const auto loss = [](const auto& u) { return square(12.0 - u[0]) / u[0]; };
-  MultiProblem problem{"steps",
-                       {integer("n", 1, 12, 3)},
-                       {cost("n", linear({0}, [](const auto& u) { return 1.0 * u[0]; })),
-                        cost("loss", function<Interval>({0}, loss))},
-                       {}};
+  Problem problem{"steps",
+                  {integer("n", 1, 12, 3)},
+                  {cost("n", linear({0}, [](const auto& u) { return 1.0 * u[0]; })),
+                   cost("loss", function<Interval>({0}, loss))},
+                  {}};
   for (const ParetoMethod method :
        {ParetoMethod::Sweep, ParetoMethod::Automatic, ParetoMethod::Nsga2}) {
     const Front front = pareto(problem, options_of(40, method));
@@ -400,7 +400,7 @@ TEST_CASE("integer variables: the front has every step", "[front]") {
 }
 
 TEST_CASE("choices: the front is put together from the parts", "[front]") {
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   for (const ParetoMethod method : {ParetoMethod::Automatic, ParetoMethod::Nsga2}) {
     const Front front = pareto(space, options_of(40, method));
     check_front(space, front);
@@ -413,11 +413,11 @@ TEST_CASE("choices: the front is put together from the parts", "[front]") {
 }
 
 TEST_CASE("a part without designs is left out, a problem without any has no front", "[front]") {
-  MultiSpace space = two_rooms();
+  ProblemSpace space = two_rooms();
   const auto all = space.problem;
   const auto with_limit = [all](std::size_t from) {
     return [all, from](const std::vector<std::size_t>& options) {
-      MultiProblem problem = all(options);
+      Problem problem = all(options);
       const double bound = options.at(0) >= from ? -1 : 100;
       problem.constraints = {camlaw::optim::search_tests::at_most("reach", distance(0, 0), bound)};
       return problem;
@@ -443,7 +443,7 @@ TEST_CASE("a part without designs is left out, a problem without any has no fron
 }
 
 TEST_CASE("a model that always throws: failures and no front", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1].response.measure = observed(
       distance(1, 0), [](std::span<const double>) { throw std::runtime_error("no such cam"); });
   for (const ParetoMethod method : {ParetoMethod::Sweep, ParetoMethod::Nsga2}) {
@@ -457,8 +457,8 @@ TEST_CASE("a model that always throws: failures and no front", "[front]") {
 }
 
 TEST_CASE("a search that fails costs what it looked for, and no more", "[front]") {
-  for (const MultiProblem& problem : {two_centres(), three_centres()}) {
-    const MultiSpace space = MultiSpace::of(problem);
+  for (const Problem& problem : {two_centres(), three_centres()}) {
+    const ProblemSpace space = ProblemSpace::of(problem);
     const ParetoOptions options = options_of(12, ParetoMethod::Sweep);
     const Front whole = pareto(space, options);
     const std::size_t objectives = problem.objectives.size();
@@ -487,7 +487,7 @@ TEST_CASE("a search that fails costs what it looked for, and no more", "[front]"
 }
 
 TEST_CASE("integer variables leave no mixtures", "[front]") {
-  MultiProblem problem{
+  Problem problem{
       "steps",
       {integer("n", 0, 100000, 3), variable("y", 0, 1)},
       {cost("f1", linear({0, 1}, [](const auto& u) { return u[0] + u[1]; })),
@@ -526,7 +526,7 @@ TEST_CASE("slopes and prices are of costs that count", "[front]") {
 TEST_CASE("a model that throws somewhere leaves a front elsewhere", "[front]") {
   // Far from the front, where the scout looks too. (A search that strays there fails, as one for a
   // single objective does.)
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1].response.measure = observed(distance(1, 0), [](std::span<const double> u) {
     if (std::hypot(u[0] + 1.5, u[1] - 1.5) < 0.5) throw std::runtime_error("no such cam");
   });
@@ -540,7 +540,7 @@ TEST_CASE("a model that throws somewhere leaves a front elsewhere", "[front]") {
 }
 
 TEST_CASE("a model that gives no number somewhere leaves a front elsewhere", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1] = cost("f2", function({0, 1}, [](const auto& u) {
                                  return square(u[0] - 1.0) + square(u[1]) + 0.0 * sqrt(1.5 - u[1]);
                                }));
@@ -562,7 +562,7 @@ TEST_CASE("a model that gives no number somewhere leaves a front elsewhere", "[f
 }
 
 TEST_CASE("objectives that agree have a front of one point", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1] =
       cost("f2",
            convex({0, 1}, [](const auto& u) { return 3.0 * (square(u[0]) + square(u[1])) + 1.0; }));
@@ -583,7 +583,7 @@ TEST_CASE("objectives that agree have a front of one point", "[front]") {
 }
 
 TEST_CASE("one objective that nothing changes", "[front]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1] = cost("f2", linear({0}, [](const auto& u) { return 0.0 * u[0] + 7.0; }));
   const Front front = pareto(problem, options_of(10));
   check_front(problem, front);
@@ -593,7 +593,7 @@ TEST_CASE("one objective that nothing changes", "[front]") {
 
 TEST_CASE("at the end of one cost of three the others are least", "[front]") {
   // Whatever y and z are, f1 is least at x = 0, f2 and f3 at x = 1 with the other's variable free.
-  const MultiProblem problem{
+  const Problem problem{
       "three with free ends",
       {variable("x", 0, 1, 0.5), variable("y", 0, 1, 0.9), variable("z", 0, 1, 0.1)},
       {cost("f1", linear({0}, [](const auto& u) { return 1.0 * u[0]; })),
@@ -613,7 +613,7 @@ TEST_CASE("at the end of one cost of three the others are least", "[front]") {
 }
 
 TEST_CASE("where the front falls steeply at its end the end is worth having", "[front]") {
-  const MultiProblem problem = of_one(0, 1, 0.5, [](const auto& u) {
+  const Problem problem = of_one(0, 1, 0.5, [](const auto& u) {
     using std::exp;
     return exp(-1e4 * u[0]) + 1.0 - u[0];
   });
@@ -626,7 +626,7 @@ TEST_CASE("where the front falls steeply at its end the end is worth having", "[
 
 TEST_CASE("an end where the other cost has no bound does not spoil the front", "[front]") {
   // f2 = 1 / x is infinite where f1 = x is least.
-  const MultiProblem problem = of_one(0, 4, 1, [](const auto& u) { return 1.0 / u[0]; });
+  const Problem problem = of_one(0, 4, 1, [](const auto& u) { return 1.0 / u[0]; });
   ParetoOptions options = options_of(20, ParetoMethod::Sweep);
   options.reference = Costs{5, 5};
   const Front front = pareto(problem, options);
@@ -641,7 +641,7 @@ TEST_CASE("an end where the other cost has no bound does not spoil the front", "
 TEST_CASE("a front of large and of small numbers", "[front]") {
   for (const double size : {1e-9, 1e9}) {
     INFO(size);
-    MultiProblem problem = two_centres();
+    Problem problem = two_centres();
     problem.objectives[0] = cost("f1", convex({0, 1}, [size](const auto& u) {
                                    return size * (square(u[0]) + square(u[1])) - size;
                                  }));
@@ -653,7 +653,7 @@ TEST_CASE("a front of large and of small numbers", "[front]") {
 }
 
 TEST_CASE("a study that is stopped is not complete, and what it has is sound", "[front]") {
-  const MultiProblem problem = two_centres();
+  const Problem problem = two_centres();
   const ParetoOptions whole = options_of(20);
   const Front undisturbed = pareto(problem, whole);
   REQUIRE(undisturbed.complete);
@@ -692,7 +692,7 @@ TEST_CASE("the same options twice give the same bits, another seed need not", "[
     ParetoOptions options = options_of(12, method);
     options.population = 40;
     options.generations = 20;
-    const MultiProblem& problem = known("Tanaka").problem;
+    const Problem& problem = known("Tanaka").problem;
     const std::string first = bits(pareto(problem, options));
     CHECK(bits(pareto(problem, options)) == first);
     options.seed = 2;
@@ -703,10 +703,10 @@ TEST_CASE("the same options twice give the same bits, another seed need not", "[
 }
 
 TEST_CASE("what is not a question for a front is refused", "[front]") {
-  const auto refused = [](const MultiProblem& problem, ParetoOptions options = {}) {
+  const auto refused = [](const Problem& problem, ParetoOptions options = {}) {
     CHECK_THROWS_AS(pareto(problem, options), std::invalid_argument);
   };
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   refused(problem, options_of(0));
   refused(problem, options_of(1));
   ParetoOptions options;
@@ -722,19 +722,19 @@ TEST_CASE("what is not a question for a front is refused", "[front]") {
   problem.variables[0].lower = 3;
   problem.variables[0].upper = 2;
   refused(problem);
-  MultiSpace space = two_rooms();
+  ProblemSpace space = two_rooms();
   space.choices[0].options.clear();
   CHECK_THROWS_AS(pareto(space), std::invalid_argument);
 }
 
 TEST_CASE("combinations are counted like digits", "[front]") {
-  MultiSpace space;
+  ProblemSpace space;
   space.choices = {{"a", "", {"0", "1"}, {}, 0}, {"b", "", {"0", "1", "2"}, {}, 0}};
   CHECK(space.parts() == 6);
   CHECK(space.options(0) == std::vector<std::size_t>{0, 0});
   CHECK(space.options(1) == std::vector<std::size_t>{0, 1});
   CHECK(space.options(5) == std::vector<std::size_t>{1, 2});
-  CHECK(MultiSpace::of(two_centres()).parts() == 1);
+  CHECK(ProblemSpace::of(two_centres()).parts() == 1);
   space.choices.assign(40, {"c", "", {"0", "1"}, {}, 0});
   CHECK_THROWS_AS(space.parts(), std::invalid_argument);
 }

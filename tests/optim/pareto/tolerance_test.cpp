@@ -18,8 +18,8 @@ ParetoOptions points(std::size_t count) {
 }
 
 /// Two centres and a third cost that is rounding: of the order of 1e-17, different everywhere.
-MultiProblem with_noise() {
-  MultiProblem problem = two_centres();
+Problem with_noise() {
+  Problem problem = two_centres();
   problem.objectives.push_back(cost("noise", function({0, 1}, [](const auto& u) {
                                       using std::sin;
                                       return 1e-17 * (1.0 + sin(1e3 * u[0] + 7e2 * u[1]));
@@ -83,7 +83,7 @@ TEST_CASE("points that dominate each other in a ring leave one", "[dominance]") 
 
 TEST_CASE("a cost that is noise keeps no dominated point and bounds no knee", "[front]") {
   // Stated, as no function tells that such differences are rounding.
-  MultiProblem problem = with_noise();
+  Problem problem = with_noise();
   problem.objectives[2].tolerance = 1e-15;
   const Front front = pareto(problem, points(15));
   CHECK(front.tolerances[2] == 1e-15);
@@ -103,7 +103,7 @@ TEST_CASE("a cost that is noise keeps no dominated point and bounds no knee", "[
 
 TEST_CASE("the default tolerance knows the size of a cost that vanishes on the front", "[front]") {
   // f3 can be zero all along the front, and is to rounding; elsewhere it is of the order of one.
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives.push_back(cost("f3", convex({1}, [](const auto& u) { return square(u[0]); })));
   const Front front = pareto(problem, points(15));
   CHECK(front.tolerances[2] > 1e-10);
@@ -119,7 +119,7 @@ TEST_CASE("the default tolerance knows the size of a cost that vanishes on the f
 TEST_CASE("a stated tolerance decides how near points may lie", "[front]") {
   for (const std::size_t objectives : {2, 3}) {
     INFO(objectives << " objectives");
-    MultiProblem problem = objectives == 2 ? two_centres() : three_centres();
+    Problem problem = objectives == 2 ? two_centres() : three_centres();
     for (Objective& o : problem.objectives) o.tolerance = 0.1;
     const Front coarse = pareto(problem, points(60));
     CHECK(coarse.points.size() >= 3);
@@ -142,7 +142,7 @@ TEST_CASE("a stated tolerance decides how near points may lie", "[front]") {
 
 TEST_CASE("tolerances of some objectives alone", "[front]") {
   // Where f2 does not change by more than 0.2 the smaller f1 is the better.
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[1].tolerance = 0.2;
   const Front front = pareto(problem, points(40));
   CHECK(front.tolerances[1] == 0.2);

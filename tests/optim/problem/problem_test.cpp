@@ -41,7 +41,7 @@ Problem sound() {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.5},
                        {.name = "y", .lower = 0, .upper = 1, .start = 0.5}};
-  problem.objective.response = {"cost", "N", sum()};
+  problem.objectives = {{.response = {"cost", "N", sum()}}};
   problem.constraints = {{.response = {"load", "N", sum()}, .upper = 5}};
   return problem;
 }
@@ -116,7 +116,7 @@ TEST_CASE("the check refuses bounds that leave no number", "[optimise]") {
 
 TEST_CASE("the check names a response that uses a variable that is not there", "[optimise]") {
   const auto third = [] { return function({0, 2}, [](const auto& u) { return u[0] * u[1]; }); };
-  CHECK(complaint([&](Problem& p) { p.objective.response.measure = third(); }) ==
+  CHECK(complaint([&](Problem& p) { p.objectives[0].response.measure = third(); }) ==
         "response 'cost': it uses variable 2; there are 2");
   CHECK(complaint([&](Problem& p) { p.constraints[0].response.measure = third(); }) ==
         "response 'load': it uses variable 2; there are 2");
@@ -162,7 +162,7 @@ TEST_CASE("the check refuses a constraint's scale that is not a positive number"
 
 TEST_CASE("the check refuses peaks that are asked for the wrong way", "[optimise]") {
   const auto words = [](Objective objective) {
-    return complaint([&](Problem& p) { p.objective = objective; });
+    return complaint([&](Problem& p) { p.objectives = {objective}; });
   };
   CHECK(words(of_curve(Part::Highest, Sense::Minimize)).empty());
   CHECK(words(of_curve(Part::Magnitude, Sense::Minimize)).empty());
@@ -208,8 +208,8 @@ TEST_CASE("which objectives have one valley", "[optimise]") {
     std::set<Shape> result;
     for (const Shape shape : shapes) {
       Problem problem = sound();
-      problem.objective = of_curve(part, sense, shape);
-      if (part == Part::Value) problem.objective.response.measure = sum(shape);
+      problem.objectives = {of_curve(part, sense, shape)};
+      if (part == Part::Value) problem.objectives[0].response.measure = sum(shape);
       if (!why_convex(problem)) continue;
       result.insert(shape);
       // Stationary points of a quasiconvex function may be no minima: it must slope.
@@ -286,7 +286,7 @@ TEST_CASE("sizes follow from typical changes, tolerances from bounds", "[optimis
   const auto linear = [](double a, double b) {
     return function({0, 1}, [=](const auto& u) { return a * u[0] + b * u[1]; });
   };
-  problem.objective.response = {"cost", "N", linear(3, 4)};
+  problem.objectives = {{.response = {"cost", "N", linear(3, 4)}}};
   problem.constraints = {
       {.response = {"wide", "N", linear(10, -30)}, .upper = 5},
       {.response = {"flat", "N", linear(1e-9, 0)}, .lower = -50, .upper = 20},
@@ -315,7 +315,7 @@ TEST_CASE("a wider box changes neither sizes nor tolerances", "[optimise]") {
   problem.variables = {{.name = "x", .lower = 5, .upper = 40, .start = 20},
                        {.name = "near zero", .lower = -2, .upper = 2, .start = 1e-9}};
   const auto f = [](const auto& u) { return u[0] * u[0] - 400.0 + u[1]; };
-  problem.objective.response = {"cost", "N", function({0, 1}, f)};
+  problem.objectives = {{.response = {"cost", "N", function({0, 1}, f)}}};
   problem.constraints = {{.response = {"zero", "N", function({0, 1}, f)}, .upper = 0}};
   const Point x{20, 1e-9};
   const Sizes narrow = sizes(problem, x);
@@ -332,19 +332,21 @@ TEST_CASE("a wider box changes neither sizes nor tolerances", "[optimise]") {
 TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "r", .lower = 1e-4, .upper = 10, .start = 1e-4}};
-  problem.objective.response = {
-      "steep", "N", function({0}, [](const auto& u) { return 1.0 / (u[0] * u[0] * u[0]); })};
+  problem.objectives = {{.response = {"steep", "N", function({0}, [](const auto& u) {
+                                        return 1.0 / (u[0] * u[0] * u[0]);
+                                      })}}};
   const Sizes steep = sizes(problem, problem.start());  // the slope at the start: 3e17
   CHECK(steep.objective <= 100 * steep.objective_typical);
   CHECK(steep.objective_typical < 1000);
   problem.variables = {{.name = "x", .lower = -1, .upper = 3, .start = 1}};
-  problem.objective.response = {
-      "level", "N", function({0}, [](const auto& u) { return (u[0] - 1.0) * (u[0] - 1.0); })};
+  problem.objectives = {{.response = {"level", "N", function({0}, [](const auto& u) {
+                                        return (u[0] - 1.0) * (u[0] - 1.0);
+                                      })}}};
   const Sizes level = sizes(problem, problem.start());  // the slope at the start: 0
   CHECK(level.objective > 0.1);
   // What is fixed does not count.
   problem.variables.push_back({.name = "load", .lower = 5, .upper = 5, .start = 5});
-  problem.objective.response.measure = function(
+  problem.objectives[0].response.measure = function(
       {0, 1}, [](const auto& u) { return 3.0 * u[0] + 1e9 * u[1]; }, Shape::Linear);
   CHECK(sizes(problem, problem.start()).objective == 3);
 }
@@ -352,11 +354,12 @@ TEST_CASE("a start unlike all other designs does not make the sizes", "[optimise
 TEST_CASE("sizes are finite where derivatives are not", "[optimise]") {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0}};
-  problem.objective.response = {"root", "1",
-                                function({0}, [](const auto& u) { return sqrt(u[0]); })};
+  problem.objectives = {
+      {.response = {"root", "1", function({0}, [](const auto& u) { return sqrt(u[0]); })}}};
   // 1 / (2 sqrt(x)) at eight places of [0, 1].
   CHECK(sizes(problem, problem.start()).objective == Approx(0.75).margin(0.25));
-  problem.objective.response.measure = function({0}, [](const auto& u) { return log(u[0] - 2.0); });
+  problem.objectives[0].response.measure =
+      function({0}, [](const auto& u) { return log(u[0] - 2.0); });
   CHECK(std::isfinite(sizes(problem, problem.start()).objective));
 }
 
@@ -596,7 +599,7 @@ TEST_CASE("a curve knows how its slope changes with each design variable", "[opt
 
 TEST_CASE("right derivatives agree with differences, at bounds too", "[optimise]") {
   Problem problem = sound();
-  problem.objective.response.measure = function(
+  problem.objectives[0].response.measure = function(
       {0, 1}, [](const auto& u) { return exp(u[0]) * sin(3.0 * u[1]) + u[0] * u[0] * u[0]; });
   problem.constraints.push_back({.response = {"wave", "N",
                                               curve({0, 1}, 0, 2,
@@ -619,10 +622,10 @@ TEST_CASE("right derivatives agree with differences, at bounds too", "[optimise]
 TEST_CASE("right derivatives agree where value and gradient vanish", "[optimise]") {
   Problem problem = sound();
   for (Variable& v : problem.variables) v.lower = -1;
-  problem.objective.response.measure =
+  problem.objectives[0].response.measure =
       function({0, 1}, [](const auto& u) { return u[0] * u[0] + u[0] * u[1] - u[1] * u[1]; });
   CHECK(check_derivatives(problem, Point{0, 0}).agrees);
-  problem.objective.response.measure = function({0}, [](const auto& u) { return 0.0 * u[0]; });
+  problem.objectives[0].response.measure = function({0}, [](const auto& u) { return 0.0 * u[0]; });
   CHECK(check_derivatives(problem, Point{0, 0}).agrees);
 }
 

@@ -93,9 +93,9 @@ TEST_CASE("progress is reported in the problem's units and sign", "[optimise]") 
       options.progress = [&](const Progress& p) { ++calls, last = p.objective; };
       Problem problem = bowl();
       if (maximise) {
-        problem.objective = most(function<Interval>(
+        problem.objectives = {most(function<Interval>(
             {0, 1}, [](const auto& u) { return 50.0 - square(u[0] - 1.0) - square(u[1] + 0.5); },
-            Shape::Concave));
+            Shape::Concave))};
       }
       const Found found = optimise(problem, options).found;
       CHECK(calls > 1);

@@ -19,7 +19,8 @@ TEST_CASE("an optimum near a region without numbers is found", "[optimise]") {
   // x - log(x) / 100 is undefined for x <= 0 and least at 0.01.
   Problem problem;
   problem.variables = {variable("x", -1, 5, 3)};
-  problem.objective = least(function({0}, [](const auto& u) { return u[0] - 0.01 * log(u[0]); }));
+  problem.objectives = {
+      least(function({0}, [](const auto& u) { return u[0] - 0.01 * log(u[0]); }))};
   const Found found = optimise(problem).found;
   CHECK(found.assessment.verdict == Verdict::Certified);
   CHECK(found.x[0] == Approx(0.01).epsilon(1e-4));
@@ -29,8 +30,8 @@ TEST_CASE("an optimum on the edge of a region without numbers is come close to",
   // Least -x, undefined for x > 1.
   Problem problem;
   problem.variables = {variable("x", -5, 5, -2)};
-  problem.objective =
-      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }));
+  problem.objectives = {
+      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }))};
   const Found found = optimise(problem).found;
   REQUIRE(found.x.size() == 1);
   CHECK(found.assessment.verdict == Verdict::Feasible);
@@ -42,8 +43,8 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   // (x - 2)^2 + sqrt(x) from x = -3.
   Problem problem;
   problem.variables = {variable("x", -4, 4, -3)};
-  problem.objective =
-      least(function({0}, [](const auto& u) { return square(u[0] - 2.0) + 0.0 * sqrt(u[0]); }));
+  problem.objectives = {
+      least(function({0}, [](const auto& u) { return square(u[0] - 2.0) + 0.0 * sqrt(u[0]); }))};
   const Found alone = optimise(problem, {.starts = 1}).found;
   CHECK(alone.assessment.verdict == Verdict::Certified);
   CHECK(alone.x[0] == Approx(2).epsilon(1e-6));
@@ -52,7 +53,8 @@ TEST_CASE("a start without numbers does no harm where there are numbers elsewher
   CHECK(found.x[0] == Approx(2).epsilon(1e-6));
   CHECK(found.starts == 8);
   // And where no number is anywhere.
-  problem.objective = least(function({0}, [](const auto& u) { return sqrt(-9.0 - u[0] * u[0]); }));
+  problem.objectives = {
+      least(function({0}, [](const auto& u) { return sqrt(-9.0 - u[0] * u[0]); }))};
   const Found none = optimise(problem, {.starts = 1}).found;
   CHECK(none.assessment.verdict == Verdict::Failed);
   CHECK(none.status == Status::NonFiniteStart);
@@ -173,7 +175,7 @@ TEST_CASE("an objective without end is a failure that says so", "[optimise]") {
       most(function({0, 1}, [](const auto& u) { return u[0] * u[0] * u[0] + u[0] - u[1]; })),
       least(function({0}, [](const auto& u) { return u[0] - u[0] * u[0]; }))};
   for (const Objective& objective : endless) {
-    problem.objective = objective;
+    problem.objectives = {objective};
     const Found found = optimise(problem).found;
     CHECK(found.assessment.verdict == Verdict::Failed);
     CHECK(found.status == Status::Unbounded);
@@ -185,8 +187,8 @@ TEST_CASE("a search that ends against a region without numbers has stalled", "[o
   // Least -x where the model is undefined for x > 1.
   Problem problem;
   problem.variables = {variable("x", -5, 5, -2)};
-  problem.objective =
-      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }));
+  problem.objectives = {
+      least(function({0}, [](const auto& u) { return 0.0 * sqrt(1.0 - u[0]) - u[0]; }))};
   for (const std::string solver : {"slsqp", "mma", "lbfgs", "cobyla"}) {
     INFO(solver);
     const Found found = optimise(problem, {.solver = solver}).found;
@@ -200,8 +202,8 @@ TEST_CASE("rows that rounding keeps from being met tightly are solved acceptably
   // tolerance allows. That is 4.8e-9 of the range of x, 10: more than the 1e-9 that methods aim at.
   Problem problem;
   problem.variables = {variable("x", -5, 5, -1.2), variable("y", -5, 5, 1)};
-  problem.objective =
-      least(convex({0, 1}, [](const auto& u) { return square(u[0] - 2.0) + square(u[1]); }));
+  problem.objectives = {
+      least(convex({0, 1}, [](const auto& u) { return square(u[0] - 2.0) + square(u[1]); }))};
   problem.constraints = {
       equal("coarse", function({0}, [](const auto& u) { return (u[0] + 1e9) - 1e9; }), 0.3)};
   problem.constraints[0].tolerance = 2e-7;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
 
 namespace camlaw::optim::hard_starts_test {
@@ -37,14 +39,14 @@ TEST_CASE("a start beside a pole makes no false certificate", "[optimise]") {
   }
   std::vector<std::size_t> all(40);
   for (std::size_t i = 0; i < 40; ++i) all[i] = i;
-  many.objective = least(convex(all, [](const auto& u) {
+  many.objectives = {least(convex(all, [](const auto& u) {
     auto sum = 0.0 * u[0];
     for (std::size_t i = 0; i < 40; ++i) {
       const double pull = 1 + 0.1 * static_cast<double>(i);
       sum = sum + 1.0 / (u[i] * u[i] * u[i]) + pull * u[i];
     }
     return sum;
-  }));
+  }))};
   const Found found = optimise(many).found;
   CHECK(found.assessment.verdict == Verdict::Certified);
   CHECK(found.assessment.objective.value == Approx(expected).epsilon(1e-6));
@@ -55,7 +57,7 @@ TEST_CASE("a limit with a pole at the start is met, not called impossible", "[op
     INFO(low);
     Problem problem;
     problem.variables = {variable("r", low, 10, low)};
-    problem.objective = most(linear({0}, [](const auto& u) { return u[0]; }));
+    problem.objectives = {most(linear({0}, [](const auto& u) { return u[0]; }))};
     problem.constraints = {at_most(
         "stress", convex({0}, [](const auto& u) { return 1.0 / (u[0] * u[0] * u[0]) + u[0]; }), 3)};
     const Found found = optimise(problem).found;
@@ -70,7 +72,7 @@ TEST_CASE("what grows without end is not certified", "[optimise]") {
   const auto unbounded = [](Function gain) {
     Problem problem;
     problem.variables = {variable("x", 0, kInfinity, 1)};
-    problem.objective = most(std::move(gain));
+    problem.objectives = {most(std::move(gain))};
     return problem;
   };
   const auto concave = [](auto f) { return function<Interval>({0}, f, Shape::Concave); };
@@ -96,7 +98,7 @@ TEST_CASE("a search that begins at the optimum stays there", "[optimise]") {
 
   Problem growing;  // e^x on [-40, 0]
   growing.variables = {variable("x", -40, 0, -40)};
-  growing.objective = most(convex({0}, [](const auto& u) { return exp(u[0]); }));
+  growing.objectives = {most(convex({0}, [](const auto& u) { return exp(u[0]); }))};
   CHECK(optimise(growing).found.assessment.verdict != Verdict::Failed);
 }
 
@@ -107,9 +109,9 @@ TEST_CASE("a search of combinations that is cut short calls nothing infeasible",
   Problem problem;
   problem.variables = {integer("k", 0, 1, 0), variable("x", 0, 1, 0.5)};
   const Function cost = convex({0, 1}, [](const auto& u) { return u[0] + square(u[1] - 0.3); });
-  problem.objective = least(observed(cost, [&](std::span<const double> u) {
+  problem.objectives = {least(observed(cost, [&](std::span<const double> u) {
     if (u[0] == 0 && ++seen > 3) stop = true;
-  }));
+  }))};
   problem.constraints = {at_least("enough", linear({0}, [](const auto& u) { return u[0]; }), 0.4)};
   const Assessment a = optimise(problem, {.stop = &stop}).found.assessment;
   CHECK(a.verdict != Verdict::Infeasible);
@@ -125,9 +127,9 @@ TEST_CASE("combinations are searched from the start's outwards", "[optimise]") {
   Problem problem;
   problem.variables = {integer("k", 0, 5, 3)};
   const Function cost = linear({0}, [](const auto& u) { return 1.0 * u[0]; });
-  problem.objective = least(observed(cost, [&](std::span<const double> u) {
+  problem.objectives = {least(observed(cost, [&](std::span<const double> u) {
     if (order.empty() || order.back() != u[0]) order.push_back(u[0]);
-  }));
+  }))};
   optimise(problem);
   REQUIRE(order.size() >= 6);
   order.resize(6);
@@ -142,17 +144,17 @@ TEST_CASE("a quasiconvex objective that is level where it was found is not the b
   };
   Problem problem;
   problem.variables = {variable("x", -1, 1, 0)};
-  problem.objective = least(function<Interval>({0}, ninth, Shape::Quasilinear));
+  problem.objectives = {least(function<Interval>({0}, ninth, Shape::Quasilinear))};
   const Assessment alone = optimise(problem).found.assessment;
   CHECK((alone.verdict != Verdict::Certified || alone.objective.value < -0.99));
   problem.variables.push_back(integer("k", 0, 1, 0));
-  problem.objective = least(function<Interval>(
+  problem.objectives = {least(function<Interval>(
       {0, 1},
       [&](const auto& u) {
         const auto third = u[0] * u[0] * u[0];
         return third * third * third + u[1];
       },
-      Shape::Quasilinear));
+      Shape::Quasilinear))};
   const Assessment both = optimise(problem).found.assessment;
   CHECK((!both.global || both.objective.value < -0.99));
 }
@@ -161,17 +163,17 @@ TEST_CASE("an error that can be brought to zero is proved to be", "[optimise]") 
   // a cos w + b sin w - cos(w - 0.3): an exact fit, of the error nothing is left but rounding.
   Problem problem;
   problem.variables = {variable("a", -2, 2, 0.1), variable("b", -2, 2, -0.4)};
-  problem.objective = {{"error", "mm",
-                        curve<Interval>(
-                            {0, 1}, 0, 6,
-                            [](const auto& u, const auto& w) {
-                              using T = std::remove_cvref_t<decltype(w)>;
-                              return u[0] * cos(w) + u[1] * sin(w) - cos(w - constant<T>(0.3));
-                            },
-                            Shape::Linear)},
-                       Sense::Minimize,
-                       Part::Magnitude,
-                       {}};
+  problem.objectives = {{{"error", "mm",
+                          curve<Interval>(
+                              {0, 1}, 0, 6,
+                              [](const auto& u, const auto& w) {
+                                using T = std::remove_cvref_t<decltype(w)>;
+                                return u[0] * cos(w) + u[1] * sin(w) - cos(w - constant<T>(0.3));
+                              },
+                              Shape::Linear)},
+                         Sense::Minimize,
+                         Part::Magnitude,
+                         {}}};
   const Found found = optimise(problem).found;
   INFO(found.assessment.reason);
   CHECK(found.assessment.verdict == Verdict::Certified);
@@ -183,18 +185,18 @@ TEST_CASE("methods that search the whole box take peaks as numbers", "[optimise]
   // Least highest of (x - 1)^2 + y^2 + x cos w / 10 over the cycle, from w = 0 or pi.
   Problem problem;
   problem.variables = {variable("x", -3, 3, -2), variable("y", -3, 3, 2)};
-  problem.objective = {{"peak", "mm",
-                        curve<Interval>(
-                            {0, 1}, 0, 6.28,
-                            [](const auto& u, const auto& w) {
-                              using T = std::remove_cvref_t<decltype(w)>;
-                              const T off = u[0] - constant<T>(1);
-                              return off * off + u[1] * u[1] + constant<T>(0.1) * u[0] * cos(w);
-                            },
-                            Shape::Convex)},
-                       Sense::Minimize,
-                       Part::Highest,
-                       {}};
+  problem.objectives = {{{"peak", "mm",
+                          curve<Interval>(
+                              {0, 1}, 0, 6.28,
+                              [](const auto& u, const auto& w) {
+                                using T = std::remove_cvref_t<decltype(w)>;
+                                const T off = u[0] - constant<T>(1);
+                                return off * off + u[1] * u[1] + constant<T>(0.1) * u[0] * cos(w);
+                              },
+                              Shape::Convex)},
+                         Sense::Minimize,
+                         Part::Highest,
+                         {}}};
   const double expected = least_of([](double x) { return (x - 1) * (x - 1) + x / 10; }, 0, 2);
   for (const char* name : {"direct-l", "crs2", "isres", "esch", "mlsl"}) {
     INFO(name);

@@ -20,7 +20,8 @@ TEST_CASE("few integer combinations are all solved", "[optimise]") {
   // with them b = 0 allows a = 4: 20, b = 1 a = 3: 19, b = 2 a = 2: 18, b = 3 a = 0: 12.
   Problem problem;
   problem.variables = {integer("a", 0, 10), integer("b", 0, 10)};
-  problem.objective = most(linear({0, 1}, [](const auto& u) { return 5.0 * u[0] + 4.0 * u[1]; }));
+  problem.objectives = {
+      most(linear({0, 1}, [](const auto& u) { return 5.0 * u[0] + 4.0 * u[1]; }))};
   problem.constraints = {
       at_most("hours", linear({0, 1}, [](const auto& u) { return 6.0 * u[0] + 4.0 * u[1]; }), 24),
       at_most("steel", linear({0, 1}, [](const auto& u) { return u[0] + 2.0 * u[1]; }), 6)};
@@ -39,8 +40,9 @@ TEST_CASE("integer and continuous variables together", "[optimise]") {
   // whole n: 1.71 at 1, 0.91 at 2, 1.61 at 3. Bounds that are not whole narrow to 1 .. 6.
   Problem problem;
   problem.variables = {integer("n", 0.5, 6.5, 5), variable("x", -9, 9)};
-  problem.objective = least(convex(
-      {0, 1}, [](const auto& u) { return square(u[0] - 2.4) + square(u[1] - 0.5 * u[0]) + u[1]; }));
+  problem.objectives = {least(convex({0, 1}, [](const auto& u) {
+    return square(u[0] - 2.4) + square(u[1] - 0.5 * u[0]) + u[1];
+  }))};
   const Optimum optimum = optimise(problem);
   CHECK(optimum.found.assessment.verdict == Verdict::Certified);
   CHECK(optimum.combinations == 6);
@@ -56,9 +58,9 @@ namespace {
 Problem many_combinations(double most_in_all) {
   Problem problem;
   problem.variables = {integer("a", 0, 20), integer("b", 0, 20, 7), integer("c", 0, 20, 20)};
-  problem.objective = least(convex({0, 1, 2}, [](const auto& u) {
+  problem.objectives = {least(convex({0, 1, 2}, [](const auto& u) {
     return square(u[0] - 4.4) + 2.0 * square(u[1] - 7.5) + square(u[2] - 9.7) + square(u[0] - u[2]);
-  }));
+  }))};
   problem.constraints = {at_most(
       "all", linear({0, 1, 2}, [](const auto& u) { return 3.0 * u[0] + 2.0 * u[1] + u[2]; }),
       most_in_all)};
@@ -77,7 +79,7 @@ double by_trying(const Problem& problem) {
           return value <= c.upper.value_or(kInfinity) && value >= c.lower.value_or(-kInfinity);
         };
         if (!std::all_of(problem.constraints.begin(), problem.constraints.end(), meets)) continue;
-        least_value = std::min(least_value, problem.objective.response.function().value(x));
+        least_value = std::min(least_value, problem.objective().response.function().value(x));
       }
     }
   }
@@ -106,8 +108,8 @@ TEST_CASE("branch and bound maximises too", "[optimise]") {
   // Most 8 a + 11 b + 6 c where 5 a + 7 b + 4 c <= 14 and each is 0 to 20: a = 0, b = 2 gives 22,
   // a = 2, c = 1 also 22, a = 1, b = 1 19; the relaxation takes a = 14/5: 22.4. Against trying all.
   Problem problem = many_combinations(0);
-  problem.objective =
-      most(linear({0, 1, 2}, [](const auto& u) { return 8.0 * u[0] + 11.0 * u[1] + 6.0 * u[2]; }));
+  problem.objectives = {
+      most(linear({0, 1, 2}, [](const auto& u) { return 8.0 * u[0] + 11.0 * u[1] + 6.0 * u[2]; }))};
   problem.constraints = {at_most(
       "weight",
       linear({0, 1, 2}, [](const auto& u) { return 5.0 * u[0] + 7.0 * u[1] + 4.0 * u[2]; }), 14)};
@@ -122,7 +124,7 @@ TEST_CASE("branch and bound certifies nothing that it excluded by problems that 
   // Least sin(n) for n of 0 to 3000: n = 11 is close to 7 pi/2, -0.99999.
   Problem problem;
   problem.variables = {integer("n", 0, 3000, 7)};
-  problem.objective = least(function({0}, [](const auto& u) { return sin(u[0]); }));
+  problem.objectives = {least(function({0}, [](const auto& u) { return sin(u[0]); }))};
   const Optimum optimum = optimise(problem);
   CHECK_FALSE(optimum.found.assessment.global);
   const bool good = optimum.found.assessment.objective.value <= std::sin(11.0);
@@ -133,9 +135,9 @@ TEST_CASE("integer values at which the model is undefined are passed over", "[op
   // (n - 2)^2 + x^2 with numbers for n >= 5 only: 9.
   Problem problem;
   problem.variables = {integer("n", 0, 9, 1), variable("x", -1, 1, 0.5)};
-  problem.objective = least(function({0, 1}, [](const auto& u) {
+  problem.objectives = {least(function({0, 1}, [](const auto& u) {
     return square(u[0] - 2.0) + square(u[1]) + 0.0 * log(u[0] - 4.5);
-  }));
+  }))};
   const Optimum optimum = optimise(problem);
   CHECK(optimum.found.x.at(0) == 5);
   CHECK(optimum.found.assessment.objective.value == Approx(9).epsilon(1e-9));
@@ -147,7 +149,7 @@ TEST_CASE("integers that no limit allows are infeasible, tried one by one", "[op
   // 2 a = 3 is met between integers alone.
   Problem problem;
   problem.variables = {integer("a", 0, 10), variable("x", 0, 1)};
-  problem.objective = least(linear({0, 1}, [](const auto& u) { return u[0] + u[1]; }));
+  problem.objectives = {least(linear({0, 1}, [](const auto& u) { return u[0] + u[1]; }))};
   problem.constraints = {equal("odd", linear({0}, [](const auto& u) { return 2.0 * u[0]; }), 3)};
   const Optimum optimum = optimise(problem);
   CHECK(optimum.found.assessment.verdict == Verdict::Infeasible);
@@ -198,8 +200,8 @@ ProblemSpace stock(std::vector<double> targets, std::vector<double> prices,
     const double target = targets[i], price = prices[i];
     Problem problem;
     problem.variables = {variable("x", 0, 10, 1)};
-    problem.objective = least(
-        convex({0}, [target, price](const auto& u) { return square(u[0] - target) + price; }));
+    problem.objectives = {least(
+        convex({0}, [target, price](const auto& u) { return square(u[0] - target) + price; }))};
     problem.constraints = {
         at_most("reach", linear({0}, [](const auto& u) { return u[0]; }), limits[i])};
     return problem;
@@ -239,8 +241,8 @@ TEST_CASE("an option whose model throws does not hide the others", "[optimise]")
     space.problem = [=](const std::vector<std::size_t>& options) {
       Problem problem = sound(options);
       if (options[0] == broken) {
-        problem.objective.response.measure =
-            observed(problem.objective.response.function(),
+        problem.objectives[0].response.measure =
+            observed(problem.objective().response.function(),
                      [](auto) { throw std::runtime_error("no such size"); });
       }
       return problem;
@@ -262,8 +264,8 @@ TEST_CASE("choices and integers multiply", "[optimise]") {
     const double offset = choices[0].values[options[0]] + choices[1].values[options[1]];
     Problem problem;
     problem.variables = {integer("n", 1, 3, 2)};
-    problem.objective =
-        least(convex({0}, [offset](const auto& u) { return square(offset - 2.0 * u[0]); }));
+    problem.objectives = {
+        least(convex({0}, [offset](const auto& u) { return square(offset - 2.0 * u[0]); }))};
     return problem;
   };
   const Optimum optimum = optimise(space);
@@ -283,8 +285,9 @@ TEST_CASE("progress tells the share of starts and combinations that is through",
     const double place = choices[0].values[options[0]];
     Problem problem;
     problem.variables = {variable("x", -4, 4, 1)};
-    problem.objective = least(function<Interval>(
-        {0}, [place](const auto& u) { return square(square(u[0]) - 4.0) + square(u[0] - place); }));
+    problem.objectives = {least(function<Interval>({0}, [place](const auto& u) {
+      return square(square(u[0]) - 4.0) + square(u[0] - place);
+    }))};
     return problem;
   };
   std::vector<double> shares;
@@ -301,9 +304,9 @@ TEST_CASE("progress tells the share of starts and combinations that is through",
 TEST_CASE("where time runs out among combinations, the best so far is feasible", "[optimise]") {
   Problem problem;
   problem.variables = {integer("a", 0, 400), variable("x", -1, 1, 0.5)};
-  problem.objective = least(
+  problem.objectives = {least(
       observed(convex({0, 1}, [](const auto& u) { return square(u[0] - 300.0) + square(u[1]); }),
-               [](auto) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }));
+               [](auto) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }))};
   const Optimum optimum = optimise(problem, {.time_limit = 0.3});
   CHECK(optimum.wall_s < 5);
   CHECK(optimum.solved < 401);

@@ -2,6 +2,7 @@
 #include "optim/search/interruptible.h"
 
 #include "optim/cycle/remembered.h"
+#include "optim/search/local.h"
 #include "optim/search/memory.h"
 #include "optim/verdict/verdict.h"
 #include "tests/optim/search/search_problems.h"
@@ -17,7 +18,7 @@ Function slanted() {
 Problem slanted_problem() {
   Problem problem;
   for (int i = 0; i < 4; ++i) problem.variables.push_back(variable("x", -2, 2, 1));
-  problem.objective = least(slanted());
+  problem.objectives = {least(slanted())};
   problem.constraints.push_back(
       at_least("x4", linear({3}, [](const auto& u) { return 1.0 * u[0]; }), 0.5));
   return problem;
@@ -30,7 +31,7 @@ TEST_CASE("an interruptible problem is the same to the bit until it throws", "[o
   const Deadline deadline({}, &stop);
   const Function plain = slanted();
   const Problem problem = interruptible(slanted_problem(), deadline);
-  const Function& guarded = problem.objective.response.function();
+  const Function& guarded = problem.objective().response.function();
   const Point x{0.1, -1.7, 9, 0.3};
   CHECK(guarded.inputs() == plain.inputs());
   CHECK(guarded.shape() == plain.shape());
@@ -57,10 +58,10 @@ TEST_CASE("a search whose proof or sizes would go on is ended there too", "[opti
   std::atomic<bool> stop = false;
   int count = 0, late = 0, most = std::numeric_limits<int>::max();
   Problem problem = slanted_problem();
-  problem.objective = least(observed(slanted(), [&](std::span<const double>) {
+  problem.objectives = {least(observed(slanted(), [&](std::span<const double>) {
     late += stop ? 1 : 0;
     if (++count >= most) stop = true;
-  }));
+  }))};
   const auto search = [&] {
     count = late = 0;
     stop = false;
@@ -107,7 +108,7 @@ TEST_CASE("memory is refused by name before it is taken", "[optimise]") {
     for (std::size_t i = 1; i < u.size(); ++i) total = total + u[i];
     return total;
   };
-  problem.objective = least(linear(all, sum));
+  problem.objectives = {least(linear(all, sum))};
   for (int i = 0; i < 2000; ++i)
     problem.constraints.push_back(at_least("sum", linear(all, sum), 1));
   const MemoryNeed need = memory_need(problem);

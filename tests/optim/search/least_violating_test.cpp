@@ -18,7 +18,7 @@ constexpr std::size_t kWanted = 4;
 /// Only the deeper of the two valleys, by x = -1, meets the limit.
 Problem one_valley_is_enough() {
   Problem problem = two_valleys();
-  problem.constraints = {at_most("depth", problem.objective.response.function(), -0.1)};
+  problem.constraints = {at_most("depth", problem.objective().response.function(), -0.1)};
   return problem;
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("places where limits are passed least lie apart, and not where a searc
 
 TEST_CASE("where the limits leave no convex set a second valley is found", "[optimise]") {
   Problem problem = one_valley_is_enough();
-  problem.objective = least(linear({1}, [](const auto& u) { return 1.0 * u[0]; }));
+  problem.objectives = {least(linear({1}, [](const auto& u) { return 1.0 * u[0]; }))};
   OptimiseOptions once;
   once.starts = 1;
   const Optimum optimum = optimise(problem, once);
@@ -72,7 +72,7 @@ TEST_CASE("where the limits leave no convex set a second valley is found", "[opt
 TEST_CASE("a design that there is on a face of the box alone is found", "[optimise]") {
   Problem problem;
   problem.variables = {variable("x", -2, 2, 0.3), variable("y", 1, 3, 2)};
-  problem.objective = least(linear({1}, [](const auto& u) { return 1.0 * u[0]; }));
+  problem.objectives = {least(linear({1}, [](const auto& u) { return 1.0 * u[0]; }))};
   problem.constraints = {at_most("on face", {{0}, std::make_shared<OnFace>()}, 0)};
   const Optimum optimum = optimise(problem);
   REQUIRE(is_feasible(optimum.found.assessment));

@@ -50,7 +50,7 @@ TEST_CASE("limits, equations and maximising", "[optimise]") {
   }
   // Most x + y in the disc of radius 2: 2 sqrt(2) at (sqrt 2, sqrt 2).
   Problem problem = bowl();
-  problem.objective = most(sum());
+  problem.objectives = {most(sum())};
   problem.constraints = {at_most(
       "radius", convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }), 4)};
   const Found found = optimise(problem).found;
@@ -65,7 +65,7 @@ TEST_CASE("two limits that contradict each other are blamed, an innocent one is 
   // 3 - x and x^2 - 1 are equal where x^2 + x = 4: x = (sqrt(17) - 1) / 2.
   Problem problem;
   problem.variables = {variable("x", -5, 5), variable("y", -5, 5)};
-  problem.objective = least(convex({1}, [](const auto& u) { return square(u[0]); }));
+  problem.objectives = {least(convex({1}, [](const auto& u) { return square(u[0]); }))};
   problem.constraints = {
       at_least("low", linear({0}, [](const auto& u) { return u[0]; }), 3),
       at_most("innocent", linear({0, 1}, [](const auto& u) { return u[0] + u[1]; }), 100),
@@ -136,12 +136,12 @@ TEST_CASE("equations that say the same twice are certified, without unique multi
     INFO((third ? "three" : "two") << " variables");
     Problem problem;
     problem.variables = {variable("x", -5, 5, 3), variable("y", -5, 5, -1)};
-    problem.objective =
-        least(convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }));
+    problem.objectives = {
+        least(convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }))};
     if (third) {
       problem.variables.push_back(variable("z", -5, 5, 2));
-      problem.objective = least(convex(
-          {0, 1, 2}, [](const auto& u) { return square(u[0]) + square(u[1]) + square(u[2]); }));
+      problem.objectives = {least(convex(
+          {0, 1, 2}, [](const auto& u) { return square(u[0]) + square(u[1]) + square(u[2]); }))};
     }
     problem.constraints = {
         equal("once", sum(), 2),
@@ -161,7 +161,7 @@ TEST_CASE("three limits through one point of the plane are certified", "[optimis
   // Most x + 2 y where x <= 1, y <= 1, x + y <= 2: (1, 1).
   Problem problem;
   problem.variables = {variable("x", -5, 5), variable("y", -5, 5)};
-  problem.objective = most(linear({0, 1}, [](const auto& u) { return u[0] + 2.0 * u[1]; }));
+  problem.objectives = {most(linear({0, 1}, [](const auto& u) { return u[0] + 2.0 * u[1]; }))};
   problem.constraints = {at_most("right", linear({0}, [](const auto& u) { return u[0]; }), 1),
                          at_most("top", linear({1}, [](const auto& u) { return u[0]; }), 1),
                          at_most("corner", sum(), 2)};
@@ -179,9 +179,9 @@ TEST_CASE("a saddle as the start is not certified", "[optimise]") {
   // x^2 - y^2 + y^4 / 2 is stationary at the origin; it is least, -1/2, at (0, +-1).
   Problem problem;
   problem.variables = {variable("x", -2, 2), variable("y", -2, 2)};
-  problem.objective = least(function({0, 1}, [](const auto& u) {
+  problem.objectives = {least(function({0, 1}, [](const auto& u) {
     return square(u[0]) - square(u[1]) + 0.5 * square(square(u[1]));
-  }));
+  }))};
   const Found stuck = optimise(problem, {.starts = 1}).found;
   const bool escaped = std::abs(std::abs(stuck.x[1]) - 1) < 1e-3;
   CHECK((stuck.assessment.verdict == Verdict::Certified) == escaped);
@@ -207,7 +207,7 @@ TEST_CASE("of two valleys the deeper one is found, and the starts that agree are
   int deep = 0;
   for (const Point& start : starts(problem, kStarts, 1)) {
     const Attempt alone = exchange(problem, sizes(problem, start), start, find_solver("slsqp"), {});
-    deep += std::abs(problem.objective.response.function().value(alone.x) - deepest) < 1e-6;
+    deep += std::abs(problem.objective().response.function().value(alone.x) - deepest) < 1e-6;
   }
   CHECK(found.agreed == deep);
   CHECK(deep > 0);
@@ -219,8 +219,8 @@ TEST_CASE("the start that led to the answer agrees with it", "[optimise]") {
   // points that differ by more than 1e-6; one of them is the answer.
   Problem problem;
   problem.variables = {variable("x", -5, 5, 3), variable("y", -5, 5, -1)};
-  problem.objective =
-      least(convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }));
+  problem.objectives = {
+      least(convex({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }))};
   problem.constraints = {at_most(
       "circle",
       function({0, 1}, [](const auto& u) { return square(square(u[0]) + square(u[1]) - 2.0); }),
@@ -260,7 +260,7 @@ TEST_CASE("a problem without variables is judged as it stands", "[optimise]") {
     });
   };
   Problem problem;
-  problem.objective = least(number(4));
+  problem.objectives = {least(number(4))};
   problem.constraints = {at_most("load", number(2), 3)};
   for (const std::string solver : {"auto", "ipopt", "cobyla", "crs2"}) {
     INFO(solver);
@@ -303,6 +303,15 @@ TEST_CASE("statuses have words of their own", "[optimise]") {
   }
   CHECK(words.size() == 10);
   CHECK_FALSE(words.contains("?"));
+}
+
+TEST_CASE("a search takes a problem with one objective", "[optimise]") {
+  Problem problem = bowl();
+  problem.objectives.push_back(problem.objective());
+  CHECK_THROWS_WITH(optimise(problem),
+                    "a search has one objective, this problem 2: pareto() finds their front");
+  problem.objectives.clear();
+  CHECK_THROWS_WITH(optimise(problem), "a problem needs an objective");
 }
 
 }  // namespace camlaw::optim::optimise_test

@@ -31,7 +31,7 @@ TEST_CASE("a limit that breaks only between the samples is found by the proof an
   constexpr double kPlace = 100.123, kLimit = 3;
   Problem problem;
   problem.variables = {variable("x", 0, 10, 1)};
-  problem.objective = most(linear({0}, [](const auto& u) { return u[0]; }));
+  problem.objectives = {most(linear({0}, [](const auto& u) { return u[0]; }))};
   problem.constraints = {
       {.response = {"stress", "MPa", curve<Interval>({0}, 0, 360, spiked(kPlace), Shape::Linear)},
        .upper = kLimit}};
@@ -55,7 +55,7 @@ TEST_CASE("a limit that no design meets between the samples is not called met", 
   // The spike alone is higher than 0.5, whatever x >= 0 is.
   Problem problem;
   problem.variables = {variable("x", 0, 10, 1)};
-  problem.objective = most(linear({0}, [](const auto& u) { return u[0]; }));
+  problem.objectives = {most(linear({0}, [](const auto& u) { return u[0]; }))};
   problem.constraints = {
       {.response = {"stress", "MPa", curve<Interval>({0}, 0, 360, spiked(100.123), Shape::Linear)},
        .upper = 0.5}};
@@ -80,10 +80,10 @@ TEST_CASE("a peak between the samples counts in the objective too", "[optimise]"
     const T off = u[0] - constant<T>(2);
     return spiked(kPlace)(u, angle) + constant<T>(4) * off * off;
   };
-  problem.objective = {{"stress", "MPa", curve<Interval>({0}, 0, 360, f, Shape::Convex)},
-                       Sense::Minimize,
-                       Part::Highest,
-                       {}};
+  problem.objectives = {{{"stress", "MPa", curve<Interval>({0}, 0, 360, f, Shape::Convex)},
+                         Sense::Minimize,
+                         Part::Highest,
+                         {}}};
   const Found found = optimise(problem).found;
   const double wave = 1 + 0.1 * std::cos(kPlace * std::acos(-1.0) / 180);
   const double x = 2 - wave / 8, peak = 1 + wave * x + wave * wave / 16;
@@ -99,16 +99,16 @@ TEST_CASE("the line nearest to a cube is Chebyshev's", "[optimise]") {
   // 1: no line comes nearer (Chebyshev's alternation).
   Problem problem;
   problem.variables = {variable("offset", -2, 2, 0.3), variable("slope", -2, 2, -0.4)};
-  problem.objective = {{"error", "mm",
-                        curve<Interval>(
-                            {0, 1}, -1, 1,
-                            [](const auto& u, const auto& angle) {
-                              return angle * angle * angle - u[0] - u[1] * angle;
-                            },
-                            Shape::Linear)},
-                       Sense::Minimize,
-                       Part::Magnitude,
-                       {}};
+  problem.objectives = {{{"error", "mm",
+                          curve<Interval>(
+                              {0, 1}, -1, 1,
+                              [](const auto& u, const auto& angle) {
+                                return angle * angle * angle - u[0] - u[1] * angle;
+                              },
+                              Shape::Linear)},
+                         Sense::Minimize,
+                         Part::Magnitude,
+                         {}}};
   const Found found = optimise(problem).found;
   const Assessment& a = found.assessment;
   CHECK(a.verdict == Verdict::Certified);
@@ -132,18 +132,18 @@ TEST_CASE("the highest value minimised and the lowest maximised", "[optimise]") 
       return constant<T>(sign) * away * away;
     };
   };
-  problem.objective = {{"gap", "mm", curve<Interval>({0}, 0, 3, f(1), Shape::Convex)},
-                       Sense::Minimize,
-                       Part::Highest,
-                       {}};
+  problem.objectives = {{{"gap", "mm", curve<Interval>({0}, 0, 3, f(1), Shape::Convex)},
+                         Sense::Minimize,
+                         Part::Highest,
+                         {}}};
   const Found highest = optimise(problem).found;
   CHECK(highest.assessment.verdict == Verdict::Certified);
   CHECK(highest.x[0] == Approx(1.5).epsilon(1e-6));
   CHECK(highest.assessment.objective.value == Approx(2.25).epsilon(1e-6));
-  problem.objective = {{"gap", "mm", curve<Interval>({0}, 0, 3, f(-1), Shape::Concave)},
-                       Sense::Maximize,
-                       Part::Lowest,
-                       {}};
+  problem.objectives = {{{"gap", "mm", curve<Interval>({0}, 0, 3, f(-1), Shape::Concave)},
+                         Sense::Maximize,
+                         Part::Lowest,
+                         {}}};
   const Found lowest = optimise(problem).found;
   CHECK(lowest.assessment.verdict == Verdict::Certified);
   CHECK(lowest.x[0] == Approx(1.5).epsilon(1e-6));
@@ -154,7 +154,7 @@ TEST_CASE("a limit over the cycle on a smooth objective", "[optimise]") {
   // Most y where x sin(a) + y <= 2 over a whole turn: |x| + y <= 2, and x >= 1/2: y = 3/2.
   Problem problem;
   problem.variables = {variable("x", 0.5, 10, 3), variable("y", -10, 10)};
-  problem.objective = most(linear({1}, [](const auto& u) { return u[0]; }));
+  problem.objectives = {most(linear({1}, [](const auto& u) { return u[0]; }))};
   problem.constraints = {
       {.response = {"wave", "mm",
                     curve<Interval>(

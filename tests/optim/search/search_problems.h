@@ -55,9 +55,9 @@ inline Constraint equal(const std::string& name, Function f, double bound) {
 inline Problem bowl() {
   Problem problem;
   problem.variables = {variable("x", -3, 3), variable("y", -3, 3)};
-  problem.objective = least(convex({0, 1}, [](const auto& u) {
+  problem.objectives = {least(convex({0, 1}, [](const auto& u) {
     return square(u[0] - 1.0) + 2.0 * square(u[1] + 0.5) + u[0] * u[1];
-  }));
+  }))};
   return problem;
 }
 
@@ -69,9 +69,9 @@ inline Function sum() {
 inline Problem two_valleys() {
   Problem problem;
   problem.variables = {variable("x", -2, 2, 0.9), variable("y", -2, 2, 0.5)};
-  problem.objective = least(function<Interval>({0, 1}, [](const auto& u) {
+  problem.objectives = {least(function<Interval>({0, 1}, [](const auto& u) {
     return square(square(u[0]) - 1.0) + 0.2 * u[0] + square(u[1]);
-  }));
+  }))};
   return problem;
 }
 
@@ -128,7 +128,7 @@ inline Function rosenbrock() {
 inline Problem valley_of(Function f) {
   Problem problem;
   problem.variables = {variable("x", -5, 5, -1.2), variable("y", -5, 5, 1)};
-  problem.objective = least(std::move(f));
+  problem.objectives = {least(std::move(f))};
   return problem;
 }
 

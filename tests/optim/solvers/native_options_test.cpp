@@ -125,7 +125,7 @@ TEST_CASE("Ipopt with relaxed bounds ends outside them, and a search does not", 
   CHECK(s.y[0] < 1 - 1e-7);
   Problem problem;
   problem.variables = {variable("x", 1, 2, 1.5)};
-  problem.objective = least(linear({0}, [](const auto& u) { return 1.0 * u[0]; }));
+  problem.objectives = {least(linear({0}, [](const auto& u) { return 1.0 * u[0]; }))};
   const Found found =
       optimise(problem, {.solver = "ipopt", .native = {{"ipopt", {{"bound_relax_factor", 1e-6}}}}})
           .found;

@@ -29,8 +29,8 @@ using testing::Folder, testing::read, testing::write;
 
 const StudySettings kSettings{{"problem", "a = 1\n\"ü\"\n"}, {"points", "12"}, {"empty", ""}};
 
-MultiProblem five_variables() {
-  MultiProblem problem = two_centres();
+Problem five_variables() {
+  Problem problem = two_centres();
   for (const char* name : {"c", "d", "e"}) problem.variables.push_back(variable(name, 0, 1));
   return problem;
 }
@@ -82,7 +82,7 @@ ParetoOptions with_points(std::size_t points) {
 
 /// Makes a study of two rooms in a file.
 std::string made_study(const std::string& path, std::size_t points) {
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   const ParetoOptions options = with_points(points);
   StudyRecord record = StudyRecord::create(path, kSettings);
   DirectExecutor direct(space, options.solve);
@@ -92,7 +92,7 @@ std::string made_study(const std::string& path, std::size_t points) {
 
 /// The front of two rooms from a file alone.
 std::string read_study(const std::string& path, std::size_t points) {
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   StudyRecord record = StudyRecord::read(path);
   RecordedExecutor recorded(space, record, nullptr);
   return bits(pareto(space, with_points(points), recorded));
@@ -349,7 +349,7 @@ TEST_CASE("rows that are not as they were written are damage, and named", "[stud
     CHECK_FALSE(StudyRecord::read(folder / "t.db").damaged().empty());
     CHECK(read_study(folder / "t.db", 8) != whole);
     // Solved again it is what it was.
-    const MultiSpace space = two_rooms();
+    const ProblemSpace space = two_rooms();
     const ParetoOptions options = with_points(8);
     DirectExecutor direct(space, options.solve);
     {
@@ -400,7 +400,7 @@ TEST_CASE("a study of the version before is read, and not gone on with", "[study
     SQLite::Database base(folder / "s.db", SQLite::OPEN_READWRITE);
     base.exec("UPDATE objective SET value = 0.99 * value, cost = 0.99 * cost WHERE design = 2");
   }
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   StudyRecord record = StudyRecord::read(folder / "s.db");
   RecordedExecutor recorded(space, record, nullptr);
   pareto(space, with_points(8), recorded);
@@ -440,7 +440,7 @@ TEST_CASE("what was written wrong is found though its checksum fits, and is solv
           "[study]") {
   const Folder folder;
   const std::string whole = made_study(folder / "s.db", 8);
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   const ParetoOptions options = with_points(8);
   DirectExecutor direct(space, options.solve);
   {
@@ -467,7 +467,7 @@ TEST_CASE("a study whose number of version does not fit its tables is damaged", 
 
 TEST_CASE("a study that was interrupted after any task goes on to the same front", "[study]") {
   const Folder folder;
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   const ParetoOptions options = with_points(6);
   const Front undisturbed = pareto(space, options);
   for (std::size_t tasks = 0; tasks <= undisturbed.tasks; ++tasks) {
@@ -490,7 +490,7 @@ TEST_CASE("a study that was interrupted after any task goes on to the same front
 
 TEST_CASE("a study can be asked for more points, which what is there serves", "[study]") {
   const Folder folder;
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   made_study(folder / "s.db", 6);
   const ParetoOptions options = with_points(20);
   const Front afresh = pareto(space, options);
@@ -510,7 +510,7 @@ TEST_CASE("a study can be asked for more points, which what is there serves", "[
 
 TEST_CASE("without others a study stops at the first task that is not there", "[study]") {
   const Folder folder;
-  const MultiSpace space = two_rooms();
+  const ProblemSpace space = two_rooms();
   StudyRecord record = StudyRecord::create(folder / "s.db", kSettings);
   RecordedExecutor recorded(space, record, nullptr);
   const Front front = pareto(space, with_points(5), recorded);

@@ -29,13 +29,13 @@ void fall(int signal) {
 }
 
 /// Two centres, where something happens at designs with x = 0.9.
-MultiSpace dangerous(void (*happening)()) {
-  MultiProblem problem = two_centres();
+ProblemSpace dangerous(void (*happening)()) {
+  Problem problem = two_centres();
   problem.objectives[0].response.measure =
       observed(distance(0, 0), [happening](std::span<const double> u) {
         if (u[0] == 0.9) happening();
       });
-  return MultiSpace::of(std::move(problem));
+  return ProblemSpace::of(std::move(problem));
 }
 
 /// Searches for the least f2 with f1 at most so much: x goes up to the square root of it.
@@ -61,8 +61,8 @@ std::size_t open_files() {
 }  // namespace
 
 TEST_CASE("workers give what this process gives, to the last bit", "[study]") {
-  for (const MultiSpace& space :
-       {MultiSpace::of(two_centres_limited()), two_rooms(), MultiSpace::of(three_centres())}) {
+  for (const ProblemSpace& space :
+       {ProblemSpace::of(two_centres_limited()), two_rooms(), ProblemSpace::of(three_centres())}) {
     ParetoOptions options;
     options.points = 12;
     const std::string expected = bits(pareto(space, options));
@@ -75,7 +75,7 @@ TEST_CASE("workers give what this process gives, to the last bit", "[study]") {
 }
 
 TEST_CASE("workers give each outcome, in the order of the tasks", "[study]") {
-  const MultiSpace space = MultiSpace::of(two_centres());
+  const ProblemSpace space = ProblemSpace::of(two_centres());
   const auto tasks = bounded_tasks({0.5, 0.04, 0.3, 0.01, 0.16, 0.2, 0.09});
   const OptimiseOptions options;
   DirectExecutor direct(space, options);
@@ -97,7 +97,7 @@ TEST_CASE("workers give each outcome, in the order of the tasks", "[study]") {
 }
 
 TEST_CASE("no workers at all are refused", "[study]") {
-  const MultiSpace space = MultiSpace::of(two_centres());
+  const ProblemSpace space = ProblemSpace::of(two_centres());
   const OptimiseOptions options;
   CHECK_THROWS_AS(ProcessExecutor(space, options, 0), std::invalid_argument);
   CHECK_THROWS_AS(ProcessExecutor(space, options, -3), std::invalid_argument);
@@ -118,7 +118,7 @@ TEST_CASE("a process that dies takes its own task with it only", "[study]") {
   };
   for (const Case& c : cases) {
     INFO(c.said);
-    const MultiSpace space = dangerous(c.happening);
+    const ProblemSpace space = dangerous(c.happening);
     const OptimiseOptions options;
     ProcessExecutor executor(space, options, 2);
     auto tasks = bounded_tasks({0.25, 0.81, 0.16});
@@ -137,11 +137,11 @@ TEST_CASE("a process that dies takes its own task with it only", "[study]") {
 }
 
 TEST_CASE("a study goes on where processes die", "[study]") {
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[0].response.measure = observed(distance(0, 0), [](std::span<const double> u) {
     if (u[0] > 0.72 && u[0] < 0.77 && std::abs(u[1]) < 1e-3) fall(SIGSEGV);
   });
-  const MultiSpace space = MultiSpace::of(std::move(problem));
+  const ProblemSpace space = ProblemSpace::of(std::move(problem));
   ParetoOptions options;
   options.points = 8;
   options.method = ParetoMethod::Sweep;
@@ -159,14 +159,14 @@ TEST_CASE("what a killed process left out is searched for when the study goes on
   // The first to look at a design near the end is killed, as by someone else; the next is not.
   const testing::Folder folder;
   const std::string mark = folder / "killed";
-  MultiProblem problem = two_centres();
+  Problem problem = two_centres();
   problem.objectives[0].response.measure =
       observed(distance(0, 0), [mark](std::span<const double> u) {
         if (u[0] < 0.72 || u[0] > 0.77 || std::filesystem::exists(mark)) return;
         std::ofstream(mark) << "once";
         fall(SIGKILL);
       });
-  const MultiSpace space = MultiSpace::of(std::move(problem));
+  const ProblemSpace space = ProblemSpace::of(std::move(problem));
   ParetoOptions options;
   options.points = 8;
   options.method = ParetoMethod::Sweep;
@@ -188,7 +188,7 @@ TEST_CASE("what a killed process left out is searched for when the study goes on
 }
 
 TEST_CASE("nothing is left open after a run", "[study]") {
-  const MultiSpace space = dangerous([] { _exit(3); });
+  const ProblemSpace space = dangerous([] { _exit(3); });
   const OptimiseOptions options;
   const auto tasks = bounded_tasks({0.25, 0.81, 0.16, 0.9});
   const std::size_t before = open_files();
@@ -206,7 +206,7 @@ TEST_CASE("nothing is left open after a run", "[study]") {
 }
 
 TEST_CASE("a run that is given up closes no file of others", "[study]") {
-  const MultiSpace space = MultiSpace::of(two_centres());
+  const ProblemSpace space = ProblemSpace::of(two_centres());
   const OptimiseOptions options;
   ProcessExecutor executor(space, options, 1);
   int opened = -1;
@@ -219,7 +219,7 @@ TEST_CASE("a run that is given up closes no file of others", "[study]") {
 }
 
 TEST_CASE("a study that is to stop starts nothing, or gives what is done", "[study]") {
-  const MultiSpace space = MultiSpace::of(two_centres());
+  const ProblemSpace space = ProblemSpace::of(two_centres());
   std::atomic<bool> stop = true;
   OptimiseOptions options;
   options.stop = &stop;

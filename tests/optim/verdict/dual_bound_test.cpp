@@ -17,8 +17,8 @@ Problem triangle(double a, double b, const std::vector<Point>& normals) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = -50, .upper = 50, .start = 0},
                        {.name = "y", .lower = -50, .upper = 50, .start = 0}};
-  problem.objective = least(function<Interval>(
-      {0, 1}, [=](const auto& u) { return a * u[0] + b * u[1]; }, Shape::Linear));
+  problem.objectives = {least(function<Interval>(
+      {0, 1}, [=](const auto& u) { return a * u[0] + b * u[1]; }, Shape::Linear))};
   for (const Point& n : normals) {
     problem.constraints.push_back(
         {.response = {"side", "mm",
@@ -93,9 +93,9 @@ TEST_CASE("a quotient of linear functions is bounded by its slopes", "[bound]") 
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 3, .start = 2},
                        {.name = "y", .lower = 0, .upper = 3, .start = 2}};
-  problem.objective = least(function<Interval>(
+  problem.objectives = {least(function<Interval>(
       {0, 1}, [](const auto& u) { return (u[0] + 2.0 * u[1] + 1.0) / (u[0] + 4.0); },
-      Shape::Quasilinear));
+      Shape::Quasilinear))};
   problem.constraints = {
       {.response = {"slope", "1",
                     function<Interval>(
@@ -113,9 +113,9 @@ TEST_CASE("a quotient of linear functions is bounded by its slopes", "[bound]") 
 TEST_CASE("without bounds of the variables the bound says how far it reaches", "[bound]") {
   Problem problem;
   problem.variables = {{.name = "x", .start = 4}};
-  problem.objective = least(function<Interval>(
-      {0}, [](const auto& u) { return square(u[0] - 3.0); }, Shape::Convex));
-  problem.objective.response.measure = function<Interval>(
+  problem.objectives = {least(function<Interval>(
+      {0}, [](const auto& u) { return square(u[0] - 3.0); }, Shape::Convex))};
+  problem.objectives[0].response.measure = function<Interval>(
       {0}, [](const auto& u) { return square(u[0] - 3.0) + 1.0; }, Shape::Convex);
   const Assessment a = optimise(problem).found.assessment;
   CHECK(a.verdict == Verdict::Certified);
@@ -128,8 +128,8 @@ TEST_CASE("a verdict is the same in every box that holds the design", "[bound]")
   for (const double reach : {3.0, 30.0, 300.0}) {
     Problem problem;
     problem.variables = {{.name = "x", .lower = -reach, .upper = reach, .start = 0}};
-    problem.objective = most(function<Interval>(
-        {0}, [](const auto& u) { return u[0] * 1.0; }, Shape::Linear));
+    problem.objectives = {most(function<Interval>(
+        {0}, [](const auto& u) { return u[0] * 1.0; }, Shape::Linear))};
     problem.constraints = {
         {.response = {"grows", "N",
                       function<Interval>(

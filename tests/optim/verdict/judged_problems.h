@@ -32,9 +32,9 @@ inline Problem projection() {
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 10, .start = 1},
                        {.name = "y", .lower = 0, .upper = 10, .start = 1}};
-  problem.objective = least(function<Interval>(
+  problem.objectives = {least(function<Interval>(
       {0, 1}, [](const auto& u) { return square(u[0] - 2.0) + square(u[1] - 1.0); },
-      Shape::Convex));
+      Shape::Convex))};
   problem.constraints = {
       {.response = {"sum", "mm",
                     function<Interval>(
@@ -52,8 +52,8 @@ inline Problem over_cycle(std::optional<double> lower, std::optional<double> upp
   Problem problem;
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
                        {.name = "y", .lower = -5, .upper = 5, .start = 0}};
-  problem.objective = most(function(
-      {0, 1}, [](const auto& u) { return u[0] + 3.0 * u[1]; }, Shape::Linear));
+  problem.objectives = {most(function(
+      {0, 1}, [](const auto& u) { return u[0] + 3.0 * u[1]; }, Shape::Linear))};
   problem.constraints = {
       {.response = {"wave", "mm",
                     enclosed ? curve<Interval>({0, 1}, 0, 2 * kPi, f, Shape::Linear)

@@ -37,15 +37,15 @@ Problem sloped(Sense sense, double a, double b, Kind kind, double bound) {
   problem.variables = {{.name = "x", .lower = -40, .upper = 40, .start = 1},
                        {.name = "y", .lower = -0.5, .upper = 0.5, .start = 0.01}};
   const double way = sense == Sense::Minimize ? 1 : -1;
-  problem.objective = {
-      {"cost", "N",
-       function({0, 1},
-                [=](const auto& u) {
-                  return way * 250.0 * ((u[0] - a) * (u[0] - a) + 900.0 * (u[1] - b) * (u[1] - b));
-                })},
-      sense,
-      Part::Value,
-      {}};
+  problem.objectives = {
+      {{"cost", "N",
+        function({0, 1},
+                 [=](const auto& u) {
+                   return way * 250.0 * ((u[0] - a) * (u[0] - a) + 900.0 * (u[1] - b) * (u[1] - b));
+                 })},
+       sense,
+       Part::Value,
+       {}}};
   Constraint flow{.response = {"flow", "l",
                                function({0, 1}, [](const auto& u) { return u[0] + 30.0 * u[1]; })}};
   if (kind != Kind::Lower) flow.upper = bound;
@@ -60,16 +60,16 @@ Problem boxed(Sense sense, Kind kind, double bound) {
                        {.name = "y", .lower = -9, .upper = 9, .start = 0}};
   (kind == Kind::Lower ? problem.variables[0].lower : problem.variables[0].upper) = bound;
   const double way = sense == Sense::Minimize ? 1 : -1, towards = kind == Kind::Lower ? -12 : 12;
-  problem.objective = {
-      {"cost", "N",
-       function({0, 1},
-                [=](const auto& u) {
-                  return way * 50.0 *
-                         ((u[0] - towards) * (u[0] - towards) + u[0] * u[1] + u[1] * u[1]);
-                })},
-      sense,
-      Part::Value,
-      {}};
+  problem.objectives = {{{"cost", "N",
+                          function({0, 1},
+                                   [=](const auto& u) {
+                                     return way * 50.0 *
+                                            ((u[0] - towards) * (u[0] - towards) + u[0] * u[1] +
+                                             u[1] * u[1]);
+                                   })},
+                         sense,
+                         Part::Value,
+                         {}}};
   return problem;
 }
 
@@ -111,12 +111,12 @@ Problem waving(Sense sense, Kind kind, double bound) {
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
                        {.name = "y", .lower = -5, .upper = 5, .start = 1}};
   const double way = sense == Sense::Minimize ? 1 : -1;
-  problem.objective = {
-      {"cost", "N",
-       function({0, 1}, [=](const auto& u) { return way * (7.0 * u[0] * u[0] + u[1] * u[1]); })},
-      sense,
-      Part::Value,
-      {}};
+  problem.objectives = {
+      {{"cost", "N",
+        function({0, 1}, [=](const auto& u) { return way * (7.0 * u[0] * u[0] + u[1] * u[1]); })},
+       sense,
+       Part::Value,
+       {}}};
   Constraint wave{
       .response = {"wave", "mm",
                    curve<Interval>({0, 1}, 0, 2 * kPi, [](const auto& u, const auto& angle) {
@@ -134,14 +134,14 @@ Problem raised(double bound) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = -5, .upper = 5, .start = 1},
                        {.name = "y", .lower = -50, .upper = 50, .start = 10}};
-  problem.objective = {{"cost", "N",
-                        curve<Interval>({0, 1}, 0, 4,
-                                        [](const auto& u, const auto& angle) {
-                                          return (u[0] - angle) * (u[0] - angle) + u[1];
-                                        })},
-                       Sense::Minimize,
-                       Part::Highest,
-                       {}};
+  problem.objectives = {{{"cost", "N",
+                          curve<Interval>({0, 1}, 0, 4,
+                                          [](const auto& u, const auto& angle) {
+                                            return (u[0] - angle) * (u[0] - angle) + u[1];
+                                          })},
+                         Sense::Minimize,
+                         Part::Highest,
+                         {}}};
   problem.constraints = {
       {.response = {"level", "mm", function({1}, [](const auto& u) { return 3.0 * u[0]; })},
        .lower = bound}};

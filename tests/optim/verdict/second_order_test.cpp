@@ -36,7 +36,7 @@ Problem moving_peak(double k, double bend, bool tells_slope) {
   if (!tells_slope) peak = std::make_shared<const WithoutSlope>(peak);
   Problem problem;
   problem.variables = {{.name = "x", .lower = -0.25, .upper = 0.25, .start = 0.1}};
-  problem.objective = {{"peak", "N", peak}, Sense::Minimize, Part::Magnitude, {}};
+  problem.objectives = {{{"peak", "N", peak}, Sense::Minimize, Part::Magnitude, {}}};
   return problem;
 }
 
@@ -44,7 +44,7 @@ Problem smooth(Function f) {
   Problem problem;
   problem.variables = {{.name = "x", .lower = -2, .upper = 2, .start = 0.5},
                        {.name = "y", .lower = -2, .upper = 2, .start = 0.5}};
-  problem.objective = least(std::move(f));
+  problem.objectives = {least(std::move(f))};
   return problem;
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("one stiff direction does not hide that others curve down", "[verdict]
       for (std::size_t i = 1; i <= soft; ++i) sum = sum - u[i] * u[i];
       return sum;
     };
-    problem.objective = least(function(all, f));
+    problem.objectives = {least(function(all, f))};
     const Assessment a = judge(problem, Point(soft + 1, 0.0));
     CHECK_FALSE(a.second_order);
     CHECK(a.verdict == Verdict::Feasible);

@@ -49,8 +49,8 @@ struct TwoVariables {
     Problem result;
     result.variables = {{.name = "x", .lower = -1.5, .upper = 1.5, .start = start},
                         {.name = "y", .lower = -1.5, .upper = 1.5, .start = -start}};
-    result.objective = least(function<Interval, Slope>(
-        {0, 1}, [*this](const auto& u) { return value(u); }, Shape::General));
+    result.objectives = {least(function<Interval, Slope>(
+        {0, 1}, [*this](const auto& u) { return value(u); }, Shape::General))};
     result.constraints = {
         {.response = {"limit", "mm",
                       function<Interval, Slope>(
@@ -105,12 +105,12 @@ TEST_CASE("the six-hump camel's valleys are equal, and no design is better", "[s
   Problem problem;
   problem.variables = {{.name = "x", .lower = -3, .upper = 3, .start = 1.6},
                        {.name = "y", .lower = -2, .upper = 2, .start = -0.5}};
-  problem.objective = least(function<Interval, Slope>({0, 1}, [](const auto& u) {
+  problem.objectives = {least(function<Interval, Slope>({0, 1}, [](const auto& u) {
     using T = std::remove_cvref_t<decltype(u[0])>;
     const T xx = u[0] * u[0], yy = u[1] * u[1];
     const T slow = number<T>(4) - number<T>(2.1) * xx + xx * xx / number<T>(3);
     return slow * xx + u[0] * u[1] + number<T>(4) * (yy - number<T>(1)) * yy;
-  }));
+  }))};
   OptimiseOptions options;
   options.starts = 1;
   const Assessment a = optimise(problem, options).found.assessment;
@@ -128,11 +128,11 @@ TEST_CASE("where ranges are not known nothing is called global", "[subdivision]"
   };
   Problem problem;
   problem.variables = {{.name = "x", .lower = -2, .upper = 2, .start = 1}};
-  problem.objective = least(function<Interval>({0}, valleys));
+  problem.objectives = {least(function<Interval>({0}, valleys))};
   const Sizes about = sizes(problem, problem.start());
   CHECK_FALSE(subdivided(problem, about, Point{1}));
   CHECK_FALSE(optimise(problem).found.assessment.global);
-  problem.objective = least(function<Interval, Slope>({0}, valleys));
+  problem.objectives = {least(function<Interval, Slope>({0}, valleys))};
   const auto division = subdivided(problem, about, Point{1});
   REQUIRE(division);
   REQUIRE(division->better);

@@ -12,8 +12,8 @@ using std::sqrt;
 namespace {
 
 /// sqrt(1 - x) and x, with x + y <= 2.
-MultiProblem with_an_edge() {
-  MultiProblem problem;
+Problem with_an_edge() {
+  Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.5},
                        {.name = "y", .lower = 0, .upper = 1, .start = 0.5}};
   const auto response = [](const char* name, auto f) {
@@ -30,7 +30,7 @@ MultiProblem with_an_edge() {
 }  // namespace
 
 TEST_CASE("designs that cannot be made are counted and left out of the spread", "[tolerance]") {
-  const MultiProblem problem = with_an_edge();
+  const Problem problem = with_an_edge();
   // x from -0.1 to 1.1: beyond 1 there is no root.
   const ToleranceReport report =
       tolerance_report(problem, std::vector<double>{0.5, 0.5}, {0.6, 0.1}, 4000);

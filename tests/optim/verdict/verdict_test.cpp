@@ -144,7 +144,7 @@ TEST_CASE("a number that its enclosure does not prove is not certified", "[verdi
     if (room > 0) CHECK(a.reason == "vague is met, but intervals do not prove it");
     Problem lowest;
     lowest.variables = {{.name = "x", .lower = 1, .upper = 2, .start = 1.5}};
-    lowest.objective = {.response = vague("vague", 0, room)};
+    lowest.objectives = {{.response = vague("vague", 0, room)}};
     const Assessment b = judge(lowest, {1});
     CHECK(b.verdict == (room == 0 ? Verdict::Certified : Verdict::Feasible));
     if (room > 0) CHECK(b.reason == "vague is proved to lie between 0 and 2 only");
@@ -160,7 +160,7 @@ TEST_CASE("a design at which the model gives no number fails", "[verdict]") {
   CHECK_FALSE(judge(problem, {0.5, 0.5}).limits[0].met);
   CHECK_FALSE(judge(problem, {0.5, 0.5}).limits[0].proved);
   problem = projection();
-  problem.objective = least(function({0, 1}, [](const auto& u) { return log(u[0]) + u[1]; }));
+  problem.objectives = {least(function({0, 1}, [](const auto& u) { return log(u[0]) + u[1]; }))};
   CHECK(judge(problem, {0, 1}).verdict == Verdict::Failed);
   problem = projection();
   problem.constraints[0].response.measure = curve<Interval>(
@@ -175,7 +175,7 @@ TEST_CASE("a derivative that is not a number keeps a design from being certified
   // sqrt(x) at 0: the value is one, the slope is not.
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.5}};
-  problem.objective = least(function({0}, [](const auto& u) { return sqrt(u[0]) * u[0]; }));
+  problem.objectives = {least(function({0}, [](const auto& u) { return sqrt(u[0]) * u[0]; }))};
   const Assessment a = judge(problem, {0});
   CHECK(a.objective.value == 0);
   CHECK(a.verdict == Verdict::Feasible);
@@ -252,7 +252,7 @@ TEST_CASE("without enclosures a least peak is not certified", "[verdict]") {
   // Least highest of x sin(a) + y where y >= 1: x = 0, y = 1.
   for (const bool enclosed : {true, false}) {
     Problem problem = over_cycle({}, 3, enclosed);
-    problem.objective = {problem.constraints[0].response, Sense::Minimize, Part::Highest, {}};
+    problem.objectives = {{problem.constraints[0].response, Sense::Minimize, Part::Highest, {}}};
     problem.constraints.clear();
     problem.variables[1].lower = 1;
     const Assessment a = judge(problem, {0, 1});
@@ -275,7 +275,7 @@ TEST_CASE("a number that hangs on a peak is certified only where the peak is pro
     CHECK(limited.kkt_residual <= kKktTolerance);
     CHECK(limited.verdict == (enclosed ? Verdict::Certified : Verdict::Feasible));
     CHECK(limited.limits[0].multiplier == Approx(3).epsilon(1e-9));
-    problem.objective = {peak, Sense::Minimize, Part::Value, {}};
+    problem.objectives = {{peak, Sense::Minimize, Part::Value, {}}};
     problem.constraints.clear();
     problem.variables[1].lower = 1;
     const Assessment least = judge(problem, {1, 1});
@@ -291,8 +291,8 @@ TEST_CASE("a proof finds a limit broken where the search sees none, and reports 
   constexpr double kPlace = 100.123;
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 1, .start = 0.2}};
-  problem.objective = most(function(
-      {0}, [](const auto& u) { return u[0]; }, Shape::Linear));
+  problem.objectives = {most(function(
+      {0}, [](const auto& u) { return u[0]; }, Shape::Linear))};
   problem.constraints = {
       {.response = {"spike", "mm",
                     curve<Interval>({0}, 0, 360,
@@ -316,7 +316,7 @@ TEST_CASE("an objective over the cycle comes with its angle and proved bounds", 
   Problem problem = over_cycle(-4, 4, true);
   const auto measure = problem.constraints[0].response.measure;
   const auto at = [&](Part part, Sense sense) {
-    problem.objective = {{"cost", "N", measure}, sense, part, {}};
+    problem.objectives = {{{"cost", "N", measure}, sense, part, {}}};
     return objective_report(problem, sizes(problem, problem.start()), Point{1.5, -0.5},
                             true);  // between -2 and 1
   };
@@ -394,7 +394,7 @@ TEST_CASE("better is a strict weak order, and what is not a number comes last", 
 TEST_CASE("better is a strict weak order by its axioms", "[verdict]") {
   for (const Sense sense : {Sense::Minimize, Sense::Maximize}) {
     Problem problem = projection();
-    problem.objective.sense = sense;
+    problem.objectives[0].sense = sense;
     std::vector<Assessment> all{Assessment{}};
     for (const auto& rank : ranks(problem)) all.insert(all.end(), rank.begin(), rank.end());
     const auto before = [&](std::size_t i, std::size_t j) {
@@ -437,10 +437,11 @@ TEST_CASE("a quasiconvex objective is known to be best of all only where it slop
   Problem problem;
   problem.variables = {{.name = "x", .lower = -1, .upper = 1, .start = 0.5}};
   for (const bool peak : {false, true}) {
-    problem.objective = least(function({0}, cube, Shape::Quasilinear));
+    problem.objectives = {least(function({0}, cube, Shape::Quasilinear))};
     if (peak) {
-      problem.objective.response.measure = curve<Interval>({0}, 0, 1, along, Shape::Quasilinear);
-      problem.objective.part = Part::Highest;
+      problem.objectives[0].response.measure =
+          curve<Interval>({0}, 0, 1, along, Shape::Quasilinear);
+      problem.objectives[0].part = Part::Highest;
     }
     CHECK_FALSE(judge(problem, {0}).global);
     const Assessment best = judge(problem, {-1});
@@ -460,8 +461,8 @@ TEST_CASE("the design of least violation is infeasible, and the limits that push
   Problem problem;
   problem.variables = {{.name = "x", .lower = 0, .upper = 10, .start = 5},
                        {.name = "y", .lower = 0, .upper = 10, .start = 5}};
-  problem.objective = least(function(
-      {1}, [](const auto& u) { return 1.0 * u[0]; }, Shape::Linear));
+  problem.objectives = {least(function(
+      {1}, [](const auto& u) { return 1.0 * u[0]; }, Shape::Linear))};
   problem.constraints = {{.response = {"low", "mm", x()}, .lower = 3, .scale = 1},
                          {.response = {"high", "mm", x()}, .upper = 1, .scale = 1},
                          {.response = {"far", "mm", x()}, .upper = 9, .scale = 1}};
@@ -519,13 +520,13 @@ TEST_CASE("slopes that are not numbers certify nothing", "[verdict]") {
   problem.variables = {{.name = "x", .lower = -1, .upper = 1, .start = 0}};
   for (const double slope : {kNan, 0.0}) {  // without a slope, and without a second derivative
     INFO("slope " << slope);
-    problem.objective = least(Function({0}, std::make_shared<Edge>(slope)));
+    problem.objectives = {least(Function({0}, std::make_shared<Edge>(slope)))};
     const Assessment a = judge(problem, {0.5});
     CHECK(a.verdict == Verdict::Feasible);
     CHECK_FALSE(a.best_possible);
   }
-  problem.objective = least(function<Interval>(
-      {0}, [](const auto& u) { return square(u[0]); }, Shape::Convex));
+  problem.objectives = {least(function<Interval>(
+      {0}, [](const auto& u) { return square(u[0]); }, Shape::Convex))};
   problem.constraints = {
       {.response = {"edge", "mm", Function({0}, std::make_shared<Edge>(kNan))}, .lower = 0.5}};
   CHECK(judge(problem, {0.5}).verdict == Verdict::Feasible);

@@ -13,7 +13,7 @@
 namespace camlaw::sets {
 namespace {
 
-using optim::Constraint, optim::Function, optim::MultiProblem, optim::Shape;
+using optim::Constraint, optim::Function, optim::Problem, optim::Shape;
 constexpr double kPi = std::numbers::pi;
 
 template <class F>
@@ -23,9 +23,9 @@ Function formula(std::size_t variables, F f, Shape shape = Shape::General) {
   return optim::function<Interval>(std::move(inputs), std::move(f), shape);
 }
 
-MultiProblem stated(const std::string& name, std::vector<optim::Variable> variables,
-                    std::vector<Function> objectives, std::vector<Constraint> constraints = {}) {
-  MultiProblem problem{name, std::move(variables), {}, std::move(constraints)};
+Problem stated(const std::string& name, std::vector<optim::Variable> variables,
+               std::vector<Function> objectives, std::vector<Constraint> constraints = {}) {
+  Problem problem{name, std::move(variables), {}, std::move(constraints)};
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     problem.objectives.push_back({{fmt::format("f{}", i + 1), "1", objectives[i]}});
   }
@@ -55,7 +55,7 @@ T square(const T& x) {
 
 /// f1 = x1 and f2 = g h(x1 / g), with g from the other variables.
 template <class G, class H>
-MultiProblem zdt(const std::string& name, std::vector<optim::Variable> variables, G g, H h) {
+Problem zdt(const std::string& name, std::vector<optim::Variable> variables, G g, H h) {
   const std::size_t n = variables.size();
   const auto second = [g, h](const auto& u) {
     const auto divisor = g(u);
@@ -154,7 +154,7 @@ KnownFront zdt6() {
 }
 
 /// On the sphere: f = (1 + g) (cos a cos b, cos a sin b, sin a) and so on, angles pi x / 2.
-MultiProblem dtlz2(std::size_t objectives) {
+Problem dtlz2(std::size_t objectives) {
   constexpr std::size_t kRest = 10;
   const std::size_t n = objectives - 1 + kRest;
   std::vector<Function> parts;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 
 /// Problems with two or three objectives whose fronts are known, to prove the search for fronts by.
 ///
@@ -13,7 +13,7 @@
 namespace camlaw::sets {
 
 struct KnownFront {
-  optim::MultiProblem problem;
+  optim::Problem problem;
   std::vector<double> reference;  ///< of the hypervolume
   double hypervolume;             ///< of the whole front: in closed form, or by its own formula
   /// Smooth, and with one valley for each point of the front: a sweep alone reaches it.

@@ -14,7 +14,7 @@
 namespace camlaw::sets {
 namespace {
 
-using optim::Function, optim::MultiProblem, optim::Shape;
+using optim::Function, optim::Problem, optim::Shape;
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kRest = 10;  ///< variables that lead away from the front
 
@@ -31,9 +31,8 @@ Function formula(std::size_t variables, F f, Shape shape = Shape::General) {
 }
 
 /// Variables from 0 to 1 that start where no objective is at its best.
-MultiProblem stated(const std::string& name, std::size_t variables,
-                    std::vector<Function> objectives) {
-  MultiProblem problem{fmt::format("{}, {} objectives", name, objectives.size()), {}, {}, {}};
+Problem stated(const std::string& name, std::size_t variables, std::vector<Function> objectives) {
+  Problem problem{fmt::format("{}, {} objectives", name, objectives.size()), {}, {}, {}};
   for (std::size_t i = 0; i < variables; ++i) {
     problem.variables.push_back(
         {.name = fmt::format("x{}", i + 1), .lower = 0, .upper = 1, .start = 0.4});

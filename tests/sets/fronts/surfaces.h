@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/problem/multi_problem.h"
+#include "optim/problem/problem.h"
 
 /// Problems with three objectives or more whose fronts are known point by point: to measure by how
 /// evenly a search covers them.
@@ -15,7 +15,7 @@
 namespace camlaw::sets {
 
 struct KnownSurface {
-  optim::MultiProblem problem;
+  optim::Problem problem;
   /// The costs for numbers from 0 to 1, `parameters` of them: all of the front and nothing else.
   std::function<std::vector<double>(const std::vector<double>&)> costs;
   std::size_t parameters = 0;

@@ -34,7 +34,7 @@ optim::Problem problem(int number, const std::vector<Row>& rows, optim::Function
                        Answer answer, std::vector<optim::Constraint> constraints) {
   optim::Problem result{.name = fmt::format("HS{}", number),
                         .variables = {},
-                        .objective = {.response = response(std::move(objective), "f")},
+                        .objectives = {{.response = response(std::move(objective), "f")}},
                         .constraints = std::move(constraints)};
   for (const Row& row : rows) {
     result.variables.push_back({.name = fmt::format("x{}", result.variables.size() + 1),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "kinematics/curves/inclined_sine.h"
+#include "kinematics/curve.h"
 
 namespace camlaw::detail {
 

@@ -1,0 +1,49 @@
+# The headers that are installed: what a program calls. Whatever one of them includes is here too;
+# all others are the house's own and change without notice. tests/architecture holds the list to its
+# rules: how many, how long, and which libraries a header may bring along.
+set(CAMLAW_HEADERS
+  numerics/library_mutex.h
+  numerics/scalar/dual.h
+  numerics/scalar/interval.h
+  numerics/scalar/scalar.h
+  numerics/scalar/series.h
+  numerics/text/units.h
+  kinematics/curve.h
+  kinematics/law.h
+  kinematics/laws/build.h
+  kinematics/laws/catalogue.h
+  kinematics/laws/phases.h
+  kinematics/limits.h
+  kinematics/peaks.h
+  kinematics/piece.h
+  kinematics/program/program.h
+  optim/fit/least_squares.h
+  optim/fit/residuals.h
+  optim/pareto/measures.h
+  optim/pareto/pareto.h
+  optim/pareto/task.h
+  optim/problem/automatic.h
+  optim/problem/curve.h
+  optim/problem/function.h
+  optim/problem/problem.h
+  optim/search/optimise.h
+  optim/solvers/native_options.h
+  optim/solvers/program.h
+  optim/solvers/solver.h
+  optim/solvers/status.h
+  optim/study/record.h
+  optim/study/workers.h
+  optim/verdict/assessment.h
+  machines/model/mechanism.h
+  machines/registry.h
+  machines/spine_cutter/spine_cutter.h
+  problems/fronts/front_study.h
+  problems/fronts/study_worker.h
+  problems/law_files/law_file.h
+  problems/results/judged_design.h
+  problems/results/recorded_design.h
+  problems/statement/bind.h
+  problems/statement/statement.h
+  fitting/motions/law_fit.h
+  fitting/samples/motion_samples.h
+  output/export/motion_table.h)

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "problems/results/design_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "problems/law_files/json_text.h"
+#include "problems/law_files/pieces_json.h"
+
+namespace camlaw::problems {
+namespace {
+
+Json laws_to_json(const LawFiles& files) {
+  Json result = Json::object();
+  for (const auto& [name, law] : files) {
+    result[name] = law_file(law.law(), law.family->formula, nullptr);
+  }
+  return result;
+}
+
+}  // namespace
+
+Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
+                     optim::Design x) {
+  const ProblemStatement& problem = bound.statement();
+  const bool finite = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+  if (!finite || options.size() != bound.choices().size() ||
+      x.size() != bound.problem(options).variables.size()) {
+    return nullptr;
+  }
+  Json variables = Json::object();
+  for (const VariableStatement& v : bound.at(options, x).variables) variables[v.name] = v.start;
+  return {
+      {"source", std::filesystem::path(problem.source).filename().string()},
+      {"problem", problem.text},
+      {"set", problem.settings},
+      {"law_files", laws_to_json(problem.law_files)},
+      {"law", problem.chooses_law() ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
+      {"variables", std::move(variables)}};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "problems/law_files/json_type.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::problems {
+
+/// The object that a result has under "design": `source` (the file's name), `problem` (its text),
+/// `set` (what was set beside it, as set_values takes it), `law_files` by name, `law` where there
+/// were several to choose from, `variables` by name. Numbers keep every digit. Null where x is no
+/// design.
+Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
+                     optim::Design x);
+
+}  // namespace camlaw::problems
