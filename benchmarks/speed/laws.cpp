@@ -9,6 +9,7 @@
 #include "benchmarks/speed/hand_laws.h"
 #include "benchmarks/timing.h"
 #include "kinematics/laws/catalogue.h"
+#include "kinematics/spans/law_span.h"
 
 /// s, v, a, j of many points: our loop against loops written by hand.
 namespace camlaw::benchmarks {
@@ -95,6 +96,45 @@ Result race(const Contest& contest, const std::vector<double>& x) {
           quantile(ratios, 0.75)};
 }
 
+/// A spline of ten pieces of degree 5.
+constexpr const char* kSpline =
+    "b-spline degree=5 knots=.1,.2,.3,.4,.5,.6,.7,.8,.9 "
+    "coefficients=0,0,0,.1,.2,.25,.4,.5,.6,.7,.8,.9,1,1,1";
+
+/// ns per point, the least of many runs.
+double time_of(const SpanKernels& kernels, const Law<double>& law, const std::vector<double>& x) {
+  Curves curves;
+  double least = 1e9;
+  for (int run = 0; run < 101; ++run) {
+    least = std::min(least, seconds(
+                                [&] {
+                                  evaluate_by(kernels, law, x, curves.spans());
+                                  benchmark::DoNotOptimize(&curves);
+                                  benchmark::ClobberMemory();
+                                },
+                                10));
+  }
+  return least / 10 / kPoints * 1e9;
+}
+
+void print_instruction_sets() {
+  fmt::print("s, v, a, j by instruction set, ns/point, sorted and shuffled\n\n| law |");
+  for (const SpanKernels* kernels : span_kernels()) fmt::print(" {} |", kernels->instruction_set);
+  fmt::print("\n|---|");
+  for (std::size_t i = 0; i < span_kernels().size(); ++i) fmt::print("--:|");
+  for (const char* name : {"poly-3-4-5", "poly-4-5-6-7", "cycloidal", "modified-sine",
+                           "modified-trapezoid", "scca", "gutman-1-3", "table", kSpline}) {
+    const Law<double> law = find_law(name).law();
+    const bool is_spline = name == kSpline;
+    fmt::print("\n| {} |", is_spline ? "b-spline, ten pieces of degree 5" : name);
+    for (const SpanKernels* kernels : span_kernels()) {
+      fmt::print(" {:.2f}, {:.2f} |", time_of(*kernels, law, points(false)),
+                 time_of(*kernels, law, points(true)));
+    }
+  }
+  fmt::print("\n\n");
+}
+
 }  // namespace
 
 void print_law_tables() {
@@ -110,6 +150,7 @@ void print_law_tables() {
     }
     fmt::print("\n");
   }
+  print_instruction_sets();
 }
 
 void register_laws() {

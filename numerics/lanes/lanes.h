@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// Numbers that a processor computes side by side. V stands for a vector of doubles; a file that is
+/// compiled for one instruction set uses one width alone, so that the linker never takes a function
+/// of another set for it. Each lane sees the same operations in the same order whatever the width,
+/// and none is fused with another (-ffp-contract=off): the results are the same to the last bit.
+namespace camlaw::lanes {
+
+/// Of N doubles.
+template <int N>
+struct Vector {
+  typedef double Type __attribute__((vector_size(8 * N)));
+};
+
+template <class V>
+inline constexpr std::size_t kWidth = sizeof(V) / sizeof(double);
+
+/// Integers beside the doubles of V; what comparisons of V give, -1 where they hold and else 0.
+template <class V>
+using Integers = decltype(V{} < V{});
+
+template <class V>
+V load(const double* from) {
+  V result;
+  __builtin_memcpy(&result, from, sizeof result);
+  return result;
+}
+
+template <class V>
+void store(const V& value, double* to) {
+  __builtin_memcpy(to, &value, sizeof value);
+}
+
+/// The bits of one as the other, both of one size.
+template <class To, class From>
+To bits_as(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To result;
+  __builtin_memcpy(&result, &from, sizeof result);
+  return result;
+}
+
+template <class I>
+bool any_negative(const I& values) {
+  std::int64_t together = 0;
+  for (std::size_t i = 0; i < sizeof(I) / sizeof(std::int64_t); ++i) together |= values[i];
+  return together < 0;
+}
+
+/// Lane l of row k and lane k of row l change places.
+template <class V>
+void transpose(V (&r)[kWidth<V>]) {
+  static_assert(kWidth<V> == 2 || kWidth<V> == 4 || kWidth<V> == 8);
+  // Of rows k and k + size blocks of `size` lanes change places.
+  const auto swap = [&](std::size_t k, std::size_t size, const auto& lower, const auto& upper) {
+    const V first = r[k], other = r[k + size];
+    r[k] = lower(first, other);
+    r[k + size] = upper(first, other);
+  };
+  if constexpr (kWidth<V> == 2) {
+    swap(
+        0, 1, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 2); },
+        [](V p, V q) { return __builtin_shufflevector(p, q, 1, 3); });
+  } else if constexpr (kWidth<V> == 4) {
+    for (const std::size_t k : {0, 2}) {
+      swap(
+          k, 1, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 4, 2, 6); },
+          [](V p, V q) { return __builtin_shufflevector(p, q, 1, 5, 3, 7); });
+    }
+    for (const std::size_t k : {0, 1}) {
+      swap(
+          k, 2, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 1, 4, 5); },
+          [](V p, V q) { return __builtin_shufflevector(p, q, 2, 3, 6, 7); });
+    }
+  } else {
+    for (const std::size_t k : {0, 2, 4, 6}) {
+      swap(
+          k, 1, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14); },
+          [](V p, V q) { return __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15); });
+    }
+    for (const std::size_t k : {0, 1, 4, 5}) {
+      swap(
+          k, 2, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 1, 8, 9, 4, 5, 12, 13); },
+          [](V p, V q) { return __builtin_shufflevector(p, q, 2, 3, 10, 11, 6, 7, 14, 15); });
+    }
+    for (const std::size_t k : {0, 1, 2, 3}) {
+      swap(
+          k, 4, [](V p, V q) { return __builtin_shufflevector(p, q, 0, 1, 2, 3, 8, 9, 10, 11); },
+          [](V p, V q) { return __builtin_shufflevector(p, q, 4, 5, 6, 7, 12, 13, 14, 15); });
+    }
+  }
+}
+
+}  // namespace camlaw::lanes
