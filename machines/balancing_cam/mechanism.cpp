@@ -229,7 +229,7 @@ template <template <class> class M>
 std::vector<MechanismResponse> numbers() {
   std::vector<MechanismResponse> all;
   for (const SizeRow& row : kSizes) {
-    all.push_back(number_response<M>(
+    all.push_back(searched_number<M>(
         {row.name, row.unit, row.stored, row.meaning},
         [which = row.which](const auto& machine) { return size_of(machine, which); }));
   }

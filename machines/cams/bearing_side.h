@@ -9,20 +9,6 @@
 /// closure").
 namespace camlaw {
 
-/// The stress under a force, without slope where the force is 0: nothing bears there, as in a dwell
-/// without a load, and the root of the force has no derivatives.
-template <class X>
-X loaded(const X& force, const X& stress) {
-  return value_of(force) == 0 ? number<X>(0) : stress;
-}
-
-inline Interval loaded(const Interval&, const Interval& stress) { return stress; }
-
-template <std::size_t N>
-Series<Interval, N> loaded(const Series<Interval, N>&, const Series<Interval, N>& stress) {
-  return stress;
-}
-
 /// (M27) What (M7) is for the outer flank of a groove, -r_r k: it is undercut where this reaches 1.
 template <class T, class X>
 X outer_undercut(const RollerContact<T>& roller, const X& k) {
@@ -34,7 +20,7 @@ X outer_undercut(const RollerContact<T>& roller, const X& k) {
 /// bends the other way, below. NaN where that flank is undercut.
 template <class T, class X>
 X groove_stress(const RollerContact<T>& roller, const X& force, const X& k) {
-  return loaded(force, roller.stress(absolute(force), by_side(force, k, X(-k))));
+  return unless_zero(force, roller.stress(absolute(force), by_side(force, k, X(-k))));
 }
 
 }  // namespace camlaw

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <utility>
 
 #include "kinematics/law.h"
+#include "numerics/scalar/where_positive.h"
 
 /// What every cam with a follower has in common (docs/theory.md, "Cams").
 namespace camlaw {
@@ -54,8 +54,7 @@ struct FollowerLoad {
   template <class X>
   X lift_ratio(const FollowerMotion<X>& y) const {
     const X holding = static_force(y);
-    if (value_of(holding) <= 0) return number<X>(std::numeric_limits<double>::quiet_NaN());
-    return -(mass * y.dds) / holding;
+    return where_positive(holding, X(-(mass * y.dds) / holding));
   }
   /// (M3) Torque on the cam's shaft without friction: M = F s', from M omega = F s' omega.
   template <class X>
@@ -132,9 +131,7 @@ struct CamBlank {
 
  private:
   /// NaN where the bore leaves nothing.
-  static T left(const T& rest) {
-    return value_of(rest) > 0 ? rest : number<T>(std::numeric_limits<double>::quiet_NaN());
-  }
+  static T left(const T& rest) { return where_positive(rest, rest); }
 };
 
 }  // namespace camlaw

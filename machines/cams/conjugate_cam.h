@@ -85,7 +85,7 @@ struct ConjugateCam {
     const X of_main = main().pitch_curve(f).curvature();
     const X of_second = second().pitch_curve(second_motion(f)).curvature();
     const X k = by_side(follower().force(f), of_main, of_second);
-    return loaded(force, roller().stress(absolute(force), k));
+    return unless_zero(force, roller().stress(absolute(force), k));
   }
 
  private:

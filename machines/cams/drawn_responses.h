@@ -3,10 +3,8 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/cam_tables.h"
-#include "machines/model/cycle_mean.h"
-#include "machines/model/law_number.h"
 #include "machines/model/listed_responses.h"
-#include "machines/model/pulse.h"
+#include "machines/model/mean_number.h"
 
 /// What is drawn of a cam, and cut: its curves in its own coordinates, mass and inertia.
 namespace camlaw::problems {
@@ -94,16 +92,17 @@ template <template <class> class M>
 std::vector<MechanismResponse> blank_responses() {
   enum class Quantity { Mass, Inertia };
   const auto made = [](Quantity which, ResponseAbout about) {
-    return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
-      using T = std::decay_t<decltype(cam.bore_radius)>;
-      check_no_pulse(turn_of_the_cam(), law);
-      const T swept =
-          number<T>(2) * pi<T>() * cycle_mean(law, [&](const auto& motion, const auto&) {
-            const auto p = profile_of(cam, cam.over_angle(motion));
-            return which == Quantity::Mass ? p.area_rate() : p.moment_rate();
-          });
-      return which == Quantity::Mass ? cam.blank().mass(swept) : cam.blank().inertia(swept);
-    });
+    return mean_number<M>(
+        std::move(about),
+        [which](const auto& cam, const auto& motion) {
+          const auto p = profile_of(cam, cam.over_angle(motion));
+          return which == Quantity::Mass ? p.area_rate() : p.moment_rate();
+        },
+        [which](const auto& cam, const auto& mean) {
+          using T = std::decay_t<decltype(mean)>;
+          const T swept = number<T>(2) * pi<T>() * mean;
+          return which == Quantity::Mass ? cam.blank().mass(swept) : cam.blank().inertia(swept);
+        });
   };
   return {made(Quantity::Mass, {"cam_mass", "kg", "kg",
                                 "mass of the cam with its bore, of a profile without undercut"}),

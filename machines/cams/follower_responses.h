@@ -3,11 +3,9 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/model/append.h"
-#include "machines/model/cycle_mean.h"
-#include "machines/model/law_number.h"
 #include "machines/model/listed_responses.h"
+#include "machines/model/mean_number.h"
 #include "machines/model/peak_number.h"
-#include "machines/model/pulse.h"
 
 /// What all followers that a program moves have in common.
 namespace camlaw::problems {
@@ -138,14 +136,16 @@ MechanismResponse follower_response(ResponseAbout about, FollowerCurve which) {
 /// Root of the mean square of a curve over the turn.
 template <template <class> class M>
 MechanismResponse follower_rms(ResponseAbout about, FollowerCurve which) {
-  return law_number<M>(std::move(about), [which](const auto& cam, const auto& law) {
-    using std::sqrt;
-    check_no_pulse(turn_of_the_cam(), law);
-    return sqrt(cycle_mean(law, [&](const auto& motion, const auto&) {
-      const auto value = follower_curve(cam, which, cam.over_angle(motion));
-      return value * value;
-    }));
-  });
+  return mean_number<M>(
+      std::move(about),
+      [which](const auto& cam, const auto& motion) {
+        const auto value = follower_curve(cam, which, cam.over_angle(motion));
+        return value * value;
+      },
+      [](const auto&, const auto& mean) {
+        using std::sqrt;
+        return sqrt(mean);
+      });
 }
 
 /// Numbers of the whole cycle.

@@ -38,35 +38,10 @@ X applied(const F& formula, const PlaceOf<X>& place) {
 class CurveFormula {
  public:
   virtual ~CurveFormula() = default;
-  virtual Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const = 0;
-  virtual Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const = 0;
-  virtual Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const = 0;
-  virtual Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const = 0;
-};
-
-/// The same from two generic callables, one with the machine in double, one in Interval.
-template <class Plain, class Enclosing>
-class GenericCurveFormula final : public CurveFormula {
- public:
-  GenericCurveFormula(Plain plain, Enclosing enclosing)
-      : plain_(std::move(plain)), enclosing_(std::move(enclosing)) {}
-
-  Series<double, 3> operator()(const PlaceSeries<double, 3>& place) const override {
-    return plain_(place);
-  }
-  Series<Interval, 1> operator()(const PlaceSeries<Interval, 1>& place) const override {
-    return enclosing_(place);
-  }
-  Series<Interval, 2> operator()(const PlaceSeries<Interval, 2>& place) const override {
-    return enclosing_(place);
-  }
-  Series<Interval, 3> operator()(const PlaceSeries<Interval, 3>& place) const override {
-    return enclosing_(place);
-  }
-
- private:
-  Plain plain_;
-  Enclosing enclosing_;
+  virtual Series<double, 3> plain(const PlaceSeries<double, 3>& place) const = 0;
+  virtual Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const = 0;
+  virtual Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const = 0;
+  virtual Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const = 0;
 };
 
 /// Series of s, v, a, j from the derivatives of s by x.

@@ -85,7 +85,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const double x = law_place(stretch, place).x;
   const auto d = derivatives<6>(law_->pieces()[section.piece], x);
-  const auto f = (*formula_)(
+  const auto f = formula_->plain(
       {follower_motion(stretch, motion_series<3>(d)), Series<double, 3>::variable(x, 1)});
   const double rate = 1 / stretch.length();
   return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
@@ -105,8 +105,9 @@ Interval MechanismTrace::law_range(const Section& section, double from, double t
 
 Interval MechanismTrace::value_at(const Section& section, double x) const {
   const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
-  return (*formula_)({follower_motion(cycle_.stretches[section.stretch], motion),
-                      Series<Interval, 1>(Interval(x))})
+  return formula_
+      ->enclosed({follower_motion(cycle_.stretches[section.stretch], motion),
+                  Series<Interval, 1>(Interval(x))})
       .c[0];
 }
 
@@ -123,14 +124,14 @@ optim::Bounds MechanismTrace::enclose(double from, double to) const {
   const Interval x = law_range(section, from, to);
   const Expansion motion = expanders_[section.piece](x);
   const Interval one(1.0);
-  const auto over = (*formula_)({follower_motion(stretch, motion_series<3>(motion.over)),
-                                 Series<Interval, 3>::variable(x, one)});
+  const auto over = formula_->enclosed({follower_motion(stretch, motion_series<3>(motion.over)),
+                                        Series<Interval, 3>::variable(x, one)});
   return enclosed(
       over, motion.radius, [&] { return value_at(section, x.lower()); },
       [&] { return value_at(section, x.upper()); },
       [&] {
-        return (*formula_)({follower_motion(stretch, motion_series<2>(motion.at)),
-                            Series<Interval, 2>::variable(Interval(motion.middle), one)});
+        return formula_->enclosed({follower_motion(stretch, motion_series<2>(motion.at)),
+                                   Series<Interval, 2>::variable(Interval(motion.middle), one)});
       });
 }
 

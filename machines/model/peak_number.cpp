@@ -5,6 +5,13 @@ namespace camlaw::problems::detail {
 
 using optim::packed, optim::packed_size;
 
+std::vector<double> PeakNumberKernel::arguments(std::span<const double> u, double peak) const {
+  std::vector<double> result;
+  for (const std::size_t variable : variables_) result.push_back(u[variable]);
+  result.push_back(peak);
+  return result;
+}
+
 double PeakNumberKernel::gradient(std::span<const double> u, std::span<double> g) const {
   std::vector<double> own(variables_.size() + 1);
   const double top = peak_.gradient(u, g);
@@ -41,6 +48,16 @@ double PeakNumberKernel::hessian(std::span<const double> u, std::span<double> g,
     }
   }
   return result;
+}
+
+optim::Bounds PeakNumberKernel::enclose(std::span<const double> u) const {
+  const optim::Bounds bounds = peak_.enclose(u);
+  const std::vector<double> plain = arguments(u, 0);
+  if (!is_possible_(std::span(plain).first(plain.size() - 1))) return {kNaN, kNaN};
+  std::vector<Interval> own(plain.begin(), plain.end());
+  own.back().assign(bounds.lower, bounds.upper);
+  const Interval result = formula_(std::span<const Interval>(own));
+  return {result.lower(), result.upper()};
 }
 
 }  // namespace camlaw::problems::detail

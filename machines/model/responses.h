@@ -11,6 +11,8 @@
 #include "machines/model/arguments.h"
 #include "machines/model/machine.h"
 #include "machines/model/mechanism_curve.h"
+#include "machines/model/recorded_kernel.h"
+#include "numerics/formula/expression.h"
 #include "optim/problem/automatic.h"
 
 /// Responses of a mechanism from formulas written once, generic in the scalar.
@@ -28,6 +30,11 @@ struct ResponseAbout {
 /// A number: formula(machine) -> T for a machine M<T>.
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
+
+/// The same of a formula that decides by values on its way, as one that searches for a root: it is
+/// compiled in every scalar, and what it depends on is tried out.
+template <template <class> class M, class F>
+MechanismResponse searched_number(ResponseAbout about, F formula);
 
 /// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. The first call, with
 /// an M<T>, works out what the machine contributes; it returns a callable that takes the follower's
@@ -158,27 +165,67 @@ auto point_formula(const BoundMachine<M>& machine, std::size_t arguments, const 
   };
 }
 
-/// The curve's formula for one machine, from motion in any scalar over T.
-template <class T, template <class> class M, class F>
-auto motion_formula(const BoundMachine<M>& machine, std::span<const double> arguments,
-                    const UnitFactor& factor, const F& formula) {
-  const std::vector<T> u(arguments.begin(), arguments.end());
-  const M<T> here = machine.template at<T>(std::span<const T>(u));
-  const T scale = is_possible(here) ? factor.template as<T>() : number<T>(kNaN);
-  return [scale, of_motion = formula(here)](const auto& place) {
-    return scale * applied(of_motion, place);
-  };
+/// The curve for one machine: compiled over the angle, enclosed by its record.
+template <template <class> class M, class F>
+class CurveFormulaOf final : public RecordedCurve {
+  using OfMotion = std::invoke_result_t<const F&, const M<double>&>;
+
+ public:
+  CurveFormulaOf(const BoundMachine<M>& machine, std::span<const double> arguments,
+                 const UnitFactor& factor, const F& formula, const Formula& record)
+      : CurveFormulaOf(machine.template at<double>(arguments), arguments, factor, formula, record) {
+  }
+
+  Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
+    return scale_ * applied(of_motion_, place);
+  }
+
+ private:
+  CurveFormulaOf(const M<double>& machine, std::span<const double> arguments,
+                 const UnitFactor& factor, const F& formula, const Formula& record)
+      : RecordedCurve(record, arguments, is_possible(machine)),
+        scale_(is_possible(machine) ? factor.template as<double>() : kNaN),
+        of_motion_(formula(machine)) {}
+
+  double scale_;
+  OfMotion of_motion_;
+};
+
+/// What a formula of the machine's arguments and `others` computes.
+template <class F>
+Formula recorded(std::size_t inputs, const F& formula) {
+  return Formula::record(inputs, [&](std::span<const Expression> u) { return formula(u); });
 }
 
-template <template <class> class M, class F>
-std::unique_ptr<const CurveFormula> curve_formula(const BoundMachine<M>& machine,
-                                                  std::span<const double> arguments,
-                                                  const UnitFactor& factor, const F& formula) {
-  auto plain = motion_formula<double>(machine, arguments, factor, formula);
-  auto enclosing = motion_formula<Interval>(machine, arguments, factor, formula);
-  using Formula = GenericCurveFormula<decltype(plain), decltype(enclosing)>;
-  return std::make_unique<Formula>(std::move(plain), std::move(enclosing));
+/// The machine as a function of all its parameters.
+template <template <class> class M>
+BoundMachine<M> free_machine() {
+  std::vector<std::size_t> all(MachineTraits<M>::parameters().size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  return typical_machine<M>(std::move(all));
 }
+
+template <template <class> class M>
+IsPossible possibility(const BoundMachine<M>& machine) {
+  return
+      [machine](std::span<const double> u) { return is_possible(machine.template at<double>(u)); };
+}
+
+/// f, a formula generic in its scalar, compiled for values and gradients.
+template <class F>
+class CompiledKernel final : public QuickKernel {
+ public:
+  CompiledKernel(F f, std::shared_ptr<const optim::Kernel> recorded)
+      : QuickKernel(std::move(recorded)), f_(std::move(f)) {}
+
+  double value(std::span<const double> u) const override { return f_(u); }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    return optim::automatic_gradient(f_, u, g);
+  }
+
+ private:
+  F f_;
+};
 
 template <class F>
 std::shared_ptr<const optim::Kernel> kernel_of(F f) {
@@ -186,9 +233,11 @@ std::shared_ptr<const optim::Kernel> kernel_of(F f) {
 }
 
 /// Of a formula in which no law is made: it has ranges over boxes.
-template <class F>
-std::shared_ptr<const optim::Kernel> machine_kernel_of(F f) {
-  return std::make_shared<optim::AutomaticKernel<F, Interval, Series<Interval, 2>>>(std::move(f));
+template <template <class> class M, class F>
+std::shared_ptr<const optim::Kernel> machine_kernel_of(const BoundMachine<M>& machine,
+                                                       std::size_t arguments, Formula record, F f) {
+  return std::make_shared<CompiledKernel<F>>(
+      std::move(f), recorded_kernel(std::move(record), arguments, possibility(machine)));
 }
 
 /// What its describer says of a machine's response, and what decides whether it is a number.
@@ -210,11 +259,39 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
   response.uses = detail::used_parameters<M>(formula);
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
-    auto kernel = detail::machine_kernel_of([=]<class T>(std::span<const T> u) -> T {
-      const M<T> here = machine.template at<T>(u);
-      return is_possible(here) ? factor.as<T>() * formula(here) : number<T>(detail::kNaN);
+    const auto value = [=]<class T>(const M<T>& here) -> T {
+      return factor.template as<T>() * formula(here);
+    };
+    const std::size_t arguments = binding.parameters.size();
+    Formula record = detail::recorded(arguments, [&](std::span<const Expression> u) {
+      return value(machine.template at<Expression>(u));
     });
+    auto kernel = detail::machine_kernel_of<M>(
+        machine, arguments, std::move(record), [=]<class T>(std::span<const T> u) -> T {
+          const M<T> here = machine.template at<T>(u);
+          return is_possible(here) ? value(here) : number<T>(detail::kNaN);
+        });
     return function_of(binding.variables, std::move(kernel), shape);
+  };
+  return response;
+}
+
+template <template <class> class M, class F>
+MechanismResponse searched_number(ResponseAbout about, F formula) {
+  const UnitFactor factor(about.stored, about.unit);
+  MechanismResponse response = detail::described<M>(std::move(about));
+  response.uses = detail::used_parameters<M>(formula);
+  response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
+    const BoundMachine<M> machine(binding);
+    const auto of_arguments = [=]<class T>(std::span<const T> u) -> T {
+      const M<T> here = machine.template at<T>(u);
+      return is_possible(here) ? factor.template as<T>() * formula(here) : number<T>(detail::kNaN);
+    };
+    using Own = std::decay_t<decltype(of_arguments)>;
+    return function_of(
+        binding.variables,
+        std::make_shared<optim::AutomaticKernel<Own, Interval, Series<Interval, 2>>>(of_arguments),
+        shape);
   };
   return response;
 }
@@ -232,10 +309,15 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
                                                               optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
-    auto point =
-        detail::machine_kernel_of(detail::point_formula<M>(machine, arguments, factor, formula));
+    const Formula record = detail::recorded(arguments + 5, [&](std::span<const Expression> u) {
+      const M<Expression> here = machine.template at<Expression>(u.first(arguments));
+      return factor.as<Expression>() *
+             applied(formula(here), detail::as_place(u.subspan(arguments)));
+    });
+    auto point = detail::machine_kernel_of<M>(
+        machine, arguments, record, detail::point_formula<M>(machine, arguments, factor, formula));
     const auto make_formula = [=](std::span<const double> u) {
-      return detail::curve_formula<M>(machine, u, factor, formula);
+      return std::make_unique<detail::CurveFormulaOf<M, F>>(machine, u, factor, formula, record);
     };
     return std::make_shared<MechanismCurve>(
         CurveParts{cycle, uses, uses_place, point, make_formula}, binding, shape);

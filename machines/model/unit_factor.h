@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "numerics/scalar/scalar.h"
+#include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
 
@@ -16,13 +16,14 @@ class UnitFactor {
   /// The factor; an interval encloses the true one, which udunits gives to the last digits.
   template <class T>
   T as() const {
+    const double wide = factor_ == 1 ? 0 : 4 * std::numeric_limits<double>::epsilon() * factor_;
     if constexpr (std::is_same_v<T, Interval>) {
-      if (factor_ != 1) {
-        const double wide = 4 * std::numeric_limits<double>::epsilon() * factor_;
-        return {factor_ - wide, factor_ + wide};
-      }
+      return {factor_ - wide, factor_ + wide};
+    } else if constexpr (std::is_same_v<T, Expression>) {
+      return {factor_, factor_ - wide, factor_ + wide};
+    } else {
+      return number<T>(factor_);
     }
-    return number<T>(factor_);
   }
 
  private:

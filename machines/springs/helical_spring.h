@@ -6,6 +6,7 @@
 
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/scalar.h"
+#include "numerics/scalar/where_positive.h"
 
 namespace camlaw {
 
@@ -113,9 +114,9 @@ struct HelicalSpring {
   /// q of (W22).
   T critical(const T& free_length, const T& seating) const {
     const T moduli = shear_modulus / youngs_modulus;
-    if (!(value_of(moduli) < 1)) return number<T>(std::numeric_limits<double>::quiet_NaN());
     const T slender = pi<T>() * mean_diameter / (seating * free_length);
-    return (number<T>(1) - moduli) / (number<T>(0.5) + moduli) * slender * slender;
+    return where_positive(number<T>(1) - moduli,
+                          (number<T>(1) - moduli) / (number<T>(0.5) + moduli) * slender * slender);
   }
 };
 

@@ -58,4 +58,18 @@ Series<Interval, N> along(const Series<Interval, N>& direction, const Series<Int
   return result;
 }
 
+/// x, without slope where the force is 0: nothing bears there, as in a dwell without a load, and the
+/// root of the force has no derivatives.
+template <class X>
+X unless_zero(const X& force, const X& x) {
+  return value_of(force) == 0 ? number<X>(0) : x;
+}
+
+inline Interval unless_zero(const Interval&, const Interval& x) { return x; }
+
+template <std::size_t N>
+Series<Interval, N> unless_zero(const Series<Interval, N>&, const Series<Interval, N>& x) {
+  return x;
+}
+
 }  // namespace camlaw

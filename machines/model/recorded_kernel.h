@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "machines/model/curve_formula.h"
+#include "numerics/formula/formula.h"
+#include "optim/problem/function.h"
+
+/// Formulas of machines as recorded data (numerics/formula): what is asked of them seldom, or in
+/// scalars that are slow anyway, is worked out from the record; values and gradients, which a
+/// search asks for all the time, run compiled.
+namespace camlaw::problems {
+
+/// Whether there is such a machine at values of its arguments.
+using IsPossible = std::function<bool(std::span<const double>)>;
+
+/// From the record, in everything: NaN where the machine is not possible. The formula's first
+/// inputs are the machine's arguments.
+std::shared_ptr<const optim::Kernel> recorded_kernel(Formula formula, std::size_t arguments,
+                                                     IsPossible is_possible);
+
+/// Values and gradients from a formula that is compiled, all else from its record.
+class QuickKernel : public optim::Kernel {
+ public:
+  explicit QuickKernel(std::shared_ptr<const optim::Kernel> recorded)
+      : recorded_(std::move(recorded)) {}
+
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    return recorded_->hessian(u, g, h);
+  }
+  optim::Bounds enclose(std::span<const double> u) const override { return recorded_->enclose(u); }
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    return recorded_->range(box);
+  }
+  bool is_enclosed() const override { return true; }
+
+ private:
+  std::shared_ptr<const optim::Kernel> recorded_;
+};
+
+/// The enclosures of a curve's formula for one machine, which comes first among the inputs and is
+/// followed by s, v, a, j and x.
+class RecordedCurve : public CurveFormula {
+ public:
+  RecordedCurve(const Formula& formula, std::span<const double> machine, bool is_possible);
+
+  Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override;
+  Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const override;
+  Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const override;
+
+ private:
+  template <std::size_t N>
+  Series<Interval, N> at(const PlaceSeries<Interval, N>& place) const;
+
+  FormulaAlong<Interval> formula_;
+  bool is_possible_;
+};
+
+/// Of the first `count` inputs those that one of the formulas depends on, increasing.
+std::vector<std::size_t> used_arguments(const std::vector<Formula>& formulas, std::size_t count);
+
+}  // namespace camlaw::problems

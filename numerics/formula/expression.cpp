@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/formula/expression.h"
+
+namespace camlaw {
+namespace {
+
+Expression written(Operation operation, const Expression& a) {
+  return Expression::of({.operation = operation, .a = a.step()});
+}
+
+Expression written(Operation operation, const Expression& a, const Expression& b) {
+  return Expression::of({.operation = operation, .a = a.step(), .b = b.step()});
+}
+
+}  // namespace
+
+// What is exact in every scalar is worked out at once: so a constant that does away with a term, as
+// friction of 0, does away with its steps.
+Expression operator+(const Expression& a, const Expression& b) {
+  if (a.is(0)) return b;
+  if (b.is(0)) return a;
+  return written(Operation::Add, a, b);
+}
+Expression operator-(const Expression& a, const Expression& b) {
+  return b.is(0) ? a : written(Operation::Subtract, a, b);
+}
+Expression operator*(const Expression& a, const Expression& b) {
+  if (a.is(1)) return b;
+  if (b.is(1)) return a;
+  if ((a.is(0) && b.is_constant()) || (b.is(0) && a.is_constant())) return 0.0;
+  return written(Operation::Multiply, a, b);
+}
+Expression operator/(const Expression& a, const Expression& b) {
+  return b.is(1) ? a : written(Operation::Divide, a, b);
+}
+Expression operator-(const Expression& a) { return written(Operation::Negate, a); }
+Expression sqrt(const Expression& a) { return written(Operation::Sqrt, a); }
+Expression sin(const Expression& a) { return written(Operation::Sin, a); }
+Expression cos(const Expression& a) { return written(Operation::Cos, a); }
+Expression tan(const Expression& a) { return written(Operation::Tan, a); }
+Expression asin(const Expression& a) { return written(Operation::Asin, a); }
+Expression atan(const Expression& a) { return written(Operation::Atan, a); }
+Expression log(const Expression& a) { return written(Operation::Log, a); }
+Expression absolute(const Expression& a) { return written(Operation::Absolute, a); }
+Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling) {
+  return Expression::of({.operation = Operation::BySide,
+                         .a = force.step(),
+                         .b = pushing.step(),
+                         .c = pulling.step()});
+}
+Expression along(const Expression& direction, const Expression& x) {
+  return written(Operation::Along, direction, x);
+}
+Expression where_positive(const Expression& condition, const Expression& x) {
+  return written(Operation::WherePositive, condition, x);
+}
+Expression unless_zero(const Expression& force, const Expression& x) {
+  return written(Operation::UnlessZero, force, x);
+}
+
+Expression ScalarTraits<Expression>::pi() { return Expression::of({.operation = Operation::Pi}); }
+
+}  // namespace camlaw

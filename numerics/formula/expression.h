@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "numerics/formula/formula.h"
+#include "numerics/scalar/scalar.h"
+
+/// The scalar that formulas are recorded with. A formula that is generic in its scalar, called once
+/// with expressions, writes down what it computes (docs/theory.md, "Recorded formulas").
+namespace camlaw {
+
+/// A number of the formula that is being recorded on this thread. It has no value: a formula that
+/// decides by one does not compile, and says by_side, along, absolute or where_positive instead.
+class Expression {
+ public:
+  /// The number 0.
+  Expression() : Expression(0.0) {}
+  Expression(double constant);  // NOLINT: formulas mix plain numbers with their scalar
+  /// A constant that is proved to lie between two numbers.
+  Expression(double constant, double lower, double upper);
+
+  /// Its step.
+  std::uint32_t step() const { return step_; }
+  bool is_constant() const;
+  /// Whether it is this plain number, whatever the inputs are.
+  bool is(double c) const;
+
+  /// The result of a step that is written into the formula being recorded.
+  static Expression of(const Step& step);
+
+ private:
+  std::uint32_t step_;
+};
+
+Expression operator+(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a, const Expression& b);
+Expression operator*(const Expression& a, const Expression& b);
+Expression operator/(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a);
+Expression sqrt(const Expression& a);
+Expression sin(const Expression& a);
+Expression cos(const Expression& a);
+Expression tan(const Expression& a);
+Expression asin(const Expression& a);
+Expression atan(const Expression& a);
+Expression log(const Expression& a);
+Expression absolute(const Expression& a);
+/// numerics/scalar/by_side.h
+Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling);
+Expression along(const Expression& direction, const Expression& x);
+Expression where_positive(const Expression& condition, const Expression& x);
+Expression unless_zero(const Expression& force, const Expression& x);
+
+template <>
+struct ScalarTraits<Expression> {
+  static Expression number(double x) { return {x}; }
+  static Expression pi();
+  static bool is_number(const Expression& x, double c) { return x.is(c); }
+};
+
+}  // namespace camlaw

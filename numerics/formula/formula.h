@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "numerics/scalar/series.h"
+
+/// Formulas as data: what is computed, as a list of steps, evaluated in any scalar.
+namespace camlaw {
+
+class Expression;
+
+/// What a step does with the results of earlier ones.
+enum class Operation : std::uint8_t {
+  Input,
+  Constant,
+  Pi,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Negate,
+  Sqrt,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Atan,
+  Log,
+  Absolute,
+  BySide,         ///< by_side(a, b, c)
+  Along,          ///< along(a, b)
+  WherePositive,  ///< where_positive(a, b)
+  UnlessZero,     ///< unless_zero(a, b)
+};
+
+struct Step {
+  Operation operation;
+  std::uint32_t a = 0, b = 0, c = 0;       ///< earlier steps; of an input its number
+  double value = 0, lower = 0, upper = 0;  ///< of a constant, and what it is proved to lie between
+  friend bool operator==(const Step&, const Step&) = default;
+};
+
+/// A function of some inputs. A copy shares the steps.
+class Formula {
+ public:
+  /// Calls `write` with an expression for each input; what it returns is the formula. Equal steps
+  /// are written once.
+  static Formula record(std::size_t inputs,
+                        const std::function<Expression(std::span<const Expression>)>& write);
+
+  std::size_t inputs() const;
+  const std::vector<Step>& steps() const;
+  /// The inputs that the value depends on, increasing.
+  const std::vector<std::size_t>& uses() const;
+
+  /// The value at u, in double, Dual, Dual2, Interval, or Series of Interval with 1 or 2 terms.
+  template <class T>
+  T operator()(std::span<const T> u) const;
+
+ private:
+  struct Data;
+  explicit Formula(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  std::shared_ptr<const Data> data_;
+};
+
+/// A formula whose first inputs are plain numbers, worked in, while the others are series over T,
+/// as a machine stays while its motion runs: T is double, or Interval with N up to 3. In Dual and
+/// Dual2 the others are of the same kind.
+template <class T>
+class FormulaAlong {
+ public:
+  FormulaAlong(Formula formula, std::span<const T> first);
+
+  /// With the others plain too.
+  T operator()(std::span<const T> others) const;
+  template <std::size_t N>
+  Series<T, N> operator()(std::span<const Series<T, N>> others) const;
+
+ private:
+  /// A step with a series among its numbers.
+  struct Moving {
+    Operation operation;
+    bool a_moves, b_moves, c_moves;
+    std::uint32_t a, b, c, result;
+  };
+
+  Formula formula_;
+  std::vector<T> still_;  ///< results of the steps that no series reaches
+  std::vector<Moving> moving_;
+  bool moves_;  ///< whether the value does
+};
+
+}  // namespace camlaw

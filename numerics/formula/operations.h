@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "numerics/formula/formula.h"
+#include "numerics/scalar/by_side.h"
+#include "numerics/scalar/dual.h"
+#include "numerics/scalar/where_positive.h"
+
+/// What each operation does in a scalar.
+namespace camlaw {
+
+constexpr bool is_arithmetic(Operation operation) {
+  return operation == Operation::Add || operation == Operation::Subtract ||
+         operation == Operation::Multiply || operation == Operation::Divide;
+}
+
+constexpr bool is_unary(Operation operation) {
+  return operation >= Operation::Negate && operation <= Operation::Absolute;
+}
+
+/// Arithmetic of a number that moves, X, with one that does not.
+template <class X, class A, class B>
+X arithmetic(Operation operation, const A& a, const B& b) {
+  switch (operation) {
+    case Operation::Add:
+      return a + b;
+    case Operation::Subtract:
+      return a - b;
+    case Operation::Multiply:
+      return a * b;
+    default:
+      if constexpr (std::is_same_v<B, X>) {
+        return X(a) / b;
+      } else {
+        return a / b;
+      }
+  }
+}
+
+/// Of operations on results; those that take fewer than three leave the others alone.
+template <class T>
+T operate(Operation operation, const T& a, const T& b, const T& c) {
+  using std::asin;
+  using std::atan;
+  using std::cos;
+  using std::log;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  switch (operation) {
+    case Operation::Add:
+      return a + b;
+    case Operation::Subtract:
+      return a - b;
+    case Operation::Multiply:
+      return a * b;
+    case Operation::Divide:
+      return a / b;
+    case Operation::Negate:
+      return -a;
+    case Operation::Sqrt:
+      return sqrt(a);
+    case Operation::Sin:
+      return sin(a);
+    case Operation::Cos:
+      return cos(a);
+    case Operation::Tan:
+      return tan(a);
+    case Operation::Asin:
+      return asin(a);
+    case Operation::Atan:
+      return atan(a);
+    case Operation::Log:
+      return log(a);
+    case Operation::Absolute:
+      return absolute(a);
+    case Operation::BySide:
+      return by_side(a, b, c);
+    case Operation::Along:
+      return along(a, b);
+    case Operation::WherePositive:
+      return where_positive(a, b);
+    case Operation::UnlessZero:
+      return unless_zero(a, b);
+    case Operation::Pi:
+      return pi<T>();
+    case Operation::Input:
+    case Operation::Constant:
+      break;
+  }
+  return a;
+}
+
+}  // namespace camlaw
