@@ -71,25 +71,26 @@ MechanismResponse peak_number(ResponseAbout about, MechanismResponse curve, opti
                               F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  const auto own = detail::used_parameters<M>(
-      [&](const M<Dual>& machine) { return formula(machine, Dual(0.37)); });
+  const std::size_t parameters = MachineTraits<M>::parameters().size();
+  const auto record = [=](const BoundMachine<M>& machine, std::size_t arguments) {
+    return detail::recorded(arguments + 1, [&](std::span<const Expression> u) {
+      const M<Expression> here = machine.template at<Expression>(u.first(arguments));
+      return factor.as<Expression>() * formula(here, u.back());
+    });
+  };
+  const auto own = used_arguments({record(detail::free_machine<M>(), parameters)}, parameters);
   std::set_union(own.begin(), own.end(), curve.uses.begin(), curve.uses.end(),
                  std::back_inserter(response.uses));
   response.sees_law = curve.sees_law;
   response.number = [=](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
-    const std::size_t arguments = binding.parameters.size();
-    Formula record = detail::recorded(arguments + 1, [&](std::span<const Expression> u) {
-      const M<Expression> here = machine.template at<Expression>(u.first(arguments));
-      return factor.as<Expression>() * formula(here, u.back());
-    });
     const std::size_t size = detail::design_size(binding);
     const optim::Response whole{curve.name, curve.unit,
                                 curve.curve(binding, optim::Shape::General)};
     std::vector<std::size_t> all(size);
     for (std::size_t i = 0; i < size; ++i) all[i] = i;
     auto kernel = std::make_shared<detail::PeakNumberKernel>(
-        std::move(record), detail::possibility(machine), binding.variables,
+        record(machine, binding.parameters.size()), detail::possibility(machine), binding.variables,
         optim::peak_function(whole, part, size));
     return optim::Function(std::move(all), std::move(kernel), shape);
   };

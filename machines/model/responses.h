@@ -77,80 +77,10 @@ std::vector<std::size_t> used_parameters(const F& f) {
   return result;
 }
 
-/// Motions like no others, so that no term vanishes by chance: rising and falling, gently and so
-/// hard that inertia outweighs all other forces, either way. A formula that tells sides apart, as
-/// that of which cam bears, then shows each of them.
-inline constexpr std::array<std::array<double, 4>, 8> kSomeMotions{{{0.37, 1.23, 2.9, -17},
-                                                                    {0.63, 1.23, -2.9, 17},
-                                                                    {0.37, 1.23, 31, -17},
-                                                                    {0.63, 1.23, -31, 17},
-                                                                    {0.37, 1.23, 2.3e5, -17},
-                                                                    {0.63, 1.23, -2.3e5, 17},
-                                                                    {0.37, -1.23, 2.9, -17},
-                                                                    {0.63, -1.23, -2.3e5, 17}}};
-
-/// One of these motions at a place of the law.
-template <class T>
-PlaceOf<T> some_place(const std::array<double, 4>& motion, double x) {
-  return {{number<T>(motion[0]), number<T>(motion[1]), number<T>(motion[2]), number<T>(motion[3])},
-          number<T>(x)};
-}
-
-inline constexpr double kSomePlace = 0.43;
-
 /// From s, v, a, j, and x if it is there.
 template <class T>
 PlaceOf<T> as_place(std::span<const T> u) {
   return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
-}
-
-/// Whether a curve depends on the place itself.
-template <template <class> class M, class F>
-bool uses_place(const F& formula) {
-  const auto at = formula(typical_machine<M>().template at<Dual>({}));
-  return std::any_of(kSomeMotions.begin(), kSomeMotions.end(), [&](const auto& motion) {
-    const auto of_place = [&](const Dual& x) {
-      PlaceOf<Dual> place = some_place<Dual>(motion, kSomePlace);
-      place.x = x;
-      return applied(at, place);
-    };
-    return depends(of_place, kSomePlace);
-  });
-}
-
-/// Which of s, v, a, j the curve depends on.
-template <template <class> class M, class F>
-std::array<bool, 4> used_motion(const F& formula) {
-  const auto of_motion = formula(typical_machine<M>().template at<Dual>({}));
-  std::array<bool, 4> uses{};
-  for (const std::array<double, 4>& motion : kSomeMotions) {
-    for (std::size_t m = 0; m < 4; ++m) {
-      const auto of_one = [&](const Dual& x) {
-        std::array<Dual, 4> moved{Dual(motion[0]), Dual(motion[1]), Dual(motion[2]),
-                                  Dual(motion[3])};
-        moved[m] = x;
-        return applied(of_motion,
-                       PlaceOf<Dual>{{moved[0], moved[1], moved[2], moved[3]}, Dual(kSomePlace)});
-      };
-      uses[m] = uses[m] || depends(of_one, motion[m]);
-    }
-  }
-  return uses;
-}
-
-/// The machine's parameters that a curve depends on, in one motion or another.
-template <template <class> class M, class F>
-std::vector<std::size_t> used_by_curve(const F& formula) {
-  std::vector<std::size_t> uses;
-  for (const std::array<double, 4>& motion : kSomeMotions) {
-    const auto own = used_parameters<M>([&](const M<Dual>& machine) {
-      return applied(formula(machine), some_place<Dual>(motion, kSomePlace));
-    });
-    uses.insert(uses.end(), own.begin(), own.end());
-  }
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  return uses;
 }
 
 /// The curve's formula in arguments of the machine followed by s, v, a, j, and x
@@ -195,6 +125,25 @@ class CurveFormulaOf final : public RecordedCurve {
 template <class F>
 Formula recorded(std::size_t inputs, const F& formula) {
   return Formula::record(inputs, [&](std::span<const Expression> u) { return formula(u); });
+}
+
+/// A number of the machine, of its arguments.
+template <template <class> class M, class F>
+Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
+                        const UnitFactor& factor, const F& formula) {
+  return recorded(arguments, [&](std::span<const Expression> u) {
+    return factor.as<Expression>() * formula(machine.template at<Expression>(u));
+  });
+}
+
+/// A curve, of the machine's arguments, s, v, a, j and x.
+template <template <class> class M, class F>
+Formula recorded_curve(const BoundMachine<M>& machine, std::size_t arguments,
+                       const UnitFactor& factor, const F& formula) {
+  return recorded(arguments + 5, [&](std::span<const Expression> u) {
+    const M<Expression> here = machine.template at<Expression>(u.first(arguments));
+    return factor.as<Expression>() * applied(formula(here), as_place(u.subspan(arguments)));
+  });
 }
 
 /// The machine as a function of all its parameters.
@@ -256,20 +205,19 @@ template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  response.uses = detail::used_parameters<M>(formula);
+  const std::size_t parameters = MachineTraits<M>::parameters().size();
+  response.uses = used_arguments(
+      {detail::recorded_number(detail::free_machine<M>(), parameters, factor, formula)},
+      parameters);
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
-    const auto value = [=]<class T>(const M<T>& here) -> T {
-      return factor.template as<T>() * formula(here);
-    };
     const std::size_t arguments = binding.parameters.size();
-    Formula record = detail::recorded(arguments, [&](std::span<const Expression> u) {
-      return value(machine.template at<Expression>(u));
-    });
     auto kernel = detail::machine_kernel_of<M>(
-        machine, arguments, std::move(record), [=]<class T>(std::span<const T> u) -> T {
+        machine, arguments, detail::recorded_number(machine, arguments, factor, formula),
+        [=]<class T>(std::span<const T> u) -> T {
           const M<T> here = machine.template at<T>(u);
-          return is_possible(here) ? value(here) : number<T>(detail::kNaN);
+          return is_possible(here) ? factor.template as<T>() * formula(here)
+                                   : number<T>(detail::kNaN);
         });
     return function_of(binding.variables, std::move(kernel), shape);
   };
@@ -302,18 +250,18 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   MechanismResponse response = detail::described<M>(std::move(about));
   response.along = cycle.unit;
   response.sees_law = true;
-  response.uses = detail::used_by_curve<M>(formula);
-  const auto uses = detail::used_motion<M>(formula);
-  const bool uses_place = detail::uses_place<M>(formula);
+  const std::size_t parameters = MachineTraits<M>::parameters().size();
+  const Formula whole =
+      detail::recorded_curve(detail::free_machine<M>(), parameters, factor, formula);
+  response.uses = used_arguments({whole}, parameters);
+  std::array<bool, 4> uses{};
+  for (std::size_t m = 0; m < 4; ++m) uses[m] = whole.depends_on(parameters + m);
+  const bool uses_place = whole.depends_on(parameters + 4);
   response.curve = [formula, factor, cycle, uses, uses_place](const Binding& binding,
                                                               optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
-    const Formula record = detail::recorded(arguments + 5, [&](std::span<const Expression> u) {
-      const M<Expression> here = machine.template at<Expression>(u.first(arguments));
-      return factor.as<Expression>() *
-             applied(formula(here), detail::as_place(u.subspan(arguments)));
-    });
+    const Formula record = detail::recorded_curve(machine, arguments, factor, formula);
     auto point = detail::machine_kernel_of<M>(
         machine, arguments, record, detail::point_formula<M>(machine, arguments, factor, formula));
     const auto make_formula = [=](std::span<const double> u) {

@@ -155,6 +155,9 @@ Formula Formula::record(std::size_t inputs,
 std::size_t Formula::inputs() const { return data_->inputs; }
 const std::vector<Step>& Formula::steps() const { return data_->steps; }
 const std::vector<std::size_t>& Formula::uses() const { return data_->uses; }
+bool Formula::depends_on(std::size_t input) const {
+  return std::binary_search(uses().begin(), uses().end(), input);
+}
 
 template <class T>
 T Formula::operator()(std::span<const T> u) const {

@@ -57,6 +57,7 @@ class Formula {
   const std::vector<Step>& steps() const;
   /// The inputs that the value depends on, increasing.
   const std::vector<std::size_t>& uses() const;
+  bool depends_on(std::size_t input) const;
 
   /// The value at u, in double, Dual, Dual2, Interval, or Series of Interval with 1 or 2 terms.
   template <class T>
