@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
-#include "optim/problem/problem.h"
+#include "optim/search/trail.h"
 
 namespace camlaw::optim {
 
-/// The problem of finding any design that meets those limits that are numbers at a design, with
-/// room to each bound of a share of it; none where there is no such limit. For models that give no
-/// number at a start: a design that their limits of validity allow. At their edge a model may be
-/// infinite.
-std::optional<Problem> with_numbers_only(const Problem& problem, Design x, double share);
+/// Whether a design was found at which the model gives numbers.
+bool has_numbers(const Found& found);
+
+/// Where the model gives no number at any start: searches from a design that meets those limits
+/// that are numbers there, such as those of validity; where there is no such limit, from places of
+/// the box at which the model gives numbers. Where no design meets those limits, the problem has
+/// none either, for the same reason.
+void seek_numbers(const Setting& setting, Trail& trail);
 
 }  // namespace camlaw::optim

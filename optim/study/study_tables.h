@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <SQLiteCpp/SQLiteCpp.h>
-
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "optim/study/record.h"
+#include "optim/study/study_rows.h"
 
 /// For record.cpp alone, and not installed: it needs SQLiteCpp.
-/// The rows of a study's file (docs/design.md, "Studies"): how outcomes become rows and rows become
-/// outcomes, and the checksums that tell whether a row is as it was written.
+/// The tables of a study's file (docs/design.md, "Studies"): which tasks there are, and which of
+/// them are as they were written.
 namespace camlaw::optim {
 
 /// Marks the file as ours: "caml" as four bytes, and the version of the tables.
@@ -53,27 +52,17 @@ class StudyTables {
 
  private:
   struct Entry {
-    std::int64_t id = 0;
+    TaskRows rows;
     std::string text;
-    std::vector<std::int64_t> designs;
     bool is_whole = true;
   };
 
   Entry* entry(const std::string& text);
   void look_within();
   void place();
-  bool has_died(const Entry& entry);
   void look_again_if_changed();
   std::int64_t data_version();
-  std::uint64_t checksum_of(const Entry& entry);
-  Outcome outcome_of(const Entry& entry, std::size_t part);
   void insert(const StudySettings& settings);
-  void remove(const Entry& entry);
-  FrontPoint design_of(std::int64_t id, std::size_t part);
-  std::int64_t add_design(std::int64_t task, const FrontPoint& point, const Problem& problem);
-  void add_variables(std::int64_t design, const FrontPoint& point, const Problem& problem);
-  void add_objectives(std::int64_t design, const FrontPoint& point, const Problem& problem);
-  void add_margins(std::int64_t design, const FrontPoint& point);
 
   SQLite::Database& base_;
   int version_ = kStudyVersion;

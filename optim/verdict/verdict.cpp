@@ -255,6 +255,14 @@ Assessment assess_in_haste(const Problem& problem, const Sizes& about, Design x)
   return where_it_stands(problem, judged_at(problem, about, x), x, false);
 }
 
+Assessment assess_in_haste(const Problem& problem, Design x) {
+  Sizes sizes;
+  sizes.variables = typical_scales(problem, x);
+  sizes.objective = sizes.objective_typical = 1;
+  sizes.constraints.assign(problem.constraints.size(), {1, 0, 0});
+  return assess_in_haste(problem, sizes, x);
+}
+
 Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result = where_it_stands(problem, sizes, x, prove);

@@ -21,6 +21,8 @@ Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool pro
 /// The same without proofs and without the conditions of optimality, for a design on which no more
 /// time is to be spent: Feasible where every limit is met as far as was looked.
 Assessment assess_in_haste(const Problem& problem, const Sizes& sizes, Design x);
+/// Takes every size to be 1 but those of the variables, which limits' tolerances depend on.
+Assessment assess_in_haste(const Problem& problem, Design x);
 
 /// What a lower bound from dividing the box adds to the assessment of a design within the limits,
 /// which was asked for with proofs. The bound that is tighter counts.

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/feasible.h"
+
+#include <cmath>
+#include <utility>
+
+#include "optim/search/interruptible.h"
+#include "optim/search/least_violating.h"
+#include "optim/search/local.h"
+#include "optim/verdict/limits.h"
+#include "optim/verdict/verdict.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// Holds a design of least violation, and what is to be said of it.
+struct Least {
+  Attempt attempt;  ///< without a design where no search led to one in time
+  Assessment blame;
+};
+
+Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
+  Least least;
+  for (const Solver* solver : least_violation_plan(setting.problem)) {
+    least.attempt = attempt(start, *solver, setting, trail, Aim::LeastViolation);
+    if (least.attempt.x.empty() || setting.deadline.passed()) return {};
+    least.blame = assess_least_violation(setting.problem, trail.sizes, least.attempt.x);
+    if (is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible) break;
+  }
+  return least;
+}
+
+/// Takes the place itself, where it meets every limit, else where a search from it leads.
+Least least_violation_at(const std::vector<double>& x, const Setting& setting, Trail& trail) {
+  try {
+    Least least;
+    least.blame = assess(setting.problem, trail.sizes, x, false);
+    if (!is_feasible(least.blame)) return least_violation_from(x, setting, trail);
+    least.attempt.x = x;
+    least.attempt.status = Status::Solved;
+    least.attempt.message = "a place of the box that meets every limit";
+    return least;
+  } catch (...) {
+    if (is_interruption(std::current_exception())) throw;
+    return {};
+  }
+}
+
+/// Where the limits leave no convex set, the least violation that was found may be one of several:
+/// searches from elsewhere, until one comes to a design within the limits. What the model throws
+/// there says nothing of what was found. In the nodes of a search over whole variables there is no
+/// such look.
+Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) {
+  constexpr std::size_t kTried = 4;
+  constexpr double kGain = 1e-6;
+  if (convex_set(setting.original) || !setting.prove) return least;
+  const std::string thrown = trail.thrown;
+  for (const auto& x : least_violating(setting.problem, trail.sizes, least.attempt.x, kTried,
+                                       setting.options.seed)) {
+    if (is_feasible(least.blame) || setting.deadline.passed()) break;
+    Least other = least_violation_at(x, setting, trail);
+    trail.thrown = thrown;
+    if (other.attempt.x.empty()) continue;
+    const double gain = largest_violation(setting.problem, trail.sizes, least.attempt.x) -
+                        largest_violation(setting.problem, trail.sizes, other.attempt.x);
+    if (is_feasible(other.blame) || gain > kGain) least = std::move(other);
+  }
+  if (setting.deadline.passed() && !is_feasible(least.blame)) {  // not everywhere
+    least.blame.verdict = Verdict::Failed;
+    least.blame.reason = "no design was found that meets every limit";
+  }
+  return least;
+}
+
+/// Begins the problem at a design, and holds the variables that stand at their bounds there; none
+/// where no variable does.
+std::optional<Problem> held_at_bounds(Problem problem, Design x, const Sizes& sizes) {
+  constexpr double kAt = 1e-7;  // of a typical change: as near as solvers come
+  bool any = false;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Variable& v = problem.variables[i];
+    v.start = x[i];
+    if (v.lower == v.upper) continue;
+    for (const double bound : {v.lower, v.upper}) {
+      if (!(std::abs(x[i] - bound) <= kAt * sizes.variables[i])) continue;
+      v.lower = v.upper = v.start = bound;
+      any = true;
+      break;
+    }
+  }
+  return any ? std::optional(std::move(problem)) : std::nullopt;
+}
+
+/// Where a law loses a phase at a variable's bound, curves are others than beside it, and a search
+/// that leaves the bound does not come back: so one is made that holds the variables which stand at
+/// theirs.
+void search_along_bounds(Design x, const Setting& setting, Trail& trail, Reached& reached) {
+  const auto along = held_at_bounds(setting.original, x, trail.sizes);
+  if (!along || setting.deadline.passed()) return;
+  OptimiseOptions once = setting.options;
+  once.solver = "auto";
+  once.starts = 1;
+  once.progress = {};
+  once.candidate = {};
+  const Found found = search_continuous(*along, once, setting.deadline, false);
+  trail.found.add_work(found);
+  if (!is_feasible(found.assessment)) return;
+  Attempt there;
+  there.x = found.x;
+  there.status = found.status;
+  there.message = "with the variables held that stand at their bounds";
+  consider(there, find_solver(found.solver), setting, trail, reached);
+}
+
+}  // namespace
+
+void find_feasible(const Setting& setting, Trail& trail, Reached& reached) {
+  Assessment& best = trail.found.assessment;
+  Least least = least_violation_from(trail.found.x, setting, trail);
+  if (least.attempt.x.empty()) return;
+  if (!is_feasible(least.blame)) least = least_violation_of_all(std::move(least), setting, trail);
+  if (!is_feasible(least.blame)) {
+    if (worst_violation(least.blame.limits) < worst_violation(best.limits) ||
+        least.blame.verdict == Verdict::Infeasible) {
+      best = least.blame;
+      trail.found.x = least.attempt.x;
+    }
+    return;
+  }
+  const Solver& ipopt = ipopt_solver();
+  consider(least.attempt, ipopt, setting, trail, reached);
+  best.kkt_residual = kInfinity;
+  for (const Solver* solver : {&find_solver("slsqp"), &ipopt}) {
+    if (!is_settled(best)) attempt(least.attempt.x, *solver, setting, trail, reached);
+  }
+  if (!is_settled(best)) search_along_bounds(least.attempt.x, setting, trail, reached);
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "optim/cycle/remembered.h"
+#include "optim/cycle/watched.h"
+#include "optim/search/feasible.h"
+#include "optim/search/rescaling.h"
+#include "optim/verdict/verdict.h"
+
+namespace camlaw::optim {
+namespace {
+
+bool prove_number(Response& response, Design x) {
+  if (response.is_curve() || !response.function().is_searched()) return false;
+  const Function proved = response.function().proved();
+  if (proved.value(x) == response.function().value(x)) return false;
+  response.measure = proved;
+  return true;
+}
+
+bool is_proved(const Problem& problem, const Found& found) {
+  const Assessment& a = found.assessment;
+  const Response& sought = problem.objective().response;
+  const bool searched =
+      sought.is_curve() ? a.objective.angle.has_value() : sought.function().is_searched();
+  if (!searched) return is_feasible(a);
+  if (!std::isfinite(a.objective.proved.upper - a.objective.proved.lower)) return false;
+  return is_feasible(a) &&
+         (sought.is_curve() || a.objective.value == sought.function().value(found.x));
+}
+
+/// Conditions that held in the sizes of a search may not hold in those of the design it led to:
+/// then the search goes on from there.
+void settle_in_own_sizes(const Setting& setting, Trail& trail) {
+  if (!trail.is_within_limits()) return;
+  Assessment& best = trail.found.assessment;
+  Sizes own = sizes(setting.problem, trail.found.x);
+  const bool known = is_settled(best) && !differ(own, trail.sizes);
+  trail.sizes = std::move(own);
+  if (known) return;
+  best = assess(setting.problem, trail.sizes, trail.found.x, false);
+  const Solver& solver = *setting.plan.solvers.back();
+  if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
+  Reached reached;
+  attempt(trail.found.x, solver, setting, trail, reached);
+}
+
+/// Searches from the best design on, now that more is known of the curves.
+void search_again(const Setting& setting, Trail& trail) {
+  const Solver& solver = *setting.plan.solvers.back();
+  const Attempt again = attempt(trail.found.x, solver, setting, trail, Aim::Optimum);
+  if (!again.x.empty()) {
+    trail.found.x = again.x;
+    trail.found.status = again.status;
+    trail.found.solver = solver.name();
+    trail.message = again.message;
+  }
+  trail.found.assessment = assess(setting.problem, trail.sizes, trail.found.x, false);
+}
+
+}  // namespace
+
+WatchedProblem::WatchedProblem(Problem plain)
+    : plain_(std::move(plain)),
+      problem_(remembered(plain_)),
+      angles_(1 + problem_.constraints.size()) {}
+
+bool WatchedProblem::watch(std::size_t index, double angle, const Response& plain,
+                           Response& response) {
+  std::vector<double>& angles = angles_[index];
+  if (std::find(angles.begin(), angles.end(), angle) != angles.end()) return false;
+  angles.push_back(angle);
+  response = remembered(watched(plain, angles));
+  return true;
+}
+
+bool WatchedProblem::learn(Design x, const Assessment& a) {
+  Response& sought = problem_.objectives.front().response;
+  bool any = prove_number(sought, x);
+  if (a.objective.angle && std::isinf(a.objective.proved.upper - a.objective.proved.lower))
+    any |= watch(0, *a.objective.angle, plain_.objective().response, sought);
+  for (std::size_t i = 0; i < a.limits.size(); ++i) {
+    Response& limited = problem_.constraints[i].response;
+    any |= prove_number(limited, x);
+    if (a.limits[i].met || !a.limits[i].worst_angle) continue;
+    any |= watch(i + 1, *a.limits[i].worst_angle, plain_.constraints[i].response, limited);
+  }
+  return any;
+}
+
+void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
+  constexpr int kRounds = 10;
+  Found& found = trail.found;
+  Reached reached;
+  for (int round = 0; !trail.is_infeasible(); ++round) {
+    settle_in_own_sizes(setting, trail);
+    if (!trail.is_within_limits() && !setting.deadline.passed())
+      find_feasible(setting, trail, reached);
+    if (!trail.is_within_limits() || !setting.prove) return;
+    found.assessment = assess(setting.problem, trail.sizes, found.x, true);
+    if (is_proved(setting.problem, found) || setting.deadline.passed() || round == kRounds) return;
+    if (!watched.learn(found.x, found.assessment)) return;
+    search_again(setting, trail);
+  }
+}
+
+}  // namespace camlaw::optim

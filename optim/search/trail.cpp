@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/trail.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "optim/search/interruptible.h"
+#include "optim/verdict/verdict.h"
+
+namespace camlaw::optim {
+namespace {
+
+SolverOptions solver_options(const Solver& solver, const Setting& setting, const Found& found) {
+  const OptimiseOptions& options = setting.options;
+  SolverOptions result;
+  result.max_iterations = options.max_iterations;
+  result.max_evaluations = options.max_evaluations;
+  result.time_limit = setting.deadline.left();
+  result.seed = options.seed;
+  result.stop = options.stop;
+  if (const auto native = options.native.find(solver.name()); native != options.native.end())
+    result.native = native->second;
+  if (!options.progress) return result;
+  result.progress = [&](Progress progress) {
+    const int planned = std::max(found.planned_starts, 1);
+    progress.done = static_cast<double>(std::max(found.starts - 1, 0)) / planned;
+    options.progress(progress);
+  };
+  return result;
+}
+
+/// Whether a design is better, or as good to 1e-6 (by passing limits within their tolerance a
+/// design may look better than the optimum) and the conditions of optimality hold where they did
+/// not.
+bool improves(const Problem& problem, const Sizes& sizes, const Assessment& fresh,
+              const Assessment& old) {
+  const double a = fresh.objective.value, b = old.objective.value;
+  const bool alike = is_feasible(fresh) && is_feasible(old) &&
+                     std::abs(a - b) <= 1e-6 * std::max(std::abs(b), sizes.objective);
+  if (alike && is_settled(fresh) != is_settled(old)) return is_settled(fresh);
+  return better(problem, fresh, old);
+}
+
+}  // namespace
+
+std::string words_of(const std::exception_ptr& error, const std::string& who) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    return who + ": there is not enough memory";
+  } catch (const std::exception& e) {
+    return fmt::format("{}: {}", who, e.what());
+  } catch (...) {
+    return who + ": something that is not a std::exception";
+  }
+}
+
+void Trail::fail(const std::string& why) {
+  found.assessment.verdict = Verdict::Failed;
+  found.assessment.reason = why;
+}
+
+Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trail& trail, Aim aim) {
+  // Where one start has used up its iterations in vain, there may be no design to be found.
+  constexpr int kShare = 4;
+  SolverOptions how = solver_options(solver, setting, trail.found);
+  if (trail.in_vain && aim == Aim::Optimum && !trail.is_within_limits())
+    how.max_iterations = 1 + how.max_iterations / kShare;
+  Attempt result = exchange(setting.problem, trail.sizes, start, solver, how, aim);
+  trail.found.iterations += result.iterations;
+  trail.found.evaluations += result.evaluations;
+  trail.found.solves += result.rounds;
+  if (!result.x.empty()) trail.last = result.x;
+  if (is_interruption(result.error)) throw Interrupted();
+  if (result.error) trail.thrown = words_of(result.error, result.message);
+  return result;
+}
+
+Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trail& trail,
+                Reached& reached) {
+  Attempt tried = attempt(start, solver, setting, trail, Aim::Optimum);
+  consider(tried, solver, setting, trail, reached);
+  return tried;
+}
+
+void consider(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
+              Reached& reached) {
+  const auto tell = [&](bool is_best) {
+    if (setting.options.candidate) setting.options.candidate({{}, tried.x, is_best});
+  };
+  Found& found = trail.found;
+  reached.latest = {};
+  trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
+  if (tried.x.empty()) return;
+  tell(false);
+  reached.latest = assess(setting.problem, trail.sizes, tried.x, false);
+  if (improves(setting.problem, trail.sizes, reached.latest, reached.best))
+    reached.best = reached.latest;
+  if (!found.x.empty() && !improves(setting.problem, trail.sizes, reached.latest, found.assessment))
+    return;
+  found.x = tried.x;
+  found.assessment = reached.latest;
+  found.status = tried.status;
+  found.solver = solver.name();
+  trail.message = tried.message;
+  tell(true);
+}
+
+}  // namespace camlaw::optim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "optim/search/deadline.h"
+#include "optim/search/exchange.h"
+#include "optim/search/optimise.h"
+#include "optim/search/plan.h"
+
+/// The stages of search_continuous() are given this, and leave this behind.
+namespace camlaw::optim {
+
+/// Tells the stages what is searched for, and how.
+struct Setting {
+  const Problem& original;
+  const Problem& problem;  ///< the original, as a WatchedProblem that ends with the deadline
+  const OptimiseOptions& options;
+  const Deadline& deadline;
+  bool prove;
+  Plan plan;
+};
+
+/// Says what was thrown, and who let it out: the model, or a solver that was registered.
+std::string words_of(const std::exception_ptr& error, const std::string& who = "the model threw");
+
+/// Holds what a search has come to so far, which is not lost where an exception ends a stage.
+struct Trail {
+  Found found;                    ///< the best design, and the work of all attempts
+  std::string message = {};       ///< of the solve that led to the best design
+  Sizes sizes = {};               ///< those in which problems are scaled and designs judged
+  std::vector<double> last = {};  ///< where the last attempt ended
+  std::string thrown = {};        ///< words of the last exception; empty while nothing threw
+  bool in_vain = false;           ///< all iterations of a start led to no design within the limits
+  bool unbounded = false;         ///< some solve has found that the objective improves without end
+
+  bool is_infeasible() const { return found.assessment.verdict == Verdict::Infeasible; }
+  bool is_within_limits() const { return is_feasible(found.assessment); }
+  /// Says of the search that it gave no answer.
+  void fail(const std::string& why);
+};
+
+/// Holds what the attempts from one start came to.
+struct Reached {
+  Assessment best, latest;
+};
+
+/// Searches from one place with one solver. It counts as work of the trail; throws Interrupted
+/// where it was cut short.
+Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trail& trail, Aim aim);
+
+/// Searches for the optimum so, and considers where that has ended.
+Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trail& trail,
+                Reached& reached);
+
+/// Judges where an attempt has ended, and takes the design where it is better than what was found
+/// before.
+void consider(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
+              Reached& reached);
+
+}  // namespace camlaw::optim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "optim/pareto/task.h"
+
+/// For a study's tables alone, and not installed: it needs SQLiteCpp.
+/// How one outcome becomes rows and rows become an outcome, and the checksum that tells whether
+/// they are as they were written.
+namespace camlaw::optim {
+
+/// Names a task's row, and those of the designs that it has led to, by their numbers.
+struct TaskRows {
+  std::int64_t task = 0;
+  std::vector<std::int64_t> designs = {};
+};
+
+/// Makes the tables of a new file.
+void make_tables(SQLite::Database& base);
+
+/// Makes a statement with a value for each question mark. NaN becomes NULL, which is what SQLite
+/// makes of it.
+template <class... Values>
+SQLite::Statement stated(SQLite::Database& base, const char* query, const Values&... values) {
+  SQLite::Statement statement(base, query);
+  SQLite::bind(statement, values...);
+  return statement;
+}
+
+/// Writes a task and its outcome, sealed with a checksum.
+TaskRows write_rows(SQLite::Database& base, const Task& task, const Outcome& outcome,
+                    const Problem& problem);
+/// Throws std::runtime_error where a row is gone, or holds words that are none of ours.
+Outcome read_rows(SQLite::Database& base, const TaskRows& rows, std::size_t part);
+void remove_rows(SQLite::Database& base, const TaskRows& rows);
+
+/// Works out the checksum of rows, as it is stored beside them.
+std::int64_t checksum_of(SQLite::Database& base, const TaskRows& rows);
+/// Works out that of one setting.
+std::int64_t checksum_of(const std::string& name, const std::string& value);
+
+}  // namespace camlaw::optim
