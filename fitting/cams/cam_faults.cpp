@@ -39,7 +39,7 @@ class AroundTurn {
 /// A column of values per sample of the lift, in the samples' unit.
 template <class Value>
 std::function<double(double)> column(const MeasuredCam& cam, const Value& value) {
-  const double unit = cam.samples.unit == "deg" ? kDegree : 1;
+  const double unit = cam.unit();
   std::vector<std::pair<double, double>> values;
   for (const LiftSample& sample : cam.lift.samples()) {
     if (!sample.outlying) values.emplace_back(sample.phi / kDegree, value(sample) / unit);

@@ -145,8 +145,7 @@ std::vector<FaultTest> faults_of(const CamFit& fit, const LawFitOptions& options
 CamFit fitted_cam(MeasuredCam cam, const std::vector<Member>& laws, const LawFitOptions& options,
                   std::optional<Centre> centre) {
   FoundCycle cycle = find_motions(cam.samples);
-  const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() *
-                                                 (cam.samples.unit == "deg" ? 1 / kDegree : 1));
+  const double noise = std::max(cycle.noise, kLeastDeparture * cam.lift.stroke() / cam.unit());
   constexpr double kFirst = 0.5;  // of the work
   Departed departed = departures_of(cam, cycle, laws, part_of(options, 0, kFirst), noise);
   if (!departed.stretches.empty()) {

@@ -55,91 +55,79 @@ void join(std::vector<Phase>& phases) {
   }
 }
 
-class Writer {
- public:
-  Writer(const CamFit& fit, const ProblemStatement& machine)
-      : fit_(fit), machine_(machine), phases_(phases_of(fit.cycle.fits)) {
-    join(phases_);
-    lowest_ = highest_ = phases_.front().from;
-    for (const Phase& p : phases_) {
-      lowest_ = std::min(lowest_, p.to);
-      highest_ = std::max(highest_, p.to);
-    }
-  }
+/// The motions of the turn and the levels between which they go.
+struct Turn {
+  std::vector<Phase> phases;
+  double lowest, highest;
 
-  FoundProgram program() && {
-    result_.problem = fmt::format(
-        "# A measured cam. Angle 0 is where it stands at {} deg as it was measured.\n"
-        "title = \"A measured cam\"\nmechanism = \"{}\"\n\n[constants]\n",
-        number(phases_.front().begin), machine_.mechanism->name);
-    add_sizes();
-    result_.problem += "\n[program]\nmatched = \"displacement\"\n";
-    for (std::size_t i = 0; i < phases_.size(); ++i) add_motion(i);
-    return std::move(result_);
-  }
-
- private:
-  void add_sizes() {
-    const auto& parameters = machine_.mechanism->parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const MechanismParameter& p = parameters[i];
-      double value = machine_.constants[i];
-      const bool stroke = p.name == "stroke" || p.name == "swing";
-      if (stroke) value = highest_ - lowest_;
-      if (p.name == "base_radius") value = fit_.cam.lift.base_radius(lowest_in_own_unit());
-      result_.problem += p.unit == "1"
-                             ? fmt::format("{} = {}\n", p.name, number(value))
-                             : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
-    }
-  }
-
-  /// Samples of an arm are in deg, its lift in rad.
-  double lowest_in_own_unit() const {
-    return fit_.cam.samples.unit == "deg" ? lowest_ * kDegree : lowest_;
-  }
-
-  void add_motion(std::size_t i) {
-    const Phase& p = phases_[i];
-    const bool last = i + 1 == phases_.size();
-    const double next = last ? phases_.front().begin + kTurnDegrees : phases_[i + 1].begin;
-    const bool rests = next > p.end;
-    const std::string kind = p.to > p.from ? "rise" : "return";
-    add_segment(fmt::format("{}{}", kind, i + 1), last && !rests, p.end - p.begin);
-    result_.problem += fmt::format("law = \"{}\"\n", law_name(p, kind, i + 1));
-    if (!last) result_.problem += fmt::format("to = {}\n", number(share(p.to)));
-    if (rests) add_segment(fmt::format("dwell{}", i + 1), last, next - p.end);
-  }
-
-  /// The last segment takes what is left of the turn.
-  void add_segment(const std::string& name, bool last, double angle) {
-    result_.problem += fmt::format("\n[[program.segments]]\nname = \"{}\"\n", name);
-    if (!last) result_.problem += fmt::format("angle = \"{} deg\"\n", number(angle));
-  }
-
-  std::string law_name(const Phase& p, const std::string& kind, std::size_t count) {
-    if (!p.fit->smooth) return p.fit->best().law.name();
-    const std::string file = fmt::format("{}{}.json", kind, count);
-    result_.laws.push_back({file, *p.fit->smooth, fmt::format("smoothed {}", kind)});
-    return file;
-  }
-
+  /// Of the stroke.
   double share(double level) const {
     constexpr double kEnd = 1e-9;
-    const double x = (level - lowest_) / (highest_ - lowest_);
+    const double x = (level - lowest) / (highest - lowest);
     return x < kEnd ? 0 : x > 1 - kEnd ? 1 : x;
   }
-
-  const CamFit& fit_;
-  const ProblemStatement& machine_;
-  std::vector<Phase> phases_;
-  double lowest_ = 0, highest_ = 0;
-  FoundProgram result_;
 };
+
+Turn turn_of(const std::vector<MotionFit>& fits) {
+  std::vector<Phase> phases = phases_of(fits);
+  join(phases);
+  Turn turn{std::move(phases), 0, 0};
+  turn.lowest = turn.highest = turn.phases.front().from;
+  for (const Phase& p : turn.phases) {
+    turn.lowest = std::min(turn.lowest, p.to);
+    turn.highest = std::max(turn.highest, p.to);
+  }
+  return turn;
+}
+
+std::string sizes_text(const MeasuredCam& cam, const ProblemStatement& machine, const Turn& turn) {
+  std::string text;
+  const auto& parameters = machine.mechanism->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const MechanismParameter& p = parameters[i];
+    double value = machine.constants[i];
+    if (p.name == "stroke" || p.name == "swing") value = turn.highest - turn.lowest;
+    if (p.name == "base_radius") value = cam.lift.base_radius(turn.lowest * cam.unit());
+    text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
+                          : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);
+  }
+  return text;
+}
+
+/// The last segment takes what is left of the turn.
+std::string segment_text(const std::string& name, bool last, double angle) {
+  return fmt::format("\n[[program.segments]]\nname = \"{}\"\n", name) +
+         (last ? "" : fmt::format("angle = \"{} deg\"\n", number(angle)));
+}
 
 }  // namespace
 
 FoundProgram found_program(const CamFit& fit, const ProblemStatement& machine) {
-  return Writer(fit, machine).program();
+  const Turn turn = turn_of(fit.cycle.fits);
+  FoundProgram result;
+  std::string& text = result.problem;
+  text = fmt::format(
+      "# A measured cam. Angle 0 is where it stands at {} deg as it was measured.\n"
+      "title = \"A measured cam\"\nmechanism = \"{}\"\n\n[constants]\n{}"
+      "\n[program]\nmatched = \"displacement\"\n",
+      number(turn.phases.front().begin), machine.mechanism->name,
+      sizes_text(fit.cam, machine, turn));
+  for (std::size_t i = 0; i < turn.phases.size(); ++i) {
+    const Phase& p = turn.phases[i];
+    const bool last = i + 1 == turn.phases.size();
+    const double next = last ? turn.phases.front().begin + kTurnDegrees : turn.phases[i + 1].begin;
+    const bool rests = next > p.end;
+    const std::string kind = p.to > p.from ? "rise" : "return";
+    const std::string name = fmt::format("{}{}", kind, i + 1);
+    std::string law = p.fit->smooth ? name + ".json" : p.fit->best().law.name();
+    text += segment_text(name, last && !rests, p.end - p.begin);
+    text += fmt::format("law = \"{}\"\n", law);
+    if (!last) text += fmt::format("to = {}\n", number(turn.share(p.to)));
+    if (rests) text += segment_text(fmt::format("dwell{}", i + 1), last, next - p.end);
+    if (!p.fit->smooth) continue;
+    result.laws.push_back({std::move(law), *p.fit->smooth, fmt::format("smoothed {}", kind)});
+  }
+  return result;
 }
 
 }  // namespace camlaw::problems

@@ -183,7 +183,7 @@ void move_centre(Polar& points, std::complex<double> centre) {
 
 /// The samples and the outlying points of a cam's lift.
 void take_samples(MeasuredCam& cam) {
-  const double unit = cam.samples.unit == "deg" ? kDegree : 1;
+  const double unit = cam.unit();
   std::vector<double> shares;
   for (const LiftSample& sample : cam.lift.samples()) {
     shares.push_back(sample.share);

@@ -6,6 +6,7 @@
 #include "fitting/cams/measured_lift.h"
 #include "fitting/motions/law_fit.h"
 #include "fitting/samples/sample_table.h"
+#include "fitting/samples/turn.h"
 #include "problems/statement/statement.h"
 
 /// From a table of a measured disc cam to samples of what its follower does.
@@ -32,6 +33,9 @@ struct MeasuredCam {
   std::size_t left_out = 0;  ///< of those, far off their neighbours
   std::size_t lacking = 0;   ///< rows of the table without a number
   double rounded = 0;        ///< what the points' radii are rounded to, mm
+
+  /// One of the samples' units in that of the lift: their angles are deg, the lift's rad.
+  double unit() const { return samples.unit == "deg" ? kDegree : 1; }
 };
 
 /// The disc cams whose follower a profile can be measured for.

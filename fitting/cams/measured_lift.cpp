@@ -29,16 +29,12 @@ std::string place_of(double theta) {
   return fmt::format("at a polar angle of {:.4g} deg", in_turn(theta) / kDegree);
 }
 
-}  // namespace
-
 /// The follower while the profile's point at theta is the one that it touches.
-struct MeasuredLift::State {
+struct Touch {
   double phi, coordinate, ds, dds;
   double rate;   ///< |dphi / dtheta|
   double share;  ///< of a small shift of the profile along its normal that the follower makes
 };
-
-namespace {
 
 /// A roller's centre by the follower's coordinate q: w, g = dw / dq and dg / dq.
 struct Way {
@@ -154,25 +150,18 @@ ProfilePoint mirrored(const ProfilePoint& p) {
   return {std::conj(p.place), -std::conj(p.tangent), std::conj(p.normal), p.curvature, p.speed};
 }
 
-}  // namespace
-
-MeasuredLift::State MeasuredLift::state(double theta) const {
-  const ProfilePoint point = profile_.at(theta);
-  const ProfilePoint seen = rotation_ == Rotation::Clockwise ? mirrored(point) : point;
-  return is_roller(follower_) ? roller_state(seen, theta) : face_state(seen, theta);
-}
-
 /// (I3) to (I5)
-MeasuredLift::State MeasuredLift::roller_state(const ProfilePoint& p, double theta) const {
-  const double radius = roller_radius(follower_), shorter = 1 + radius * p.curvature;
+Touch roller_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rotation rotation,
+                   double theta) {
+  const double radius = roller_radius(follower), shorter = 1 + radius * p.curvature;
   if (!(shorter > 0)) {
     refuse(
         fmt::format("the roller of radius {:.6g} does not fit into the hollow of radius {:.6g} {}",
                     radius, -1 / p.curvature, place_of(theta)));
   }
   const Complex z = p.place + radius * p.normal;
-  Way way = way_of(follower_, std::abs(z), theta);
-  if (rotation_ == Rotation::Clockwise) {
+  Way way = way_of(follower, std::abs(z), theta);
+  if (rotation == Rotation::Clockwise) {
     way = {way.coordinate, std::conj(way.w), std::conj(way.g), std::conj(way.bend)};
   }
   const Complex turn = way.w / z;  // exp(i phi)
@@ -197,14 +186,15 @@ MeasuredLift::State MeasuredLift::roller_state(const ProfilePoint& p, double the
 }
 
 /// (I6), (I7)
-MeasuredLift::State MeasuredLift::face_state(const ProfilePoint& p, double theta) const {
+Touch face_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rotation rotation,
+                 double theta) {
   if (!(p.curvature > 0)) {
     refuse(fmt::format("it is hollow {}: a flat face does not touch it there", place_of(theta)));
   }
-  const double sense = rotation_ == Rotation::Clockwise ? -1 : 1;
+  const double sense = rotation == Rotation::Clockwise ? -1 : 1;
   const Complex seen = p.place * std::conj(p.normal);
   const double height = std::real(seen), aside = std::imag(seen), radius = 1 / p.curvature;
-  const FaceWay way = face_way(follower_, height, theta);
+  const FaceWay way = face_way(follower, height, theta);
   const double lever = way.foot_rate + (way.swings ? sense * aside : 0);
   if (!(lever > 0)) {
     refuse(
@@ -218,41 +208,47 @@ MeasuredLift::State MeasuredLift::face_state(const ProfilePoint& p, double theta
           p.curvature * p.speed / turning, 1 / lever};
 }
 
+Touch touch_at(const MeasuredProfile& profile, const MeasuredFollower& follower, Rotation rotation,
+               double theta) {
+  const ProfilePoint point = profile.at(theta);
+  const ProfilePoint seen = rotation == Rotation::Clockwise ? mirrored(point) : point;
+  return is_roller(follower) ? roller_touch(seen, follower, rotation, theta)
+                             : face_touch(seen, follower, rotation, theta);
+}
+
+}  // namespace
+
+/// Goes round once. The cam angle is monotone in the polar angle of the contact where the follower
+/// follows.
 MeasuredLift::MeasuredLift(MeasuredProfile profile, const MeasuredFollower& follower,
                            Rotation rotation, std::optional<double> base_radius)
     : profile_(std::move(profile)), follower_(follower), rotation_(rotation) {
   check_follower(follower_);
-  follow();
-  zero_ = base_radius ? coordinate_on(follower_, *base_radius) : lowest_;
-}
-
-/// Goes round once. The cam angle is monotone in the polar angle of the contact where the follower
-/// follows.
-void MeasuredLift::follow() {
+  const auto touch = [&](double theta) { return touch_at(profile_, follower_, rotation_, theta); };
   // As many places that no wave of the spline hides between two.
   const std::size_t count = std::max<std::size_t>(8 * profile_.spline().basis().spans(), 720);
   std::vector<double> coordinates;
   for (std::size_t i = 0; i <= count; ++i) {
     const double theta = kTurn * static_cast<double>(i) / static_cast<double>(count);
-    const State here = state(theta);
+    const Touch here = touch(theta);
     const double step = i == 0 ? 0 : std::remainder(here.phi - phis_.back(), kTurn);
     thetas_.push_back(theta);
     phis_.push_back(i == 0 ? here.phi : phis_.back() + step);
     coordinates.push_back(here.coordinate);
   }
+  // The least of sign * coordinate near a place.
+  const auto extreme = [&](auto at, double sign) {
+    const double middle = thetas_[static_cast<std::size_t>(at - coordinates.begin())];
+    const double step = thetas_[1] - thetas_[0];
+    constexpr int kBits = 26;  // half of the digits: the coordinate is level there
+    const auto [theta, least] = boost::math::tools::brent_find_minima(
+        [&](double x) { return sign * touch(x).coordinate; }, middle - step, middle + step, kBits);
+    return sign * std::min(least, sign * *at);
+  };
   const auto [low, high] = std::minmax_element(coordinates.begin(), coordinates.end());
-  lowest_ = extreme(static_cast<std::size_t>(low - coordinates.begin()), 1);
-  highest_ = extreme(static_cast<std::size_t>(high - coordinates.begin()), -1);
-}
-
-/// The least of sign * coordinate near a place.
-double MeasuredLift::extreme(std::size_t at, double sign) const {
-  const double step = thetas_[1] - thetas_[0];
-  constexpr int kBits = 26;  // half of the digits: the coordinate is level there
-  const auto [theta, least] =
-      boost::math::tools::brent_find_minima([&](double x) { return sign * state(x).coordinate; },
-                                            thetas_[at] - step, thetas_[at] + step, kBits);
-  return sign * std::min(least, sign * state(thetas_[at]).coordinate);
+  lowest_ = extreme(low, 1);
+  highest_ = extreme(high, -1);
+  zero_ = base_radius ? coordinate_on(follower_, *base_radius) : lowest_;
 }
 
 MeasuredMotion MeasuredLift::at(double phi) const {
@@ -262,7 +258,8 @@ MeasuredMotion MeasuredLift::at(double phi) const {
   const auto before = [&](double a, double b) { return rising ? a < b : a > b; };
   const auto next = std::upper_bound(phis_.begin() + 1, phis_.end() - 1, wanted, before);
   const auto i = static_cast<std::size_t>(next - phis_.begin());
-  const auto miss = [&](double theta) { return std::remainder(state(theta).phi - wanted, kTurn); };
+  const auto touch = [&](double theta) { return touch_at(profile_, follower_, rotation_, theta); };
+  const auto miss = [&](double theta) { return std::remainder(touch(theta).phi - wanted, kTurn); };
   double theta = thetas_[i - 1];
   const double left = miss(thetas_[i - 1]), right = miss(thetas_[i]);
   if (left * right < 0) {
@@ -274,7 +271,7 @@ MeasuredMotion MeasuredLift::at(double phi) const {
   } else if (std::abs(right) < std::abs(left)) {
     theta = thetas_[i];
   }
-  const State here = state(theta);
+  const Touch here = touch(theta);
   const ProfilePoint point = profile_.at(theta);
   const auto& r = profile_.spline();
   // (I8) A change of r shifts the profile along its normal by the cosine of the angle between.
@@ -295,7 +292,7 @@ std::vector<LiftSample> MeasuredLift::samples() const {
   std::vector<LiftSample> result;
   const std::vector<double>& thetas = profile_.polar_angles();
   for (std::size_t k = 0; k < thetas.size(); ++k) {
-    const State here = state(thetas[k]);
+    const Touch here = touch_at(profile_, follower_, rotation_, thetas[k]);
     const ProfilePoint point = profile_.at(thetas[k]);
     const optim::SmoothedSample& sample = profile_.spline().samples()[k];
     const double cosine = std::abs(point.place) / point.speed;  // (I8)

@@ -89,13 +89,6 @@ class MeasuredLift {
   Law<double> law(int angles = 720) const;
 
  private:
-  struct State;
-  State state(double theta) const;
-  State roller_state(const ProfilePoint& point, double theta) const;
-  State face_state(const ProfilePoint& point, double theta) const;
-  void follow();
-  double extreme(std::size_t at, double sign) const;
-
   MeasuredProfile profile_;
   MeasuredFollower follower_;
   Rotation rotation_;

@@ -100,29 +100,17 @@ optim::SmoothingSpline closed_spline(const PolarPoints& points, optim::Smoothing
   return optim::smoothing_spline(points.theta, points.r, smoothing);
 }
 
-void check_lengths(std::size_t a, std::size_t b, const char* what) {
-  if (a != b) refuse(fmt::format("{} {} and {} do not belong together", a, what, b));
-}
-
 }  // namespace
 
 MeasuredProfile MeasuredProfile::polar(std::span<const double> theta, std::span<const double> r,
                                        const optim::SmoothingOptions& smoothing) {
-  check_lengths(theta.size(), r.size(), "polar angles and radii");
+  if (theta.size() != r.size()) {
+    refuse(fmt::format("{} polar angles and radii and {} do not belong together", theta.size(),
+                       r.size()));
+  }
   PolarPoints polar = checked({{theta.begin(), theta.end()}, {r.begin(), r.end()}});
   optim::SmoothingSpline spline = closed_spline(polar, smoothing);
   return {std::move(polar.theta), std::move(spline)};
-}
-
-MeasuredProfile MeasuredProfile::points(std::span<const double> x, std::span<const double> y,
-                                        const optim::SmoothingOptions& smoothing) {
-  check_lengths(x.size(), y.size(), "values of x and y");
-  std::vector<double> theta, r;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    theta.push_back(std::atan2(y[k], x[k]));
-    r.push_back(std::hypot(x[k], y[k]));
-  }
-  return polar(theta, r, smoothing);
 }
 
 /// (I1), (I2)

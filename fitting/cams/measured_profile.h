@@ -31,9 +31,6 @@ class MeasuredProfile {
   /// throws.
   static MeasuredProfile polar(std::span<const double> theta, std::span<const double> r,
                                const optim::SmoothingOptions& smoothing = {});
-  /// From points x, y about the cam's centre.
-  static MeasuredProfile points(std::span<const double> x, std::span<const double> y,
-                                const optim::SmoothingOptions& smoothing = {});
 
   ProfilePoint at(double theta) const;
   /// r(theta), with errors, outliers and all that belongs to a fit.

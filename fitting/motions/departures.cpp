@@ -37,7 +37,7 @@ int side_at(const std::vector<Left>& left, std::size_t k, double noise) {
 }
 
 /// A stretch begins and ends before its mean tells it from the noise: half a window further out.
-void widen(std::vector<Departure>& found, const std::vector<Left>& left) {
+void reach_out(std::vector<Departure>& found, const std::vector<Left>& left) {
   for (Departure& stretch : found) {
     const auto at = [&](double place) {
       return std::lower_bound(left.begin(), left.end(), place,
@@ -75,7 +75,7 @@ std::vector<Departure> departures(const MotionSamples& samples, const LawFit& fi
     before = side;
   }
   if (static_cast<double>(count) > kMost * static_cast<double>(left.size())) return {};
-  widen(found, left);
+  reach_out(found, left);
   return found;
 }
 

@@ -81,6 +81,8 @@ std::optional<OddOne> odd_one(const MotionSamples& samples) {
   constexpr double kOdd = 8;
   const std::vector<std::size_t> order = optim::order_of(samples.place);
   if (order.size() < kLeast) return {};
+  std::vector<double> x, s;
+  for (const std::size_t i : order) x.push_back(samples.place[i]), s.push_back(samples.value[i]);
   // What sample k misses the cubic by through the four nearest of the others but `without`.
   const auto miss = [&](std::size_t k, std::size_t without) {
     std::vector<std::size_t> near;
@@ -92,18 +94,7 @@ std::optional<OddOne> odd_one(const MotionSamples& samples) {
                       [&](std::size_t a, std::size_t b) {
                         return std::pair(distance(a), a) < std::pair(distance(b), b);
                       });
-    double left = samples.value[order[k]];
-    for (int a = 0; a < 4; ++a) {
-      double weight = 1;
-      for (int b = 0; b < 4; ++b) {
-        if (b == a) continue;
-        const double xa = samples.place[order[near[static_cast<std::size_t>(a)]]],
-                     xb = samples.place[order[near[static_cast<std::size_t>(b)]]];
-        weight *= (samples.place[order[k]] - xb) / (xa - xb);
-      }
-      left -= weight * samples.value[order[near[static_cast<std::size_t>(a)]]];
-    }
-    return left;
+    return miss_of(x, s, std::span(near).first(4), k);
   };
   // The outermost are reached only by going on beyond the others.
   for (std::size_t odd = 0; odd < order.size(); ++odd) {

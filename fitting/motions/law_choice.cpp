@@ -72,7 +72,7 @@ AsGood as_good(const std::vector<LawFit>& ranking) {
   return result;
 }
 
-void widen(std::vector<LawFit>& ranking, double confidence) {
+void widen_by_others(std::vector<LawFit>& ranking, double confidence) {
   constexpr double kLeast = 1e-4;  // of the weight: less moves no interval
   if (ranking.empty()) return;
   LawFit& named = ranking.front();

@@ -29,6 +29,6 @@ AsGood as_good(const std::vector<LawFit>& ranking);
 /// Intervals of begin, end, stroke and zero of the first fit as they are after the choice: of the
 /// mixture of what all laws say, by weight (S3). The deviations are those of the mixture about the
 /// first fit's values.
-void widen(std::vector<LawFit>& ranking, double confidence);
+void widen_by_others(std::vector<LawFit>& ranking, double confidence);
 
 }  // namespace camlaw::problems

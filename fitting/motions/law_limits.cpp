@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/motions/fit_parameters.h"
 #include "numerics/linear/statistics.h"
 #include "optim/fit/eigen_matrix.h"
 
@@ -91,8 +92,7 @@ std::vector<optim::FitParameter> LimitedResiduals::limited(
 optim::FitResult LimitedResiduals::of_coefficients(
     optim::FitResult fit, const std::vector<optim::FitParameter>& parameters,
     double confidence) const {
-  std::vector<double> p;
-  for (const auto& parameter : fit.parameters) p.push_back(parameter.value);
+  const std::vector<double> p = values_of(fit);
   const std::size_t k = first_ + replaced_;
   const auto size = static_cast<Index>(p.size()), at = static_cast<Index>(k);
   Eigen::VectorXd row = Eigen::VectorXd::Zero(size);

@@ -141,7 +141,7 @@ MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
   for (const std::size_t i : others.fits) result.as_good.push_back(result.ranking[i].law.label());
   result.is_told = others.is_told;
   profile_likely(motion, options, result.ranking);
-  widen(result.ranking, options.confidence);
+  widen_by_others(result.ranking, options.confidence);
   result.distrust = distrust_of(result, options);
   const bool is_curve = motion.samples.order == 0 && !result.distrust.empty() &&
                         result.distrust == curve_left(result);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting/motions/fit_parameters.h"
 #include "optim/fit/eigen_matrix.h"
 
 namespace camlaw::problems {
@@ -23,8 +24,7 @@ Occam occam_of(const optim::Residuals& residuals,
   std::vector<Index> own;
   bool has_open = false;
   for (std::size_t j = first; j < m; ++j) {
-    const bool held = parameters[j].lower == parameters[j].upper || fit.parameters[j].at_bound;
-    if (held) continue;
+    if (is_held(parameters[j]) || fit.parameters[j].at_bound) continue;
     if (fit.parameters[j].identifiable) {
       own.push_back(static_cast<Index>(j));
     } else {
@@ -32,8 +32,8 @@ Occam occam_of(const optim::Residuals& residuals,
     }
   }
   Occam result{own.size(), has_open ? second * static_cast<double>(fit.free_directions.size()) : 0};
-  std::vector<double> p, r(n), jacobian(n * m);
-  for (const auto& parameter : fit.parameters) p.push_back(parameter.value);
+  const std::vector<double> p = values_of(fit);
+  std::vector<double> r(n), jacobian(n * m);
   if (own.empty() || !residuals.evaluate(p, r, jacobian)) return result;
   Eigen::VectorXd before(static_cast<Index>(own.size()));
   for (std::size_t k = 0; k < own.size(); ++k) {

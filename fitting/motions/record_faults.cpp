@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/motion_residuals.h"
+#include "fitting/motions/rounding_errors.h"
 #include "fitting/samples/turn.h"
 
 namespace camlaw::problems {
@@ -42,9 +44,8 @@ struct Columns {
 std::optional<Columns> columns_of(const LawFit& fit, const MotionSamples& samples,
                                   const PossibleFault& fault, bool weighted) {
   const std::size_t n = samples.place.size(), p = fit.fit.parameters.size();
-  std::vector<double> values, r(n), rows(n * p);
-  for (const auto& parameter : fit.fit.parameters) values.push_back(parameter.value);
-  if (!MotionResiduals(samples, fit.law, fit.skew).evaluate(values, r, rows)) return {};
+  std::vector<double> r(n), rows(n * p);
+  if (!MotionResiduals(samples, fit.law, fit.skew).evaluate(values_of(fit.fit), r, rows)) return {};
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto count = static_cast<Eigen::Index>(n);
   const Eigen::Map<const RowMajor> jacobian(rows.data(), count, static_cast<Eigen::Index>(p));
@@ -80,15 +81,6 @@ std::optional<Left> left_by(const LawFit& fit, const MotionSamples& samples,
   return left;
 }
 
-/// Below this a sum of squares is that of rounding.
-double least_squares_left(const MotionSamples& samples) {
-  constexpr double kRounding = 1e-10;
-  double size = 0;
-  for (const double y : samples.value) size = std::max(size, std::abs(y));
-  const double floor = std::max(kRounding * size, rounding_deviation(samples));
-  return static_cast<double>(samples.value.size()) * floor * floor;
-}
-
 /// What the laws of one motion leave.
 struct Motion {
   std::vector<Left> left;
@@ -99,7 +91,7 @@ struct Motion {
 
 Motion motion_of(const std::vector<LawFit>& ranking, const MotionSamples& samples,
                  const PossibleFault& fault, bool weighted) {
-  Motion motion{{}, {}, samples.place.size(), least_squares_left(samples)};
+  Motion motion{{}, {}, samples.place.size(), least_sum_of_squares(samples)};
   for (const LawFit& fit : ranking) {
     auto left = left_by(fit, samples, fault, weighted);
     if (!left) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/motion_residuals.h"
 #include "optim/fit/eigen_matrix.h"
 #include "optim/fit/fit_report.h"
@@ -28,6 +29,14 @@ double variance_of_wave(int k, double step, double noise) {
 
 }  // namespace
 
+double least_sum_of_squares(const MotionSamples& samples) {
+  constexpr double kRounding = 1e-10;
+  double size = 0;
+  for (const double y : samples.value) size = std::max(size, std::abs(y));
+  const double floor = std::max(kRounding * size, rounding_deviation(samples));
+  return static_cast<double>(samples.value.size()) * floor * floor;
+}
+
 std::vector<double> count_rounding(const MotionSamples& samples, const optim::Residuals& residuals,
                                    const std::vector<optim::FitParameter>& given, double confidence,
                                    optim::FitResult& fit) {
@@ -36,8 +45,7 @@ std::vector<double> count_rounding(const MotionSamples& samples, const optim::Re
   if (step <= 0 || !(fit.sigma > 0) || !std::isfinite(fit.sigma)) return grown;
   const auto n = static_cast<Index>(residuals.count());
   const auto m = static_cast<Index>(fit.parameters.size());
-  std::vector<double> p;
-  for (const auto& parameter : fit.parameters) p.push_back(parameter.value);
+  const std::vector<double> p = values_of(fit);
   Jacobian jacobian(n, m);
   VectorXd r(n);
   if (!residuals.evaluate(p, {r.data(), static_cast<std::size_t>(n)},

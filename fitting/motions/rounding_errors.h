@@ -7,6 +7,10 @@
 
 namespace camlaw::problems {
 
+/// Below this a sum of squares is that of rounding, of doubles or of the values as written: it
+/// tells no laws apart.
+double least_sum_of_squares(const MotionSamples& samples);
+
 /// Covariance and intervals of a fit to rounded values (S4): where noise is less than the step,
 /// neighbours on a slow stretch are rounded alike, and their mean is not nearer than one of them.
 /// `given` are the parameters as they were fitted, `residuals` what they were fitted to. Without

@@ -124,7 +124,7 @@ bool has_suspects(const LiftSamples& lift, double least_noise) {
 
 /// What a sample misses a cubic by that goes through the four nearest of those that are not left
 /// out, two on each side as far as there are.
-double miss_of(const LiftSamples& lift, const std::vector<bool>& left_out, std::size_t i) {
+double miss_without(const LiftSamples& lift, const std::vector<bool>& left_out, std::size_t i) {
   constexpr std::size_t kPoints = 4;
   std::vector<std::size_t> left, right, at;
   for (std::size_t k = i; k-- > 0 && left.size() < kPoints;) {
@@ -137,9 +137,7 @@ double miss_of(const LiftSamples& lift, const std::vector<bool>& left_out, std::
     if (k < left.size()) at.push_back(left[k]);
     if (k < right.size()) at.push_back(right[k]);
   }
-  double miss = lift.s[i];
-  for (const std::size_t k : at) miss -= lagrange_weight(lift.phi, at, k, i) * lift.s[k];
-  return miss;
+  return miss_of(lift.phi, lift.s, at, i);
 }
 
 /// Of the suspects those that are by themselves: where the curve is wrong samples follow their
@@ -153,8 +151,8 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
     again = false;
     for (const std::size_t i : suspects) {
       const double size = std::abs(residuals[i]);
-      if (is_off[i] || std::abs(miss_of(lift, is_off, i)) < kOwnOfAll * size) continue;
-      if (std::abs(miss_of(lift, is_suspect, i)) < kOwn * size) continue;
+      if (is_off[i] || std::abs(miss_without(lift, is_off, i)) < kOwnOfAll * size) continue;
+      if (std::abs(miss_without(lift, is_suspect, i)) < kOwn * size) continue;
       is_off[i] = again = true;
     }
   }
@@ -215,7 +213,7 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
   for (const std::size_t i : first) {
     is_off[i] = true;
     if (first_misses(lift, is_off) <= least) {
-      off[i] = miss_of(lift, is_off, i);
+      off[i] = miss_without(lift, is_off, i);
       return;
     }
     is_off[i] = false;
@@ -239,6 +237,13 @@ void find_off_at_ends(const LiftSamples& lift, double least_noise, std::vector<d
 }
 
 }  // namespace
+
+double miss_of(std::span<const double> x, std::span<const double> s,
+               std::span<const std::size_t> at, std::size_t i) {
+  double miss = s[i];
+  for (const std::size_t k : at) miss -= lagrange_weight(x, at, k, i) * s[k];
+  return miss;
+}
 
 double estimated_noise(std::span<const double> x, std::span<const double> s) {
   check_lengths(x.size(), s.size());

@@ -33,6 +33,9 @@ struct PieceEnd {
   bool is_end;  ///< whether the piece ends there; else it begins there
 };
 
+struct BoundLaws;
+struct LinearLaw;
+
 /// A law whose parameters are design variables. Where the law is linear in all that vary, its
 /// derivatives are worked out once; else by dual numbers at each design, the laws of the last few
 /// designs kept. Const functions may be called in several threads at once.
@@ -52,7 +55,11 @@ class LawBinding {
   /// The varying parameters of a design, in the order of variables().
   std::vector<double> values_at(std::span<const double> design) const;
   /// The member at a design.
-  Member member_at(std::span<const double> design) const { return with_values(values_at(design)); }
+  Member member_at(std::span<const double> design) const {
+    Member result = member_;
+    result.arguments = arguments_of<double>(values_at(design));
+    return result;
+  }
   /// Throws std::invalid_argument where the design makes no law.
   template <class S>
   Law<S> law_at(std::span<const double> design) const {
@@ -95,33 +102,17 @@ class LawBinding {
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
 
  private:
-  struct Laws;
-
-  Member with_values(std::span<const double> values) const;
-  template <class S, class Seed>
-  std::optional<Law<S>> seeded(std::span<const double> values, const Seed& seed) const;
-  std::vector<Law<Dual2>> second_laws(std::span<const double> values) const;
-  /// `look`: takes a law in any scalar to the four numbers that are wanted of it.
   template <class Look>
-  void fill_value(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
-  template <class Look>
-  void fill_gradient(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
-  template <class Look>
-  void fill_hessian(const Look& look, std::span<const double> values, MotionDerivatives& d) const;
-  template <class Look>
-  MotionDerivatives filled(const Look& look, std::span<const double> values, int order) const;
-  MotionDerivatives linear_motion(double x, Side side, std::span<const double> values,
-                                  std::size_t first) const;
-  template <class Look>
-  MotionDerivatives linear_look(const Look& look, std::size_t piece,
-                                std::span<const double> values) const;
+  MotionDerivatives seen(const Look& look, std::span<const double> values, int order) const;
+  /// None where the law is not linear in what varies, or nothing does.
+  const LinearLaw* linear_law() const;
 
   Member member_;
   std::vector<LawVariable> variables_;
   bool linear_;
   std::vector<double> values_;  ///< the member's own
   double second_bytes_ = 0;     ///< of the laws with second derivatives of one design
-  std::shared_ptr<Laws> laws_;
+  std::shared_ptr<BoundLaws> laws_;
 };
 
 }  // namespace camlaw::problems

@@ -56,10 +56,24 @@ struct SmoothedSample {
   bool outlying;       ///< beyond what chance explains, after Bonferroni
 };
 
+/// What a fit has found.
+struct SmoothedFit {
+  SplineBasis basis;
+  SplineUnknowns unknowns;
+  std::vector<double> coefficients = {};
+  std::shared_ptr<const BandInverse> inverse = {};
+  double mu = 0, degrees_of_freedom = 0;
+  double squares = 0;  ///< of the samples, weighed
+  double sigma = 0, outlier_bound = 0;
+  std::vector<SmoothedSample> samples = {};
+};
+
 /// The spline s that makes sum w (y - s(x))^2 + mu * integral of (s^(m))^2 least. Derivatives are
 /// those of the spline, exactly. s and y have the samples' unit, mu that of w x^(2m - 1).
 class SmoothingSpline {
  public:
+  explicit SmoothingSpline(SmoothedFit fit) : fit_(std::move(fit)) {}
+
   /// The order-th derivative; NaN outside the range of a spline that is not periodic.
   double operator()(double x, int order = 0) const;
   /// sum over k of factors[k] s^(k)(x).
@@ -72,32 +86,22 @@ class SmoothingSpline {
   /// The same of sum over k of factors[k] s^(k)(x).
   double standard_error(double x, std::span<const double> factors) const;
 
-  const SplineBasis& basis() const { return basis_; }
+  const SplineBasis& basis() const { return fit_.basis; }
   /// One for each function of the basis.
-  const std::vector<double>& coefficients() const { return coefficients_; }
-  double mu() const { return mu_; }
+  const std::vector<double>& coefficients() const { return fit_.coefficients; }
+  double mu() const { return fit_.mu; }
   /// Trace of the matrix that takes y to s(x).
-  double degrees_of_freedom() const { return degrees_of_freedom_; }
+  double degrees_of_freedom() const { return fit_.degrees_of_freedom; }
   /// sigma: deviation of a sample of weight 1. From the sum of squares, or with re-weighting from
   /// the median of the residuals.
-  double residual_deviation() const { return sigma_; }
+  double residual_deviation() const { return fit_.sigma; }
   /// One for each sample, in the order given.
-  const std::vector<SmoothedSample>& samples() const { return samples_; }
+  const std::vector<SmoothedSample>& samples() const { return fit_.samples; }
   /// The studentised residual beyond which a sample is flagged.
-  double outlier_bound() const { return outlier_bound_; }
+  double outlier_bound() const { return fit_.outlier_bound; }
 
  private:
-  friend class SmoothingFit;
-  SmoothingSpline(SplineBasis basis, SplineUnknowns unknowns)
-      : basis_(std::move(basis)), unknowns_(std::move(unknowns)) {}
-  SplineBasis::Row combined_row(double x, std::span<const double> factors) const;
-
-  SplineBasis basis_;
-  SplineUnknowns unknowns_;
-  std::vector<double> coefficients_;
-  std::shared_ptr<const BandInverse> inverse_;
-  double mu_ = 0, degrees_of_freedom_ = 0, sigma_ = 0, outlier_bound_ = 0;
-  std::vector<SmoothedSample> samples_;
+  SmoothedFit fit_;
 };
 
 /// Fits samples y at x, in any order and spacing; a weight is 1 / variance up to a factor, none

@@ -99,4 +99,12 @@ SplineBasis::Row SplineBasis::row_in(std::size_t span, double x, int order) cons
   return row;
 }
 
+double SplineBasis::value(const Row& row, const std::vector<double>& coefficients) const {
+  double sum = 0;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree_); ++k) {
+    sum += row.values[k] * coefficients[(row.span + k) % coefficients.size()];
+  }
+  return sum;
+}
+
 }  // namespace camlaw::optim

@@ -42,6 +42,8 @@ class SplineBasis {
   Row row(double x, int order) const { return row_in(span_at(x), x, order); }
   /// The same of the polynomials of one span.
   Row row_in(std::size_t span, double x, int order) const;
+  /// The sum of a row's functions, each times its coefficient.
+  double value(const Row& row, const std::vector<double>& coefficients) const;
 
  private:
   int degree_;

@@ -125,9 +125,9 @@ std::vector<Point> measured(const Forward& cam, int n, double noise, unsigned se
 
 MeasuredProfile profile_of(const std::vector<Point>& points,
                            const optim::SmoothingOptions& smoothing = {}) {
-  std::vector<double> x, y;
-  for (const Point& p : points) x.push_back(p.real()), y.push_back(p.imag());
-  return MeasuredProfile::points(x, y, smoothing);
+  std::vector<double> theta, r;
+  for (const Point& p : points) theta.push_back(std::arg(p)), r.push_back(std::abs(p));
+  return MeasuredProfile::polar(theta, r, smoothing);
 }
 
 struct Errors {

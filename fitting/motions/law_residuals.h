@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "fitting/motions/fit_parameters.h"
+#include "fitting/motions/law_limits.h"
+#include "fitting/motions/motion_residuals.h"
+
+namespace camlaw::problems {
+
+/// Begin, end, stroke, of displacements the zero shift, and a law's coefficients, as MotionLayout
+/// has them.
+FitParameters parameters_of(const MotionSamples& samples, const Member& law,
+                            const MotionGuess& guess, Skew skew);
+
+/// The residuals of one law as they are fitted: with what its coefficients must meet together.
+class LawResiduals {
+ public:
+  LawResiduals(const MotionSamples& samples, const Member& law, Skew skew,
+               FitParameters parameters);
+  LawResiduals(const LawResiduals&) = delete;
+  LawResiduals& operator=(const LawResiduals&) = delete;
+
+  /// How many parameters stand before the coefficients.
+  std::size_t first() const { return motion_.layout().first(); }
+  const optim::Residuals& residuals() const;
+  /// The parameters as they are fitted.
+  FitParameters own() const;
+  /// A fit of those told of the parameters.
+  optim::FitResult told(optim::FitResult fit, double confidence) const;
+
+ private:
+  FitParameters given_;
+  MotionResiduals motion_;
+  std::optional<LimitedResiduals> limited_;
+};
+
+/// How such residuals are fitted.
+optim::FitOptions fit_options(const LawFitOptions& options, optim::FitReach reach);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/law_starts.h"
+
+#include <algorithm>
+
+#include "fitting/motions/law_residuals.h"
+#include "fitting/samples/condensed.h"
+
+namespace camlaw::problems {
+namespace {
+
+using RoughFit = std::function<optim::FitResult(const FitParameters&)>;
+
+/// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
+/// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
+/// needed, which from far off would let no sample count.
+MotionSamples few_of(const MotionSamples& samples, double low, double high, optim::Loss loss) {
+  constexpr std::size_t kMeans = 100, kLeast = 3, kEnough = 90;
+  MotionSamples few = between(samples, low, high);
+  const std::size_t count = few.value.size();
+  std::size_t each = count / kMeans;
+  if (loss != optim::Loss::None && count >= kEnough) each = std::max(each, kLeast);
+  Condensed means =
+      means_of_neighbours(std::move(few.place), std::move(few.value), each, samples.resolution);
+  few.place = std::move(means.place);
+  few.value = std::move(means.value);
+  few.each = means.each;
+  return few;
+}
+
+/// A fit of everything but begin and end, which stay at these.
+optim::FitResult between_ends(const RoughFit& fit, const FitParameters& parameters, double begin,
+                              double end) {
+  return fit(holding(starting_at(parameters, std::vector{begin, end}), 0, 2));
+}
+
+/// The same for the best of many ends around those of the parameters. With free values at its ends
+/// a polynomial is the same curve over any stretch: only how it meets the rests tells them, and the
+/// sum of squares has a valley at each of many places.
+optim::FitResult over_ends(const RoughFit& fit, const FitParameters& parameters) {
+  constexpr double kAside[] = {-0.12, -0.06, -0.03, -0.01, 0, 0.01, 0.03, 0.06, 0.12};
+  const double begin = parameters[MotionLayout::kBegin].start;
+  const double end = parameters[MotionLayout::kEnd].start, length = end - begin;
+  std::optional<optim::FitResult> best;
+  for (const double before : kAside) {
+    for (const double after : kAside) {
+      optim::FitResult one =
+          between_ends(fit, parameters, begin + before * length, end + after * length);
+      if (!best || one.merit < best->merit) best = std::move(one);
+    }
+  }
+  return *best;
+}
+
+/// Values of fits, the best first, without those of the same valley and without poor ones.
+std::vector<std::vector<double>> best_of(std::vector<optim::FitResult> fits) {
+  constexpr double kSame = 1e-3, kNearly = 1.5;
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const auto& a, const auto& b) { return a.merit < b.merit; });
+  std::vector<std::vector<double>> result;
+  double before = -1;
+  for (const optim::FitResult& fit : fits) {
+    if (fit.merit > kNearly * fits.front().merit) break;
+    if (fit.merit <= before * (1 + kSame)) continue;
+    before = fit.merit;
+    result.push_back(values_of(fit));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> law_starts(const MotionSamples& samples, const Member& law,
+                                            const FitParameters& parameters,
+                                            const LawFitOptions& options) {
+  constexpr auto kBegin = MotionLayout::kBegin, kEnd = MotionLayout::kEnd;
+  const MotionSamples means =
+      few_of(samples, parameters[kBegin].lower, parameters[kEnd].upper, options.loss);
+  const LawResiduals few(means, law, options.skew, parameters);
+  optim::FitOptions rough = fit_options(options, optim::FitReach::Rough);
+  rough.loss_scale.reset();
+  if (means.each > 1) rough.loss = optim::Loss::None;
+  const RoughFit fit = [&](const FitParameters& from) {
+    return optim::fit(from, few.residuals(), rough);
+  };
+  const FitParameters own = few.own();
+  // A fit of the law as it is tells where a fit of all finds the right valley.
+  const std::vector<double> alone = values_of(fit(holding(own, few.first(), own.size())));
+  if (own.size() == few.first()) return {alone};
+  const FitParameters near = starting_at(own, std::span(alone).first(few.first()));
+  std::vector<optim::FitResult> found{fit(near)};
+  const auto add = [&](const std::vector<double>& values) {
+    found.push_back(fit(starting_at(near, values)));
+  };
+  if (options.like) {  // where another law follows the samples
+    add(values_of(between_ends(fit, own, options.like->begin, options.like->end)));
+  }
+  if (has_free_ends(law)) add(values_of(over_ends(fit, own)));
+  // Where the samples do not determine the numbers no start helps.
+  const bool is_single = own.size() < few.first() + 2 || !found.front().free_directions.empty();
+  for (const double longer : {-0.1, 0.1}) {
+    if (is_single) break;
+    const double begin = near[kBegin].start, end = near[kEnd].start, by = longer * (end - begin);
+    add({begin - by, end + by});
+  }
+  return best_of(std::move(found));
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fitting/motions/fit_parameters.h"
+#include "fitting/motions/law_fit.h"
+
+namespace camlaw::problems {
+
+/// Where fits of all samples should begin, as values of the parameters that LawResiduals fits, the
+/// best first; by rough fits to a few means of neighbours. `parameters` are those of
+/// parameters_of(). Laws of several coefficients have valleys in which longer motions with other
+/// coefficients nearly do as well: such fits begin at shorter and longer motions too.
+std::vector<std::vector<double>> law_starts(const MotionSamples& samples, const Member& law,
+                                            const FitParameters& parameters,
+                                            const LawFitOptions& options);
+
+}  // namespace camlaw::problems
