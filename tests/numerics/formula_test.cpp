@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "machines/cams/roller_cam.h"
+#include "numerics/formula/expression.h"
+#include "numerics/scalar/by_side.h"
+#include "numerics/scalar/dual.h"
+
+namespace camlaw {
+namespace {
+
+/// Something of every operation, in three numbers.
+struct Everything {
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    using std::asin;
+    using std::atan;
+    using std::cos;
+    using std::log;
+    using std::sin;
+    using std::sqrt;
+    using std::tan;
+    const T x = u[0], y = u[1], z = u[2], one = number<T>(1);
+    const T waves = sin(x) * cos(y) - tan(z) / (one + x * x);
+    const T roots = sqrt(one + y * y) + asin(x / number<T>(4)) + atan(z) + log(one + z * z);
+    const T sides = by_side(y, T(x * z), T(-x)) + along(z, x) + absolute(T(y - z)) +
+                    where_positive(T(one + x * x), y) + unless_zero(x, z);
+    return pi<T>() * waves + roots - sides;
+  }
+};
+
+Formula recorded(std::size_t inputs, const auto& f) {
+  return Formula::record(inputs, [&](std::span<const Expression> u) { return f(u); });
+}
+
+template <class T>
+T at(const auto& f, const std::vector<T>& u) {
+  return f(std::span<const T>(u));
+}
+
+std::size_t steps(const auto& f) { return recorded(2, f).steps().size(); }
+
+}  // namespace
+
+TEST_CASE("a record gives what the formula gives, bit for bit in every scalar", "[formula]") {
+  const Everything f;
+  const Formula record = recorded(3, f);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> some(-1.4, 1.4);
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<double> u{some(random), some(random), some(random)};
+    CHECK(at(record, u) == at(f, u));
+    std::vector<Dual> dual(u.begin(), u.end());
+    std::vector<Dual2> second;
+    for (int k = 0; k < 3; ++k) {
+      dual[static_cast<std::size_t>(k)].v[k] = 1;
+      second.emplace_back(dual[static_cast<std::size_t>(k)]);
+      second.back().v[k] = Dual(1.0);
+    }
+    const Dual2 own = at(record, second), other = at(f, second);
+    for (int k = 0; k < 3; ++k) {
+      CHECK(at(record, dual).v[k] == at(f, dual).v[k]);
+      for (int l = 0; l < 3; ++l) CHECK(own.v[k].v[l] == other.v[k].v[l]);
+    }
+    std::vector<Interval> box;
+    for (const double x : u) box.emplace_back(x - 0.01, x + 0.01);
+    const Interval range = at(record, box), truth = at(f, box);
+    CHECK((range.lower() >= truth.lower() && range.upper() <= truth.upper()));
+    CHECK((range.lower() <= at(f, u) && range.upper() >= at(f, u)));
+  }
+}
+
+TEST_CASE("series run along a record whose first inputs stay", "[formula]") {
+  const Everything f;
+  const Formula record = recorded(3, f);
+  using X = Series<double, 3>;
+  const std::vector<double> first{0.3};
+  const FormulaAlong<double> along(record, first);
+  std::vector<X> u{X(0.3), X::variable(0.7, 1.0), X::variable(-0.2, 2.0)};
+  u[1].c[2] = 0.5;
+  const X own = along(std::span<const X>(u).subspan(1)), other = at(f, u);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(own.c[k] == Approx(other.c[k]).epsilon(1e-14));
+  CHECK(along(std::vector<double>{0.7, -0.2}) == at(f, std::vector<double>{0.3, 0.7, -0.2}));
+}
+
+TEST_CASE("a record knows what its value depends on, and nothing else", "[formula]") {
+  // A slope that vanishes wherever one would try it: x enters all the same.
+  const Formula flat = recorded(3, [](const auto& u) { return u[2] + (u[0] - u[0]); });
+  CHECK(flat.uses() == std::vector<std::size_t>{0, 2});
+  const Formula off = recorded(3, [](const auto& u) {
+    using T = std::decay_t<decltype(u[0])>;
+    return number<T>(0) * number<T>(5) + u[1];
+  });
+  CHECK(off.uses() == std::vector<std::size_t>{1});
+  CHECK_FALSE(off.depends_on(0));
+  CHECK(off.depends_on(1));
+}
+
+TEST_CASE("equal steps are written once, and what is exact is worked out", "[formula]") {
+  CHECK(steps([](const auto& u) { return u[0] * u[1] + u[0] * u[1]; }) == 4);
+  CHECK(steps([](const auto& u) { return (u[0] + 0.0) * 1.0 - 0.0; }) == 1);
+  CHECK(steps([](const auto& u) { return u[0] / 1.0; }) == 1);
+  // 0 times what varies is not a number where that is not one.
+  CHECK(steps([](const auto& u) { return u[0] * 0.0; }) == 3);
+  // A quotient of numbers is not exact: intervals enclose it.
+  const Formula third = recorded(
+      0, [](std::span<const Expression>) { return number<Expression>(1) / number<Expression>(3); });
+  const Interval range = third(std::span<const Interval>());
+  CHECK(range.lower() < range.upper());
+}
+
+TEST_CASE("without a record there is no expression", "[formula]") {
+  CHECK_THROWS_AS(Expression(1.0), std::logic_error);
+  const Formula outer = recorded(1, [](const auto& u) {
+    const Formula inner = recorded(1, [](const auto& v) { return v[0] * v[0]; });
+    CHECK(at(inner, std::vector<double>{3}) == 9);
+    return u[0] + 1.0;
+  });
+  CHECK(at(outer, std::vector<double>{3}) == 4);
+}
+
+TEST_CASE("a machine's record goes by the machine's own formulas", "[formula]") {
+  const auto stress = []<class T>(std::span<const T> u) -> T {
+    RollerCam<T> cam;
+    cam.offset = u[0];
+    cam.load = number<T>(500);
+    const auto f = cam.over_angle(Motion<T>{u[1], u[2], u[3], u[4]});
+    return cam.roller().stress(cam.contact_force(f), cam.pitch_curve(f).curvature());
+  };
+  const Formula record = recorded(5, stress);
+  const std::vector<double> u{0.003, 0.4, 1.3, -2, 7};
+  CHECK(at(record, u) == at(stress, u));
+  CHECK(record.uses() == std::vector<std::size_t>{0, 1, 2, 3});  // the jerk loads nothing
+}
+
+}  // namespace camlaw
