@@ -212,13 +212,9 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
-    auto kernel = detail::machine_kernel_of<M>(
-        machine, arguments, detail::recorded_number(machine, arguments, factor, formula),
-        [=]<class T>(std::span<const T> u) -> T {
-          const M<T> here = machine.template at<T>(u);
-          return is_possible(here) ? factor.template as<T>() * formula(here)
-                                   : number<T>(detail::kNaN);
-        });
+    auto kernel =
+        recorded_kernel(detail::recorded_number(machine, arguments, factor, formula), arguments,
+                        detail::possibility(machine));
     return function_of(binding.variables, std::move(kernel), shape);
   };
   return response;

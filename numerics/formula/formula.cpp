@@ -15,6 +15,15 @@ struct Formula::Data {
   std::size_t inputs = 0;
   std::vector<Step> steps;  ///< the last one is the value
   std::vector<std::size_t> uses;
+  std::vector<std::uint32_t> varying;  ///< the steps that an input reaches
+  /// Results of the others.
+  std::vector<double> plain;
+  std::vector<Dual> dual;
+  std::vector<Interval> enclosed;
+
+  void work_out_constants();
+  template <class T>
+  void start(T* results) const;
 };
 
 namespace {
@@ -149,6 +158,7 @@ Formula Formula::record(std::size_t inputs,
     if (step.operation == Operation::Input) data->uses.push_back(step.a);
   }
   std::sort(data->uses.begin(), data->uses.end());
+  data->work_out_constants();
   return Formula(std::move(data));
 }
 
@@ -159,24 +169,55 @@ bool Formula::depends_on(std::size_t input) const {
   return std::binary_search(uses().begin(), uses().end(), input);
 }
 
+void Formula::Data::work_out_constants() {
+  std::vector<bool> varies(steps.size());
+  plain.resize(steps.size());
+  enclosed.resize(steps.size());
+  for (std::uint32_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    const std::uint32_t from[] = {step.a, step.b, step.c};
+    varies[i] = step.operation == Operation::Input;
+    for (std::size_t k = 0; k < operands(step.operation); ++k) {
+      varies[i] = varies[i] || varies[from[k]];
+    }
+    if (varies[i]) {
+      varying.push_back(i);
+    } else if (step.operation == Operation::Constant) {
+      plain[i] = constant_of<double>(step);
+      enclosed[i] = constant_of<Interval>(step);
+    } else {
+      plain[i] = operate(step.operation, plain[step.a], plain[step.b], plain[step.c]);
+      enclosed[i] = operate(step.operation, enclosed[step.a], enclosed[step.b], enclosed[step.c]);
+    }
+  }
+  dual = std::vector<Dual>(plain.begin(), plain.end());
+}
+
+template <class T>
+void Formula::Data::start(T* results) const {
+  if constexpr (std::is_same_v<T, double>) {
+    std::copy(plain.begin(), plain.end(), results);
+  } else if constexpr (std::is_same_v<T, Dual>) {
+    std::copy(dual.begin(), dual.end(), results);
+  } else if constexpr (std::is_same_v<T, Interval> || is_interval_series<T>) {
+    std::transform(enclosed.begin(), enclosed.end(), results,
+                   [](const Interval& x) { return T(x); });
+  } else {
+    std::transform(dual.begin(), dual.end(), results, [](const Dual& x) { return T(x); });
+  }
+}
+
 template <class T>
 T Formula::operator()(std::span<const T> u) const {
   thread_local std::vector<T> results;
   results.resize(std::max(results.size(), steps().size()));
   T* r = results.data();
-  std::size_t i = 0;
-  for (const Step& step : steps()) {
-    switch (step.operation) {
-      case Operation::Input:
-        r[i] = u[step.a];
-        break;
-      case Operation::Constant:
-        r[i] = constant_of<T>(step);
-        break;
-      default:
-        r[i] = operate<T>(step.operation, r[step.a], r[step.b], r[step.c]);
-    }
-    ++i;
+  data_->start(r);
+  for (const std::uint32_t i : data_->varying) {
+    const Step& step = steps()[i];
+    r[i] = step.operation == Operation::Input
+               ? u[step.a]
+               : operate<T>(step.operation, r[step.a], r[step.b], r[step.c]);
   }
   return r[steps().size() - 1];
 }
