@@ -28,7 +28,7 @@ template <template <class> class M, class Integrand, class F>
 MeanFormulas mean_formulas(const BoundMachine<M>& machine, std::size_t arguments,
                            const UnitFactor& factor, const Integrand& integrand, const F& formula) {
   const auto with = [&](std::size_t others, const auto& write) {
-    return recorded(arguments + others, [&](std::span<const Expression> u) {
+    return Formula::record(arguments + others, [&](std::span<const Expression> u) {
       return write(machine.template at<Expression>(u.first(arguments)), u.subspan(arguments));
     });
   };

@@ -73,7 +73,7 @@ MechanismResponse peak_number(ResponseAbout about, MechanismResponse curve, opti
   MechanismResponse response = detail::described<M>(std::move(about));
   const std::size_t parameters = MachineTraits<M>::parameters().size();
   const auto record = [=](const BoundMachine<M>& machine, std::size_t arguments) {
-    return detail::recorded(arguments + 1, [&](std::span<const Expression> u) {
+    return Formula::record(arguments + 1, [&](std::span<const Expression> u) {
       const M<Expression> here = machine.template at<Expression>(u.first(arguments));
       return factor.as<Expression>() * formula(here, u.back());
     });

@@ -16,30 +16,9 @@ namespace camlaw::problems {
 /// Whether there is such a machine at values of its arguments.
 using IsPossible = std::function<bool(std::span<const double>)>;
 
-/// From the record, in everything: NaN where the machine is not possible. The formula's first
-/// inputs are the machine's arguments.
+/// NaN where the machine is not possible. The formula's first inputs are the machine's arguments.
 std::shared_ptr<const optim::Kernel> recorded_kernel(Formula formula, std::size_t arguments,
                                                      IsPossible is_possible);
-
-/// Values and gradients from a formula that is compiled, all else from its record.
-class QuickKernel : public optim::Kernel {
- public:
-  explicit QuickKernel(std::shared_ptr<const optim::Kernel> recorded)
-      : recorded_(std::move(recorded)) {}
-
-  double hessian(std::span<const double> u, std::span<double> g,
-                 std::span<double> h) const override {
-    return recorded_->hessian(u, g, h);
-  }
-  optim::Bounds enclose(std::span<const double> u) const override { return recorded_->enclose(u); }
-  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
-    return recorded_->range(box);
-  }
-  bool is_enclosed() const override { return true; }
-
- private:
-  std::shared_ptr<const optim::Kernel> recorded_;
-};
 
 /// The enclosures of a curve's formula for one machine, which comes first among the inputs and is
 /// followed by s, v, a, j and x.

@@ -83,18 +83,6 @@ PlaceOf<T> as_place(std::span<const T> u) {
   return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
 }
 
-/// The curve's formula in arguments of the machine followed by s, v, a, j, and x
-/// where that matters.
-template <template <class> class M, class F>
-auto point_formula(const BoundMachine<M>& machine, std::size_t arguments, const UnitFactor& factor,
-                   const F& formula) {
-  return [=]<class T>(std::span<const T> u) -> T {
-    const M<T> here = machine.template at<T>(u.first(arguments));
-    if (!is_possible(here)) return number<T>(kNaN);
-    return factor.template as<T>() * applied(formula(here), as_place(u.subspan(arguments)));
-  };
-}
-
 /// The curve for one machine: compiled over the angle, enclosed by its record.
 template <template <class> class M, class F>
 class CurveFormulaOf final : public RecordedCurve {
@@ -121,17 +109,11 @@ class CurveFormulaOf final : public RecordedCurve {
   OfMotion of_motion_;
 };
 
-/// What a formula of the machine's arguments and `others` computes.
-template <class F>
-Formula recorded(std::size_t inputs, const F& formula) {
-  return Formula::record(inputs, [&](std::span<const Expression> u) { return formula(u); });
-}
-
 /// A number of the machine, of its arguments.
 template <template <class> class M, class F>
 Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
                         const UnitFactor& factor, const F& formula) {
-  return recorded(arguments, [&](std::span<const Expression> u) {
+  return Formula::record(arguments, [&](std::span<const Expression> u) {
     return factor.as<Expression>() * formula(machine.template at<Expression>(u));
   });
 }
@@ -140,7 +122,7 @@ Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
 template <template <class> class M, class F>
 Formula recorded_curve(const BoundMachine<M>& machine, std::size_t arguments,
                        const UnitFactor& factor, const F& formula) {
-  return recorded(arguments + 5, [&](std::span<const Expression> u) {
+  return Formula::record(arguments + 5, [&](std::span<const Expression> u) {
     const M<Expression> here = machine.template at<Expression>(u.first(arguments));
     return factor.as<Expression>() * applied(formula(here), as_place(u.subspan(arguments)));
   });
@@ -160,33 +142,9 @@ IsPossible possibility(const BoundMachine<M>& machine) {
       [machine](std::span<const double> u) { return is_possible(machine.template at<double>(u)); };
 }
 
-/// f, a formula generic in its scalar, compiled for values and gradients.
-template <class F>
-class CompiledKernel final : public QuickKernel {
- public:
-  CompiledKernel(F f, std::shared_ptr<const optim::Kernel> recorded)
-      : QuickKernel(std::move(recorded)), f_(std::move(f)) {}
-
-  double value(std::span<const double> u) const override { return f_(u); }
-  double gradient(std::span<const double> u, std::span<double> g) const override {
-    return optim::automatic_gradient(f_, u, g);
-  }
-
- private:
-  F f_;
-};
-
 template <class F>
 std::shared_ptr<const optim::Kernel> kernel_of(F f) {
   return std::make_shared<optim::AutomaticKernel<F, Interval>>(std::move(f));
-}
-
-/// Of a formula in which no law is made: it has ranges over boxes.
-template <template <class> class M, class F>
-std::shared_ptr<const optim::Kernel> machine_kernel_of(const BoundMachine<M>& machine,
-                                                       std::size_t arguments, Formula record, F f) {
-  return std::make_shared<CompiledKernel<F>>(
-      std::move(f), recorded_kernel(std::move(record), arguments, possibility(machine)));
 }
 
 /// What its describer says of a machine's response, and what decides whether it is a number.
@@ -212,9 +170,8 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
-    auto kernel =
-        recorded_kernel(detail::recorded_number(machine, arguments, factor, formula), arguments,
-                        detail::possibility(machine));
+    auto kernel = recorded_kernel(detail::recorded_number(machine, arguments, factor, formula),
+                                  arguments, detail::possibility(machine));
     return function_of(binding.variables, std::move(kernel), shape);
   };
   return response;
@@ -258,8 +215,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
     const BoundMachine<M> machine(binding);
     const std::size_t arguments = binding.parameters.size();
     const Formula record = detail::recorded_curve(machine, arguments, factor, formula);
-    auto point = detail::machine_kernel_of<M>(
-        machine, arguments, record, detail::point_formula<M>(machine, arguments, factor, formula));
+    auto point = recorded_kernel(record, arguments, detail::possibility(machine));
     const auto make_formula = [=](std::span<const double> u) {
       return std::make_unique<detail::CurveFormulaOf<M, F>>(machine, u, factor, formula, record);
     };
