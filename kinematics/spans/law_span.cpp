@@ -40,7 +40,7 @@ struct Table {
   PieceRows view() const { return {ends.data(), ends.size(), rows.data(), degree, wave}; }
 };
 
-/// None where the law has one piece, or a piece that is no row.
+/// Returns nothing if the law has a single piece, or a piece that does not fit a row.
 std::optional<Table> table_of(const Law<double>& law) {
   if (law.pieces().size() < 2) return {};
   Table table;
@@ -68,7 +68,7 @@ std::optional<Table> table_of(const Law<double>& law) {
 
 // ---------------------------------------------------------------------------------------------
 
-/// Of the points from the first on that lie in the piece; how many of n these are.
+/// Evaluates the leading points that lie in the piece and returns their number.
 std::size_t piece_motion(const SpanKernels& kernels, const Law<double>& law, std::size_t index,
                          const double* x, std::size_t n, MotionRows out) {
   const Piece<double>& piece = law.pieces()[index];
@@ -93,7 +93,7 @@ std::size_t piece_motion(const SpanKernels& kernels, const Law<double>& law, std
   return i;
 }
 
-/// Of at most kChunk points, piece by piece.
+/// Evaluates at most kChunk points, piece by piece.
 void motion_by_pieces(const SpanKernels& kernels, const Law<double>& law, const double* x,
                       std::size_t n, MotionRows out) {
   for (std::size_t i = 0; i < n;) {

@@ -14,7 +14,9 @@ namespace camlaw {
 struct MotionRows {
   double *s, *v, *a, *j;
 
-  MotionRows from(std::size_t i) const { return {s + i, v + i, a + i, j + i}; }
+  [[gnu::always_inline]] MotionRows from(std::size_t i) const {
+    return {s + i, v + i, a + i, j + i};
+  }
 };
 
 /// Polynomial plus harmonics in t = x - origin, as Piece has them.

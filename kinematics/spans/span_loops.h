@@ -20,18 +20,20 @@ struct Lanes {
 /// NaN too: comparisons of doubles would wait for the arithmetic's units.
 template <class V>
 struct Stretch {
-  std::int64_t first, last;
+  using Bits = typename lanes::Unsigned<V>::Type;
+
+  std::uint64_t first, last;
   bool from_zero;
 
   Stretch(double low, double high)
-      : first(lanes::bits_as<std::int64_t>(low)),
-        last(lanes::bits_as<std::int64_t>(high) - 1),
+      : first(lanes::bits_as<std::uint64_t>(low)),
+        last(lanes::bits_as<std::uint64_t>(high) - 1),
         from_zero(low == 0) {}
 
-  /// Negative in the lanes that are outside.
+  /// The highest bit is set in the lanes that are outside.
   template <bool FromZero>
-  lanes::Integers<V> outside(const V& at) const {
-    const auto bits = lanes::bits_as<lanes::Integers<V>>(at);
+  Bits outside(const V& at) const {
+    const auto bits = lanes::bits_as<Bits>(at);
     if constexpr (FromZero) return bits | (last - bits);
     return bits | (last - bits) | (bits - first);
   }
@@ -63,13 +65,13 @@ std::size_t run_blocks(const Stretch<V>& stretch, const double* x, std::size_t n
   constexpr std::size_t kBlock = 4 * kWidth<V>;
   std::size_t i = 0;
   for (; i + kBlock <= n; i += kBlock) {
-    lanes::Integers<V> outside = {};
+    typename Stretch<V>::Bits outside = {};
     for (std::size_t k = i; k < i + kBlock; k += kWidth<V>) {
       const V at = load<V>(x + k);
       outside |= stretch.template outside<FromZero>(at);
       put(body(at), out, k);
     }
-    if (lanes::any_negative(outside)) break;
+    if (lanes::any_high_bit(outside)) break;
   }
   return i;
 }
@@ -265,7 +267,8 @@ class RowsInMemory {
   const double* rows_;
 };
 
-/// The same of fewer than two pieces a lane, from registers: each number of all rows is a table.
+/// The same from registers, for laws with fewer than two pieces per lane: each number of all rows
+/// is a table.
 template <class V>
 class RowsInRegisters {
  public:
@@ -295,7 +298,7 @@ class RowsInRegisters {
   V first_[PieceRows::kNumbers], second_[PieceRows::kNumbers];
 };
 
-/// At x of the rows; `Waves`: whether their harmonics are not all without frequency.
+/// The motion at x; `Waves`: whether any of the rows has a harmonic.
 template <class V, int Degree, bool Wave, bool Waves>
 Lanes<V> row_motion(const RowNumbers<V>& row, const V& x) {
   const V* c = row.at;
@@ -328,7 +331,7 @@ Lanes<V> row_motion(const RowNumbers<V>& row, const V& x) {
   return m;
 }
 
-/// Of each point the number of its piece; law.count of those outside and of NaN.
+/// Finds each point's piece; law.count stands for points outside and for NaN.
 template <class V>
 lanes::Integers<V> find_pieces(const PieceRows& law, const V& x) {
   constexpr std::size_t kMany = 32;  // are searched for by halves
@@ -361,7 +364,7 @@ std::size_t run_of_rows(const PieceRows& law, const double* x, std::size_t n, Mo
   const double* numbers = law.rows + piece * PieceRows::kNumbers;
   const auto row = same_row<V>(numbers);
   const Stretch<V> stretch(low, high);
-  if (Wave && numbers[7] == 0) {  // no harmonic: its terms would be zeros
+  if (Wave && numbers[5] == 0 && numbers[6] == 0) {  // no harmonic: its terms would be zeros
     return run_blocks<V, false>(stretch, x, n, out, [&](const V& at) {
       return row_motion<V, Degree, Wave, false>(row, at);
     });

@@ -4,6 +4,6 @@
 namespace camlaw {
 
 extern const SpanKernels kSpanKernels_avx2;
-const SpanKernels kSpanKernels_avx2 = span_loops::kernels<4>("AVX2");
+constinit const SpanKernels kSpanKernels_avx2 = span_loops::kernels<4>("AVX2");
 
 }  // namespace camlaw

@@ -4,6 +4,6 @@
 namespace camlaw {
 
 extern const SpanKernels kSpanKernels_avx512;
-const SpanKernels kSpanKernels_avx512 = span_loops::kernels<8>("AVX-512");
+constinit const SpanKernels kSpanKernels_avx512 = span_loops::kernels<8>("AVX-512");
 
 }  // namespace camlaw

@@ -4,6 +4,6 @@
 namespace camlaw {
 
 extern const SpanKernels kSpanKernels_base;
-const SpanKernels kSpanKernels_base = span_loops::kernels<2>("any");
+constinit const SpanKernels kSpanKernels_base = span_loops::kernels<2>("any");
 
 }  // namespace camlaw

@@ -25,7 +25,8 @@ template <class Low, class High, class Middle>
 optim::Bounds enclosed(const Series<Interval, 3>& over, double radius, const Low& low,
                        const High& high, const Middle& middle) {
   Interval range = both(Interval::whole(), over.c[0]);
-  if (over.c[1].lower() >= 0 || over.c[1].upper() <= 0) {
+  const bool has_value = !boost::numeric::empty(over.c[0]);  // else a slope of 0 says nothing
+  if (has_value && (over.c[1].lower() >= 0 || over.c[1].upper() <= 0)) {
     range = both(range, boost::numeric::hull(low(), high()));
   } else {
     const Series<Interval, 2> at = middle();

@@ -7,7 +7,7 @@
 namespace camlaw::problems {
 
 /// formula(machine, mean) -> T of the mean of integrand(machine, motion) -> X over the turn that
-/// the program runs in. NaN where the motion's velocity jumps: no mean holds that pulse.
+/// the program runs in. NaN where the motion's velocity jumps: a mean cannot represent that pulse.
 template <template <class> class M, class Integrand, class F>
 MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula);
 
@@ -16,7 +16,7 @@ MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formul
 namespace detail {
 
 /// What a mean is made of, as recorded, in a machine's arguments: first the integrand, which takes
-/// s, v, a, j beside them, then what becomes of the mean.
+/// s, v, a, j beside them, then the formula that is applied to the mean.
 struct MeanFormulas {
   Formula integrand, of_mean;
 };

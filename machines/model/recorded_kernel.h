@@ -38,7 +38,7 @@ class RecordedCurve : public CurveFormula {
   bool is_possible_;
 };
 
-/// Of the first `count` inputs those that one of the formulas depends on, increasing.
+/// Returns which of the first `count` inputs any of the formulas uses, increasing.
 std::vector<std::size_t> used_arguments(const std::vector<Formula>& formulas, std::size_t count);
 
 }  // namespace camlaw::problems

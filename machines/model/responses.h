@@ -31,8 +31,8 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// The same of a formula that decides by values on its way, as one that searches for a root: it is
-/// compiled in every scalar, and what it depends on is tried out.
+/// The same for a formula that branches on values, for example to search for a root. It is compiled
+/// in every scalar, and its dependences are found by trial.
 template <template <class> class M, class F>
 MechanismResponse searched_number(ResponseAbout about, F formula);
 
@@ -109,7 +109,7 @@ class CurveFormulaOf final : public RecordedCurve {
   OfMotion of_motion_;
 };
 
-/// A number of the machine, of its arguments.
+/// Records a number as a function of the machine's arguments.
 template <template <class> class M, class F>
 Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
                         const UnitFactor& factor, const F& formula) {
@@ -118,13 +118,20 @@ Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
   });
 }
 
-/// A curve, of the machine's arguments, s, v, a, j and x.
+/// Records a curve as a function of the machine's arguments, s, v, a, j and x. Arguments that are 0
+/// in `at`, where it is given, are constants: what they multiply is left out.
 template <template <class> class M, class F>
 Formula recorded_curve(const BoundMachine<M>& machine, std::size_t arguments,
-                       const UnitFactor& factor, const F& formula) {
+                       const UnitFactor& factor, const F& formula,
+                       std::span<const double> at = {}) {
   return Formula::record(arguments + 5, [&](std::span<const Expression> u) {
-    const M<Expression> here = machine.template at<Expression>(u.first(arguments));
-    return factor.as<Expression>() * applied(formula(here), as_place(u.subspan(arguments)));
+    std::vector<Expression> own(u.begin(), u.end());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (at[i] == 0) own[i] = 0.0;
+    }
+    const std::span<const Expression> inputs(own);
+    const M<Expression> here = machine.template at<Expression>(inputs.first(arguments));
+    return factor.as<Expression>() * applied(formula(here), as_place(inputs.subspan(arguments)));
   });
 }
 
@@ -217,7 +224,10 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
     const Formula record = detail::recorded_curve(machine, arguments, factor, formula);
     auto point = recorded_kernel(record, arguments, detail::possibility(machine));
     const auto make_formula = [=](std::span<const double> u) {
-      return std::make_unique<detail::CurveFormulaOf<M, F>>(machine, u, factor, formula, record);
+      const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
+      return std::make_unique<detail::CurveFormulaOf<M, F>>(
+          machine, u, factor, formula,
+          has_zero ? detail::recorded_curve(machine, arguments, factor, formula, u) : record);
     };
     return std::make_shared<MechanismCurve>(
         CurveParts{cycle, uses, uses_place, point, make_formula}, binding, shape);

@@ -14,8 +14,8 @@ Expression written(Operation operation, const Expression& a, const Expression& b
 
 }  // namespace
 
-// What is exact in every scalar is worked out at once: so a constant that does away with a term, as
-// friction of 0, does away with its steps.
+// What is exact in every scalar is worked out at once: so a constant that removes a term, such as a
+// friction of 0, removes the term's steps as well.
 Expression operator+(const Expression& a, const Expression& b) {
   if (a.is(0)) return b;
   if (b.is(0)) return a;
@@ -27,7 +27,7 @@ Expression operator-(const Expression& a, const Expression& b) {
 Expression operator*(const Expression& a, const Expression& b) {
   if (a.is(1)) return b;
   if (b.is(1)) return a;
-  if ((a.is(0) && b.is_constant()) || (b.is(0) && a.is_constant())) return 0.0;
+  if ((a.is(0) && b.is_finite_constant()) || (b.is(0) && a.is_finite_constant())) return 0.0;
   return written(Operation::Multiply, a, b);
 }
 Expression operator/(const Expression& a, const Expression& b) {

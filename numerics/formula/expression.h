@@ -10,8 +10,9 @@
 /// with expressions, writes down what it computes (docs/theory.md, "Recorded formulas").
 namespace camlaw {
 
-/// A number of the formula that is being recorded on this thread. It has no value: a formula that
-/// decides by one does not compile, and says by_side, along, absolute or where_positive instead.
+/// A number of the formula that is being recorded on this thread, and of no other formula. It has
+/// no value: a formula that decides by one does not compile, and says by_side, along, absolute or
+/// where_positive instead.
 class Expression {
  public:
   /// The number 0.
@@ -22,7 +23,7 @@ class Expression {
 
   /// Its step.
   std::uint32_t step() const { return step_; }
-  bool is_constant() const;
+  bool is_finite_constant() const;
   /// Whether it is this plain number, whatever the inputs are.
   bool is(double c) const;
 

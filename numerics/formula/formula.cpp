@@ -2,6 +2,8 @@
 #include "numerics/formula/formula.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -16,7 +18,7 @@ struct Formula::Data {
   std::vector<Step> steps;  ///< the last one is the value
   std::vector<std::size_t> uses;
   std::vector<std::uint32_t> varying;  ///< the steps that an input reaches
-  /// Results of the others.
+  /// Results of the steps that no input reaches.
   std::vector<double> plain;
   std::vector<Dual> dual;
   std::vector<Interval> enclosed;
@@ -32,7 +34,8 @@ namespace {
 class Recorder {
  public:
   std::uint32_t write(const Step& step) {
-    const Key key{step.operation, step.a, step.b, step.c, step.value, step.lower, step.upper};
+    const Key key{step.operation,   step.a,           step.b,          step.c,
+                  bits(step.value), bits(step.lower), bits(step.upper)};
     const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(steps_.size()));
     if (is_new) steps_.push_back(step);
     return at->second;
@@ -40,8 +43,10 @@ class Recorder {
   const Step& at(std::uint32_t step) const { return steps_[step]; }
 
  private:
-  using Key =
-      std::tuple<Operation, std::uint32_t, std::uint32_t, std::uint32_t, double, double, double>;
+  /// Numbers by their bits: so NaN is like itself, and -0 is not 0.
+  using Key = std::tuple<Operation, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t,
+                         std::uint64_t, std::uint64_t>;
+  static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
   std::vector<Step> steps_;
   std::map<Key, std::uint32_t> known_;
 };
@@ -53,7 +58,7 @@ Recorder& recorder() {
   return *recording;
 }
 
-/// While it lives formulas of this thread are recorded here.
+/// Directs this thread's recording to a recorder for as long as it exists.
 class Recording {
  public:
   explicit Recording(Recorder& here) : before_(recording) { recording = &here; }
@@ -65,7 +70,7 @@ class Recording {
   Recorder* before_;
 };
 
-/// What a step takes from earlier ones.
+/// Returns how many earlier steps an operation uses.
 std::size_t operands(Operation operation) {
   switch (operation) {
     case Operation::Input:
@@ -134,8 +139,9 @@ Expression::Expression(double constant, double lower, double upper)
     : step_(recorder().write(
           {.operation = Operation::Constant, .value = constant, .lower = lower, .upper = upper})) {}
 
-bool Expression::is_constant() const {
-  return recorder().at(step_).operation == Operation::Constant;
+bool Expression::is_finite_constant() const {
+  const Step& step = recorder().at(step_);
+  return step.operation == Operation::Constant && std::isfinite(step.value);
 }
 
 bool Expression::is(double c) const {

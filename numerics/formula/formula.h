@@ -59,7 +59,8 @@ class Formula {
   const std::vector<std::size_t>& uses() const;
   bool depends_on(std::size_t input) const;
 
-  /// The value at u, in double, Dual, Dual2, Interval, or Series of Interval with 1 or 2 terms.
+  /// The value at u, which has a number for each input that the value depends on; in double, Dual,
+  /// Dual2, Interval, or Series of Interval with 1 or 2 terms.
   template <class T>
   T operator()(std::span<const T> u) const;
 
@@ -69,9 +70,9 @@ class Formula {
   std::shared_ptr<const Data> data_;
 };
 
-/// A formula whose first inputs are plain numbers, worked in, while the others are series over T,
-/// as a machine stays while its motion runs: T is double, or Interval with N up to 3. In Dual and
-/// Dual2 the others are of the same kind.
+/// A formula with its first inputs fixed as plain numbers, as a machine stays while its motion
+/// runs. The others are series over T, which is double, or Interval with N up to 3; or numbers of
+/// the same kind, in Dual and Dual2 too.
 template <class T>
 class FormulaAlong {
  public:

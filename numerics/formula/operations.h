@@ -37,7 +37,14 @@ X arithmetic(Operation operation, const A& a, const B& b) {
   }
 }
 
-/// Of operations on results; those that take fewer than three leave the others alone.
+template <class T>
+T divided(const T& a, const T& b) {
+  return a / b;
+}
+/// Of a divisor that is 0 nothing is known.
+inline Interval divided(const Interval& a, const Interval& b) { return quotient(a, b); }
+
+/// Applies an operation; operands that it does not need are ignored.
 template <class T>
 T operate(Operation operation, const T& a, const T& b, const T& c) {
   using std::asin;
@@ -55,7 +62,7 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
     case Operation::Multiply:
       return a * b;
     case Operation::Divide:
-      return a / b;
+      return divided(a, b);
     case Operation::Negate:
       return -a;
     case Operation::Sqrt:

@@ -5,12 +5,13 @@
 #include <cstdint>
 
 /// Numbers that a processor computes side by side. V stands for a vector of doubles; a file that is
-/// compiled for one instruction set uses one width alone, so that the linker never takes a function
-/// of another set for it. Each lane sees the same operations in the same order whatever the width,
-/// and none is fused with another (-ffp-contract=off): the results are the same to the last bit.
+/// compiled for one instruction set uses one width alone, and what does not depend on the width is
+/// always inlined, so that the linker never takes a function of another set for it. Each lane sees
+/// the same operations in the same order whatever the width, and none is fused with another
+/// (-ffp-contract=off): the results are the same to the last bit.
 namespace camlaw::lanes {
 
-/// Of N doubles.
+/// A vector of N doubles.
 template <int N>
 struct Vector {
   typedef double Type __attribute__((vector_size(8 * N)));
@@ -19,9 +20,15 @@ struct Vector {
 template <class V>
 inline constexpr std::size_t kWidth = sizeof(V) / sizeof(double);
 
-/// Integers beside the doubles of V; what comparisons of V give, -1 where they hold and else 0.
+/// The integer vector that a comparison of two V gives: -1 in lanes where it holds, else 0.
 template <class V>
 using Integers = decltype(V{} < V{});
+
+/// Unsigned integers of the same width.
+template <class V>
+struct Unsigned {
+  typedef std::uint64_t Type __attribute__((vector_size(sizeof(V))));
+};
 
 template <class V>
 V load(const double* from) {
@@ -37,18 +44,19 @@ void store(const V& value, double* to) {
 
 /// The bits of one as the other, both of one size.
 template <class To, class From>
-To bits_as(const From& from) {
+[[gnu::always_inline]] inline To bits_as(const From& from) {
   static_assert(sizeof(To) == sizeof(From));
   To result;
   __builtin_memcpy(&result, &from, sizeof result);
   return result;
 }
 
-template <class I>
-bool any_negative(const I& values) {
-  std::int64_t together = 0;
-  for (std::size_t i = 0; i < sizeof(I) / sizeof(std::int64_t); ++i) together |= values[i];
-  return together < 0;
+/// Whether the highest bit is set in any lane.
+template <class U>
+bool any_high_bit(const U& values) {
+  std::uint64_t together = 0;
+  for (std::size_t i = 0; i < sizeof(U) / sizeof(std::uint64_t); ++i) together |= values[i];
+  return together >> 63 != 0;
 }
 
 /// Lane l of row k and lane k of row l change places.

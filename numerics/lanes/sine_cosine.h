@@ -16,8 +16,8 @@ inline constexpr double kLargestAngle = 1.6e6;
 /// Sine and cosine of an angle in radians, |x| <= kLargestAngle, within 1.5 ulp and 1e-26 |x|; NaN
 /// of NaN.
 ///
-/// x = n pi/2 + y with |y| <= pi/4, of pi/2 the first 33 bits, times n without rounding, and the
-/// rest; the polynomials are those of FreeBSD's msun (k_sin.c, k_cos.c;
+/// x = n pi/2 + y with |y| <= pi/4, n times the first 33 bits of pi/2 is subtracted exactly, then n
+/// times the remainder; the polynomials are those of FreeBSD's msun (k_sin.c, k_cos.c;
 /// Copyright 1993 Sun Microsystems, freely granted), without branches.
 template <class V>
 SineCosine<V> sine_cosine(const V& x) {

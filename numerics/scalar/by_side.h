@@ -16,7 +16,8 @@ inline Interval by_side(const Interval& force, const Interval& pushing, const In
   if (boost::numeric::empty(force)) return Interval::whole();
   if (force.lower() >= 0) return pushing;
   if (force.upper() < 0) return pulling;
-  return boost::numeric::hull(pushing, pulling);
+  const bool known = !boost::numeric::empty(pushing) && !boost::numeric::empty(pulling);
+  return known ? boost::numeric::hull(pushing, pulling) : Interval::whole();
 }
 
 /// Over a box in which the force may change its sign nothing is known of the derivatives.
@@ -25,6 +26,9 @@ Series<Interval, N> by_side(const Series<Interval, N>& force, const Series<Inter
                             const Series<Interval, N>& pulling) {
   if (force.c[0].lower() >= 0) return pushing;
   if (force.c[0].upper() < 0) return pulling;
+  if (is_number(pushing, value_of(pushing)) && is_number(pulling, value_of(pushing))) {
+    return pushing;  // one number on both sides
+  }
   Series<Interval, N> result(by_side(force.c[0], pushing.c[0], pulling.c[0]));
   for (std::size_t k = 1; k < N; ++k) result.c[k] = Interval::whole();
   return result;
@@ -58,17 +62,21 @@ Series<Interval, N> along(const Series<Interval, N>& direction, const Series<Int
   return result;
 }
 
-/// x, without slope where the force is 0: nothing bears there, as in a dwell without a load, and the
-/// root of the force has no derivatives.
+/// x, but the constant 0 where the force is 0: nothing bears there, as in a dwell without a load,
+/// and the root of the force has no derivatives.
 template <class X>
 X unless_zero(const X& force, const X& x) {
   return value_of(force) == 0 ? number<X>(0) : x;
 }
 
-inline Interval unless_zero(const Interval&, const Interval& x) { return x; }
+inline Interval unless_zero(const Interval& force, const Interval& x) {
+  if (boost::numeric::empty(x)) return Interval::whole();
+  return boost::numeric::zero_in(force) ? boost::numeric::hull(x, Interval(0.0)) : x;
+}
 
 template <std::size_t N>
-Series<Interval, N> unless_zero(const Series<Interval, N>&, const Series<Interval, N>& x) {
+Series<Interval, N> unless_zero(const Series<Interval, N>& force, Series<Interval, N> x) {
+  x.c[0] = unless_zero(force.c[0], x.c[0]);
   return x;
 }
 

@@ -17,7 +17,7 @@ Sweep::Sweep(const ProblemSpace& its_space, const ParetoOptions& its_options, Ex
   first.check();
   const std::size_t objectives = first.objectives.size();
   if (objectives < 2) {
-    throw std::invalid_argument("a front needs two objectives or more; there is 1");
+    throw std::invalid_argument("a front needs at least two objectives; this problem has one");
   }
   if (options.reference && options.reference->size() != objectives) {
     throw std::invalid_argument("reference: one number for each objective is wanted");

@@ -222,6 +222,20 @@ Outcome plain(Outcome outcome) {
   return outcome;
 }
 
+/// Points of several parts are compared: their objectives must be the same.
+void check_same_objectives(const Problem& first, const Problem& other) {
+  const auto same = [](const Objective& a, const Objective& b) {
+    return a.response.name == b.response.name && a.sense == b.sense;
+  };
+  if (std::equal(first.objectives.begin(), first.objectives.end(), other.objectives.begin(),
+                 other.objectives.end(), same)) {
+    return;
+  }
+  throw std::invalid_argument(
+      fmt::format("the problems '{}' and '{}' are on one front, but their objectives differ",
+                  first.name, other.name));
+}
+
 }  // namespace
 
 Task as_good_as(const FrontPoint& point, std::size_t part, std::size_t sought) {
@@ -277,6 +291,7 @@ std::string Task::text() const {
 
 Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOptions& options) {
   const Problem multi = space.problem(space.options(task.part));
+  if (task.part > 0) check_same_objectives(space.problem(space.options(0)), multi);
   if (task.kind == Task::Kind::Scout) return scout(task, multi);
   OptimiseOptions own = options;
   own.seed = task.seed;

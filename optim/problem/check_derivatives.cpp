@@ -54,7 +54,7 @@ class Checker {
   }
 
   DerivativeCheck run() {
-    check(problem_.objective().response);
+    for (const Objective& o : problem_.objectives) check(o.response);
     for (const Constraint& c : problem_.constraints) check(c.response);
     result_.agrees = result_.worst.error <= kDerivativeTolerance;
     return std::move(result_);

@@ -106,6 +106,12 @@ Shape objective_shape(const Objective& objective) {
 
 Objective no_objective() { return {.response = {"", "1", Function()}}; }
 
+const Objective& Problem::objective() const {
+  if (objectives.size() == 1) return objectives.front();
+  throw std::logic_error(fmt::format("one objective is wanted; the problem '{}' has {}", name,
+                                     objectives.size()));
+}
+
 Problem Problem::alone(std::size_t objective) const {
   return {.name = name,
           .variables = variables,

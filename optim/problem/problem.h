@@ -51,7 +51,8 @@ struct Objective {
   std::optional<double> tolerance = {};  ///< in the unit; by default 1e-7 of the size
 };
 
-/// Zero everywhere, so that any design is the best one: of a problem that has limits alone.
+/// The objective of a problem that has only limits: it is zero everywhere, so every design is
+/// optimal.
 Objective no_objective();
 
 /// What must hold: lower <= response <= upper, of a curve at every angle. Equal bounds make an
@@ -74,12 +75,12 @@ struct KnownAnswer {
 struct Problem {
   std::string name;
   std::vector<Variable> variables;
-  std::vector<Objective> objectives;  ///< one of a search, two or more of a front
+  std::vector<Objective> objectives;  ///< one for a search, two or more for a front
   std::vector<Constraint> constraints;
   std::optional<KnownAnswer> known = {};
 
-  /// The first one.
-  const Objective& objective() const { return objectives.at(0); }
+  /// Of a search. Throws std::logic_error unless there is exactly one.
+  const Objective& objective() const;
   /// With one of its objectives, the others and the known answer left out.
   Problem alone(std::size_t objective) const;
   /// Throws std::invalid_argument naming what is wrong: no objective, bounds that cross, a start
@@ -116,7 +117,7 @@ struct ProblemSpace {
 };
 
 /// Several spaces as one with a choice among them, by these names; their objectives are the same.
-/// The options of a part are those of all combinations of all spaces in turn.
+/// The options of the new choice run through the combinations of each space in turn.
 ProblemSpace joined(const std::string& choice, const std::vector<std::string>& names,
                     const std::vector<ProblemSpace>& spaces);
 

@@ -204,9 +204,10 @@ class Optimiser {
     Problem problem = space_.problem(options);
     problem.check();
     if (problem.objectives.size() > 1) {
-      throw std::invalid_argument(
-          fmt::format("a search has one objective, this problem {}: pareto() finds their front",
-                      problem.objectives.size()));
+      throw std::invalid_argument(fmt::format(
+          "optimise() takes one objective, but this problem has {}; use pareto() to find "
+          "their front",
+          problem.objectives.size()));
     }
     if (options_.memory) check_memory(problem, *options_.memory);
     const bool alone = space_.choices.empty() && !has_integers(problem);

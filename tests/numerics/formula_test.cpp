@@ -69,6 +69,12 @@ TEST_CASE("a record gives what the formula gives, bit for bit in every scalar", 
     const Interval range = at(record, box), truth = at(f, box);
     CHECK((range.lower() >= truth.lower() && range.upper() <= truth.upper()));
     CHECK((range.lower() <= at(f, u) && range.upper() >= at(f, u)));
+    using Slopes = Series<Interval, 2>;
+    std::vector<Slopes> moving;
+    for (const Interval& x : box) moving.push_back(Slopes::variable(x, Interval(1.0)));
+    const Slopes slopes = at(record, moving), others = at(f, moving);
+    CHECK(slopes.c[0].lower() == others.c[0].lower());
+    CHECK(slopes.c[1].upper() == others.c[1].upper());
   }
 }
 
@@ -109,6 +115,57 @@ TEST_CASE("equal steps are written once, and what is exact is worked out", "[for
       0, [](std::span<const Expression>) { return number<Expression>(1) / number<Expression>(3); });
   const Interval range = third(std::span<const Interval>());
   CHECK(range.lower() < range.upper());
+}
+
+TEST_CASE("what holds on one side alone is enclosed on both", "[formula]") {
+  const Formula root = recorded(2, [](const auto& u) { return where_positive(u[0], u[1] / u[0]); });
+  CHECK(std::isnan(at(root, std::vector<double>{-1, 3})));
+  CHECK(at(root, std::vector<double>{2, 3}) == 1.5);
+  using Slopes = Series<Interval, 2>;
+  const auto over = [&](const auto& formula, double low, double high) {
+    return at(formula, std::vector<Slopes>{Slopes::variable(Interval(low, high), Interval(1.0)),
+                                           Slopes(Interval(3.0))});
+  };
+  // The value is without bound near 0, and no slope proves it monotone.
+  const Slopes mixed = over(root, -10, 5), none = over(root, -10, -5), some = over(root, 1, 5);
+  CHECK(std::isinf(mixed.c[0].upper()));
+  CHECK((mixed.c[1].lower() < 0 && mixed.c[1].upper() > 0));
+  CHECK(boost::numeric::empty(none.c[0]));
+  CHECK((none.c[1].lower() < 0 && none.c[1].upper() > 0));
+  CHECK((some.c[0].lower() <= 0.6 && some.c[0].upper() >= 3 && some.c[1].upper() < 0));
+
+  const Formula loaded = recorded(2, [](const auto& u) { return unless_zero(u[0], u[1]); });
+  CHECK(at(loaded, std::vector<double>{0, 3}) == 0);
+  CHECK(at(loaded, std::vector<double>{1, 3}) == 3);
+  const Slopes both = over(loaded, -1, 1);
+  CHECK((both.c[0].lower() <= 0 && both.c[0].upper() >= 3));
+
+  const Formula sided = recorded(2, [](const auto& u) { return by_side(u[0], u[1], u[1] / 0.0); });
+  CHECK(std::isinf(over(sided, -1, 1).c[0].upper()));  // nothing is known of what divides by 0
+  const Formula same = recorded(2, [](const auto& u) {
+    using T = std::decay_t<decltype(u[0])>;
+    return by_side(u[0], number<T>(2), number<T>(2)) * u[1];
+  });
+  CHECK(over(same, -1, 1).c[1].upper() == 0);
+}
+
+TEST_CASE("constants are told apart by their bits", "[formula]") {
+  const double none = std::nan("");
+  const Formula first = recorded(1, [&](const auto& u) {
+    using T = std::decay_t<decltype(u[0])>;
+    const T nan = number<T>(none), two = number<T>(2);
+    return u[0] * two + number<T>(5) * (nan - nan);
+  });
+  CHECK(std::isnan(at(first, std::vector<double>{3})));
+  const Formula signs = recorded(1, [](const auto& u) {
+    using T = std::decay_t<decltype(u[0])>;
+    return (u[0] / number<T>(-0.0)) * (u[0] / number<T>(0.0));
+  });
+  CHECK(at(signs, std::vector<double>{3}) == -INFINITY);
+  const Formula infinite = recorded(0, [](std::span<const Expression>) {
+    return number<Expression>(0) * number<Expression>(INFINITY);
+  });
+  CHECK(std::isnan(infinite(std::span<const double>())));
 }
 
 TEST_CASE("without a record there is no expression", "[formula]") {

@@ -309,7 +309,8 @@ TEST_CASE("a search takes a problem with one objective", "[optimise]") {
   Problem problem = bowl();
   problem.objectives.push_back(problem.objective());
   CHECK_THROWS_WITH(optimise(problem),
-                    "a search has one objective, this problem 2: pareto() finds their front");
+                    "optimise() takes one objective, but this problem has 2; use pareto() to find "
+                    "their front");
   problem.objectives.clear();
   CHECK_THROWS_WITH(optimise(problem), "a problem needs an objective");
 }
