@@ -23,7 +23,7 @@ using Eigen::MatrixXd;
 
 /// The gaps that begin and end lie in: each from the place with that index to the next.
 using Gaps = std::array<int, 2>;
-/// Shares of the gaps at which the ends are held; none: they are fitted within.
+/// Shares of the gaps at which the ends are held; without a value they are fitted inside the gaps.
 using Shares = std::optional<std::array<double, 2>>;
 constexpr std::array<double, 2> kMiddle{0.5, 0.5};
 constexpr double kSameMerit = 1e-9;

@@ -27,7 +27,7 @@ class LawResiduals {
   const optim::Residuals& residuals() const;
   /// The parameters as they are fitted.
   FitParameters own() const;
-  /// A fit of those told of the parameters.
+  /// A fit of own() as one of the parameters that were given.
   optim::FitResult told(optim::FitResult fit, double confidence) const;
 
  private:

@@ -5,5 +5,5 @@
 
 #include "numerics/scalar/scalar.h"
 
-/// Dual and Dual2 to count with. Apart from scalar.h, which only names them: ceres/jet.h brings
-/// Eigen along, and most who hold a law never take a derivative by its parameters.
+/// This header defines Dual and Dual2, which scalar.h only declares: ceres/jet.h includes Eigen,
+/// which most users of laws do not need.

@@ -15,8 +15,8 @@ struct Jet;
 /// The scalars that laws and mechanisms are generic in.
 ///
 ///   double     speed
-///   Dual       value and gradient (ceres::Jet), Dual2 value, gradient and Hessian (nested): who
-///              makes one includes numerics/scalar/dual.h; a law by itself needs no Ceres
+///   Dual       value and gradient (ceres::Jet), Dual2 value, gradient and Hessian (nested):
+///              include numerics/scalar/dual.h to make one; a law by itself needs no Ceres
 ///   Interval   enclosure (numerics/scalar/interval.h)
 ///
 /// Any other type with + - * / and sqrt, sin, cos found by argument-dependent lookup joins by

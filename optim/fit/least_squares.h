@@ -81,7 +81,7 @@ struct FreeDirection {
 class SquareMatrix {
  public:
   SquareMatrix() = default;
-  /// Of zeros.
+  /// Makes a matrix of zeros.
   explicit SquareMatrix(std::size_t size) : size_(size), entries_(size * size) {}
 
   std::size_t size() const { return size_; }

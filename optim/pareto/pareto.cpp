@@ -61,7 +61,7 @@ double default_tolerance(const ProblemSpace& space, std::size_t objective, const
 }
 
 /// Takes tolerances as stated, else the defaults where each objective is best
-/// (docs/optimisation.md, (Z3)): that is sought among `points(objective)`.
+/// (docs/optimisation.md, (Z3)): the best design is looked up in `points(objective)`.
 template <class Points>
 Costs tolerances(const ProblemSpace& space, Points points) {
   Costs result;
@@ -149,7 +149,7 @@ bool costs_are_convex(const Problem& multi) {
   });
 }
 
-/// Of a convex problem more is known of what lies between the points.
+/// Tightens what is known between the points, for a convex problem.
 void settle_convex(Front& front, const Problem& multi) {
   if (!costs_are_convex(multi) || !searches_are_convex(multi)) return;
   const std::vector<Costs> all = costs_of(front.points);

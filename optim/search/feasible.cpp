@@ -38,7 +38,7 @@ Least least_violation_at(const std::vector<double>& x, const Setting& setting, T
     if (!is_feasible(least.blame)) return least_violation_from(x, setting, trail);
     least.attempt.x = x;
     least.attempt.status = Status::Solved;
-    least.attempt.message = "a place of the box that meets every limit";
+    least.attempt.message = "a place of the box was found that meets every limit";
     return least;
   } catch (...) {
     if (is_interruption(std::current_exception())) throw;
@@ -108,7 +108,7 @@ void search_along_bounds(Design x, const Setting& setting, Trail& trail, Reached
   Attempt there;
   there.x = found.x;
   there.status = found.status;
-  there.message = "with the variables held that stand at their bounds";
+  there.message = "the variables at their bounds were held fixed";
   consider(there, find_solver(found.solver), setting, trail, reached);
 }
 

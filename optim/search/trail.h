@@ -38,7 +38,7 @@ struct Trail {
 
   bool is_infeasible() const { return found.assessment.verdict == Verdict::Infeasible; }
   bool is_within_limits() const { return is_feasible(found.assessment); }
-  /// Says of the search that it gave no answer.
+  /// Records that the search gave no answer.
   void fail(const std::string& why);
 };
 
