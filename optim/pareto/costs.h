@@ -3,8 +3,8 @@
 
 #include "optim/problem/problem.h"
 
-/// Each objective of a front is counted as a cost, which is to be small: an objective to be maximised
-/// is counted as its negative.
+/// Each objective of a front is counted as a cost, which is to be small: an objective to be
+/// maximised is counted as its negative.
 namespace camlaw::optim {
 
 /// A value of an objective as a cost, or a cost as a value.
