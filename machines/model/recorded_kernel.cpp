@@ -42,12 +42,12 @@ std::shared_ptr<const optim::Kernel> recorded_kernel(Formula formula, std::size_
   return std::make_shared<Kernel>(Recorded(std::move(formula), arguments, std::move(is_possible)));
 }
 
-RecordedCurve::RecordedCurve(const Formula& formula, std::span<const double> machine,
-                             bool is_possible)
+RecordedCurveFormula::RecordedCurveFormula(const Formula& formula, std::span<const double> machine,
+                                           bool is_possible)
     : formula_(formula, intervals(machine)), is_possible_(is_possible) {}
 
 template <std::size_t N>
-Series<Interval, N> RecordedCurve::at(const PlaceSeries<Interval, N>& place) const {
+Series<Interval, N> RecordedCurveFormula::at(const PlaceSeries<Interval, N>& place) const {
   if (!is_possible_) {
     return Series<Interval, N>(number<Interval>(std::numeric_limits<double>::quiet_NaN()));
   }
@@ -56,13 +56,13 @@ Series<Interval, N> RecordedCurve::at(const PlaceSeries<Interval, N>& place) con
   return formula_(std::span<const Series<Interval, N>>(inputs));
 }
 
-Series<Interval, 1> RecordedCurve::enclosed(const PlaceSeries<Interval, 1>& place) const {
+Series<Interval, 1> RecordedCurveFormula::enclosed(const PlaceSeries<Interval, 1>& place) const {
   return at(place);
 }
-Series<Interval, 2> RecordedCurve::enclosed(const PlaceSeries<Interval, 2>& place) const {
+Series<Interval, 2> RecordedCurveFormula::enclosed(const PlaceSeries<Interval, 2>& place) const {
   return at(place);
 }
-Series<Interval, 3> RecordedCurve::enclosed(const PlaceSeries<Interval, 3>& place) const {
+Series<Interval, 3> RecordedCurveFormula::enclosed(const PlaceSeries<Interval, 3>& place) const {
   return at(place);
 }
 

@@ -22,9 +22,9 @@ std::shared_ptr<const optim::Kernel> recorded_kernel(Formula formula, std::size_
 
 /// The enclosures of a curve's formula for one machine, which comes first among the inputs and is
 /// followed by s, v, a, j and x.
-class RecordedCurve : public CurveFormula {
+class RecordedCurveFormula : public CurveFormula {
  public:
-  RecordedCurve(const Formula& formula, std::span<const double> machine, bool is_possible);
+  RecordedCurveFormula(const Formula& formula, std::span<const double> machine, bool is_possible);
 
   Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override;
   Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const override;

@@ -85,7 +85,7 @@ PlaceOf<T> as_place(std::span<const T> u) {
 
 /// The curve for one machine: compiled over the angle, enclosed by its record.
 template <template <class> class M, class F>
-class CurveFormulaOf final : public RecordedCurve {
+class CurveFormulaOf final : public RecordedCurveFormula {
   using OfMotion = std::invoke_result_t<const F&, const M<double>&>;
 
  public:
@@ -101,7 +101,7 @@ class CurveFormulaOf final : public RecordedCurve {
  private:
   CurveFormulaOf(const M<double>& machine, std::span<const double> arguments,
                  const UnitFactor& factor, const F& formula, const Formula& record)
-      : RecordedCurve(record, arguments, is_possible(machine)),
+      : RecordedCurveFormula(record, arguments, is_possible(machine)),
         scale_(is_possible(machine) ? factor.template as<double>() : kNaN),
         of_motion_(formula(machine)) {}
 
