@@ -68,45 +68,61 @@ std::optional<Table> table_of(const Law<double>& law) {
 
 // ---------------------------------------------------------------------------------------------
 
-/// Evaluates the leading points that lie in the piece and returns their number.
-std::size_t piece_motion(const SpanKernels& kernels, const Law<double>& law, std::size_t index,
-                         const double* x, std::size_t n, MotionRows out) {
-  const Piece<double>& piece = law.pieces()[index];
-  const double end = end_of(law, index);
-  if (piece.is_data() && has_small_angles(piece)) {
-    std::vector<double> waves;
-    for (const auto& h : piece.harmonics) {
-      waves.insert(waves.end(), {h.sine, h.cosine, h.frequency});
+/// A law's pieces as the loops take them, where they do.
+class PlainPieces {
+ public:
+  explicit PlainPieces(const Law<double>& law) : law_(law) {
+    std::size_t waves = 0;
+    for (const auto& piece : law.pieces()) waves += piece.harmonics.size();
+    harmonics_.reserve(3 * waves);  // the pieces point into it
+    for (std::size_t k = 0; k < law.pieces().size(); ++k) {
+      const Piece<double>& piece = law.pieces()[k];
+      is_plain_.push_back(piece.is_data() && has_small_angles(piece));
+      numbers_.push_back({piece.begin, end_of(law, k), piece.origin, piece.polynomial.data(),
+                          piece.polynomial.size(), harmonics_.data() + harmonics_.size(),
+                          piece.harmonics.size()});
+      for (const auto& h : piece.harmonics) {
+        harmonics_.insert(harmonics_.end(), {h.sine, h.cosine, h.frequency});
+      }
     }
-    return kernels.motion({piece.begin, end, piece.origin, piece.polynomial.data(),
-                           piece.polynomial.size(), waves.data(), piece.harmonics.size()},
-                          x, n, out);
   }
-  std::size_t i = 0;
-  for (; i < n && x[i] >= piece.begin && x[i] < end; ++i) {
-    const auto d = derivatives<4>(piece, x[i]);
-    out.s[i] = d[0];
-    out.v[i] = d[1];
-    out.a[i] = d[2];
-    out.j[i] = d[3];
-  }
-  return i;
-}
 
-/// Evaluates at most kChunk points, piece by piece.
-void motion_by_pieces(const SpanKernels& kernels, const Law<double>& law, const double* x,
-                      std::size_t n, MotionRows out) {
-  for (std::size_t i = 0; i < n;) {
-    if (x[i] >= 0 && x[i] <= 1) {
-      i += piece_motion(kernels, law, law.piece_at(x[i], Side::Right), x + i, n - i, out.from(i));
-      continue;
+  /// Evaluates at most kChunk points, piece by piece.
+  void motion(const SpanKernels& kernels, const double* x, std::size_t n, MotionRows out) const {
+    for (std::size_t i = 0; i < n;) {
+      if (x[i] >= 0 && x[i] <= 1) {
+        i += run(kernels, law_.piece_at(x[i], Side::Right), x + i, n - i, out.from(i));
+        continue;
+      }
+      for (double* row : {out.s, out.v, out.a, out.j}) {
+        row[i] = std::numeric_limits<double>::quiet_NaN();
+      }
+      ++i;
     }
-    for (double* row : {out.s, out.v, out.a, out.j}) {
-      row[i] = std::numeric_limits<double>::quiet_NaN();
-    }
-    ++i;
   }
-}
+
+ private:
+  /// Evaluates the leading points that lie in the piece and returns their number.
+  std::size_t run(const SpanKernels& kernels, std::size_t index, const double* x, std::size_t n,
+                  MotionRows out) const {
+    const PieceNumbers& numbers = numbers_[index];
+    if (is_plain_[index]) return kernels.motion(numbers, x, n, out);
+    std::size_t i = 0;
+    for (; i < n && x[i] >= numbers.low && x[i] < numbers.high; ++i) {
+      const auto d = derivatives<4>(law_.pieces()[index], x[i]);
+      out.s[i] = d[0];
+      out.v[i] = d[1];
+      out.a[i] = d[2];
+      out.j[i] = d[3];
+    }
+    return i;
+  }
+
+  const Law<double>& law_;
+  std::vector<PieceNumbers> numbers_;
+  std::vector<bool> is_plain_;
+  std::vector<double> harmonics_;  ///< sine, cosine, frequency of each piece's
+};
 
 void check_length(const char* name, std::size_t length, std::size_t points) {
   if (length == 0 || length == points) return;
@@ -123,6 +139,7 @@ void evaluate_by(const SpanKernels& kernels, const Law<double>& law, std::span<c
   check_length("a", out.a.size(), x.size());
   check_length("j", out.j.size(), x.size());
   const std::optional<Table> table = table_of(law);
+  const std::optional<PlainPieces> pieces = table ? std::nullopt : std::optional<PlainPieces>(law);
   std::array<double, kChunk> unwanted[4];
   for (std::size_t i = 0; i < x.size(); i += kChunk) {
     const auto row = [&](std::span<double> span, std::size_t instead) {
@@ -133,7 +150,7 @@ void evaluate_by(const SpanKernels& kernels, const Law<double>& law, std::span<c
     if (table) {
       kernels.motion_by_rows(table->view(), &x[i], n, target);
     } else {
-      motion_by_pieces(kernels, law, &x[i], n, target);
+      pieces->motion(kernels, &x[i], n, target);
     }
   }
 }

@@ -38,6 +38,26 @@ struct Stretch {
   }
 };
 
+/// Adds p sin(wt) + q cos(wt) and its derivatives.
+template <class V, class Number>
+void add_harmonic(const Number& p, const Number& q, const Number& w, const V& t, Lanes<V>& m) {
+  const Number w2 = w * w;
+  const auto [sine, cosine] = lanes::sine_cosine<V>(w * t);
+  const V wave = p * sine + q * cosine, slope = w * (p * cosine - q * sine);
+  m.s += wave;
+  m.v += slope;
+  m.a -= w2 * wave;
+  m.j -= w2 * slope;
+}
+
+/// The first `count` points, and the first of them in the lanes that are left.
+template <class V>
+V load_some(const double* from, std::size_t count) {
+  V result = V{} + from[0];
+  for (std::size_t k = 0; k < count; ++k) result[k] = from[k];
+  return result;
+}
+
 template <class V>
 void put(const Lanes<V>& m, MotionRows out, std::size_t i) {
   store(m.s, out.s + i);
@@ -75,8 +95,8 @@ std::size_t run_blocks(const Stretch<V>& stretch, const double* x, std::size_t n
   return i;
 }
 
-/// Body gives the motion at a vector of points. The points that are left over fill up one vector
-/// with the first of them, so that each lane is computed as any other.
+/// Body gives the motion at a vector of points. The points that are left over fill up one vector,
+/// so that each lane is computed as any other.
 template <class V, class Body>
 std::size_t run(const PieceNumbers& piece, const double* x, std::size_t n, MotionRows out,
                 const Body& body) {
@@ -85,13 +105,9 @@ std::size_t run(const PieceNumbers& piece, const double* x, std::size_t n, Motio
                                     : run_blocks<V, false>(stretch, x, n, out, body);
   const auto inside = [&](std::size_t k) { return x[k] >= piece.low && x[k] < piece.high; };
   while (i < n && inside(i)) {
-    V some = V{} + x[i];
-    std::size_t count = 0;
-    for (; count < kWidth<V> && i + count < n && inside(i + count); ++count) {
-      some[count] = x[i + count];
-    }
-    const Lanes<V> m = body(some);
-    put_some(m, out, i, count);
+    std::size_t count = 1;
+    while (count < kWidth<V> && i + count < n && inside(i + count)) ++count;
+    put_some(body(load_some<V>(x + i, count)), out, i, count);
     i += count;
   }
   return i;
@@ -182,13 +198,7 @@ std::size_t any_data(const PieceNumbers& piece, const double* x, std::size_t n, 
     Lanes<V> m{b0, b1, 2.0 * b2, 6.0 * b3};
     for (std::size_t k = 0; k < piece.waves; ++k) {
       const double* h = piece.harmonics + 3 * k;
-      const double w = h[2], w2 = w * w;
-      const auto [sine, cosine] = lanes::sine_cosine<V>(w * t);
-      const V wave = h[0] * sine + h[1] * cosine, slope = w * (h[0] * cosine - h[1] * sine);
-      m.s += wave;
-      m.v += slope;
-      m.a -= w2 * wave;
-      m.j -= w2 * slope;
+      add_harmonic(h[0], h[1], h[2], t, m);
     }
     return m;
   });

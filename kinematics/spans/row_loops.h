@@ -96,13 +96,7 @@ Lanes<V> row_motion(const RowNumbers<V>& row, const V& x) {
   }
   Lanes<V> m{b0, b1, 2.0 * b2, 6.0 * b3};
   if constexpr (Waves) {
-    const V p = c[5], q = c[6], w = c[7], w2 = w * w;
-    const auto [sine, cosine] = lanes::sine_cosine<V>(w * t);
-    const V wave = p * sine + q * cosine, slope = w * (p * cosine - q * sine);
-    m.s += wave;
-    m.v += slope;
-    m.a -= w2 * wave;
-    m.j -= w2 * slope;
+    add_harmonic(c[5], c[6], c[7], t, m);
   } else if constexpr (Wave) {
     m.s += 0.0;  // as what is left out would: -0 becomes 0
     m.v += 0.0;
@@ -169,10 +163,8 @@ void motion_of_rows(const PieceRows& law, const Table& table, const double* x, s
     }
   }
   while (i < n) {
-    V some = V{} + x[i];
     const std::size_t count = n - i < kWidth<V> ? n - i : kWidth<V>;
-    for (std::size_t k = 0; k < count; ++k) some[k] = x[i + k];
-    put_some(motion(some), out, i, count);
+    put_some(motion(load_some<V>(x + i, count)), out, i, count);
     i += count;
   }
 }

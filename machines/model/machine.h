@@ -28,6 +28,9 @@ class BoundMachine {
   explicit BoundMachine(const Binding& binding)
       : constants_(binding.constants), varying_(binding.parameters) {}
 
+  /// How many of its parameters vary.
+  std::size_t arguments() const { return varying_.size(); }
+
   /// The machine with its varying parameters at u, in their listed units.
   template <class T>
   M<T> at(std::span<const T> u) const {

@@ -15,28 +15,23 @@ MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formul
 
 namespace detail {
 
-/// What a mean is made of, as recorded, in a machine's arguments: first the integrand, which takes
-/// s, v, a, j beside them, then the formula that is applied to the mean.
+/// What a mean is made of: the integrand, whose other inputs are s, v, a, j, and the formula that
+/// is applied to the mean, its only other input.
 struct MeanFormulas {
-  Formula integrand, of_mean;
+  Recorded integrand, of_mean;
 };
 
-std::shared_ptr<const optim::Kernel> mean_kernel(MeanFormulas formulas, IsPossible is_possible,
-                                                 const Binding& binding);
+std::shared_ptr<const optim::Kernel> mean_kernel(MeanFormulas formulas, const Binding& binding);
 
 template <template <class> class M, class Integrand, class F>
-MeanFormulas mean_formulas(const BoundMachine<M>& machine, std::size_t arguments,
-                           const UnitFactor& factor, const Integrand& integrand, const F& formula) {
-  const auto with = [&](std::size_t others, const auto& write) {
-    return Formula::record(arguments + others, [&](std::span<const Expression> u) {
-      return write(machine.template at<Expression>(u.first(arguments)), u.subspan(arguments));
-    });
-  };
-  return {with(4,
-               [&](const M<Expression>& here, std::span<const Expression> motion) {
-                 return integrand(here, as_place(motion).motion);
-               }),
-          with(1, [&](const M<Expression>& here, std::span<const Expression> mean) {
+MeanFormulas mean_formulas(const BoundMachine<M>& machine, const UnitFactor& factor,
+                           const Integrand& integrand, const F& formula) {
+  using Others = std::span<const Expression>;
+  return {recorded(machine, 4,
+                   [&](const M<Expression>& here, Others motion) {
+                     return integrand(here, as_place(motion).motion);
+                   }),
+          recorded(machine, 1, [&](const M<Expression>& here, Others mean) {
             return factor.template as<Expression>() * formula(here, mean[0]);
           })};
 }
@@ -48,18 +43,12 @@ MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formul
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   response.sees_law = true;
-  const std::size_t parameters = MachineTraits<M>::parameters().size();
-  const auto all =
-      detail::mean_formulas<M>(detail::free_machine<M>(), parameters, factor, integrand, formula);
-  response.uses = used_arguments({all.integrand, all.of_mean}, parameters);
+  const auto all = detail::mean_formulas<M>(detail::free_machine<M>(), factor, integrand, formula);
+  response.uses = used_arguments({all.integrand, all.of_mean});
   response.number = [=](const Binding& binding, optim::Shape shape) {
-    const BoundMachine<M> machine(binding);
-    return function_of(
-        detail::law_number_variables(binding),
-        detail::mean_kernel(detail::mean_formulas<M>(machine, binding.parameters.size(), factor,
-                                                     integrand, formula),
-                            detail::possibility(machine), binding),
-        shape);
+    auto formulas = detail::mean_formulas<M>(BoundMachine<M>(binding), factor, integrand, formula);
+    return function_of(detail::law_number_variables(binding),
+                       detail::mean_kernel(std::move(formulas), binding), shape);
   };
   return response;
 }

@@ -53,10 +53,9 @@ double PeakNumberKernel::hessian(std::span<const double> u, std::span<double> g,
 optim::Bounds PeakNumberKernel::enclose(std::span<const double> u) const {
   const optim::Bounds bounds = peak_.enclose(u);
   const std::vector<double> plain = arguments(u, 0);
-  if (!is_possible_(std::span(plain).first(plain.size() - 1))) return {kNaN, kNaN};
   std::vector<Interval> own(plain.begin(), plain.end());
   own.back().assign(bounds.lower, bounds.upper);
-  const Interval result = formula_(std::span<const Interval>(own));
+  const Interval result = recorded_(std::span<const Interval>(own));
   return {result.lower(), result.upper()};
 }
 

@@ -26,11 +26,9 @@ class PeakNumberKernel final : public optim::Kernel {
  public:
   /// `variables` are those behind the machine's arguments; the peak is a function of the design's
   /// first variables, all of which are this kernel's inputs.
-  PeakNumberKernel(Formula formula, IsPossible is_possible, std::vector<std::size_t> variables,
-                   optim::Function peak)
-      : formula_(std::move(formula)),
-        is_possible_(std::move(is_possible)),
-        outer_(recorded_kernel(formula_, variables.size(), is_possible_)),
+  PeakNumberKernel(Recorded recorded, std::vector<std::size_t> variables, optim::Function peak)
+      : recorded_(std::move(recorded)),
+        outer_(recorded_kernel(recorded_)),
         variables_(std::move(variables)),
         peak_(std::move(peak)) {}
 
@@ -42,15 +40,14 @@ class PeakNumberKernel final : public optim::Kernel {
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override;
   std::shared_ptr<const optim::Kernel> proved() const override {
-    return std::make_shared<PeakNumberKernel>(formula_, is_possible_, variables_, peak_.proved());
+    return std::make_shared<PeakNumberKernel>(recorded_, variables_, peak_.proved());
   }
   optim::Bounds enclose(std::span<const double> u) const override;
 
  private:
   std::vector<double> arguments(std::span<const double> u, double peak) const;
 
-  Formula formula_;
-  IsPossible is_possible_;
+  Recorded recorded_;
   std::shared_ptr<const optim::Kernel> outer_;
   std::vector<std::size_t> variables_;
   optim::Function peak_;
@@ -71,26 +68,24 @@ MechanismResponse peak_number(ResponseAbout about, MechanismResponse curve, opti
                               F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  const std::size_t parameters = MachineTraits<M>::parameters().size();
-  const auto record = [=](const BoundMachine<M>& machine, std::size_t arguments) {
-    return Formula::record(arguments + 1, [&](std::span<const Expression> u) {
-      const M<Expression> here = machine.template at<Expression>(u.first(arguments));
-      return factor.as<Expression>() * formula(here, u.back());
-    });
+  const auto record = [=](const BoundMachine<M>& machine) {
+    return detail::recorded(machine, 1,
+                            [&](const M<Expression>& here, std::span<const Expression> peak) {
+                              return factor.template as<Expression>() * formula(here, peak[0]);
+                            });
   };
-  const auto own = used_arguments({record(detail::free_machine<M>(), parameters)}, parameters);
+  const auto own = used_arguments({record(detail::free_machine<M>())});
   std::set_union(own.begin(), own.end(), curve.uses.begin(), curve.uses.end(),
                  std::back_inserter(response.uses));
   response.sees_law = curve.sees_law;
   response.number = [=](const Binding& binding, optim::Shape shape) {
-    const BoundMachine<M> machine(binding);
     const std::size_t size = detail::design_size(binding);
     const optim::Response whole{curve.name, curve.unit,
                                 curve.curve(binding, optim::Shape::General)};
     std::vector<std::size_t> all(size);
     for (std::size_t i = 0; i < size; ++i) all[i] = i;
     auto kernel = std::make_shared<detail::PeakNumberKernel>(
-        record(machine, binding.parameters.size()), detail::possibility(machine), binding.variables,
+        record(BoundMachine<M>(binding)), binding.variables,
         optim::peak_function(whole, part, size));
     return optim::Function(std::move(all), std::move(kernel), shape);
   };

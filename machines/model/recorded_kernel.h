@@ -2,23 +2,45 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "machines/model/curve_formula.h"
 #include "numerics/formula/formula.h"
 #include "optim/problem/function.h"
 
-/// Formulas of machines as recorded data (numerics/formula): what is asked of them seldom, or in
-/// scalars that are slow anyway, is worked out from the record; values and gradients, which a
-/// search asks for all the time, run compiled.
+/// Formulas of machines as recorded data (numerics/formula). Values, derivatives by the design,
+/// enclosures and ranges come from the record; only a curve along the angle of one design is
+/// compiled.
 namespace camlaw::problems {
 
 /// Whether there is such a machine at values of its arguments.
 using IsPossible = std::function<bool(std::span<const double>)>;
 
-/// NaN where the machine is not possible. The formula's first inputs are the machine's arguments.
-std::shared_ptr<const optim::Kernel> recorded_kernel(Formula formula, std::size_t arguments,
-                                                     IsPossible is_possible);
+/// The same in any scalar, of whose numbers the plain ones count: the middles of intervals.
+template <class T>
+bool is_possible_at(const IsPossible& is_possible, std::span<const T> arguments) {
+  std::vector<double> plain;
+  for (const T& value : arguments) plain.push_back(value_of(value));
+  return is_possible(plain);
+}
+
+/// A record as a formula generic in its scalar, NaN where the machine is not possible. The
+/// machine's arguments are the first inputs.
+struct Recorded {
+  Formula formula;
+  std::size_t arguments;
+  IsPossible is_possible;
+
+  template <class T>
+  T operator()(std::span<const T> u) const {
+    return is_possible_at(is_possible, u.first(arguments))
+               ? formula(u)
+               : number<T>(std::numeric_limits<double>::quiet_NaN());
+  }
+};
+
+std::shared_ptr<const optim::Kernel> recorded_kernel(Recorded recorded);
 
 /// The enclosures of a curve's formula for one machine, which comes first among the inputs and is
 /// followed by s, v, a, j and x.
@@ -38,7 +60,7 @@ class RecordedCurveFormula : public CurveFormula {
   bool is_possible_;
 };
 
-/// Returns which of the first `count` inputs any of the formulas uses, increasing.
-std::vector<std::size_t> used_arguments(const std::vector<Formula>& formulas, std::size_t count);
+/// Returns which arguments of one machine any of the records uses, increasing.
+std::vector<std::size_t> used_arguments(const std::vector<Recorded>& records);
 
 }  // namespace camlaw::problems

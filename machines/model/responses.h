@@ -109,30 +109,44 @@ class CurveFormulaOf final : public RecordedCurveFormula {
   OfMotion of_motion_;
 };
 
-/// Records a number as a function of the machine's arguments.
+/// Records write(machine, others), of the machine's arguments and as many other inputs. Arguments
+/// that are 0 in `at`, where it is given, are constants: what they multiply is left out.
+template <template <class> class M, class Write>
+Recorded recorded(const BoundMachine<M>& machine, std::size_t others, const Write& write,
+                  std::span<const double> at = {}) {
+  Formula formula =
+      Formula::record(machine.arguments() + others, [&](std::span<const Expression> u) {
+        std::vector<Expression> own(u.begin(), u.begin() + machine.arguments());
+        for (std::size_t i = 0; i < at.size(); ++i) {
+          if (at[i] == 0) own[i] = 0.0;
+        }
+        return write(machine.template at<Expression>(std::span<const Expression>(own)),
+                     u.subspan(machine.arguments()));
+      });
+  return {std::move(formula), machine.arguments(), [machine](std::span<const double> u) {
+            return is_possible(machine.template at<double>(u));
+          }};
+}
+
+/// A number of the machine.
 template <template <class> class M, class F>
-Formula recorded_number(const BoundMachine<M>& machine, std::size_t arguments,
-                        const UnitFactor& factor, const F& formula) {
-  return Formula::record(arguments, [&](std::span<const Expression> u) {
-    return factor.as<Expression>() * formula(machine.template at<Expression>(u));
+Recorded recorded_number(const BoundMachine<M>& machine, const UnitFactor& factor,
+                         const F& formula) {
+  return recorded(machine, 0, [&](const M<Expression>& here, std::span<const Expression>) {
+    return factor.as<Expression>() * formula(here);
   });
 }
 
-/// Records a curve as a function of the machine's arguments, s, v, a, j and x. Arguments that are 0
-/// in `at`, where it is given, are constants: what they multiply is left out.
+/// A curve, its other inputs s, v, a, j and x.
 template <template <class> class M, class F>
-Formula recorded_curve(const BoundMachine<M>& machine, std::size_t arguments,
-                       const UnitFactor& factor, const F& formula,
-                       std::span<const double> at = {}) {
-  return Formula::record(arguments + 5, [&](std::span<const Expression> u) {
-    std::vector<Expression> own(u.begin(), u.end());
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      if (at[i] == 0) own[i] = 0.0;
-    }
-    const std::span<const Expression> inputs(own);
-    const M<Expression> here = machine.template at<Expression>(inputs.first(arguments));
-    return factor.as<Expression>() * applied(formula(here), as_place(inputs.subspan(arguments)));
-  });
+Recorded recorded_curve(const BoundMachine<M>& machine, const UnitFactor& factor, const F& formula,
+                        std::span<const double> at = {}) {
+  return recorded(
+      machine, 5,
+      [&](const M<Expression>& here, std::span<const Expression> place) {
+        return factor.as<Expression>() * applied(formula(here), as_place(place));
+      },
+      at);
 }
 
 /// The machine as a function of all its parameters.
@@ -141,12 +155,6 @@ BoundMachine<M> free_machine() {
   std::vector<std::size_t> all(MachineTraits<M>::parameters().size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   return typical_machine<M>(std::move(all));
-}
-
-template <template <class> class M>
-IsPossible possibility(const BoundMachine<M>& machine) {
-  return
-      [machine](std::span<const double> u) { return is_possible(machine.template at<double>(u)); };
 }
 
 template <class F>
@@ -170,15 +178,11 @@ template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  const std::size_t parameters = MachineTraits<M>::parameters().size();
-  response.uses = used_arguments(
-      {detail::recorded_number(detail::free_machine<M>(), parameters, factor, formula)},
-      parameters);
+  response.uses =
+      used_arguments({detail::recorded_number(detail::free_machine<M>(), factor, formula)});
   response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
-    const BoundMachine<M> machine(binding);
-    const std::size_t arguments = binding.parameters.size();
-    auto kernel = recorded_kernel(detail::recorded_number(machine, arguments, factor, formula),
-                                  arguments, detail::possibility(machine));
+    auto kernel =
+        recorded_kernel(detail::recorded_number(BoundMachine<M>(binding), factor, formula));
     return function_of(binding.variables, std::move(kernel), shape);
   };
   return response;
@@ -210,27 +214,25 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
   MechanismResponse response = detail::described<M>(std::move(about));
   response.along = cycle.unit;
   response.sees_law = true;
-  const std::size_t parameters = MachineTraits<M>::parameters().size();
-  const Formula whole =
-      detail::recorded_curve(detail::free_machine<M>(), parameters, factor, formula);
-  response.uses = used_arguments({whole}, parameters);
-  std::array<bool, 4> uses{};
-  for (std::size_t m = 0; m < 4; ++m) uses[m] = whole.depends_on(parameters + m);
-  const bool uses_place = whole.depends_on(parameters + 4);
+  const Recorded whole = detail::recorded_curve(detail::free_machine<M>(), factor, formula);
+  response.uses = used_arguments({whole});
+  const auto depends_on = [&](std::size_t other) {
+    return whole.formula.depends_on(whole.arguments + other);
+  };
+  const std::array<bool, 4> uses{depends_on(0), depends_on(1), depends_on(2), depends_on(3)};
+  const bool uses_place = depends_on(4);
   response.curve = [formula, factor, cycle, uses, uses_place](const Binding& binding,
                                                               optim::Shape shape) {
     const BoundMachine<M> machine(binding);
-    const std::size_t arguments = binding.parameters.size();
-    const Formula record = detail::recorded_curve(machine, arguments, factor, formula);
-    auto point = recorded_kernel(record, arguments, detail::possibility(machine));
+    const Recorded record = detail::recorded_curve(machine, factor, formula);
     const auto make_formula = [=](std::span<const double> u) {
       const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
-      return std::make_unique<detail::CurveFormulaOf<M, F>>(
-          machine, u, factor, formula,
-          has_zero ? detail::recorded_curve(machine, arguments, factor, formula, u) : record);
+      const Recorded own = has_zero ? detail::recorded_curve(machine, factor, formula, u) : record;
+      return std::make_unique<detail::CurveFormulaOf<M, F>>(machine, u, factor, formula,
+                                                            own.formula);
     };
     return std::make_shared<MechanismCurve>(
-        CurveParts{cycle, uses, uses_place, point, make_formula}, binding, shape);
+        CurveParts{cycle, uses, uses_place, recorded_kernel(record), make_formula}, binding, shape);
   };
   return response;
 }

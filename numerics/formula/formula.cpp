@@ -115,15 +115,41 @@ std::vector<Step> needed(const Recorder& all, std::uint32_t value) {
   return steps;
 }
 
-template <class T>
-T constant_of(const Step& step) {
-  if constexpr (std::is_same_v<T, Interval>) {
-    return {step.lower, step.upper};
-  } else if constexpr (is_interval_series<T>) {
-    return T(Interval(step.lower, step.upper));
-  } else {
-    return number<T>(step.value);
+/// Which steps an input from `first` on reaches.
+std::vector<bool> reached_from(std::size_t first, const std::vector<Step>& steps) {
+  std::vector<bool> reached(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    const std::uint32_t from[] = {step.a, step.b, step.c};
+    reached[i] = step.operation == Operation::Input && step.a >= first;
+    for (std::size_t k = 0; k < operands(step.operation); ++k) {
+      reached[i] = reached[i] || reached[from[k]];
+    }
   }
+  return reached;
+}
+
+/// The results of the other steps, at these first inputs; 0 in place of those that are reached.
+template <class T>
+std::vector<T> still_results(const std::vector<Step>& steps, const std::vector<bool>& reached,
+                             std::span<const T> first) {
+  std::vector<T> results(steps.size(), number<T>(0));
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    if (reached[i]) continue;
+    if (step.operation == Operation::Input) {
+      results[i] = first[step.a];
+    } else if (step.operation == Operation::Constant) {
+      if constexpr (std::is_same_v<T, Interval>) {
+        results[i] = {step.lower, step.upper};
+      } else {
+        results[i] = number<T>(step.value);
+      }
+    } else {
+      results[i] = operate<T>(step.operation, results[step.a], results[step.b], results[step.c]);
+    }
+  }
+  return results;
 }
 
 }  // namespace
@@ -176,26 +202,12 @@ bool Formula::depends_on(std::size_t input) const {
 }
 
 void Formula::Data::work_out_constants() {
-  std::vector<bool> varies(steps.size());
-  plain.resize(steps.size());
-  enclosed.resize(steps.size());
+  const std::vector<bool> varies = reached_from(0, steps);
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
-    const Step& step = steps[i];
-    const std::uint32_t from[] = {step.a, step.b, step.c};
-    varies[i] = step.operation == Operation::Input;
-    for (std::size_t k = 0; k < operands(step.operation); ++k) {
-      varies[i] = varies[i] || varies[from[k]];
-    }
-    if (varies[i]) {
-      varying.push_back(i);
-    } else if (step.operation == Operation::Constant) {
-      plain[i] = constant_of<double>(step);
-      enclosed[i] = constant_of<Interval>(step);
-    } else {
-      plain[i] = operate(step.operation, plain[step.a], plain[step.b], plain[step.c]);
-      enclosed[i] = operate(step.operation, enclosed[step.a], enclosed[step.b], enclosed[step.c]);
-    }
+    if (varies[i]) varying.push_back(i);
   }
+  plain = still_results<double>(steps, varies, {});
+  enclosed = still_results<Interval>(steps, varies, {});
   dual = std::vector<Dual>(plain.begin(), plain.end());
 }
 
@@ -238,51 +250,34 @@ template Series<Interval, 2> Formula::operator()(std::span<const Series<Interval
 // ---------------------------------------------------------------------------------------------
 
 template <class T>
-FormulaAlong<T>::FormulaAlong(Formula formula, std::span<const T> first)
-    : formula_(std::move(formula)) {
-  const auto& steps = formula_.steps();
-  std::vector<bool> moves(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Step& step = steps[i];
-    still_.push_back(number<T>(0));
-    if (step.operation == Operation::Input) {
-      moves[i] = step.a >= first.size();
-      if (!moves[i]) still_[i] = first[step.a];
-    } else if (step.operation == Operation::Constant) {
-      still_[i] = constant_of<T>(step);
-    } else {
-      const std::size_t count = operands(step.operation);
-      moves[i] = (count > 0 && moves[step.a]) || (count > 1 && moves[step.b]) ||
-                 (count > 2 && moves[step.c]);
-      if (!moves[i]) {
-        still_[i] = operate<T>(step.operation, still_[step.a], still_[step.b], still_[step.c]);
-      }
-    }
+FormulaAlong<T>::FormulaAlong(const Formula& formula, std::span<const T> first) {
+  const auto& steps = formula.steps();
+  const std::vector<bool> moves = reached_from(first.size(), steps);
+  still_ = still_results(steps, moves, first);
+  for (std::uint32_t i = 0; i < steps.size(); ++i) {
     if (!moves[i]) continue;
-    Moving moving{step.operation, false,  false,  false,
-                  step.a,         step.b, step.c, static_cast<std::uint32_t>(i)};
+    const Step& step = steps[i];
+    Moving moving{step.operation, {step.a, step.b, step.c}, {}, true, i};
     if (step.operation == Operation::Input) {
-      moving.a = step.a - static_cast<std::uint32_t>(first.size());
-    } else {
-      const std::size_t count = operands(step.operation);
-      moving.a_moves = moves[step.a];
-      moving.b_moves = count > 1 && moves[step.b];
-      moving.c_moves = count > 2 && moves[step.c];
+      moving.from[0] -= static_cast<std::uint32_t>(first.size());
+    }
+    for (std::size_t k = 0; k < operands(step.operation); ++k) {
+      moving.moves[k] = moves[moving.from[k]];
+      moving.all_move = moving.all_move && moving.moves[k];
     }
     moving_.push_back(moving);
   }
-  moves_ = moves.back();
 }
 
 template <class T>
 T FormulaAlong<T>::operator()(std::span<const T> others) const {
-  if (!moves_) return still_.back();
   thread_local std::vector<T> results;
   results = still_;
   T* r = results.data();
   for (const Moving& m : moving_) {
-    r[m.result] = m.operation == Operation::Input ? others[m.a]
-                                                  : operate<T>(m.operation, r[m.a], r[m.b], r[m.c]);
+    r[m.result] = m.operation == Operation::Input
+                      ? others[m.from[0]]
+                      : operate<T>(m.operation, r[m.from[0]], r[m.from[1]], r[m.from[2]]);
   }
   return results.back();
 }
@@ -291,28 +286,24 @@ template <class T>
 template <std::size_t N>
 Series<T, N> FormulaAlong<T>::operator()(std::span<const Series<T, N>> others) const {
   using X = Series<T, N>;
-  if (!moves_) return X(still_.back());
+  if (moving_.empty()) return X(still_.back());
   thread_local std::vector<X> results;
   results.resize(std::max(results.size(), still_.size()));
   X* r = results.data();
-  const T* still = still_.data();
   for (const Moving& m : moving_) {
+    const auto [a, b, c] = m.from;
+    const auto lifted = [&](std::size_t k) {
+      return m.moves[k] ? r[m.from[k]] : X(still_[m.from[k]]);
+    };
     if (m.operation == Operation::Input) {
-      r[m.result] = others[m.a];
-    } else if (m.a_moves && (m.b_moves || is_unary(m.operation))) {
-      r[m.result] = operate<X>(m.operation, r[m.a], r[m.b],
-                               m.operation != Operation::BySide ? r[m.a]
-                               : m.c_moves                      ? r[m.c]
-                                                                : X(still[m.c]));
+      r[m.result] = others[a];
+    } else if (m.all_move) {
+      r[m.result] = operate<X>(m.operation, r[a], r[b], r[c]);
     } else if (is_arithmetic(m.operation)) {
-      r[m.result] = m.a_moves ? arithmetic<X>(m.operation, r[m.a], still[m.b])
-                              : arithmetic<X>(m.operation, still[m.a], r[m.b]);
+      r[m.result] = m.moves[0] ? arithmetic<X>(m.operation, r[a], still_[b])
+                               : arithmetic<X>(m.operation, still_[a], r[b]);
     } else {
-      const auto lifted = [&](bool moves, std::uint32_t from) {
-        return moves ? r[from] : X(still[from]);
-      };
-      r[m.result] = operate<X>(m.operation, lifted(m.a_moves, m.a), lifted(m.b_moves, m.b),
-                               lifted(m.c_moves, m.c));
+      r[m.result] = operate<X>(m.operation, lifted(0), lifted(1), lifted(2));
     }
   }
   return r[still_.size() - 1];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -76,7 +77,7 @@ class Formula {
 template <class T>
 class FormulaAlong {
  public:
-  FormulaAlong(Formula formula, std::span<const T> first);
+  FormulaAlong(const Formula& formula, std::span<const T> first);
 
   /// With the others plain too.
   T operator()(std::span<const T> others) const;
@@ -84,17 +85,17 @@ class FormulaAlong {
   Series<T, N> operator()(std::span<const Series<T, N>> others) const;
 
  private:
-  /// A step with a series among its numbers.
+  /// A step that one of the others reaches.
   struct Moving {
     Operation operation;
-    bool a_moves, b_moves, c_moves;
-    std::uint32_t a, b, c, result;
+    std::array<std::uint32_t, 3> from;  ///< earlier steps; of an input its number
+    std::array<bool, 3> moves;          ///< of the earlier steps that it uses
+    bool all_move;                      ///< whether each of those does
+    std::uint32_t result;
   };
 
-  Formula formula_;
-  std::vector<T> still_;  ///< results of the steps that no series reaches
+  std::vector<T> still_;  ///< results of the other steps
   std::vector<Moving> moving_;
-  bool moves_;  ///< whether the value does
 };
 
 }  // namespace camlaw

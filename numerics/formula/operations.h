@@ -14,10 +14,6 @@ constexpr bool is_arithmetic(Operation operation) {
          operation == Operation::Multiply || operation == Operation::Divide;
 }
 
-constexpr bool is_unary(Operation operation) {
-  return operation >= Operation::Negate && operation <= Operation::Absolute;
-}
-
 /// Arithmetic of a number that moves, X, with one that does not.
 template <class X, class A, class B>
 X arithmetic(Operation operation, const A& a, const B& b) {
