@@ -3,11 +3,16 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "optim/problem/problem.h"
+
+namespace camlaw {
+class Expression;
+}
 
 /// Mechanisms as problem files and programs see them: parameters and responses by name. The
 /// formulas are in the machine's folder too; names, units and ranges are joined to them once.
@@ -50,6 +55,16 @@ struct ValidityLimit {
   double lower = -optim::kInfinity;
 };
 
+/// A number that a formula holds as a whole, for it is searched for: the peak of a curve, an
+/// integral over the cycle.
+struct InnerNumber {
+  std::string name;
+  std::vector<std::size_t> uses;  ///< the parameters that it depends on, increasing
+  std::function<optim::Function(const Binding&)> number;
+};
+
+struct Cycle;
+
 struct MechanismResponse {
   std::string name;
   std::string unit;  ///< listed
@@ -59,9 +74,19 @@ struct MechanismResponse {
   /// The parameters that decide whether there is such a machine, increasing: it is a number only
   /// where there is.
   std::vector<std::size_t> possible_by = {};
+  /// Whether there is such a machine, of all its parameters in their listed units. None: always.
+  std::function<bool(std::span<const double>)> is_possible = {};
   std::string along = {};  ///< of a curve: the unit of its places, "deg" of cam angle
-  bool sees_law = false;   ///< whether the law, or the program, matters to it
+  std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law
+  bool sees_law = false;                    ///< whether the law, or the program, matters to it
   std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
+  /// Writes the formula into the one that is being recorded (numerics/formula), in listed units: of
+  /// all parameters, and for a curve s, v, a, j and x, for a number the inner numbers. None where
+  /// the response is not a formula.
+  std::function<Expression(std::span<const Expression> parameters,
+                           std::span<const Expression> others)>
+      write = {};
+  std::vector<InnerNumber> inner = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};

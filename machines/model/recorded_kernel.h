@@ -14,12 +14,13 @@
 /// compiled.
 namespace camlaw::problems {
 
-/// Whether there is such a machine at values of its arguments.
+/// Whether there is such a machine at values of its arguments. None: always.
 using IsPossible = std::function<bool(std::span<const double>)>;
 
 /// The same in any scalar, of whose numbers the plain ones count: the middles of intervals.
 template <class T>
 bool is_possible_at(const IsPossible& is_possible, std::span<const T> arguments) {
+  if (!is_possible) return true;
   std::vector<double> plain;
   for (const T& value : arguments) plain.push_back(value_of(value));
   return is_possible(plain);

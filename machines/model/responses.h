@@ -10,8 +10,7 @@
 
 #include "machines/model/arguments.h"
 #include "machines/model/machine.h"
-#include "machines/model/mechanism_curve.h"
-#include "machines/model/recorded_kernel.h"
+#include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
 #include "optim/problem/automatic.h"
 
@@ -83,79 +82,43 @@ PlaceOf<T> as_place(std::span<const T> u) {
   return {{u[0], u[1], u[2], u[3]}, u.size() > 4 ? u[4] : number<T>(kNaN)};
 }
 
+/// The machine as a function of all its parameters.
+template <template <class> class M>
+const BoundMachine<M>& free_machine() {
+  static const BoundMachine<M> free = [] {
+    std::vector<std::size_t> all(MachineTraits<M>::parameters().size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    return typical_machine<M>(std::move(all));
+  }();
+  return free;
+}
+
+/// The machine of these parameters, in listed units.
+template <template <class> class M, class T>
+M<T> machine_of(std::span<const T> parameters) {
+  return free_machine<M>().template at<T>(parameters);
+}
+
 /// The curve for one machine: compiled over the angle, enclosed by its record.
 template <template <class> class M, class F>
 class CurveFormulaOf final : public RecordedCurveFormula {
   using OfMotion = std::invoke_result_t<const F&, const M<double>&>;
 
  public:
-  CurveFormulaOf(const BoundMachine<M>& machine, std::span<const double> arguments,
-                 const UnitFactor& factor, const F& formula, const Formula& record)
-      : CurveFormulaOf(machine.template at<double>(arguments), arguments, factor, formula, record) {
-  }
+  CurveFormulaOf(const M<double>& machine, const UnitFactor& factor, const F& formula,
+                 const Formula& record, std::span<const double> arguments, bool is_possible)
+      : RecordedCurveFormula(record, arguments, is_possible),
+        scale_(is_possible ? factor.template as<double>() : kNaN),
+        of_motion_(formula(machine)) {}
 
   Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
     return scale_ * applied(of_motion_, place);
   }
 
  private:
-  CurveFormulaOf(const M<double>& machine, std::span<const double> arguments,
-                 const UnitFactor& factor, const F& formula, const Formula& record)
-      : RecordedCurveFormula(record, arguments, is_possible(machine)),
-        scale_(is_possible(machine) ? factor.template as<double>() : kNaN),
-        of_motion_(formula(machine)) {}
-
   double scale_;
   OfMotion of_motion_;
 };
-
-/// Records write(machine, others), of the machine's arguments and as many other inputs. Arguments
-/// that are 0 in `at`, where it is given, are constants: what they multiply is left out.
-template <template <class> class M, class Write>
-Recorded recorded(const BoundMachine<M>& machine, std::size_t others, const Write& write,
-                  std::span<const double> at = {}) {
-  Formula formula =
-      Formula::record(machine.arguments() + others, [&](std::span<const Expression> u) {
-        std::vector<Expression> own(u.begin(), u.begin() + machine.arguments());
-        for (std::size_t i = 0; i < at.size(); ++i) {
-          if (at[i] == 0) own[i] = 0.0;
-        }
-        return write(machine.template at<Expression>(std::span<const Expression>(own)),
-                     u.subspan(machine.arguments()));
-      });
-  return {std::move(formula), machine.arguments(), [machine](std::span<const double> u) {
-            return is_possible(machine.template at<double>(u));
-          }};
-}
-
-/// A number of the machine.
-template <template <class> class M, class F>
-Recorded recorded_number(const BoundMachine<M>& machine, const UnitFactor& factor,
-                         const F& formula) {
-  return recorded(machine, 0, [&](const M<Expression>& here, std::span<const Expression>) {
-    return factor.as<Expression>() * formula(here);
-  });
-}
-
-/// A curve, its other inputs s, v, a, j and x.
-template <template <class> class M, class F>
-Recorded recorded_curve(const BoundMachine<M>& machine, const UnitFactor& factor, const F& formula,
-                        std::span<const double> at = {}) {
-  return recorded(
-      machine, 5,
-      [&](const M<Expression>& here, std::span<const Expression> place) {
-        return factor.as<Expression>() * applied(formula(here), as_place(place));
-      },
-      at);
-}
-
-/// The machine as a function of all its parameters.
-template <template <class> class M>
-BoundMachine<M> free_machine() {
-  std::vector<std::size_t> all(MachineTraits<M>::parameters().size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  return typical_machine<M>(std::move(all));
-}
 
 template <class F>
 std::shared_ptr<const optim::Kernel> kernel_of(F f) {
@@ -169,7 +132,10 @@ MechanismResponse described(ResponseAbout about) {
           .unit = std::move(about.unit),
           .meaning = std::move(about.meaning),
           .shapes = std::move(about.shapes),
-          .possible_by = parameters_of_possibility<M>()};
+          .possible_by = parameters_of_possibility<M>(),
+          .is_possible = [](std::span<const double> parameters) {
+            return is_possible(machine_of<M>(parameters));
+          }};
 }
 
 }  // namespace detail
@@ -178,14 +144,11 @@ template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  response.uses =
-      used_arguments({detail::recorded_number(detail::free_machine<M>(), factor, formula)});
-  response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
-    auto kernel =
-        recorded_kernel(detail::recorded_number(BoundMachine<M>(binding), factor, formula));
-    return function_of(binding.variables, std::move(kernel), shape);
+  response.write = [formula, factor](std::span<const Expression> parameters,
+                                     std::span<const Expression>) {
+    return factor.as<Expression>() * formula(detail::machine_of<M>(parameters));
   };
-  return response;
+  return recorded_number(std::move(response), MachineTraits<M>::parameters().size());
 }
 
 template <template <class> class M, class F>
@@ -212,29 +175,18 @@ template <template <class> class M, class F>
 MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
-  response.along = cycle.unit;
-  response.sees_law = true;
-  const Recorded whole = detail::recorded_curve(detail::free_machine<M>(), factor, formula);
-  response.uses = used_arguments({whole});
-  const auto depends_on = [&](std::size_t other) {
-    return whole.formula.depends_on(whole.arguments + other);
+  response.write = [formula, factor](std::span<const Expression> parameters,
+                                     std::span<const Expression> place) {
+    return factor.as<Expression>() *
+           applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
   };
-  const std::array<bool, 4> uses{depends_on(0), depends_on(1), depends_on(2), depends_on(3)};
-  const bool uses_place = depends_on(4);
-  response.curve = [formula, factor, cycle, uses, uses_place](const Binding& binding,
-                                                              optim::Shape shape) {
-    const BoundMachine<M> machine(binding);
-    const Recorded record = detail::recorded_curve(machine, factor, formula);
-    const auto make_formula = [=](std::span<const double> u) {
-      const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
-      const Recorded own = has_zero ? detail::recorded_curve(machine, factor, formula, u) : record;
-      return std::make_unique<detail::CurveFormulaOf<M, F>>(machine, u, factor, formula,
-                                                            own.formula);
-    };
-    return std::make_shared<MechanismCurve>(
-        CurveParts{cycle, uses, uses_place, recorded_kernel(record), make_formula}, binding, shape);
-  };
-  return response;
+  return recorded_curve(std::move(response), MachineTraits<M>::parameters().size(), cycle,
+                        [formula, factor](std::span<const double> parameters, const Formula& record,
+                                          std::span<const double> arguments, bool is_possible) {
+                          return std::make_unique<detail::CurveFormulaOf<M, F>>(
+                              detail::machine_of<M>(parameters), factor, formula, record, arguments,
+                              is_possible);
+                        });
 }
 
 }  // namespace camlaw::problems

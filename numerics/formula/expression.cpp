@@ -41,6 +41,11 @@ Expression tan(const Expression& a) { return written(Operation::Tan, a); }
 Expression asin(const Expression& a) { return written(Operation::Asin, a); }
 Expression atan(const Expression& a) { return written(Operation::Atan, a); }
 Expression log(const Expression& a) { return written(Operation::Log, a); }
+Expression exp(const Expression& a) { return written(Operation::Exp, a); }
+Expression power(const Expression& a, double p) {
+  if (p == 0) return 1.0;
+  return p == 1 ? a : written(Operation::Power, a, Expression(p));
+}
 Expression absolute(const Expression& a) { return written(Operation::Absolute, a); }
 Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling) {
   return Expression::of({.operation = Operation::BySide,

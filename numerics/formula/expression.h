@@ -46,6 +46,9 @@ Expression tan(const Expression& a);
 Expression asin(const Expression& a);
 Expression atan(const Expression& a);
 Expression log(const Expression& a);
+Expression exp(const Expression& a);
+/// numerics/scalar/power.h
+Expression power(const Expression& a, double p);
 Expression absolute(const Expression& a);
 /// numerics/scalar/by_side.h
 Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling);

@@ -81,6 +81,7 @@ std::size_t operands(Operation operation) {
     case Operation::Subtract:
     case Operation::Multiply:
     case Operation::Divide:
+    case Operation::Power:
     case Operation::Along:
     case Operation::WherePositive:
     case Operation::UnlessZero:

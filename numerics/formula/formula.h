@@ -32,6 +32,8 @@ enum class Operation : std::uint8_t {
   Asin,
   Atan,
   Log,
+  Exp,
+  Power,  ///< a to the power of b, a plain constant
   Absolute,
   BySide,         ///< by_side(a, b, c)
   Along,          ///< along(a, b)

@@ -4,6 +4,7 @@
 #include "numerics/formula/formula.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
+#include "numerics/scalar/power.h"
 #include "numerics/scalar/where_positive.h"
 
 /// What each operation does in a scalar.
@@ -46,6 +47,7 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
   using std::asin;
   using std::atan;
   using std::cos;
+  using std::exp;
   using std::log;
   using std::sin;
   using std::sqrt;
@@ -75,6 +77,10 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
       return atan(a);
     case Operation::Log:
       return log(a);
+    case Operation::Exp:
+      return exp(a);
+    case Operation::Power:
+      return power(a, value_of(b));
     case Operation::Absolute:
       return absolute(a);
     case Operation::BySide:

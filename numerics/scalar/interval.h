@@ -31,7 +31,7 @@ namespace detail {
 /// Rounding policy of Boost.Interval. Sums round exactly (the error of a sum is itself a double,
 /// Knuth's TwoSum); products, quotients and roots move one step outwards unless they are exactly
 /// zero; library functions move two steps, since glibc states errors of at most one unit in the
-/// last place for those that laws use (sqrt, sin, cos, tan, asin, atan, pow).
+/// last place for those that formulas use (sqrt, sin, cos, tan, asin, atan, exp, log, pow).
 struct OutwardRounding {
   using unprotected_rounding = OutwardRounding;
 

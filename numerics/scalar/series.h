@@ -209,6 +209,12 @@ Series<T, N> log(const Series<T, N>& f) {
 }
 
 template <class T, std::size_t N>
+Series<T, N> exp(const Series<T, N>& f) {
+  using std::exp;
+  return chained(f, exp(f.c[0]), [](const auto& result) { return result; });
+}
+
+template <class T, std::size_t N>
 Series<T, N> asin(const Series<T, N>& f) {
   using std::asin;
   const T one = number<T>(1);

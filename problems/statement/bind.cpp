@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "kinematics/laws/build.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/recorded_response.h"
+
+#include <algorithm>
+#include <array>
+
+#include "machines/model/arguments.h"
+#include "machines/model/composed_number.h"
+#include "machines/model/mechanism_curve.h"
+#include "numerics/formula/expression.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// s, v, a, j and x.
+constexpr std::size_t kOfPlace = 5;
+
+/// A binding's constants with these values for what varies.
+std::vector<double> all_values(const Binding& binding, std::span<const double> arguments) {
+  std::vector<double> all = binding.constants;
+  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
+    all[binding.parameters[k]] = arguments[k];
+  }
+  return all;
+}
+
+/// Of a binding whose law does not matter.
+Binding without_law(const Binding& binding) {
+  return {binding.constants, binding.parameters, {}, nullptr};
+}
+
+/// A binding in which every parameter varies.
+Binding free_binding(std::size_t parameters) {
+  Binding binding{std::vector<double>(parameters), {}, {}, nullptr};
+  for (std::size_t i = 0; i < parameters; ++i) binding.parameters.push_back(i);
+  return binding;
+}
+
+class InterpretedCurve final : public RecordedCurveFormula {
+ public:
+  InterpretedCurve(const Formula& record, std::span<const double> arguments, bool is_possible)
+      : RecordedCurveFormula(record, arguments, is_possible),
+        formula_(record, arguments),
+        is_possible_(is_possible) {}
+
+  Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
+    if (!is_possible_) return Series<double, 3>(std::numeric_limits<double>::quiet_NaN());
+    const auto& m = place.motion;
+    const std::array<Series<double, 3>, kOfPlace> inputs{m.s, m.v, m.a, m.j, place.x};
+    return formula_(std::span<const Series<double, 3>>(inputs));
+  }
+
+ private:
+  FormulaAlong<double> formula_;
+  bool is_possible_;
+};
+
+}  // namespace
+
+Recorded recorded_for(const Binding& binding, const Write& write, std::size_t others,
+                      const decltype(MechanismResponse::is_possible)& is_possible,
+                      std::span<const double> at) {
+  const std::size_t arguments = binding.parameters.size();
+  Formula formula = Formula::record(arguments + others, [&](std::span<const Expression> u) {
+    std::vector<Expression> parameters(binding.constants.begin(), binding.constants.end());
+    for (std::size_t k = 0; k < arguments; ++k) {
+      const bool is_zero = k < at.size() && at[k] == 0;
+      parameters[binding.parameters[k]] = is_zero ? Expression(0.0) : u[k];
+    }
+    return write(parameters, u.subspan(arguments));
+  });
+  IsPossible possible;
+  if (is_possible) {
+    possible = [is_possible, bound = without_law(binding)](std::span<const double> u) {
+      return is_possible(all_values(bound, u));
+    };
+  }
+  return {std::move(formula), arguments, std::move(possible)};
+}
+
+std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
+                                         std::size_t others) {
+  return used_arguments({recorded_for(free_binding(parameters), write, others, {})});
+}
+
+MechanismResponse recorded_number(MechanismResponse response, std::size_t parameters) {
+  std::vector<std::size_t> uses =
+      used_parameters(response.write, parameters, response.inner.size());
+  for (const InnerNumber& inner : response.inner) {
+    uses.insert(uses.end(), inner.uses.begin(), inner.uses.end());
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  response.uses = std::move(uses);
+  response.number = [write = response.write, inner = response.inner,
+                     is_possible = response.is_possible](const Binding& binding,
+                                                         optim::Shape shape) {
+    Recorded record = recorded_for(binding, write, inner.size(), is_possible);
+    if (!inner.empty()) return composed_number(std::move(record), binding, inner, shape);
+    return function_of(binding.variables, recorded_kernel(std::move(record)), shape);
+  };
+  return response;
+}
+
+std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> /*parameters*/,
+                                                      const Formula& record,
+                                                      std::span<const double> arguments,
+                                                      bool is_possible) {
+  return std::make_unique<InterpretedCurve>(record, arguments, is_possible);
+}
+
+MechanismResponse recorded_curve(MechanismResponse response, std::size_t parameters,
+                                 const Cycle& cycle, MakeCurveFormula make) {
+  response.along = cycle.unit;
+  response.cycle = std::make_shared<Cycle>(cycle);
+  response.sees_law = true;
+  const Recorded whole = recorded_for(free_binding(parameters), response.write, kOfPlace, {});
+  response.uses = used_arguments({whole});
+  std::array<bool, kOfPlace> uses{};
+  for (std::size_t i = 0; i < kOfPlace; ++i) uses[i] = whole.formula.depends_on(parameters + i);
+  response.curve = [write = response.write, is_possible = response.is_possible, cycle, uses,
+                    make = std::move(make)](const Binding& binding, optim::Shape shape) {
+    const Recorded record = recorded_for(binding, write, kOfPlace, is_possible);
+    const auto formula = [=, bound = without_law(binding)](std::span<const double> u) {
+      const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
+      const Formula own =
+          has_zero ? recorded_for(bound, write, kOfPlace, {}, u).formula : record.formula;
+      const std::vector<double> all = all_values(bound, u);
+      return make(all, own, u, !is_possible || is_possible(all));
+    };
+    return std::make_shared<MechanismCurve>(
+        CurveParts{
+            cycle, {uses[0], uses[1], uses[2], uses[3]}, uses[4], recorded_kernel(record), formula},
+        binding, shape);
+  };
+  return response;
+}
+
+}  // namespace camlaw::problems

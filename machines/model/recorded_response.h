@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/model/curve_formula.h"
+#include "machines/model/cycle.h"
+#include "machines/model/mechanism.h"
+#include "machines/model/recorded_kernel.h"
+
+/// Responses that are formulas: what they depend on, and the functions of a design that they make,
+/// all from MechanismResponse::write.
+namespace camlaw::problems {
+
+/// Writes a formula of all parameters and some other inputs.
+using Write = decltype(MechanismResponse::write);
+
+/// Records a formula for what varies of a binding: these arguments come first among the inputs,
+/// then `others`. Arguments that are 0 in `at`, where it is given, are constants, and what they
+/// multiply is left out.
+Recorded recorded_for(const Binding& binding, const Write& write, std::size_t others,
+                      const decltype(MechanismResponse::is_possible)& is_possible,
+                      std::span<const double> at = {});
+
+/// The parameters that a formula depends on, of as many as there are, increasing.
+std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
+                                         std::size_t others);
+
+/// Completes a number, which has write, and inner where its formula holds other numbers.
+MechanismResponse recorded_number(MechanismResponse response, std::size_t parameters);
+
+/// The formula of a curve for a machine of these parameters. The record is that of its `arguments`,
+/// those that vary.
+using MakeCurveFormula = std::function<std::unique_ptr<const CurveFormula>(
+    std::span<const double> parameters, const Formula& record, std::span<const double> arguments,
+    bool is_possible)>;
+
+/// Evaluates the record.
+std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> parameters,
+                                                      const Formula& record,
+                                                      std::span<const double> arguments,
+                                                      bool is_possible);
+
+/// Completes a curve, which has write.
+MechanismResponse recorded_curve(MechanismResponse response, std::size_t parameters,
+                                 const Cycle& cycle, MakeCurveFormula make = interpreted_curve);
+
+}  // namespace camlaw::problems

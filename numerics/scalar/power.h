@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "numerics/scalar/series.h"
+
+/// Powers with an exponent that is a plain number. Those with an integer exponent exist for every
+/// base (0 with a negative exponent gives infinity), others for bases of 0 and above.
+namespace camlaw {
+
+/// Whether an exponent is an integer that powers are multiplied out for over intervals.
+inline bool is_integer_exponent(double p) { return p == std::floor(p) && std::abs(p) <= 1000; }
+
+template <class T>
+T power(const T& x, double p) {
+  return real_power(x, p);
+}
+
+inline Interval power(const Interval& x, double p) {
+  if (boost::numeric::empty(x)) return x;
+  if (!is_integer_exponent(p)) {
+    return x.upper() < 0 ? number<Interval>(std::numeric_limits<double>::quiet_NaN())
+                         : real_power(x, p);
+  }
+  const Interval result = boost::numeric::pow(x, static_cast<int>(std::abs(p)));
+  return p < 0 ? quotient(Interval(1.0), result) : result;
+}
+
+/// By the derivatives p f^(p-1) and p (p-1) f^(p-2) of a power, which exist at 0 too where p leaves
+/// them.
+template <class T, std::size_t N>
+Series<T, N> power(const Series<T, N>& f, double p) {
+  static_assert(N <= 3);
+  Series<T, N> result(power(f.c[0], p));
+  if (p == 0) return result;
+  const T slope = number<T>(p) * power(f.c[0], p - 1);
+  if constexpr (N > 1) result.c[1] = slope * f.c[1];
+  if constexpr (N > 2) {
+    result.c[2] = slope * f.c[2];
+    if (p != 1) {
+      const T bend = number<T>(p * (p - 1) / 2) * power(f.c[0], p - 2);
+      result.c[2] = result.c[2] + bend * f.c[1] * f.c[1];
+    }
+  }
+  return result;
+}
+
+}  // namespace camlaw
