@@ -40,6 +40,22 @@ function(camlaw_library name)
   camlaw_units(camlaw_${name} SINGLY ${arg_SINGLY})
 endfunction()
 
+# Adds loops that are compiled once for each instruction set: BASE runs everywhere, AVX2 and AVX512
+# on the processors that have them. CHOICE is the source that settles which of them runs when the
+# program runs. Each is compiled by itself, with flags that no other file must see.
+function(camlaw_lanes target choice base avx2 avx512)
+  set(loops ${base})
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    list(APPEND loops ${avx2} ${avx512})
+    set_source_files_properties(${avx2} PROPERTIES COMPILE_OPTIONS -mavx2)
+    set_source_files_properties(${avx512} PROPERTIES COMPILE_OPTIONS -mavx512f)
+    set_source_files_properties(${choice} PROPERTIES COMPILE_DEFINITIONS CAMLAW_X86)
+  endif()
+  target_sources(${target} PRIVATE ${loops})
+  set_source_files_properties(${loops} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set_property(SOURCE ${loops} APPEND PROPERTY COMPILE_OPTIONS -ffp-contract=off)
+endfunction()
+
 # Turns a data file into a string constant, so that the program needs no files beside it:
 #   camlaw_embed(target file.csv variable) gives #include "<folder>/file.csv.h" with
 #   inline constexpr std::string_view camlaw::data::variable; a file of the system, by its whole

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "kinematics/law.h"
 #include "numerics/scalar/series.h"
@@ -23,6 +24,11 @@ struct PlaceOf {
 template <class T, std::size_t N>
 using PlaceSeries = PlaceOf<Series<T, N>>;
 
+/// The same at many places, a row for each number.
+struct PlaceRows {
+  std::vector<double> s, v, a, j, x;
+};
+
 /// formula(motion, x), or formula(motion) where the place itself does not matter.
 template <class F, class X>
 X applied(const F& formula, const PlaceOf<X>& place) {
@@ -39,6 +45,8 @@ class CurveFormula {
  public:
   virtual ~CurveFormula() = default;
   virtual Series<double, 3> plain(const PlaceSeries<double, 3>& place) const = 0;
+  /// The value alone at each of many places.
+  virtual std::vector<double> values(const PlaceRows& places) const = 0;
   virtual Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const = 0;
   virtual Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const = 0;
   virtual Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const = 0;

@@ -91,6 +91,43 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
 }
 
+std::optional<double> MechanismTrace::place_inside(const Section& section,
+                                                   optim::Place place) const {
+  if (!(place.angle > section.begin && place.angle < section.end) || pulse_at(place)) return {};
+  const double x = law_place(cycle_.stretches[section.stretch], place).x;
+  const auto& piece = law_->pieces()[section.piece];
+  return x > piece.begin && x < piece.end ? std::optional(x) : std::nullopt;
+}
+
+/// Where pieces meet the law has two sides, and its loops over many points know one.
+std::vector<double> MechanismTrace::values(std::span<const optim::Place> places) const {
+  std::vector<double> result(places.size(), kNaN);
+  if (!law_) return result;
+  std::vector<std::size_t> inside;
+  std::vector<const Stretch*> stretches;
+  PlaceRows rows;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Section& section = section_at(places[i]);
+    if (const auto x = place_inside(section, places[i])) {
+      inside.push_back(i);
+      stretches.push_back(&cycle_.stretches[section.stretch]);
+      rows.x.push_back(*x);
+    } else {
+      result[i] = at(places[i])[0];
+    }
+  }
+  for (auto* row : {&rows.s, &rows.v, &rows.a, &rows.j}) row->resize(inside.size());
+  evaluate(*law_, rows.x, {rows.s, rows.v, rows.a, rows.j});
+  for (std::size_t k = 0; k < inside.size(); ++k) {
+    const Motion<double> law{rows.s[k], rows.v[k], rows.a[k], rows.j[k]};
+    const auto m = follower_motion(*stretches[k], law);
+    rows.s[k] = m.s, rows.v[k] = m.v, rows.a[k] = m.a, rows.j[k] = m.j;
+  }
+  const std::vector<double> values = formula_->values(rows);
+  for (std::size_t k = 0; k < inside.size(); ++k) result[inside[k]] = values[k];
+  return result;
+}
+
 /// The x of a range of places. At the section's ends it reaches over the break as far as that is
 /// not known exactly.
 Interval MechanismTrace::law_range(const Section& section, double from, double to) const {

@@ -26,6 +26,7 @@ class MechanismTrace final : public optim::Trace {
 
   std::vector<double> breaks() const override;
   std::array<double, 3> at(optim::Place place) const override;
+  std::vector<double> values(std::span<const optim::Place> places) const override;
   optim::Bounds enclose(double from, double to) const override;
   std::string why_unbounded() const override;
 
@@ -40,6 +41,8 @@ class MechanismTrace final : public optim::Trace {
   /// Infinite beside the pulse; elsewhere none.
   std::optional<double> pulse_at(optim::Place place) const;
   const Section& section_at(optim::Place place) const;
+  /// The law's x of a place inside a section; none elsewhere.
+  std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
   Interval value_at(const Section& section, double x) const;
 

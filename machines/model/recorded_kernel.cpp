@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/recorded_kernel.h"
 
+#include <array>
 #include <set>
 
+#include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/scalar/dual.h"
 #include "optim/problem/automatic.h"
 
@@ -22,7 +24,20 @@ std::shared_ptr<const optim::Kernel> recorded_kernel(Recorded recorded) {
 
 RecordedCurveFormula::RecordedCurveFormula(const Formula& formula, std::span<const double> machine,
                                            bool is_possible)
-    : formula_(formula, intervals(machine)), is_possible_(is_possible) {}
+    : record_(formula),
+      machine_(machine.begin(), machine.end()),
+      formula_(formula, intervals(machine)),
+      is_possible_(is_possible) {}
+
+std::vector<double> RecordedCurveFormula::values(const PlaceRows& places) const {
+  std::vector<double> result(places.x.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!is_possible_) return result;
+  const std::array<std::span<const double>, 5> inputs{places.s, places.v, places.a, places.j,
+                                                      places.x};
+  const std::array<std::span<double>, 1> row{result};
+  FormulaBlocks({&record_, 1}, machine_.size())(machine_, inputs, row);
+  return result;
+}
 
 template <std::size_t N>
 Series<Interval, N> RecordedCurveFormula::at(const PlaceSeries<Interval, N>& place) const {

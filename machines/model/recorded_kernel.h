@@ -44,11 +44,12 @@ struct Recorded {
 std::shared_ptr<const optim::Kernel> recorded_kernel(Recorded recorded);
 
 /// The enclosures of a curve's formula for one machine, which comes first among the inputs and is
-/// followed by s, v, a, j and x.
+/// followed by s, v, a, j and x; and its values at many places.
 class RecordedCurveFormula : public CurveFormula {
  public:
   RecordedCurveFormula(const Formula& formula, std::span<const double> machine, bool is_possible);
 
+  std::vector<double> values(const PlaceRows& places) const override;
   Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override;
   Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const override;
   Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const override;
@@ -57,6 +58,8 @@ class RecordedCurveFormula : public CurveFormula {
   template <std::size_t N>
   Series<Interval, N> at(const PlaceSeries<Interval, N>& place) const;
 
+  Formula record_;
+  std::vector<double> machine_;
   FormulaAlong<Interval> formula_;
   bool is_possible_;
 };

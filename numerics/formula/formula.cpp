@@ -2,14 +2,12 @@
 #include "numerics/formula/formula.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <map>
 #include <stdexcept>
-#include <tuple>
 
 #include "numerics/formula/expression.h"
 #include "numerics/formula/operations.h"
+#include "numerics/formula/steps.h"
 
 namespace camlaw {
 
@@ -30,27 +28,6 @@ struct Formula::Data {
 
 namespace {
 
-/// Writes steps, equal ones once.
-class Recorder {
- public:
-  std::uint32_t write(const Step& step) {
-    const Key key{step.operation,   step.a,           step.b,          step.c,
-                  bits(step.value), bits(step.lower), bits(step.upper)};
-    const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(steps_.size()));
-    if (is_new) steps_.push_back(step);
-    return at->second;
-  }
-  const Step& at(std::uint32_t step) const { return steps_[step]; }
-
- private:
-  /// Numbers by their bits: so NaN is like itself, and -0 is not 0.
-  using Key = std::tuple<Operation, std::uint32_t, std::uint32_t, std::uint32_t, std::uint64_t,
-                         std::uint64_t, std::uint64_t>;
-  static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
-  std::vector<Step> steps_;
-  std::map<Key, std::uint32_t> known_;
-};
-
 thread_local Recorder* recording = nullptr;
 
 Recorder& recorder() {
@@ -69,29 +46,6 @@ class Recording {
  private:
   Recorder* before_;
 };
-
-/// Returns how many earlier steps an operation uses.
-std::size_t operands(Operation operation) {
-  switch (operation) {
-    case Operation::Input:
-    case Operation::Constant:
-    case Operation::Pi:
-      return 0;
-    case Operation::Add:
-    case Operation::Subtract:
-    case Operation::Multiply:
-    case Operation::Divide:
-    case Operation::Power:
-    case Operation::Along:
-    case Operation::WherePositive:
-    case Operation::UnlessZero:
-      return 2;
-    case Operation::BySide:
-      return 3;
-    default:
-      return 1;
-  }
-}
 
 /// The steps that the value needs, renumbered.
 std::vector<Step> needed(const Recorder& all, std::uint32_t value) {
@@ -114,20 +68,6 @@ std::vector<Step> needed(const Recorder& all, std::uint32_t value) {
     steps.push_back(step);
   }
   return steps;
-}
-
-/// Which steps an input from `first` on reaches.
-std::vector<bool> reached_from(std::size_t first, const std::vector<Step>& steps) {
-  std::vector<bool> reached(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    const Step& step = steps[i];
-    const std::uint32_t from[] = {step.a, step.b, step.c};
-    reached[i] = step.operation == Operation::Input && step.a >= first;
-    for (std::size_t k = 0; k < operands(step.operation); ++k) {
-      reached[i] = reached[i] || reached[from[k]];
-    }
-  }
-  return reached;
 }
 
 /// The results of the other steps, at these first inputs; 0 in place of those that are reached.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class Trace {
   /// at() at the count + 1 places that divide [from, to] evenly, the last from the left; from and
   /// to lie between the same two breaks.
   virtual std::vector<std::array<double, 3>> even(double from, double to, int count) const;
+  /// The values alone at many places, in any order: those of at(), but for their last digits. The
+  /// fast way to a figure or a table.
+  virtual std::vector<double> values(std::span<const Place> places) const;
   /// Numbers that every value over [from, to] is proved to lie between; from and to lie between the
   /// same two breaks. The bounds close on the values as the stretch shrinks. Infinite where nothing
   /// is proved.
@@ -50,6 +54,20 @@ inline std::vector<std::array<double, 3>> Trace::even(double from, double to, in
   std::vector<std::array<double, 3>> result;
   result.reserve(static_cast<std::size_t>(count) + 1);
   for (int i = 0; i <= count; ++i) result.push_back(at(even_place(from, to, count, i)));
+  return result;
+}
+
+inline std::vector<double> Trace::values(std::span<const Place> places) const {
+  std::vector<double> result;
+  result.reserve(places.size());
+  for (const Place& place : places) result.push_back(at(place)[0]);
+  return result;
+}
+
+/// The count + 1 places that divide [from, to] evenly.
+inline std::vector<Place> even_places(double from, double to, int count) {
+  std::vector<Place> result;
+  for (int i = 0; i <= count; ++i) result.push_back(even_place(from, to, count, i));
   return result;
 }
 

@@ -18,15 +18,15 @@ Line even_line(const optim::Trace& trace, int points) {
   const auto breaks = trace.breaks();
   const double cycle = breaks.back() - breaks.front();
   const int least = std::clamp(points / static_cast<int>(breaks.size()), 1, 4);
+  std::vector<optim::Place> places;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double share = (breaks[k + 1] - breaks[k]) / cycle;
     const int steps = std::max(least, static_cast<int>(points * share));
-    for (int i = 0; i <= steps; ++i) {
-      const optim::Place place = optim::even_place(breaks[k], breaks[k + 1], steps, i);
-      line.x.push_back(place.angle);
-      line.y.push_back(trace.at(place)[0]);
-    }
+    const auto here = optim::even_places(breaks[k], breaks[k + 1], steps);
+    places.insert(places.end(), here.begin(), here.end());
   }
+  for (const optim::Place& place : places) line.x.push_back(place.angle);
+  line.y = trace.values(places);
   return line;
 }
 
@@ -161,17 +161,14 @@ std::string curves_csv(const problems::ProblemStatement& statement, int steps) {
   const auto curves = problems::curves_of(statement);
   std::vector<std::vector<std::string>> rows(1);
   if (curves.empty()) return to_csv(rows);
-  std::vector<std::unique_ptr<optim::Trace>> traces;
   rows.front().push_back(problems::place_name(statement));
+  const auto breaks = curves.front().curve().trace({})->breaks();
+  const auto places = optim::even_places(breaks.front(), breaks.back(), steps);
+  for (const optim::Place& place : places) rows.emplace_back(1, exact(place.angle));
   for (const optim::Response& curve : curves) {
     rows.front().push_back(fmt::format("{} [{}]", curve.name, curve.unit));
-    traces.push_back(curve.curve().trace({}));
-  }
-  const auto breaks = traces.front()->breaks();
-  for (int i = 0; i <= steps; ++i) {
-    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), steps, i);
-    rows.emplace_back(1, exact(place.angle));
-    for (const auto& trace : traces) rows.back().push_back(exact(trace->at(place)[0]));
+    const std::vector<double> values = curve.curve().trace({})->values(places);
+    for (std::size_t i = 0; i < values.size(); ++i) rows[i + 1].push_back(exact(values[i]));
   }
   return to_csv(rows);
 }

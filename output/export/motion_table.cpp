@@ -20,7 +20,7 @@ namespace {
 struct Motion {
   std::string master, master_unit, slave;
   double begin = 0, end = 1;
-  std::function<double(optim::Place)> at;
+  std::function<std::vector<double>(std::span<const optim::Place>)> values;
 };
 
 Motion curve_motion(const ProblemStatement& statement, const optim::Response& response) {
@@ -32,14 +32,18 @@ Motion curve_motion(const ProblemStatement& statement, const optim::Response& re
   const std::shared_ptr<const optim::Trace> trace = response.curve().trace({});
   motion.begin = trace->breaks().front();
   motion.end = trace->breaks().back();
-  motion.at = [trace](optim::Place place) { return trace->at(place)[0]; };
+  motion.values = [trace](std::span<const optim::Place> places) { return trace->values(places); };
   return motion;
 }
 
 Motion law_motion(const ProblemStatement& statement) {
-  Motion motion{.master = "x", .master_unit = "1", .slave = "s [1]", .at = {}};
-  motion.at = [law = statement.laws.front().law()](optim::Place place) {
-    return law(place.angle, place.from_left ? Side::Left : Side::Right).s;
+  Motion motion{.master = "x", .master_unit = "1", .slave = "s [1]", .values = {}};
+  motion.values = [law = statement.laws.front().law()](std::span<const optim::Place> places) {
+    std::vector<double> result;
+    for (const optim::Place& place : places) {
+      result.push_back(law(place.angle, place.from_left ? Side::Left : Side::Right).s);
+    }
+    return result;
   };
   return motion;
 }
@@ -93,16 +97,14 @@ MotionTable motion_table(const ProblemStatement& statement, const std::optional<
   const Motion motion = motion_of(statement, slave);
   const int count =
       count_steps(motion.end - motion.begin, step_of(motion, step), motion.master_unit);
-  MotionTable table{motion.master, motion.slave, {}, {}};
-  for (int i = 0; i <= count; ++i) {
-    const optim::Place place = optim::even_place(motion.begin, motion.end, count, i);
-    const double value = motion.at(place);
-    if (!std::isfinite(value)) {
-      throw std::invalid_argument(
-          fmt::format("{} has no value at {} = {:.6g}", motion.slave, motion.master, place.angle));
+  const auto places = optim::even_places(motion.begin, motion.end, count);
+  MotionTable table{motion.master, motion.slave, {}, motion.values(places)};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!std::isfinite(table.values[i])) {
+      throw std::invalid_argument(fmt::format("{} has no value at {} = {:.6g}", motion.slave,
+                                              motion.master, places[i].angle));
     }
-    table.places.push_back(place.angle);
-    table.values.push_back(value);
+    table.places.push_back(places[i].angle);
   }
   close(table);
   for (double& value : table.values) value = rounded(value, decimals);

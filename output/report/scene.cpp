@@ -111,12 +111,7 @@ std::vector<double> SceneCurves::sampled(const std::string& name) const {
   if (curve == curves_.end()) throw std::logic_error("no curve " + name);
   const auto trace = curve->curve().trace({});
   const std::vector<double> breaks = trace->breaks();
-  std::vector<double> result;
-  for (int i = 0; i <= points_; ++i) {
-    const optim::Place place = optim::even_place(breaks.front(), breaks.back(), points_, i);
-    result.push_back(trace->at(place)[0]);
-  }
-  return result;
+  return trace->values(optim::even_places(breaks.front(), breaks.back(), points_));
 }
 
 std::vector<Point> SceneCurves::points(const std::string& name) const {

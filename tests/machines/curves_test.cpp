@@ -277,6 +277,7 @@ TEST_CASE("a design that makes no law or no machine is undefined, and bounded no
     CHECK(trace->breaks().front() == 0);
     CHECK(trace->breaks().back() == 360);
     CHECK(std::isnan(trace->at({40})[0]));
+    CHECK(std::isnan(trace->values(std::vector<Place>{{40}})[0]));
     CHECK(trace->enclose(10, 20).lower == -optim::kInfinity);
     CHECK(trace->enclose(10, 20).upper == optim::kInfinity);
   };

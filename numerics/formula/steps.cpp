@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/formula/steps.h"
+
+#include <bit>
+
+namespace camlaw {
+
+std::uint32_t Recorder::write(const Step& step) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  const Key key{step.operation,   step.a,           step.b,          step.c,
+                bits(step.value), bits(step.lower), bits(step.upper)};
+  const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(steps_.size()));
+  if (is_new) steps_.push_back(step);
+  return at->second;
+}
+
+std::size_t operands(Operation operation) {
+  switch (operation) {
+    case Operation::Input:
+    case Operation::Constant:
+    case Operation::Pi:
+      return 0;
+    case Operation::Add:
+    case Operation::Subtract:
+    case Operation::Multiply:
+    case Operation::Divide:
+    case Operation::Power:
+    case Operation::Along:
+    case Operation::WherePositive:
+    case Operation::UnlessZero:
+      return 2;
+    case Operation::BySide:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
+std::vector<bool> reached_from(std::size_t first, const std::vector<Step>& steps) {
+  std::vector<bool> reached(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    const std::uint32_t from[] = {step.a, step.b, step.c};
+    reached[i] = step.operation == Operation::Input && step.a >= first;
+    for (std::size_t k = 0; k < operands(step.operation); ++k) {
+      reached[i] = reached[i] || reached[from[k]];
+    }
+  }
+  return reached;
+}
+
+}  // namespace camlaw
