@@ -8,6 +8,7 @@
 #include "optim/problem/check_derivatives.h"
 #include "output/answers/next_step.h"
 #include "output/answers/optimum_output.h"
+#include "output/answers/shape_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
 #include "problems/statement/bind.h"
@@ -84,6 +85,7 @@ int run_check(const CheckOptions& options) {
     for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
   }
   print_text(problems::in_words(statement));
+  if (variants) print_text("\n" + text_of(shape_table(statement)));
   print_text(warnings_text(doubts_of(statement)));
   if (options.scaling) say("\n{}", text_of(scaling_table(variants->problem(0))));
   if (!options.derivatives) {

@@ -55,7 +55,7 @@ std::string curve_words() {
 double quantity(const Text& text, const char* name, const char* unit, double default_value,
                 double low, double high) {
   if (!text) return default_value;
-  const double value = problems::parse_quantity(*text, unit, unit, name);
+  const double value = parse_quantity(*text, unit, unit, name);
   if (value >= low && value <= high) return value;
   throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", name,
                                           value, unit, low, high, unit));
@@ -135,7 +135,7 @@ problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& fo
   }
   if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
   if (o.step && format.format != ExportFormat::Table) {
-    accuracy.step = problems::parse_quantity(*o.step, "deg", "deg", "--step");
+    accuracy.step = parse_quantity(*o.step, "deg", "deg", "--step");
   }
   return accuracy;
 }

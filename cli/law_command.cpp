@@ -38,7 +38,7 @@ std::optional<int> samples_of(const LawOptions& options) {
 
 /// Reads a parameter's value with its unit.
 double read_quantity(std::string_view text, const Parameter& parameter, const std::string& what) {
-  return problems::parse_quantity(text, parameter.unit, parameter.unit, what);
+  return parse_quantity(text, parameter.unit, parameter.unit, what);
 }
 
 std::string peak_line(const char* name, const Peak<double>& peak, const Interval& enclosure) {

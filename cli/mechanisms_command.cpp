@@ -3,9 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/response_text.h"
 #include "machines/registry.h"
 #include "output/answers/law_json.h"
 #include "output/document/document.h"
@@ -156,10 +158,29 @@ void print_mechanism_page() {
 
 struct MechanismsOptions {
   std::string name;
+  std::optional<std::string> formula;
   bool json = false, markdown = false;
 };
 
+/// The formula of one response, or of all that have one.
+void print_formula(const Mechanism& mechanism, const std::string& asked) {
+  const problems::ResponseName name = find_response(mechanism, asked);
+  if (name.response == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("{} is a parameter of {}, which has no formula", asked, mechanism.name));
+  }
+  say("{}\nin {}; the formula counts in the units of the SI and in rad\n",
+      formula_text(mechanism, *name.response), shown_unit(name.response->unit));
+}
+
 int show_mechanisms(const MechanismsOptions& options) {
+  if (options.formula) {
+    if (options.name.empty() || options.json || options.markdown) {
+      throw std::invalid_argument("--formula: name the mechanism too, and no other format");
+    }
+    print_formula(problems::find_mechanism(options.name), *options.formula);
+    return kDone;
+  }
   if (options.markdown && !options.name.empty()) {
     throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
   }
@@ -192,10 +213,16 @@ Command mechanisms_command() {
                        .target = &options->markdown,
                        .takes = {},
                        .help = "print the page docs/mechanisms.md",
-                       .excludes = "--json"}},
+                       .excludes = "--json"},
+                      {.names = "--formula",
+                       .target = &options->formula,
+                       .takes = "RESPONSE",
+                       .help = "print the formula of one response of the mechanism"}},
           .examples = {{"camlaw mechanisms", "what a problem file may be about"},
                        {"camlaw mechanisms disc-cam-roller",
-                        "its parameters and responses, with units and meanings"}},
+                        "its parameters and responses, with units and meanings"},
+                       {"camlaw mechanisms die-press --formula running_stress",
+                        "how one response is worked out"}},
           .run = [options] { return show_mechanisms(*options); }};
 }
 

@@ -86,6 +86,10 @@ const Mechanism& find_mechanism(std::string_view name) {
   refuse_name("no mechanism is called", name, names);
 }
 
+std::shared_ptr<const Mechanism> listed(const Mechanism& mechanism) {
+  return {std::shared_ptr<const Mechanism>(), &mechanism};
+}
+
 std::string_view earlier_name(const Mechanism& mechanism) {
   const auto* const listed =
       std::find_if(std::begin(kListed), std::end(kListed),

@@ -81,7 +81,7 @@ PrintedModel::PrintedModel(const ConstantsQuestion& question, Member law)
     of_law_.push_back(law_constant(c));
     functions_.emplace_back();
     if (of_law_.back()) continue;
-    const bool of_machine = c.of == question.machine.mechanism;
+    const bool of_machine = c.of == question.machine.mechanism.get();
     const optim::Response response =
         optim::remembered(make_response(*c.of, c.response, of_machine ? machine : alone));
     functions_.back() = response.is_curve()

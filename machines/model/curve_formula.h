@@ -19,7 +19,7 @@ using MotionSeries = Motion<Series<T, N>>;
 template <class X>
 struct PlaceOf {
   Motion<X> motion;
-  X x;  ///< of the law, 0 to 1 over its stretch
+  X x;  ///< the place in the whole cycle, from 0 to 1
 };
 template <class T, std::size_t N>
 using PlaceSeries = PlaceOf<Series<T, N>>;

@@ -42,9 +42,12 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law) {
   return law;
 }
 
-PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
                          optim::Place place, const std::array<bool, 4>& uses)
-    : law_(std::move(law)), stretch_(stretch), place_(law_place(stretch, place)) {
+    : law_(std::move(law)),
+      stretch_(cycle.stretch_at(place)),
+      part_(cycle.part_of(stretch_)),
+      place_(law_place(stretch_, place)) {
   std::vector<double> own;
   for (const LawVariable& v : law_->variables()) {
     own.push_back(law_->member().arguments.list(v.parameter)[v.element]);
@@ -64,9 +67,13 @@ PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& s
   expansion_.gradient = std::move(kept);
 }
 
-PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch,
-                         std::size_t piece, Side side)
-    : law_(std::move(law)), stretch_(stretch), place_{0, side}, joint_(piece) {
+PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,
+                         std::size_t stretch, std::size_t piece, Side side)
+    : law_(std::move(law)),
+      stretch_(cycle.stretches[stretch]),
+      part_(cycle.part_of(stretch_)),
+      place_{0, side},
+      joint_(piece) {
   for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
 }
 
@@ -94,7 +101,7 @@ std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Boun
   constexpr double kRounding = 1e-13;
   double inside = 1;
   if (joint_ || !law_->is_linear()) return {};
-  Range result{{}, expansion_.gradient, place_.x};
+  Range result{{}, expansion_.gradient, part_.at(Interval(place_.x))};
   for (std::size_t m = 0; m < 4; ++m) {
     Interval sum(expansion_.value[m]);
     double terms = std::abs(expansion_.value[m]);
@@ -110,9 +117,15 @@ std::optional<PlaceMotion::Range> PlaceMotion::range(std::span<const optim::Boun
 }
 
 MotionDerivatives PlaceMotion::place_at(std::span<const double> values, int order) const {
-  if (joint_) return law_->end_place({*joint_, true}, values, order);
+  if (joint_) {
+    MotionDerivatives end = law_->end_place({*joint_, true}, values, order);
+    end.value[0] = part_.at(end.value[0]);
+    for (Four& slope : end.gradient) slope[0] *= part_.slope;
+    for (Four& bend : end.hessian) bend[0] *= part_.slope;
+    return end;
+  }
   MotionDerivatives fixed;
-  fixed.value = {place_.x};
+  fixed.value = {part_.at(place_.x)};
   fixed.gradient.assign(values.size(), {});
   return fixed;
 }
@@ -183,7 +196,7 @@ optim::BoxRange CurveRow::range(std::span<const optim::Bounds> box) const {
   std::vector<optim::Bounds> arguments(box.begin(),
                                        box.begin() + static_cast<std::ptrdiff_t>(machine_));
   for (const Interval& range : motion->motion) arguments.push_back({range.lower(), range.upper()});
-  if (uses_place_) arguments.push_back({motion->x, motion->x});
+  if (uses_place_) arguments.push_back({motion->x.lower(), motion->x.upper()});
   const optim::BoxRange inner = point_->range(arguments);
   optim::BoxRange result{inner.value, {}};
   for (std::size_t i = 0; i < machine_; ++i) result.slopes.push_back(inner.slopes[i]);

@@ -20,18 +20,19 @@ MotionDerivatives follower_rate(const Stretch& stretch, MotionDerivatives law);
 class PlaceMotion {
  public:
   /// `uses` tells which of s, v, a, j matter.
-  PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch, optim::Place place,
+  PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, optim::Place place,
               const std::array<bool, 4>& uses);
   /// Where a piece of the law meets the next one, wherever that is.
-  PlaceMotion(std::shared_ptr<const LawBinding> law, const Stretch& stretch, std::size_t piece,
-              Side side);
+  PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle, std::size_t stretch,
+              std::size_t piece, Side side);
 
   /// The law's variables that the motion here depends on: of a linear law only those whose
   /// derivatives are not all zero, such as the few coefficients of a spline.
   const std::vector<std::size_t>& variables() const { return variables_; }
   /// At values of these variables.
   MotionDerivatives at(std::span<const double> values, int order) const;
-  /// The place's own x, in [0] of value, gradient and hessian: it moves where the place is a joint.
+  /// The place in the whole cycle, from 0 to 1, in [0] of value, gradient and hessian: it moves
+  /// where the place is a joint.
   MotionDerivatives place_at(std::span<const double> values, int order) const;
 
   /// What the motion is over a box of these variables: numbers that s, v, a, j lie between, and
@@ -39,7 +40,7 @@ class PlaceMotion {
   struct Range {
     std::array<Interval, 4> motion;
     std::vector<std::array<double, 4>> slopes;
-    double x;
+    Interval x;  ///< the place in the whole cycle
   };
   /// None where the law is not linear in them, or its joint moves.
   std::optional<Range> range(std::span<const optim::Bounds> box) const;
@@ -49,6 +50,7 @@ class PlaceMotion {
 
   std::shared_ptr<const LawBinding> law_;
   Stretch stretch_;
+  Cycle::Part part_;
   LawPlace place_;
   std::optional<std::size_t> joint_ = {};  ///< the piece that ends there
   std::vector<std::size_t> variables_;

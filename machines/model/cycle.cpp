@@ -12,6 +12,11 @@ const Stretch& Cycle::stretch_at(optim::Place place) const {
   return stretches.back();
 }
 
+Cycle::Part Cycle::part_of(const Stretch& stretch) const {
+  const double begin = stretches.front().begin, length = stretches.back().end - begin;
+  return {(stretch.begin - begin) / length, stretch.length() / length};
+}
+
 LawPlace law_place(const Stretch& stretch, optim::Place place) {
   return {(place.angle - stretch.begin) / stretch.length(),
           place.from_left ? Side::Left : Side::Right};

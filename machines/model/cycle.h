@@ -23,6 +23,17 @@ struct Cycle {
   std::string unit;
   std::vector<Stretch> stretches;
 
+  /// Where x of a stretch is in the whole cycle, from 0 to 1: begin + slope x.
+  struct Part {
+    double begin, slope;
+    template <class T>
+    T at(const T& x) const {
+      if (begin == 0 && slope == 1) return x;
+      return number<T>(begin) + number<T>(slope) * x;
+    }
+  };
+  Part part_of(const Stretch& stretch) const;
+
   /// The stretch of a place; where two meet, the earlier one from the left.
   const Stretch& stretch_at(optim::Place place) const;
 };

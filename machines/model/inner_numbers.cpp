@@ -8,8 +8,8 @@
 
 namespace camlaw::problems {
 
-InnerNumber inner_peak(std::string name, const MechanismResponse& curve, optim::Part part) {
-  return {std::move(name), curve.uses,
+InnerNumber inner_peak(const MechanismResponse& curve, optim::Part part) {
+  return {part_name(part, curve.name), curve.unit, curve.uses,
           [name = curve.name, unit = curve.unit, make = curve.curve, part](const Binding& binding) {
             const optim::Response whole{name, unit, make(binding, optim::Shape::General)};
             return optim::peak_function(whole, part, design_size(binding));
@@ -17,7 +17,8 @@ InnerNumber inner_peak(std::string name, const MechanismResponse& curve, optim::
 }
 
 InnerNumber inner_number(const MechanismResponse& response) {
-  return {response.name, response.uses, [make = response.number](const Binding& binding) {
+  return {response.name, response.unit, response.uses,
+          [make = response.number](const Binding& binding) {
             return make(binding, optim::Shape::General);
           }};
 }

@@ -9,7 +9,7 @@
 namespace camlaw::problems {
 
 /// A part of a curve over the cycle, in the curve's listed unit.
-InnerNumber inner_peak(std::string name, const MechanismResponse& curve, optim::Part part);
+InnerNumber inner_peak(const MechanismResponse& curve, optim::Part part);
 
 /// A number of the machine that is not a formula.
 InnerNumber inner_number(const MechanismResponse& response);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "machines/model/mechanism.h"
-#include "machines/model/unit_factor.h"
+#include "numerics/formula/unit_factor.h"
 
 /// Joins the parameters of a mechanism, as people list them, to the fields of its formulas.
 namespace camlaw::problems {

@@ -4,6 +4,7 @@
 
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/recorded_response.h"
 #include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 
@@ -83,6 +84,20 @@ optim::Function parameter_function(std::size_t parameter, const Binding& binding
 
 }  // namespace
 
+optim::Shape KnownShape::best() const {
+  return strength(ruled) > strength(declared) ? ruled : declared;
+}
+
+KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
+                       const Binding& binding) {
+  if (name.response == nullptr) return {Shape::Linear, Shape::Linear};
+  const MechanismResponse& response = *name.response;
+  const Binding used = narrowed(binding, response);
+  const Shape declared = stated_shape(mechanism, response, used);
+  return {declared,
+          response.write ? ruled_shape(response, used, mechanism.parameters) : Shape::General};
+}
+
 optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,
                               const Binding& binding) {
   if (name.response == nullptr) {
@@ -90,7 +105,7 @@ optim::Response make_response(const Mechanism& mechanism, const ResponseName& na
   }
   const MechanismResponse& response = *name.response;
   const Binding used = narrowed(binding, response);
-  const Shape shape = stated_shape(mechanism, response, used);
+  const Shape shape = known_shape(mechanism, name, binding).best();
   if (response.curve) return {name.name, name.unit, response.curve(used, shape)};
   return {name.name, name.unit, response.number(used, shape)};
 }

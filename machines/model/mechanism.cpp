@@ -83,6 +83,12 @@ void set_defined_while(std::vector<MechanismResponse>& responses,
   }
 }
 
+std::string part_name(optim::Part part, const std::string& curve) {
+  const auto* const word = std::find_if(std::begin(kPartWords), std::end(kPartWords),
+                                        [&](const PartWord& known) { return known.part == part; });
+  return (word == std::end(kPartWords) ? "" : std::string(word->word)) + curve;
+}
+
 std::size_t Mechanism::parameter(std::string_view parameter_name) const {
   if (const auto* found = find_parameter(*this, parameter_name)) {
     return static_cast<std::size_t>(found - parameters.data());
@@ -106,7 +112,7 @@ ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
             .unit = parameter->unit};
   }
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
-  refuse_name(fmt::format("{}: no response is called", mechanism.name), name,
+  refuse_name(fmt::format("{}: no response or parameter is called", mechanism.name), name,
               known_responses(mechanism),
               "'camlaw evaluate FILE' lists all, for a file without this name");
 }

@@ -58,7 +58,7 @@ struct ValidityLimit {
 /// A number that a formula holds as a whole, for it is searched for: the peak of a curve, an
 /// integral over the cycle.
 struct InnerNumber {
-  std::string name;
+  std::string name, unit;
   std::vector<std::size_t> uses;  ///< the parameters that it depends on, increasing
   std::function<optim::Function(const Binding&)> number;
 };
@@ -137,6 +137,7 @@ struct Mechanism {
   std::vector<MechanismResponse> responses;
   std::vector<NamedPeak> peaks;
   MovedBy moved_by = MovedBy::Law;
+  std::shared_ptr<const Cycle> cycle = {};  ///< of the curves of a machine that a file states
   std::vector<ValidityLimit> validity = {};
   Form form = Form::Other;
 
@@ -154,10 +155,24 @@ struct ResponseName {
   std::string unit;                             ///< listed
 };
 
+/// "peak torque": a part of a curve as it is asked for.
+std::string part_name(optim::Part part, const std::string& curve);
+
 /// Throws std::invalid_argument with near and known names, and where a part is asked of a number.
 ResponseName find_response(const Mechanism& mechanism, std::string_view name);
 
-/// The response over a binding's design variables. A curve is given whole, whatever the part.
+/// The shape of a response in what varies of a binding: the strongest that the mechanism declares,
+/// and what follows by the rules of machines/model/shape_rules.h.
+struct KnownShape {
+  optim::Shape declared = optim::Shape::General, ruled = optim::Shape::General;
+  /// The stronger one, the declared one where they are as strong.
+  optim::Shape best() const;
+};
+KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
+                       const Binding& binding);
+
+/// The response over a binding's design variables, of the best known shape. A curve is given whole,
+/// whatever the part.
 optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,
                               const Binding& binding);
 

@@ -43,10 +43,10 @@ std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) co
 
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
   if (place.joint < 0) {
-    return {law_, parts_.cycle.stretch_at(place), place, parts_.uses};
+    return {law_, parts_.cycle, place, parts_.uses};
   }
   const std::size_t joint = static_cast<std::size_t>(place.joint);
-  return {law_, parts_.cycle.stretches[joint / kMostPieces], joint % kMostPieces,
+  return {law_, parts_.cycle, joint / kMostPieces, joint % kMostPieces,
           place.from_left ? Side::Left : Side::Right};
 }
 
@@ -64,7 +64,7 @@ optim::Function MechanismCurve::at(optim::Place place) const {
 /// With f the formula, m its arguments of the machine and q the motion: f_angle = rate * f_q q', so
 ///   d f_angle / dm = rate * f_mq q',
 ///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p),
-/// x counting among q, with x' = 1 and x_p = 0.
+/// the place counting among q, which moves evenly and not with p.
 std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
   const Stretch& stretch = parts_.cycle.stretch_at(place);
   const auto [at, side] = law_place(stretch, place);
@@ -76,11 +76,12 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   std::vector<double> u, g(inner), h(optim::packed_size(inner));
   for (const std::size_t variable : variables_) u.push_back(x[variable]);
   u.insert(u.end(), motion.value.begin(), motion.value.end());
-  if (parts_.uses_place) u.push_back(at);
+  const Cycle::Part part = parts_.cycle.part_of(stretch);
+  if (parts_.uses_place) u.push_back(part.at(at));
   parts_.point->hessian(u, g, h);
-  // The place itself, the last argument where it is one, moves at the rate 1.
+  // The place itself is the last argument where it is one.
   const auto by_place = [&](std::size_t k) {
-    return parts_.uses_place ? h[optim::packed(machine + 4, k)] : 0.0;
+    return parts_.uses_place ? part.slope * h[optim::packed(machine + 4, k)] : 0.0;
   };
   std::array<double, 4> bent{};  // f_qq q'
   std::vector<double> result(x.size(), 0.0);

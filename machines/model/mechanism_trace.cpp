@@ -86,7 +86,7 @@ std::array<double, 3> MechanismTrace::at(optim::Place place) const {
   const double x = law_place(stretch, place).x;
   const auto d = derivatives<6>(law_->pieces()[section.piece], x);
   const auto f = formula_->plain(
-      {follower_motion(stretch, motion_series<3>(d)), Series<double, 3>::variable(x, 1)});
+      {follower_motion(stretch, motion_series<3>(d)), place_series<3, double>(section, x)});
   const double rate = 1 / stretch.length();
   return {f.c[0], f.c[1] * rate, 2 * f.c[2] * rate * rate};
 }
@@ -144,7 +144,7 @@ Interval MechanismTrace::value_at(const Section& section, double x) const {
   const auto motion = motion_series<1>(expanders_[section.piece](Interval(x)).at);
   return formula_
       ->enclosed({follower_motion(cycle_.stretches[section.stretch], motion),
-                  Series<Interval, 1>(Interval(x))})
+                  place_series<1>(section, Interval(x))})
       .c[0];
 }
 
@@ -160,15 +160,14 @@ optim::Bounds MechanismTrace::enclose(double from, double to) const {
   const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);
   const Expansion motion = expanders_[section.piece](x);
-  const Interval one(1.0);
-  const auto over = formula_->enclosed({follower_motion(stretch, motion_series<3>(motion.over)),
-                                        Series<Interval, 3>::variable(x, one)});
+  const auto over = formula_->enclosed(
+      {follower_motion(stretch, motion_series<3>(motion.over)), place_series<3>(section, x)});
   return enclosed(
       over, motion.radius, [&] { return value_at(section, x.lower()); },
       [&] { return value_at(section, x.upper()); },
       [&] {
         return formula_->enclosed({follower_motion(stretch, motion_series<2>(motion.at)),
-                                   Series<Interval, 2>::variable(Interval(motion.middle), one)});
+                                   place_series<2>(section, Interval(motion.middle))});
       });
 }
 

@@ -45,6 +45,14 @@ class MechanismTrace final : public optim::Trace {
   std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
   Interval value_at(const Section& section, double x) const;
+  /// The place in the whole cycle, over the law's x.
+  template <std::size_t N, class T>
+  Series<T, N> place_series(const Section& section, const T& x) const {
+    const Cycle::Part part = cycle_.part_of(cycle_.stretches[section.stretch]);
+    Series<T, N> place(part.at(x));
+    if constexpr (N > 1) place.c[1] = number<T>(part.slope);
+    return place;
+  }
 
   const std::vector<PieceExpander>& expanders() const;
 

@@ -15,12 +15,12 @@ MechanismResponse peak_number(ResponseAbout about, const MechanismResponse& curv
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   response.sees_law = curve.sees_law;
-  response.inner = {inner_peak(curve.name, curve, part)};
+  response.inner = {inner_peak(curve, part)};
   response.write = [formula, factor](std::span<const Expression> parameters,
                                      std::span<const Expression> peak) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters), peak[0]);
   };
-  return recorded_number(std::move(response), MachineTraits<M>::parameters().size());
+  return recorded_number(std::move(response), MachineTraits<M>::parameters());
 }
 
 }  // namespace camlaw::problems

@@ -7,13 +7,13 @@
 #include "machines/model/arguments.h"
 #include "machines/model/composed_number.h"
 #include "machines/model/mechanism_curve.h"
+#include "machines/model/shape_rules.h"
 #include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// s, v, a, j and x.
-constexpr std::size_t kOfPlace = 5;
+using Parameters = std::vector<MechanismParameter>;
 
 /// A binding's constants with these values for what varies.
 std::vector<double> all_values(const Binding& binding, std::span<const double> arguments) {
@@ -34,6 +34,15 @@ Binding free_binding(std::size_t parameters) {
   Binding binding{std::vector<double>(parameters), {}, {}, nullptr};
   for (std::size_t i = 0; i < parameters; ++i) binding.parameters.push_back(i);
   return binding;
+}
+
+/// What varies of a formula's arguments, between what the parameters accept.
+std::vector<RuledInput> ruled_arguments(const Binding& binding, const Parameters& parameters) {
+  std::vector<RuledInput> inputs;
+  for (const std::size_t i : binding.parameters) {
+    inputs.push_back({Varies::Linearly, Interval(parameters[i].low, parameters[i].high)});
+  }
+  return inputs;
 }
 
 class InterpretedCurve final : public RecordedCurveFormula {
@@ -83,9 +92,9 @@ std::vector<std::size_t> used_parameters(const Write& write, std::size_t paramet
   return used_arguments({recorded_for(free_binding(parameters), write, others, {})});
 }
 
-MechanismResponse recorded_number(MechanismResponse response, std::size_t parameters) {
+MechanismResponse recorded_number(MechanismResponse response, const Parameters& parameters) {
   std::vector<std::size_t> uses =
-      used_parameters(response.write, parameters, response.inner.size());
+      used_parameters(response.write, parameters.size(), response.inner.size());
   for (const InnerNumber& inner : response.inner) {
     uses.insert(uses.end(), inner.uses.begin(), inner.uses.end());
   }
@@ -102,6 +111,23 @@ MechanismResponse recorded_number(MechanismResponse response, std::size_t parame
   return response;
 }
 
+optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
+                         const Parameters& parameters) {
+  std::vector<RuledInput> inputs = ruled_arguments(binding, parameters);
+  if (response.curve) {
+    const Varies motion = binding.law->variables().empty() ? Varies::Not
+                          : binding.law->is_linear()       ? Varies::Linearly
+                                                           : Varies::Otherwise;
+    inputs.insert(inputs.end(), kOfPlace - 1, {motion, Interval::whole()});
+    // Breaks of a law that is not linear may move, and with them the place.
+    inputs.push_back({motion == Varies::Otherwise ? motion : Varies::Not, Interval(0, 1)});
+  } else {
+    inputs.insert(inputs.end(), response.inner.size(), {Varies::Otherwise, Interval::whole()});
+  }
+  const std::size_t others = inputs.size() - binding.parameters.size();
+  return shape_by_rules(recorded_for(binding, response.write, others, {}).formula, inputs);
+}
+
 std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> /*parameters*/,
                                                       const Formula& record,
                                                       std::span<const double> arguments,
@@ -109,15 +135,17 @@ std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> /*
   return std::make_unique<InterpretedCurve>(record, arguments, is_possible);
 }
 
-MechanismResponse recorded_curve(MechanismResponse response, std::size_t parameters,
+MechanismResponse recorded_curve(MechanismResponse response, const Parameters& parameters,
                                  const Cycle& cycle, MakeCurveFormula make) {
   response.along = cycle.unit;
   response.cycle = std::make_shared<Cycle>(cycle);
   response.sees_law = true;
-  const Recorded whole = recorded_for(free_binding(parameters), response.write, kOfPlace, {});
+  const Recorded whole =
+      recorded_for(free_binding(parameters.size()), response.write, kOfPlace, {});
   response.uses = used_arguments({whole});
   std::array<bool, kOfPlace> uses{};
-  for (std::size_t i = 0; i < kOfPlace; ++i) uses[i] = whole.formula.depends_on(parameters + i);
+  for (std::size_t i = 0; i < kOfPlace; ++i)
+    uses[i] = whole.formula.depends_on(parameters.size() + i);
   response.curve = [write = response.write, is_possible = response.is_possible, cycle, uses,
                     make = std::move(make)](const Binding& binding, optim::Shape shape) {
     const Recorded record = recorded_for(binding, write, kOfPlace, is_possible);

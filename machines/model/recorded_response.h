@@ -10,6 +10,9 @@
 /// all from MechanismResponse::write.
 namespace camlaw::problems {
 
+/// s, v, a, j and x: what a curve's formula has beside the parameters.
+inline constexpr std::size_t kOfPlace = 5;
+
 /// Writes a formula of all parameters and some other inputs.
 using Write = decltype(MechanismResponse::write);
 
@@ -24,8 +27,13 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
                                          std::size_t others);
 
+/// The shape of a formula in what varies of a binding, by rules: of a curve at every place.
+optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
+                         const std::vector<MechanismParameter>& parameters);
+
 /// Completes a number, which has write, and inner where its formula holds other numbers.
-MechanismResponse recorded_number(MechanismResponse response, std::size_t parameters);
+MechanismResponse recorded_number(MechanismResponse response,
+                                  const std::vector<MechanismParameter>& parameters);
 
 /// The formula of a curve for a machine of these parameters. The record is that of its `arguments`,
 /// those that vary.
@@ -40,7 +48,8 @@ std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> pa
                                                       bool is_possible);
 
 /// Completes a curve, which has write.
-MechanismResponse recorded_curve(MechanismResponse response, std::size_t parameters,
+MechanismResponse recorded_curve(MechanismResponse response,
+                                 const std::vector<MechanismParameter>& parameters,
                                  const Cycle& cycle, MakeCurveFormula make = interpreted_curve);
 
 }  // namespace camlaw::problems

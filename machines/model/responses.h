@@ -148,7 +148,7 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
                                      std::span<const Expression>) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters));
   };
-  return recorded_number(std::move(response), MachineTraits<M>::parameters().size());
+  return recorded_number(std::move(response), MachineTraits<M>::parameters());
 }
 
 template <template <class> class M, class F>
@@ -180,7 +180,7 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
     return factor.as<Expression>() *
            applied(formula(detail::machine_of<M>(parameters)), detail::as_place(place));
   };
-  return recorded_curve(std::move(response), MachineTraits<M>::parameters().size(), cycle,
+  return recorded_curve(std::move(response), MachineTraits<M>::parameters(), cycle,
                         [formula, factor](std::span<const double> parameters, const Formula& record,
                                           std::span<const double> arguments, bool is_possible) {
                           return std::make_unique<detail::CurveFormulaOf<M, F>>(

@@ -47,6 +47,12 @@ Expression power(const Expression& a, double p) {
   return p == 1 ? a : written(Operation::Power, a, Expression(p));
 }
 Expression absolute(const Expression& a) { return written(Operation::Absolute, a); }
+Expression greater_of(const Expression& a, const Expression& b) {
+  return written(Operation::Greater, a, b);
+}
+Expression lesser_of(const Expression& a, const Expression& b) {
+  return written(Operation::Lesser, a, b);
+}
 Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling) {
   return Expression::of({.operation = Operation::BySide,
                          .a = force.step(),

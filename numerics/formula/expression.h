@@ -50,6 +50,9 @@ Expression exp(const Expression& a);
 /// numerics/scalar/power.h
 Expression power(const Expression& a, double p);
 Expression absolute(const Expression& a);
+/// numerics/scalar/extremes.h
+Expression greater_of(const Expression& a, const Expression& b);
+Expression lesser_of(const Expression& a, const Expression& b);
 /// numerics/scalar/by_side.h
 Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling);
 Expression along(const Expression& direction, const Expression& x);

@@ -35,6 +35,8 @@ enum class Operation : std::uint8_t {
   Exp,
   Power,  ///< a to the power of b, a plain constant
   Absolute,
+  Greater,
+  Lesser,
   BySide,         ///< by_side(a, b, c)
   Along,          ///< along(a, b)
   WherePositive,  ///< where_positive(a, b)

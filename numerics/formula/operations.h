@@ -4,6 +4,7 @@
 #include "numerics/formula/formula.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
+#include "numerics/scalar/extremes.h"
 #include "numerics/scalar/power.h"
 #include "numerics/scalar/where_positive.h"
 
@@ -83,6 +84,10 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
       return power(a, value_of(b));
     case Operation::Absolute:
       return absolute(a);
+    case Operation::Greater:
+      return greater_of(a, b);
+    case Operation::Lesser:
+      return lesser_of(a, b);
     case Operation::BySide:
       return by_side(a, b, c);
     case Operation::Along:

@@ -25,6 +25,8 @@ std::size_t operands(Operation operation) {
     case Operation::Multiply:
     case Operation::Divide:
     case Operation::Power:
+    case Operation::Greater:
+    case Operation::Lesser:
     case Operation::Along:
     case Operation::WherePositive:
     case Operation::UnlessZero:

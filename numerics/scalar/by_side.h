@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include "numerics/scalar/absolute.h"
 
 /// Formulas that depend on the sign of something, in any scalar.
 namespace camlaw {
 
-/// `pushing` where the force is 0 or above, `pulling` where it is below.
+/// `pushing` where the force is 0 or above, `pulling` where it is below; not a number where the
+/// force is not one.
 template <class X>
 X by_side(const X& force, const X& pushing, const X& pulling) {
-  return value_of(force) < 0 ? pulling : pushing;
+  const double side = value_of(force);
+  if (std::isnan(side)) return number<X>(side);
+  return side < 0 ? pulling : pushing;
 }
 
 inline Interval by_side(const Interval& force, const Interval& pushing, const Interval& pulling) {
@@ -34,10 +39,11 @@ Series<Interval, N> by_side(const Series<Interval, N>& force, const Series<Inter
   return result;
 }
 
-/// |x| with the sign of a direction: 0 where there is none.
+/// |x| with the sign of a direction: 0 where there is none, not a number where that is not one.
 template <class X>
 X along(const X& direction, const X& x) {
   const double way = value_of(direction);
+  if (std::isnan(way)) return number<X>(way);
   return way == 0 ? number<X>(0) : way < 0 ? -absolute(x) : absolute(x);
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 
-namespace camlaw::problems {
+namespace camlaw {
 namespace {
 
 struct Spelling {
@@ -69,4 +69,4 @@ bool is_angle_name(std::string_view name) {
   return std::find(kAngles.begin(), kAngles.end(), name) != kAngles.end();
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw

@@ -6,7 +6,7 @@
 #include <string_view>
 
 /// Units as engineers write them, in the spelling of the unit library.
-namespace camlaw::problems {
+namespace camlaw {
 
 /// "Nm" is "N m", "°" and "Grad" are "deg", "kgm²" is "kg m2", "U/min" is "rev/min". What needs no
 /// other spelling stays.
@@ -46,4 +46,4 @@ void for_each_name(std::string_view unit, const Look& look) {
   }
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw

@@ -13,10 +13,11 @@
 #include <stdexcept>
 
 #include "numerics/library_mutex.h"
+#include "numerics/text/dimension.h"
 #include "numerics/text/names.h"
 #include "numerics/text/unit_spelling.h"
 
-namespace camlaw::problems {
+namespace camlaw {
 namespace {
 
 using Unit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
@@ -146,6 +147,41 @@ bool has_decimal_comma(std::string_view rest) {
          std::isdigit(static_cast<unsigned char>(rest[1])) != 0;
 }
 
+/// Powers of the base units in what the library says of a unit, "0.001 m.kg.s-2", and the unit of
+/// that size 1.
+SiUnit si_unit_of(const std::string& unit, std::string_view definition) {
+  const auto refuse = [&](const char* why) {
+    throw std::invalid_argument(fmt::format("'{}' {}", unit, why));
+  };
+  if (definition.find_first_of("@(") != std::string_view::npos) {
+    refuse(
+        "has a scale of its own, which does not begin at 0; formulas count in the units of the SI");
+  }
+  const std::size_t first = definition.find(' ');
+  std::string_view rest =
+      first == std::string_view::npos ? definition : definition.substr(first + 1);
+  SiUnit result{{},
+                rest.empty() || std::isdigit(static_cast<unsigned char>(rest[0])) != 0
+                    ? std::string("1")
+                    : std::string(rest)};
+  while (result.unit != "1" && !rest.empty()) {
+    const std::string_view part = rest.substr(0, rest.find('.'));
+    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+    const std::size_t letters = std::min(part.find_first_of("-0123456789"), part.size());
+    const std::string_view name = part.substr(0, letters);
+    int exponent = 1;
+    std::from_chars(part.data() + letters, part.data() + part.size(), exponent);
+    const auto* const base = std::find(Dimension::kUnits.begin(), Dimension::kUnits.end(), name);
+    if (base != Dimension::kUnits.end()) {
+      result.dimension.powers[static_cast<std::size_t>(base - Dimension::kUnits.begin())] =
+          exponent;
+    } else if (name != "rad") {
+      refuse("is not a unit that formulas know");
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 optim::LibraryMutex& unit_mutex() {
@@ -173,6 +209,34 @@ double unit_as_written(std::string_view written, const std::string& unit) {
   }
   const Converter converter(ut_get_converter(source.get(), target.get()), &cv_free);
   return cv_convert_double(converter.get(), 1);
+}
+
+SiUnit si_unit(const std::string& unit) {
+  const std::lock_guard lock(unit_mutex());
+  const Unit found = find_unit(unit);
+  std::array<char, 256> definition{};
+  if (!found ||
+      ut_format(found.get(), definition.data(), definition.size(), UT_ASCII | UT_DEFINITION) < 0) {
+    throw std::invalid_argument(fmt::format("'{}' is not a unit", unit));
+  }
+  return si_unit_of(unit, definition.data());
+}
+
+WrittenUnit written_unit(std::string_view written) {
+  if (const auto why = ambiguous(written)) throw std::invalid_argument(*why);
+  std::string spelled = spelled_out(written);
+  if (counts_turns(spelled)) {
+    throw std::invalid_argument(fmt::format(
+        "'{}' counts revolutions to some and not to others; write rpm, or [1/s]", written));
+  }
+  {
+    const std::lock_guard lock(unit_mutex());
+    if (!read_unit(written)) {
+      throw std::invalid_argument(fmt::format("'{}' is not a unit", written));
+    }
+  }
+  SiUnit si = si_unit(spelled);
+  return {std::move(si), std::move(spelled)};
 }
 
 double parse_quantity(std::string_view text, const std::string& unit, const std::string& listed,
@@ -207,4 +271,4 @@ double parse_quantity(std::string_view text, const std::string& unit, const std:
   return cv_convert_double(converter.get(), value);
 }
 
-}  // namespace camlaw::problems
+}  // namespace camlaw

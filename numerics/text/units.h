@@ -10,7 +10,7 @@ class LibraryMutex;
 
 /// Numbers as people write them, with units, through udunits: "40 mm", "30deg", "300 rpm". From any
 /// thread: udunits, whose reader of texts is not made for threads, takes one at a time.
-namespace camlaw::problems {
+namespace camlaw {
 
 /// The value of `text` in `unit` (udunits spelling, also deg and rpm; "1" for a plain number).
 /// Units in the text are read as people write them (numerics/text/unit_spelling.h); of a speed
@@ -32,4 +32,4 @@ double convert_unit(double value, const std::string& from, const std::string& to
 /// it meanwhile, where other threads may read quantities.
 optim::LibraryMutex& unit_mutex();
 
-}  // namespace camlaw::problems
+}  // namespace camlaw

@@ -58,7 +58,7 @@ std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontP
     const std::size_t i = variable_named(problem, assignment.substr(0, equals));
     const std::string& unit = problem.variables[i].unit;
     const std::string what = "--tolerance " + problem.variables[i].name;
-    const double value = problems::parse_quantity(assignment.substr(equals + 1), unit, unit, what);
+    const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
     if (!(value >= 0 && std::isfinite(value))) {
       throw std::invalid_argument(what + ": a number that is not negative is wanted");
     }

@@ -7,7 +7,7 @@ namespace camlaw::problems {
 
 ProblemStatement default_machine(const Mechanism& mechanism) {
   ProblemStatement machine;
-  machine.mechanism = &mechanism;
+  machine.mechanism = listed(mechanism);
   for (const MechanismParameter& p : mechanism.parameters)
     machine.constants.push_back(p.default_value);
   return machine;

@@ -19,6 +19,8 @@ using FixedNames = std::set<std::string>;
 /// Refuses an entry with a value that the parameter does not accept.
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
 
+void read_title(const Entry& file, ProblemStatement& problem);
+/// Its mechanism, with the responses that the file states.
 void read_mechanism(const Entry& file, ProblemStatement& problem);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 /// What [free] says: the law that the name "free" stands for, and its coefficients (and knots) as

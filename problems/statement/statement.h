@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -80,8 +81,8 @@ using LawFiles = std::map<std::string, Member>;
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.
 struct ProblemStatement {
   std::string title;
-  const Mechanism* mechanism = nullptr;
-  std::vector<double> constants;  ///< of every mechanism parameter, in its listed unit
+  std::shared_ptr<const Mechanism> mechanism;  ///< one of the registry's, or the file's own
+  std::vector<double> constants;               ///< of every mechanism parameter, in its listed unit
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
   bool chooses_law() const { return laws.size() > 1; }

@@ -115,7 +115,7 @@ TEST_CASE("links of the documents lead somewhere", "[documents]") {
 
 TEST_CASE("the tutorial's commands print what it says", "[documents][heavy]") {
   const ProjectFolder folder;
-  check_page(folder, "docs/tutorial.md", 8);
+  check_page(folder, "docs/tutorial.md", 9);
   check_alike(read(folder / "results/least_force/cycle.svg"),
               read(CAMLAW_SOURCE_DIR "/docs/tutorial/spine_cutter.svg"));
   check_alike(read(folder / "results/disc_cam/profile.svg"),

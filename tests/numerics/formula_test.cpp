@@ -7,6 +7,8 @@
 #include "numerics/formula/expression.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
+#include "numerics/scalar/extremes.h"
+#include "numerics/scalar/power.h"
 
 namespace camlaw {
 namespace {
@@ -18,6 +20,7 @@ struct Everything {
     using std::asin;
     using std::atan;
     using std::cos;
+    using std::exp;
     using std::log;
     using std::sin;
     using std::sqrt;
@@ -26,7 +29,9 @@ struct Everything {
     const T waves = sin(x) * cos(y) - tan(z) / (one + x * x);
     const T roots = sqrt(one + y * y) + asin(x / number<T>(4)) + atan(z) + log(one + z * z);
     const T sides = by_side(y, T(x * z), T(-x)) + along(z, x) + absolute(T(y - z)) +
-                    where_positive(T(one + x * x), y) + unless_zero(x, z);
+                    greater_of(x, y) * lesser_of(y, T(x * z)) + exp(lesser_of(x, z)) + power(x, 3) +
+                    power(T(one + y * y), -1.5) + where_positive(T(one + x * x), y) +
+                    unless_zero(x, z);
     return pi<T>() * waves + roots - sides;
   }
 };

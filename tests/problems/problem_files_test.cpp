@@ -51,7 +51,9 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "geneva/fastest_spherical.toml",
                                            "die_press/least_approach.toml",
                                            "sheet_delivery/greatest_least_efficiency.toml",
-                                           "signature_feeder/least_acceleration.toml"};
+                                           "signature_feeder/least_acceleration.toml",
+                                           "own/slider_crank.toml",
+                                           "own/bearing_load.toml"};
 
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};

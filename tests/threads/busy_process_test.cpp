@@ -163,7 +163,7 @@ TEST_CASE("pareto works beside threads that hold the locks of malloc, units and 
     run();
   }
   SECTION("units") {
-    const Company company([&](const auto& over) { hold(problems::unit_mutex(), held, over); });
+    const Company company([&](const auto& over) { hold(unit_mutex(), held, over); });
     while_held();
   }
   SECTION("Ipopt's lock") {

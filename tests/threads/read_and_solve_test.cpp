@@ -55,7 +55,7 @@ std::string solved(const std::string& file) {
 /// The message of a quantity that cannot be read, or its value.
 std::string reading(const std::string& text) {
   try {
-    return bits(problems::parse_quantity(text, "m", "mm", "stroke"));
+    return bits(parse_quantity(text, "m", "mm", "stroke"));
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -132,11 +132,15 @@ void run_step(const BlockStep& step, const BlockSteps& all, BlockRows rows, std:
         return x < 0.0 ? -x : x;
       });
     case BlockCode::BySide:
-      return one([=](std::size_t i) { return at(a, i) < 0.0 ? at(c, i) : at(b, i); });
+      return one([=](std::size_t i) {
+        const V force = at(a, i), side = force < 0.0 ? at(c, i) : at(b, i);
+        return force == force ? side : force;
+      });
     case BlockCode::Along:
       return one([=](std::size_t i) {
         const V way = at(a, i), x = at(b, i), size = x < 0.0 ? -x : x;
-        return way == 0.0 ? none : (way < 0.0 ? -size : size);
+        const V signed_size = way == 0.0 ? none : (way < 0.0 ? -size : size);
+        return way == way ? signed_size : way;
       });
     case BlockCode::WherePositive:
       return one(

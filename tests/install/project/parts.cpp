@@ -31,13 +31,13 @@ int wrong(bool right, const char* what) {
 }
 
 int numerics_and_kinematics() {
-  const std::scoped_lock held(problems::unit_mutex());
+  const std::scoped_lock held(unit_mutex());
   const Member program = motion_program({{"rise", 120, 1, false, find_law("modified-sine")},
                                          {"dwell", 60, 1, true},
                                          {"return", 180, 0}},
                                         Matched::Velocity);
   const auto peak = peaks(program.law<Dual>());
-  return wrong(std::abs(problems::parse_quantity("3 cm", "mm", "mm", "size") - 30) < 1e-12,
+  return wrong(std::abs(parse_quantity("3 cm", "mm", "mm", "size") - 30) < 1e-12,
                "units") +
          wrong(peak.max_velocity().a > 1, "program");
 }

@@ -5,7 +5,7 @@
 
 #include "numerics/formula/expression.h"
 
-namespace camlaw::problems {
+namespace camlaw {
 
 /// The conversion from one unit to another of the same kind, asked of udunits once.
 class UnitFactor {
@@ -30,4 +30,4 @@ class UnitFactor {
   double factor_;
 };
 
-}  // namespace camlaw::problems
+}  // namespace camlaw

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/response_text.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "machines/model/recorded_response.h"
+#include "numerics/formula/expression.h"
+#include "numerics/formula/formula_lines.h"
+#include "numerics/formula/unit_factor.h"
+#include "numerics/text/dimension.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr const char* kPlace[kOfPlace] = {"s", "v", "a", "j", "x"};
+
+/// Whether a step multiplies by this constant.
+bool scales_by(const std::vector<Step>& steps, const Step& step, double factor) {
+  return step.operation == Operation::Multiply && steps[step.a].operation == Operation::Constant &&
+         steps[step.a].value == factor;
+}
+
+/// What an input of the response's record is called.
+std::string input_name(const Mechanism& mechanism, const MechanismResponse& response,
+                       std::size_t input) {
+  const std::size_t parameters = mechanism.parameters.size();
+  if (input < parameters) return mechanism.parameters[input].name;
+  return response.curve ? kPlace[input - parameters] : response.inner[input - parameters].name;
+}
+
+double to_si(const std::string& unit) { return UnitFactor(unit, si_unit(unit).unit).as<double>(); }
+
+}  // namespace
+
+std::string formula_text(const Mechanism& mechanism, const MechanismResponse& response) {
+  if (!response.write) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} is not one formula: it is searched for or integrated over the cycle",
+                    mechanism.name, response.name));
+  }
+  const std::size_t parameters = mechanism.parameters.size();
+  const std::size_t others = response.curve ? kOfPlace : response.inner.size();
+  const Formula formula = Formula::record(parameters + others, [&](auto u) {
+    return response.write(u.first(parameters), u.subspan(parameters));
+  });
+  const auto& steps = formula.steps();
+  // A parameter in the units of the SI is its number in listed units times their size.
+  const NameOfStep name_of = [&](const Step& step) -> std::optional<std::string> {
+    if (step.operation == Operation::Input) return input_name(mechanism, response, step.a);
+    const bool may_be = step.operation == Operation::Multiply &&
+                        steps[step.b].operation == Operation::Input && steps[step.b].a < parameters;
+    if (!may_be) return {};
+    const MechanismParameter& p = mechanism.parameters[steps[step.b].a];
+    return scales_by(steps, step, UnitFactor(p.unit, p.stored).as<double>()) ? std::optional(p.name)
+                                                                             : std::nullopt;
+  };
+  auto value = static_cast<std::uint32_t>(steps.size() - 1);
+  const double factor = 1 / to_si(response.unit);
+  const SiUnit si = si_unit(response.unit);
+  if (factor != 1 &&
+      scales_by(steps, steps[value], UnitFactor(si.unit, response.unit).as<double>())) {
+    value = steps[value].b;
+  }
+  std::string text;
+  for (const FormulaLines::Line& line : lines_of(formula, value, name_of).lines) {
+    text += fmt::format("{} = {}\n", line.name.empty() ? response.name : line.name, line.text);
+  }
+  return text;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/shape_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "numerics/formula/operations.h"
+#include "numerics/formula/steps.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Shape;
+
+/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex.
+struct Curvature {
+  bool convex = false, concave = false, quasiconvex = false, quasiconcave = false;
+
+  bool is_linear() const { return convex && concave; }
+};
+constexpr Curvature kLinear{true, true, true, true};
+
+/// What is known of a step's result. A constant has every curvature.
+struct Ruled : Curvature {
+  bool is_constant = false;
+  Interval range;
+
+  bool is_not_negative() const { return range.lower() >= 0; }
+  bool is_not_positive() const { return range.upper() <= 0; }
+  bool is_positive() const { return range.lower() > 0; }
+  bool is_negative() const { return range.upper() < 0; }
+};
+
+Curvature mirrored(const Curvature& a) {
+  return {a.concave, a.convex, a.quasiconcave, a.quasiconvex};
+}
+Ruled negative(const Ruled& a) { return {mirrored(a), a.is_constant, -a.range}; }
+
+Curvature sum(const Ruled& a, const Ruled& b) {
+  if (a.is_constant) return b;
+  if (b.is_constant) return a;
+  const bool below = a.convex && b.convex, above = a.concave && b.concave;
+  return {below, above, below, above};
+}
+
+/// Of a constant factor and another.
+Curvature scaled(const Ruled& factor, const Ruled& a) {
+  if (factor.is_not_negative()) return a;
+  if (factor.is_not_positive()) return mirrored(a);
+  return a.is_linear() ? kLinear : Curvature{};
+}
+
+Curvature product(const Ruled& a, const Ruled& b) {
+  if (a.is_constant) return scaled(a, b);
+  if (b.is_constant) return scaled(b, a);
+  const bool both_positive = a.is_not_negative() && b.is_not_negative();
+  return {false, false, false, both_positive && a.concave && b.concave};
+}
+
+/// An increasing function of a. It keeps quasiconvex and quasiconcave; `is_convex` and `is_concave`
+/// say what it is itself.
+Curvature increasing(const Curvature& a, bool is_convex, bool is_concave) {
+  return {is_convex && a.convex, is_concave && a.concave, a.quasiconvex, a.quasiconcave};
+}
+
+/// 1 / b of one sign: it decreases; of a positive b it is convex, of a negative one concave.
+Ruled reciprocal(const Ruled& b) {
+  Ruled result{Curvature{}, b.is_constant, quotient(Interval(1.0), b.range)};
+  const Curvature opposite = mirrored(b);
+  if (b.is_positive()) static_cast<Curvature&>(result) = increasing(opposite, true, false);
+  if (b.is_negative()) static_cast<Curvature&>(result) = increasing(opposite, false, true);
+  if (b.is_constant) static_cast<Curvature&>(result) = kLinear;
+  return result;
+}
+
+Curvature ratio(const Ruled& a, const Ruled& b) {
+  if (b.is_negative()) return ratio(negative(a), negative(b));
+  if (!b.is_positive()) return {};
+  if (a.is_constant || b.is_constant) {
+    const Ruled divisor = reciprocal(b);
+    return a.is_constant ? scaled(a, divisor) : scaled(divisor, a);
+  }
+  const bool below =
+      a.convex && (a.is_not_negative() ? b.concave : a.is_not_positive() && b.convex);
+  const bool above =
+      a.concave && (a.is_not_negative() ? b.convex : a.is_not_positive() && b.concave);
+  const bool both_linear = a.is_linear() && b.is_linear();
+  return {false, false, both_linear || below, both_linear || above};
+}
+
+Curvature size_of(const Ruled& a) {
+  if (a.is_not_negative()) return a;
+  if (a.is_not_positive()) return mirrored(a);
+  return {a.is_linear(), false, a.quasiconvex && a.quasiconcave, false};
+}
+
+Curvature powered(const Ruled& a, double p) {
+  const bool is_integer = is_integer_exponent(p);
+  if (p < 0) return a.is_positive() ? increasing(mirrored(a), true, false) : Curvature{};
+  // An exponent that is no integer has no other bases.
+  if (a.is_not_negative() || (!is_integer && a.is_linear())) return increasing(a, p >= 1, p <= 1);
+  if (!is_integer) return {};
+  if (std::fmod(p, 2) == 0) return increasing(size_of(a), true, false);
+  return increasing(a, false, a.is_not_positive());
+}
+
+Curvature greatest(const Curvature& a, const Curvature& b) {
+  return {a.convex && b.convex, false, a.quasiconvex && b.quasiconvex, false};
+}
+Curvature least(const Curvature& a, const Curvature& b) {
+  return mirrored(greatest(mirrored(a), mirrored(b)));
+}
+
+Shape shape_of(const Curvature& a) {
+  if (a.is_linear()) return Shape::Linear;
+  if (a.quasiconvex && a.quasiconcave) return Shape::Quasilinear;
+  if (a.convex) return Shape::Convex;
+  if (a.concave) return Shape::Concave;
+  if (a.quasiconvex) return Shape::Quasiconvex;
+  return a.quasiconcave ? Shape::Quasiconcave : Shape::General;
+}
+
+class Rules {
+ public:
+  Rules(const Formula& formula, std::span<const RuledInput> inputs)
+      : steps_(formula.steps()), inputs_(inputs) {}
+
+  Shape operator()() {
+    for (const Step& step : steps_) ruled_.push_back(ruled_of(step));
+    return shape_of(ruled_.back());
+  }
+
+ private:
+  Ruled ruled_of(const Step& step) const {
+    if (step.operation == Operation::Input) {
+      const RuledInput& input = inputs_[step.a];
+      return {input.varies == Varies::Otherwise ? Curvature{} : kLinear,
+              input.varies == Varies::Not, input.range};
+    }
+    if (step.operation == Operation::Constant) {
+      return {kLinear, true, Interval(step.lower, step.upper)};
+    }
+    if (step.operation == Operation::Pi) return {kLinear, true, pi<Interval>()};
+    const Ruled &a = ruled_[step.a], &b = ruled_[step.b], &c = ruled_[step.c];
+    Interval range = operate<Interval>(step.operation, a.range, b.range, c.range);
+    if (boost::numeric::empty(range)) range = Interval::whole();
+    const std::size_t used = operands(step.operation);
+    const bool is_constant =
+        a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
+    return {is_constant ? kLinear : curvature(step, a, b), is_constant, range};
+  }
+
+  Curvature curvature(const Step& step, const Ruled& a, const Ruled& b) const {
+    switch (step.operation) {
+      case Operation::Add:
+        return sum(a, b);
+      case Operation::Subtract:
+        return sum(a, negative(b));
+      case Operation::Negate:
+        return mirrored(a);
+      case Operation::Multiply:
+        return step.a == step.b ? powered(a, 2) : product(a, b);
+      case Operation::Divide:
+        return ratio(a, b);
+      case Operation::Sqrt:
+      case Operation::Log:
+        return increasing(a, false, true);
+      case Operation::Exp:
+        return increasing(a, true, false);
+      case Operation::Atan:
+      case Operation::Asin:
+        return increasing(a, false, false);
+      case Operation::Power:
+        return powered(a, value_of(b.range));
+      case Operation::Absolute:
+        return size_of(a);
+      case Operation::Greater:
+        return greatest(a, b);
+      case Operation::Lesser:
+        return least(a, b);
+      default:
+        return {};
+    }
+  }
+
+  const std::vector<Step>& steps_;
+  std::span<const RuledInput> inputs_;
+  std::vector<Ruled> ruled_;
+};
+
+/// Whether a function of one input increases or decreases all over its range, by the enclosure of
+/// its slope. It is continuous where its value is enclosed.
+bool is_monotone(const Formula& formula, std::span<const RuledInput> inputs, std::size_t varying) {
+  std::vector<Series<Interval, 2>> at;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    at.push_back(
+        Series<Interval, 2>::variable(inputs[i].range, Interval(i == varying ? 1.0 : 0.0)));
+  }
+  const auto over = formula(std::span<const Series<Interval, 2>>(at));
+  const bool is_known = std::isfinite(over.c[0].lower()) && std::isfinite(over.c[0].upper());
+  return is_known && (over.c[1].lower() >= 0 || over.c[1].upper() <= 0);
+}
+
+}  // namespace
+
+Shape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs) {
+  const Shape ruled = Rules(formula, inputs)();
+  const bool is_weak =
+      ruled == Shape::General || ruled == Shape::Quasiconvex || ruled == Shape::Quasiconcave;
+  if (!is_weak) return ruled;
+  std::vector<std::size_t> varying;
+  for (const std::size_t i : formula.uses()) {
+    if (inputs[i].varies == Varies::Otherwise) return ruled;
+    if (inputs[i].varies == Varies::Linearly) varying.push_back(i);
+  }
+  const bool monotone = varying.size() == 1 && is_monotone(formula, inputs, varying.front());
+  return monotone ? Shape::Quasilinear : ruled;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/stated_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "machines/model/inner_numbers.h"
+#include "machines/model/recorded_response.h"
+#include "numerics/formula/formula_writer.h"
+#include "numerics/formula/unit_factor.h"
+#include "numerics/text/names.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// The follower's motion by x, and the place.
+constexpr const char* kMotion[] = {"s", "v", "a", "j"};
+constexpr const char* kPlaceWords[] = {"x", "angle"};
+
+std::size_t motion_index(const std::string& name) {
+  const auto* const found = std::find(std::begin(kMotion), std::end(kMotion), name);
+  return static_cast<std::size_t>(found - std::begin(kMotion));
+}
+bool is_motion(const std::string& name) { return motion_index(name) < std::size(kMotion); }
+bool is_place(const std::string& name) {
+  return std::find(std::begin(kPlaceWords), std::end(kPlaceWords), name) != std::end(kPlaceWords);
+}
+
+/// What a name of the formula is.
+struct Meaning {
+  enum class Kind { Motion, X, Angle, Parameter, Formula, Inner } kind;
+  std::size_t index = 0;  ///< of Motion, Parameter, Inner
+  Write write = {};       ///< of Formula
+  UnitFactor to_si{"1", "1"};
+  Dimension dimension = {};
+};
+using Meanings = std::map<std::string, Meaning>;
+
+/// Everything that is found out about a formula's names.
+struct Resolved {
+  Meanings meanings;
+  bool is_curve = false;
+  bool sees_law = false;
+  std::vector<InnerNumber> inner;
+  std::vector<ValidityLimit> defined_while;
+};
+
+Meaning in_si(Meaning::Kind kind, const std::string& unit) {
+  const SiUnit si = si_unit(unit);
+  Meaning meaning{kind};
+  meaning.to_si = UnitFactor(unit, si.unit);
+  meaning.dimension = si.dimension;
+  return meaning;
+}
+
+/// What a curve of the mechanism runs over; that of one that nothing moves is a turn of its shaft.
+Cycle cycle_of(const Mechanism& mechanism) {
+  if (mechanism.cycle) return *mechanism.cycle;
+  for (const MechanismResponse& response : mechanism.responses) {
+    if (response.cycle) return *response.cycle;
+  }
+  return {"deg", {{0, 360}}};
+}
+
+Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
+  if (is_motion(name)) {
+    if (mechanism.moved_by == MovedBy::Nothing) {
+      throw std::invalid_argument(
+          fmt::format("{} is moved by its geometry and has no law, so there is no {}; its formulas "
+                      "know the angle",
+                      mechanism.name, name));
+    }
+    Meaning meaning{Meaning::Kind::Motion};
+    meaning.index = motion_index(name);
+    return meaning;
+  }
+  if (name == "x") return {Meaning::Kind::X};
+  if (cycle_of(mechanism).unit != "deg") {
+    throw std::invalid_argument(fmt::format(
+        "the curves of {} run over x, the law's abscissa from 0 to 1, not over an angle",
+        mechanism.name));
+  }
+  return {Meaning::Kind::Angle};
+}
+
+/// A number that is searched for and not written.
+Meaning inner_meaning(InnerNumber inner, Resolved& resolved) {
+  Meaning meaning = in_si(Meaning::Kind::Inner, inner.unit);
+  meaning.index = resolved.inner.size();
+  resolved.inner.push_back(std::move(inner));
+  return meaning;
+}
+
+Meaning response_meaning(const ResponseName& found, Resolved& resolved) {
+  const MechanismResponse& response = *found.response;
+  resolved.sees_law = resolved.sees_law || response.sees_law;
+  resolved.defined_while.insert(resolved.defined_while.end(), response.defined_while.begin(),
+                                response.defined_while.end());
+  if (found.part != optim::Part::Value) {
+    return inner_meaning(inner_peak(response, found.part), resolved);
+  }
+  if (!response.curve && (!response.write || !response.inner.empty())) {
+    return inner_meaning(inner_number(response), resolved);
+  }
+  if (!response.write) {
+    throw std::invalid_argument(fmt::format(
+        "{0} is a curve that is not worked out by one formula; of it a formula can hold \"peak "
+        "{0}\", \"highest {0}\" or \"lowest {0}\"",
+        response.name));
+  }
+  resolved.is_curve = resolved.is_curve || response.curve;
+  Meaning meaning = in_si(Meaning::Kind::Formula, response.unit);
+  meaning.write = response.write;
+  return meaning;
+}
+
+Meaning meaning_of(const Mechanism& mechanism, const FormulaTree& name, Resolved& resolved) {
+  if (name.part.empty() && (is_motion(name.text) || is_place(name.text))) {
+    resolved.is_curve = true;
+    return motion_meaning(mechanism, name.text);
+  }
+  const ResponseName found = find_response(mechanism, name.full_name());
+  if (found.response != nullptr) return response_meaning(found, resolved);
+  Meaning meaning = in_si(Meaning::Kind::Parameter, mechanism.parameters[found.parameter].unit);
+  meaning.index = found.parameter;
+  return meaning;
+}
+
+Resolved resolve(const Mechanism& mechanism, const FormulaTree& formula) {
+  Resolved resolved;
+  for (const FormulaTree& name : names_in(formula)) {
+    if (name.full_name() == "pi") continue;
+    try {
+      resolved.meanings.emplace(name.full_name(), meaning_of(mechanism, name, resolved));
+    } catch (const std::invalid_argument& error) {
+      refuse_formula(name.at, error.what());
+    }
+    const bool holds_both = resolved.is_curve && !resolved.inner.empty();
+    if (holds_both) {
+      refuse_formula(name.at, fmt::format("a formula of a curve cannot hold a number that is "
+                                          "searched for, such as {}",
+                                          resolved.inner.front().name));
+    }
+  }
+  resolved.sees_law = resolved.sees_law || resolved.is_curve;
+  return resolved;
+}
+
+/// x over the whole cycle as an angle, rad.
+Expression angle_at(const Cycle& cycle, const Expression& x) {
+  const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
+  const Expression to_rad = ScalarTraits<Expression>::pi() / Expression(180.0);
+  return (Expression(begin) + Expression(end - begin) * x) * to_rad;
+}
+
+/// Refuses a formula that measures something else than its unit.
+void check_dimension(const StatedResponse& stated, const Dimension& dimension,
+                     const WrittenQuantity& written) {
+  if (written.is_zero || written.dimension == dimension) return;
+  throw std::invalid_argument(fmt::format("the formula is {}, and its unit {} is {}",
+                                          to_string(written.dimension), stated.unit,
+                                          to_string(dimension)));
+}
+
+/// Refuses formulas that hold others without end.
+void check_size(const Write& write, std::size_t parameters, std::size_t others) {
+  constexpr std::size_t kMostSteps = 10000;
+  const Formula formula = Formula::record(parameters + others, [&](std::span<const Expression> u) {
+    return write(u.first(parameters), u.subspan(parameters));
+  });
+  if (formula.steps().size() <= kMostSteps) return;
+  throw std::invalid_argument(
+      fmt::format("with the formulas that it holds it takes {} steps; at most {} are accepted",
+                  formula.steps().size(), kMostSteps));
+}
+
+/// Writes the formula: its names by what they mean. Within one recording a formula that several
+/// others hold is written once, so that formulas of formulas take no longer than all of them.
+class Writer {
+ public:
+  Writer(StatedResponse stated, Meanings meanings, Cycle cycle)
+      : stated_(std::move(stated)),
+        meanings_(std::move(meanings)),
+        cycle_(std::move(cycle)),
+        si_(si_unit(stated_.unit)),
+        from_si_(si_.unit, stated_.unit) {}
+
+  Expression operator()(std::span<const Expression> parameters,
+                        std::span<const Expression> others) const {
+    const Writing writing;
+    const auto known = written().find(this);
+    if (known != written().end()) return known->second;
+    const WrittenQuantity result = write_formula(stated_.formula, [&](const FormulaTree& name) {
+      const Meaning& meaning = meanings_.at(name.full_name());
+      return WrittenQuantity{meaning.to_si.as<Expression>() * value(meaning, parameters, others),
+                             meaning.dimension};
+    });
+    check_dimension(stated_, si_.dimension, result);
+    return written().emplace(this, from_si_.as<Expression>() * result.value).first->second;
+  }
+
+ private:
+  using Known = std::map<const Writer*, Expression>;
+  /// What is written already of the recording on this thread.
+  static Known& written() {
+    thread_local Known known;
+    return known;
+  }
+  /// Forgets it when the outermost formula ends.
+  class Writing {
+   public:
+    Writing() { ++depth(); }
+    ~Writing() {
+      if (--depth() == 0) written().clear();
+    }
+    Writing(const Writing&) = delete;
+    Writing& operator=(const Writing&) = delete;
+
+   private:
+    static int& depth() {
+      thread_local int value = 0;
+      return value;
+    }
+  };
+
+  Expression value(const Meaning& meaning, std::span<const Expression> parameters,
+                   std::span<const Expression> others) const {
+    switch (meaning.kind) {
+      case Meaning::Kind::Parameter:
+        return parameters[meaning.index];
+      case Meaning::Kind::Formula:
+        return meaning.write(parameters, others);
+      case Meaning::Kind::X:
+        return others[std::size(kMotion)];
+      case Meaning::Kind::Angle:
+        return angle_at(cycle_, others[std::size(kMotion)]);
+      default:
+        return others[meaning.index];
+    }
+  }
+
+  StatedResponse stated_;
+  Meanings meanings_;
+  Cycle cycle_;
+  SiUnit si_;
+  UnitFactor from_si_;
+};
+
+}  // namespace
+
+bool is_formula_word(const std::string& name) {
+  const auto functions = formula_functions();
+  const bool is_word = name == "pi" || name == "peak" || name == "highest" || name == "lowest";
+  return is_word || is_motion(name) || is_place(name) ||
+         std::find(functions.begin(), functions.end(), name) != functions.end();
+}
+
+std::vector<std::string> names_held(const FormulaTree& formula,
+                                    const std::vector<std::string>& names) {
+  std::vector<std::string> held;
+  for (const FormulaTree& name : names_in(formula)) {
+    if (std::find(names.begin(), names.end(), name.text) != names.end()) held.push_back(name.text);
+  }
+  return held;
+}
+
+MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse stated) {
+  Resolved resolved = resolve(mechanism, stated.formula);
+  const Cycle cycle = cycle_of(mechanism);
+  MechanismResponse response{.name = stated.name, .unit = stated.unit, .meaning = stated.meaning};
+  response.sees_law = resolved.sees_law;
+  response.defined_while = std::move(resolved.defined_while);
+  response.inner = std::move(resolved.inner);
+  if (!mechanism.responses.empty()) {
+    response.possible_by = mechanism.responses.front().possible_by;
+    response.is_possible = mechanism.responses.front().is_possible;
+  }
+  response.write =
+      [writer = std::make_shared<Writer>(std::move(stated), std::move(resolved.meanings), cycle)](
+          std::span<const Expression> parameters, std::span<const Expression> others) {
+        return (*writer)(parameters, others);
+      };
+  const auto& parameters = mechanism.parameters;
+  check_size(response.write, parameters.size(),
+             resolved.is_curve ? kOfPlace : response.inner.size());
+  return resolved.is_curve ? recorded_curve(std::move(response), parameters, cycle)
+                           : recorded_number(std::move(response), parameters);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/formula/formula_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "numerics/formula/unit_factor.h"
+#include "numerics/text/names.h"
+
+namespace camlaw {
+namespace {
+
+using Kind = FormulaTree::Kind;
+using Quantities = std::vector<WrittenQuantity>;
+
+WrittenQuantity plain(const Expression& value) { return {value, {}}; }
+
+/// Does what knows nothing of the formula's text; its errors get the place.
+template <class Action>
+auto at_place(const FormulaTree& tree, Action action) {
+  try {
+    return action();
+  } catch (const std::invalid_argument& error) {
+    refuse_formula(tree.at, error.what());
+  }
+}
+
+/// Refuses to add or compare quantities of different kinds.
+void check_alike(const FormulaTree& tree, const std::string& what, const WrittenQuantity& a,
+                 const WrittenQuantity& b) {
+  if (a.is_zero || b.is_zero || a.dimension == b.dimension) return;
+  refuse_formula(tree.at, fmt::format("{} {} and {}, which are of different kinds", what,
+                                      to_string(a.dimension), to_string(b.dimension)));
+}
+
+void check_plain(const FormulaTree& tree, const std::string& what, const WrittenQuantity& x) {
+  if (x.dimension.is_plain()) return;
+  refuse_formula(tree.at, fmt::format("{} is {}; a plain number or an angle is wanted", what,
+                                      to_string(x.dimension)));
+}
+
+/// The value of what has no names in it; none of other parts.
+std::optional<double> constant_of(const FormulaTree& tree) {
+  if (tree.kind == Kind::Number) {
+    return tree.text.empty() ? std::optional(tree.number) : std::nullopt;
+  }
+  std::vector<double> parts;
+  for (const FormulaTree& part : tree.parts) {
+    const auto value = constant_of(part);
+    if (!value) return {};
+    parts.push_back(*value);
+  }
+  switch (tree.kind) {
+    case Kind::Negate:
+      return -parts[0];
+    case Kind::Add:
+      return parts[0] + parts[1];
+    case Kind::Subtract:
+      return parts[0] - parts[1];
+    case Kind::Multiply:
+      return parts[0] * parts[1];
+    case Kind::Divide:
+      return parts[0] / parts[1];
+    default:
+      return {};
+  }
+}
+
+/// A number's unit. A name there that is not one may be a factor whose sign was forgotten.
+WrittenUnit unit_of(const FormulaTree& tree) {
+  try {
+    return written_unit(tree.text);
+  } catch (const std::invalid_argument& error) {
+    if (tree.is_closed) throw;
+    throw std::invalid_argument(
+        fmt::format("{}; for a product write {:g} * {}", error.what(), tree.number, tree.text));
+  }
+}
+
+WrittenQuantity written_number(const FormulaTree& tree) {
+  // A decimal fraction such as 0.1 is the number that is written, not the double beside it.
+  const double x = tree.number;
+  const bool is_exact = x == std::floor(x) && std::abs(x) < 1e15;
+  const double wide = is_exact ? 0 : std::numeric_limits<double>::epsilon() * std::abs(x);
+  const Expression value(x, x - wide, x + wide);
+  if (tree.text.empty()) return {value, {}, x == 0};
+  return at_place(tree, [&]() -> WrittenQuantity {
+    const WrittenUnit unit = unit_of(tree);
+    const UnitFactor factor(unit.spelled, unit.si.unit);
+    return {factor.as<Expression>() * value, unit.si.dimension};
+  });
+}
+
+/// Refuses 9.81 m/s, where s is a second to one reader and the motion's displacement to the next.
+void check_unit_ends(const FormulaTree& tree) {
+  const FormulaTree& left = tree.parts[0];
+  const FormulaTree* right = &tree.parts[1];
+  if (right->kind == Kind::Power) right = &right->parts[0];
+  if (left.kind != Kind::Number || left.text.empty() || left.is_closed) return;
+  if (right->kind != Kind::Name || !right->part.empty()) return;
+  try {
+    written_unit(right->text);
+  } catch (const std::invalid_argument&) {
+    return;
+  }
+  const char sign = tree.kind == Kind::Divide ? '/' : '*';
+  refuse_formula(left.at, fmt::format("'{0:g} {1} {2} {3}' can be read in two ways; write the unit "
+                                      "as {0:g} [{1}{2}{3}], or ({0:g} {1}) {2} {3}",
+                                      left.number, left.text, sign, right->text));
+}
+
+WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& base,
+                              const FindQuantity& find) {
+  if (const auto exponent = constant_of(tree.parts[1])) {
+    if (!std::isfinite(*exponent) || std::abs(*exponent) > 100) {
+      refuse_formula(tree.parts[1].at, "an exponent lies within -100 and 100");
+    }
+    return {power(base.value, *exponent), power(base.dimension, *exponent)};
+  }
+  const WrittenQuantity exponent = write_formula(tree.parts[1], find);
+  check_plain(tree.parts[1], "the exponent", exponent);
+  if (!base.dimension.is_plain()) {
+    refuse_formula(tree.at, fmt::format("{} has powers with a plain number as the exponent alone",
+                                        to_string(base.dimension)));
+  }
+  return plain(exp(exponent.value * log(base.value)));
+}
+
+Expression quarter_less(const Expression& angle) {
+  return ScalarTraits<Expression>::pi() / Expression(2.0) - angle;
+}
+
+/// 2 atan(y / (sqrt(x^2 + y^2) + x)): within a half turn; it has no value on the half line where x
+/// is negative and y 0.
+Expression two_argument_arctangent(const Expression& y, const Expression& x) {
+  const Expression radius = sqrt(power(x, 2) + power(y, 2));
+  return Expression(2.0) * atan(y / (radius + x));
+}
+
+/// Functions of plain numbers that give one.
+struct PlainFunction {
+  const char* name;
+  Expression (*of)(const Expression&);
+};
+constexpr PlainFunction kPlainFunctions[] = {
+    {"sin", sin},
+    {"cos", cos},
+    {"tan", tan},
+    {"asin", asin},
+    {"acos", [](const Expression& x) { return quarter_less(asin(x)); }},
+    {"atan", atan},
+    {"exp", exp},
+    {"log", log},
+    {"ln", log},
+    {"log10", [](const Expression& x) { return log(x) / log(Expression(10.0)); }}};
+
+/// Functions that keep or halve what their arguments measure.
+constexpr const char* kOtherFunctions[] = {"sqrt",        "abs",   "sign",   "min",
+                                           "max",         "atan2", "select", "where_positive",
+                                           "unless_zero", "along"};
+
+void check_count(const FormulaTree& tree, std::size_t wanted) {
+  const std::size_t given = tree.parts.size();
+  if (given == wanted) return;
+  refuse_formula(tree.at, fmt::format("{} takes {} argument{}; {} {} given", tree.text, wanted,
+                                      wanted == 1 ? "" : "s, with commas between them", given,
+                                      given == 1 ? "is" : "are"));
+}
+
+/// The least or the greatest of several.
+WrittenQuantity extreme(const FormulaTree& tree, const Quantities& of) {
+  if (of.size() < 2) {
+    refuse_formula(tree.at, fmt::format("{} compares two arguments or more", tree.text));
+  }
+  WrittenQuantity result = of.front();
+  for (std::size_t i = 1; i < of.size(); ++i) {
+    check_alike(tree.parts[i], tree.text + " compares", result, of[i]);
+    result.value = tree.text == "min" ? lesser_of(result.value, of[i].value)
+                                      : greater_of(result.value, of[i].value);
+    if (result.is_zero) result.dimension = of[i].dimension;
+    result.is_zero = result.is_zero && of[i].is_zero;
+  }
+  return result;
+}
+
+bool is_decision(const std::string& name) {
+  return name == "select" || name == "where_positive" || name == "unless_zero" || name == "along";
+}
+
+/// What the sign of the first argument decides; its size and unit do not matter.
+WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
+  check_count(tree, tree.text == "select" ? 3 : 2);
+  const Expression& by = of[0].value;
+  const WrittenQuantity& x = of[1];
+  if (tree.text == "select") {
+    check_alike(tree, "select chooses between", x, of[2]);
+    return {by_side(by, x.value, of[2].value), x.is_zero ? of[2].dimension : x.dimension,
+            x.is_zero && of[2].is_zero};
+  }
+  const Expression value = tree.text == "where_positive" ? where_positive(by, x.value)
+                           : tree.text == "unless_zero"  ? unless_zero(by, x.value)
+                                                         : along(by, x.value);
+  return {value, x.dimension, x.is_zero};
+}
+
+WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& find) {
+  const std::string& name = tree.text;
+  const auto known = formula_functions();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    at_place(tree, [&] { refuse_name("no function is called", name, known); });
+  }
+  Quantities arguments;
+  for (const FormulaTree& part : tree.parts) arguments.push_back(write_formula(part, find));
+  if (name == "min" || name == "max") return extreme(tree, arguments);
+  if (is_decision(name)) return decision(tree, arguments);
+  check_count(tree, name == "atan2" ? 2 : 1);
+  const WrittenQuantity& x = arguments[0];
+  if (name == "sqrt") return {sqrt(x.value), power(x.dimension, 0.5)};
+  if (name == "abs") return {absolute(x.value), x.dimension};
+  if (name == "sign") return plain(along(x.value, Expression(1.0)));
+  if (name == "atan2") {
+    check_alike(tree, "atan2 compares", x, arguments[1]);
+    return plain(two_argument_arctangent(x.value, arguments[1].value));
+  }
+  check_plain(tree.parts[0], fmt::format("the argument of {}", name), x);
+  const auto* const function = std::find_if(std::begin(kPlainFunctions), std::end(kPlainFunctions),
+                                            [&](const PlainFunction& f) { return f.name == name; });
+  return plain(function->of(x.value));
+}
+
+WrittenQuantity written_pair(const FormulaTree& tree, const WrittenQuantity& a,
+                             const WrittenQuantity& b) {
+  switch (tree.kind) {
+    case Kind::Multiply:
+      return {a.value * b.value, a.dimension * b.dimension, a.is_zero || b.is_zero};
+    case Kind::Divide:
+      return {a.value / b.value, a.dimension / b.dimension};
+    default:
+      break;
+  }
+  const bool adds = tree.kind == Kind::Add;
+  check_alike(tree, adds ? "'+' adds" : "'-' subtracts", a, b);
+  return {adds ? a.value + b.value : a.value - b.value, a.is_zero ? b.dimension : a.dimension,
+          a.is_zero && b.is_zero};
+}
+
+}  // namespace
+
+std::vector<std::string> formula_functions() {
+  std::vector<std::string> names;
+  for (const PlainFunction& f : kPlainFunctions) names.emplace_back(f.name);
+  names.insert(names.end(), std::begin(kOtherFunctions), std::end(kOtherFunctions));
+  return names;
+}
+
+WrittenQuantity write_formula(const FormulaTree& tree, const FindQuantity& find) {
+  switch (tree.kind) {
+    case Kind::Number:
+      return written_number(tree);
+    case Kind::Name:
+      if (tree.full_name() == "pi") return plain(ScalarTraits<Expression>::pi());
+      return at_place(tree, [&] { return find(tree); });
+    case Kind::Function:
+      return written_function(tree, find);
+    case Kind::Negate: {
+      WrittenQuantity x = write_formula(tree.parts[0], find);
+      x.value = -x.value;
+      return x;
+    }
+    case Kind::Power:
+      return written_power(tree, write_formula(tree.parts[0], find), find);
+    case Kind::Multiply:
+    case Kind::Divide:
+      check_unit_ends(tree);
+      break;
+    default:
+      break;
+  }
+  const WrittenQuantity a = write_formula(tree.parts[0], find);
+  return written_pair(tree, a, write_formula(tree.parts[1], find));
+}
+
+}  // namespace camlaw

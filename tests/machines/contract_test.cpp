@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "machines/model/recorded_response.h"
+#include "machines/model/response_text.h"
+#include "machines/registry.h"
+#include "numerics/formula/formula_dimension.h"
+#include "numerics/formula/formula_writer.h"
+#include "numerics/formula/unit_factor.h"
+
+/// What every machine keeps to.
+namespace camlaw::problems {
+namespace {
+
+std::size_t others_of(const MechanismResponse& response) {
+  return response.curve ? kOfPlace : response.inner.size();
+}
+
+Formula record_of(const Mechanism& mechanism, const MechanismResponse& response) {
+  const std::size_t parameters = mechanism.parameters.size();
+  return Formula::record(parameters + others_of(response), [&](auto u) {
+    return response.write(u.first(parameters), u.subspan(parameters));
+  });
+}
+
+void for_each_formula(const std::function<void(const Mechanism&, const MechanismResponse&)>& look) {
+  int looked_at = 0;
+  for (const Mechanism& mechanism : mechanisms()) {
+    for (const MechanismResponse& response : mechanism.responses) {
+      if (!response.write) continue;
+      INFO(mechanism.name << " " << response.name);
+      look(mechanism, response);
+      ++looked_at;
+    }
+  }
+  CHECK(looked_at > 200);
+}
+
+/// The units that a record's inputs are listed in.
+std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismResponse& response) {
+  std::vector<std::string> units;
+  for (const MechanismParameter& p : mechanism.parameters) units.push_back(p.unit);
+  if (response.curve) units.insert(units.end(), kOfPlace, "1");
+  for (const InnerNumber& inner : response.inner) {
+    units.push_back(inner.unit);
+  }
+  return units;
+}
+
+std::vector<std::string> names_of(const Mechanism& mechanism, const MechanismResponse& response) {
+  std::vector<std::string> names;
+  for (const MechanismParameter& p : mechanism.parameters) names.push_back(p.name);
+  if (response.curve) names.insert(names.end(), {"s", "v", "a", "j", "x"});
+  for (const InnerNumber& inner : response.inner) names.push_back(inner.name);
+  return names;
+}
+
+/// Reads the lines that a formula is printed in, "NAME = FORMULA", and records the last of them, in
+/// the response's unit.
+Formula read_back(const Mechanism& mechanism, const MechanismResponse& response,
+                  const std::string& lines) {
+  const auto units = units_of(mechanism, response);
+  const auto names = names_of(mechanism, response);
+  return Formula::record(units.size(), [&](auto u) {
+    std::map<std::string, WrittenQuantity> known;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const SiUnit si = si_unit(units[i]);
+      known.insert(
+          {names[i], {UnitFactor(units[i], si.unit).as<Expression>() * u[i], si.dimension}});
+    }
+    std::istringstream in(lines);
+    Expression last;
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t sign = line.find(" = ");
+      const FormulaTree tree = parse_formula(line.substr(sign + 3));
+      const WrittenQuantity written =
+          write_formula(tree, [&](const FormulaTree& name) { return known.at(name.full_name()); });
+      known.insert_or_assign(line.substr(0, sign), written);
+      last = written.value;
+    }
+    return UnitFactor(si_unit(response.unit).unit, response.unit).as<Expression>() * last;
+  });
+}
+
+/// Numbers that parameters and a motion may have, about their usual ones.
+std::vector<double> some_inputs(const Mechanism& mechanism, const MechanismResponse& response,
+                                std::mt19937_64& random) {
+  std::uniform_real_distribution<double> about(0.8, 1.2), motion(-2, 2);
+  std::vector<double> u;
+  for (const MechanismParameter& p : mechanism.parameters) {
+    u.push_back(p.default_value * about(random));
+  }
+  for (std::size_t i = 0; i < others_of(response); ++i) {
+    u.push_back(response.curve ? motion(random) : 10 * about(random));
+  }
+  return u;
+}
+
+}  // namespace
+
+TEST_CASE("every machine's formulas measure what their units say", "[machine][formula]") {
+  for_each_formula([](const Mechanism& mechanism, const MechanismResponse& response) {
+    std::vector<Dimension> inputs;
+    for (const std::string& unit : units_of(mechanism, response)) {
+      inputs.push_back(si_unit(unit).dimension);
+    }
+    INFO(formula_text(mechanism, response));
+    Dimension measured;
+    CHECK_NOTHROW(measured = dimension_of(record_of(mechanism, response), inputs));
+    CHECK(to_string(measured) == to_string(si_unit(response.unit).dimension));
+  });
+}
+
+TEST_CASE("a machine's formula as it is printed, read again, gives the same numbers",
+          "[machine][formula]") {
+  std::mt19937_64 random(11);
+  for_each_formula([&](const Mechanism& mechanism, const MechanismResponse& response) {
+    const std::string text = formula_text(mechanism, response);
+    INFO(text);
+    const Formula own = record_of(mechanism, response);
+    const Formula again = read_back(mechanism, response, text);
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<double> u = some_inputs(mechanism, response, random);
+      const double wanted = own(std::span<const double>(u));
+      const double given = again(std::span<const double>(u));
+      if (std::isnan(wanted)) {
+        CHECK(std::isnan(given));
+      } else {
+        CHECK(given == Approx(wanted).epsilon(1e-11).margin(1e-300));
+      }
+    }
+  });
+}
+
+TEST_CASE("a machine's enclosures hold its formulas, derivatives their differences",
+          "[machine][formula]") {
+  std::mt19937_64 random(12);
+  for_each_formula([&](const Mechanism& mechanism, const MechanismResponse& response) {
+    const Formula formula = record_of(mechanism, response);
+    for (int i = 0; i < 10; ++i) {
+      const std::vector<double> u = some_inputs(mechanism, response, random);
+      std::vector<Interval> box;
+      for (const double x : u) box.emplace_back(x - 1e-3 * std::abs(x), x + 1e-3 * std::abs(x));
+      const Interval over = formula(std::span<const Interval>(box));
+      for (int k = 0; k < 20; ++k) {
+        std::vector<double> inside = u;
+        for (double& x : inside) {
+          x += 1e-3 * std::abs(x) * std::uniform_real_distribution<double>(-1, 1)(random);
+        }
+        const double value = formula(std::span<const double>(inside));
+        if (!std::isfinite(value)) continue;
+        CHECK(over.lower() <= value);
+        CHECK(value <= over.upper());
+      }
+      std::vector<Dual> seeded(u.begin(), u.end());
+      const std::size_t by = random() % u.size();
+      seeded[by].v[0] = 1;
+      const Dual exact = formula(std::span<const Dual>(seeded));
+      const double step = 1e-5 * std::max(std::abs(u[by]), 1e-3);
+      const auto at = [&](double x) {
+        std::vector<double> moved = u;
+        moved[by] = x;
+        return formula(std::span<const double>(moved));
+      };
+      const double ahead = at(u[by] + step), behind = at(u[by] - step), here = at(u[by]);
+      const double slope = (ahead - behind) / (2 * step);
+      // Beside a kink or an edge the one-sided differences part.
+      const double kink = std::abs(ahead - 2 * here + behind) / step;
+      if (!std::isfinite(slope) || kink > 1e-3 * (std::abs(slope) + 1e-9)) continue;
+      CHECK(exact.v[0] ==
+            Approx(slope).epsilon(1e-4).margin(1e-7 * (1 + std::abs(here) / step * 1e-6)));
+    }
+  });
+}
+
+}  // namespace camlaw::problems
