@@ -37,8 +37,7 @@ int numerics_and_kinematics() {
                                          {"return", 180, 0}},
                                         Matched::Velocity);
   const auto peak = peaks(program.law<Dual>());
-  return wrong(std::abs(parse_quantity("3 cm", "mm", "mm", "size") - 30) < 1e-12,
-               "units") +
+  return wrong(std::abs(parse_quantity("3 cm", "mm", "mm", "size") - 30) < 1e-12, "units") +
          wrong(peak.max_velocity().a > 1, "program");
 }
 
