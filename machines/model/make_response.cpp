@@ -94,8 +94,12 @@ KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
   const MechanismResponse& response = *name.response;
   const Binding used = narrowed(binding, response);
   const Shape declared = stated_shape(mechanism, response, used);
-  return {declared,
-          response.write ? ruled_shape(response, used, mechanism.parameters) : Shape::General};
+  // Which machines are possible is a set of designs of which the rules know nothing.
+  const bool may_be_impossible =
+      std::any_of(used.parameters.begin(), used.parameters.end(),
+                  [&](std::size_t i) { return holds(response.possible_by, i); });
+  if (may_be_impossible || !response.write) return {declared, Shape::General};
+  return {declared, ruled_shape(response, used, mechanism.parameters)};
 }
 
 optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,

@@ -13,7 +13,8 @@ namespace {
 
 using optim::Shape;
 
-/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex.
+/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex. Any of
+/// these says too that the set where the function has a value is convex.
 struct Curvature {
   bool convex = false, concave = false, quasiconvex = false, quasiconcave = false;
 
@@ -64,6 +65,18 @@ Curvature increasing(const Curvature& a, bool is_convex, bool is_concave) {
   return {is_convex && a.convex, is_concave && a.concave, a.quasiconvex, a.quasiconcave};
 }
 
+/// A function that has a value where a is 0 or above. That set is convex where a is quasiconcave.
+Curvature from_zero_on(const Ruled& a, const Curvature& result) {
+  return a.is_not_negative() || a.quasiconcave ? result : Curvature{};
+}
+
+/// The arcsine, which has a value where a is within -1 and 1.
+Curvature arcsine(const Ruled& a) {
+  const bool inside = a.range.lower() >= -1 && a.range.upper() <= 1;
+  const bool has_convex_domain = a.quasiconvex && a.quasiconcave;
+  return inside || has_convex_domain ? increasing(a, false, false) : Curvature{};
+}
+
 /// 1 / b of one sign: it decreases; of a positive b it is convex, of a negative one concave.
 Ruled reciprocal(const Ruled& b) {
   Ruled result{Curvature{}, b.is_constant, quotient(Interval(1.0), b.range)};
@@ -98,9 +111,8 @@ Curvature size_of(const Ruled& a) {
 Curvature powered(const Ruled& a, double p) {
   const bool is_integer = is_integer_exponent(p);
   if (p < 0) return a.is_positive() ? increasing(mirrored(a), true, false) : Curvature{};
-  // An exponent that is no integer has no other bases.
-  if (a.is_not_negative() || (!is_integer && a.is_linear())) return increasing(a, p >= 1, p <= 1);
-  if (!is_integer) return {};
+  if (a.is_not_negative()) return increasing(a, p >= 1, p <= 1);
+  if (!is_integer) return from_zero_on(a, increasing(a, p >= 1 && a.is_linear(), p <= 1));
   if (std::fmod(p, 2) == 0) return increasing(size_of(a), true, false);
   return increasing(a, false, a.is_not_positive());
 }
@@ -131,7 +143,36 @@ class Rules {
     return shape_of(ruled_.back());
   }
 
+  /// Whether the ranges show that the formula has a value everywhere.
+  bool is_defined() const {
+    return std::all_of(steps_.begin(), steps_.end(),
+                       [&](const Step& step) { return is_defined(step); });
+  }
+
  private:
+  bool is_defined(const Step& step) const {
+    if (operands(step.operation) == 0) return true;
+    const Ruled& a = ruled_[step.a];
+    switch (step.operation) {
+      case Operation::Divide:
+        return ruled_[step.b].is_positive() || ruled_[step.b].is_negative();
+      case Operation::Sqrt:
+        return a.is_not_negative();
+      case Operation::Log:
+      case Operation::WherePositive:
+        return a.is_positive();
+      case Operation::Asin:
+        return a.range.lower() >= -1 && a.range.upper() <= 1;
+      case Operation::Power:
+        return a.is_positive() || (is_integer_exponent(value_of(ruled_[step.b].range)) &&
+                                   value_of(ruled_[step.b].range) >= 0);
+      case Operation::Tan:  // over a pole it is not bounded
+        return std::isfinite(magnitude(tan(a.range)));
+      default:
+        return true;
+    }
+  }
+
   Ruled ruled_of(const Step& step) const {
     if (step.operation == Operation::Input) {
       const RuledInput& input = inputs_[step.a];
@@ -165,12 +206,13 @@ class Rules {
         return ratio(a, b);
       case Operation::Sqrt:
       case Operation::Log:
-        return increasing(a, false, true);
+        return from_zero_on(a, increasing(a, false, true));
       case Operation::Exp:
         return increasing(a, true, false);
       case Operation::Atan:
-      case Operation::Asin:
         return increasing(a, false, false);
+      case Operation::Asin:
+        return arcsine(a);
       case Operation::Power:
         return powered(a, value_of(b.range));
       case Operation::Absolute:
@@ -189,8 +231,8 @@ class Rules {
   std::vector<Ruled> ruled_;
 };
 
-/// Whether a function of one input increases or decreases all over its range, by the enclosure of
-/// its slope. It is continuous where its value is enclosed.
+/// Whether a function of one input, which has a value everywhere, increases or decreases all over
+/// its range, by the enclosure of its slope. It is continuous where its value is enclosed.
 bool is_monotone(const Formula& formula, std::span<const RuledInput> inputs, std::size_t varying) {
   std::vector<Series<Interval, 2>> at;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -205,7 +247,8 @@ bool is_monotone(const Formula& formula, std::span<const RuledInput> inputs, std
 }  // namespace
 
 Shape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs) {
-  const Shape ruled = Rules(formula, inputs)();
+  Rules rules(formula, inputs);
+  const Shape ruled = rules();
   const bool is_weak =
       ruled == Shape::General || ruled == Shape::Quasiconvex || ruled == Shape::Quasiconcave;
   if (!is_weak) return ruled;
@@ -214,7 +257,8 @@ Shape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs)
     if (inputs[i].varies == Varies::Otherwise) return ruled;
     if (inputs[i].varies == Varies::Linearly) varying.push_back(i);
   }
-  const bool monotone = varying.size() == 1 && is_monotone(formula, inputs, varying.front());
+  const bool monotone =
+      varying.size() == 1 && rules.is_defined() && is_monotone(formula, inputs, varying.front());
   return monotone ? Shape::Quasilinear : ruled;
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("fit bounds what it reads", "[program]") {
   }
 }
 
-TEST_CASE("fit prints nothing that was not computed", "[program]") {
+TEST_CASE("fit prints nothing that was not computed", "[program][long]") {
   const Folder folder;
   for (const int rows : {5, 6, 7, 9}) {
     std::string text = "angle [deg], lift [mm]\n";

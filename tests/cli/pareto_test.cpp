@@ -510,7 +510,7 @@ TEST_CASE("a front as a table and as a drawing", "[program]") {
              Contains("cannot write"));
 }
 
-TEST_CASE("fronts of three objectives, and with one that is to be great", "[program]") {
+TEST_CASE("fronts of three objectives, and with one that is to be great", "[program][long]") {
   const Folder folder;
   const std::string three =
       written(folder, "three.toml",

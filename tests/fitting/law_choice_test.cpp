@@ -59,7 +59,7 @@ const optim::FittedParameter& parameter(const LawFit& fit, const std::string& na
 
 }  // namespace
 
-TEST_CASE("a skewed law comes back as itself", "[law-choice]") {
+TEST_CASE("a skewed law comes back as itself", "[law-choice][long]") {
   for (const char* name : {"modified-sine", "cycloidal"}) {
     const MotionFit fit = fitted(record(fmt::format("{} crossover=0.4", name), 150, 0.002, 3));
     CAPTURE(name, fit.best().law.label());

@@ -199,7 +199,7 @@ TEST_CASE("too few samples are refused", "[record-faults]") {
 }
 
 TEST_CASE("a lift that goes once round per turn is off its centre, which can be fitted",
-          "[record-faults]") {
+          "[record-faults][long]") {
   const std::complex<double> centre = std::polar(0.17, 40 * kDegree);
   MotionRecord record = recorded(360, 0.003, 8);
   for (std::size_t i = 0; i < 360; ++i) {

@@ -116,7 +116,7 @@ TEST_CASE("intervals of a machine's sizes hold what they say", "[record]") {
   CHECK(within <= 171 + 9);
 }
 
-TEST_CASE("several turns, wrong zeros and outliers", "[record]") {
+TEST_CASE("several turns, wrong zeros and outliers", "[record][long]") {
   RecordedCurve record = recorded("drive_torque", 1500, 0.02, 4, 3);
   for (double& place : record.place) place += 2.5;
   for (double& value : record.value) value -= 0.4;

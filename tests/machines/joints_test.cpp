@@ -109,7 +109,7 @@ TEST_CASE("places at a mechanism's breaks move with it", "[joints]") {
   CHECK(drive.curve().tied({17, true}, design.x).joint < 0);
 }
 
-TEST_CASE("a peak at a break that moves is followed to where the limit is met", "[joints]") {
+TEST_CASE("a peak at a break that moves is followed to where the limit is met", "[joints][long]") {
   // The greatest torque stands at the end of the lift-off and rises with it.
   const auto optimum = solved(lift_off_problem("25 deg", R"([objective]
 maximize = "lift_off"

@@ -69,7 +69,7 @@ const std::vector<const char*> kCams{"disc-cam-roller",
 
 }  // namespace
 
-TEST_CASE("curves of cams have exact derivatives by all parameters", "[cams]") {
+TEST_CASE("curves of cams have exact derivatives by all parameters", "[cams][long]") {
   for (const char* name : kCams) {
     const Mechanism& cam = find_mechanism(name);
     std::vector<std::string> all;

@@ -70,7 +70,7 @@ TEST_CASE("few knots that move come within a ten-thousandth", "[fronts][free][he
   CHECK(share_at_same_radii(moving) > 0.9999);
 }
 
-TEST_CASE("fronts of machines stay where they are with twice as many points", "[fronts]") {
+TEST_CASE("fronts of machines stay where they are with twice as many points", "[fronts][long]") {
   const char* file = GENERATE("die_press/front.toml", "sheet_delivery/front.toml");
   INFO(file);
   const std::string path = std::string(CAMLAW_SOURCE_DIR "/problems/") + file;

@@ -192,7 +192,7 @@ TEST_CASE("No optimum is certified over a jump of the velocity", "[free][pulse]"
   CHECK_THAT(a.reason, Contains("no number"));
 }
 
-TEST_CASE("Limits that push along whole stretches are looked at closely enough", "[free]") {
+TEST_CASE("Limits that push along whole stretches are looked at closely enough", "[free][long]") {
   // Peak and runs along bounds are pushed by measures spread over stretches: at a few places in
   // each piece the conditions hold to a few ten-millionths only. The bounds are a linear program's.
   const auto certified = [](const std::string& text, double bound) {
@@ -270,7 +270,7 @@ optim::DerivativeCheck agreeing_derivatives(const optim::Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("Derivatives by coefficients and knots are those of differences", "[free]") {
+TEST_CASE("Derivatives by coefficients and knots are those of differences", "[free][long]") {
   for (const char* table : {"degree = 3\nknots = 5", "degree = 3\nknots = 5\nmoving_knots = true",
                             "degree = 4\nknots = 4\ncontinuity = 2\nsymmetric = true\n"
                             "moving_knots = true",

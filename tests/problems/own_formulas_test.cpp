@@ -286,6 +286,11 @@ TEST_CASE("rules find the shapes of formulas", "[formula][problems]") {
   CHECK(shape("min(b, c - 1, 2)", "bc") == S::Concave);
   CHECK(shape("max(d, 0)^2", "d") == S::Convex);
   CHECK(shape("sin(d)", "d") == S::General);
+  CHECK(shape("sqrt(d^2 - 1)", "d") == S::General);
+  CHECK(shape("log(b - d)", "bd") == S::Quasilinear);
+  CHECK(shape("asin(d)", "d") == S::Quasilinear);
+  CHECK(shape("asin(d^2 - 1)", "d") == S::General);
+  CHECK(shape("b + 0 * sqrt(d^2 - 1)", "d") == S::General);
   CHECK(shape("b * exp(b)", "b") == S::Quasilinear);
   CHECK(shape("b - 1 / b", "b") == S::Concave);
   CHECK(shape("b + 1 / b", "b") == S::Convex);

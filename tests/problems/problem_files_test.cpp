@@ -58,7 +58,7 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};
 
-TEST_CASE("every problem file is certified by our own verdict", "[problem-files]") {
+TEST_CASE("every problem file is certified by our own verdict", "[problem-files][long]") {
   for (const char* name : kShipped) {
     INFO(name);
     const Optimum optimum = optim::optimise(shipped(name).space());

@@ -188,7 +188,7 @@ TEST_CASE("fewer points by NSGA-II are spread over the whole front", "[front]") 
   CHECK(*std::max_element(lengths.begin(), lengths.end()) < 0.4);
 }
 
-TEST_CASE("more points keep what fewer have found", "[front]") {
+TEST_CASE("more points keep what fewer have found", "[front][long]") {
   for (const std::string name : {"DTLZ2, 2 objectives", "Srinivas", "Tanaka"}) {
     INFO(name);
     const Front small = pareto(known(name).problem, options_of(20, ParetoMethod::Sweep));
@@ -206,7 +206,7 @@ TEST_CASE("steps between neighbours are even", "[front]") {
   CHECK(*std::max_element(lengths.begin(), lengths.end()) < 3 * sum / double(lengths.size()));
 }
 
-TEST_CASE("weights are the normal of the front", "[front]") {
+TEST_CASE("weights are the normal of the front", "[front][long]") {
   const Front curve = pareto(known("ZDT1").problem, options_of(20, ParetoMethod::Sweep));
   std::size_t compared = 0;
   for (const FrontPoint& p : curve.points) {
@@ -300,7 +300,7 @@ TEST_CASE("what is to be great is a negative cost, the same front", "[front]") {
   }
 }
 
-TEST_CASE("parts of curves as objectives, by boxes and along directions", "[front]") {
+TEST_CASE("parts of curves as objectives, by boxes and along directions", "[front][long]") {
   // x sin(angle) over a turn: magnitude |x|, lowest value -|x|.
   const auto wave =
       curve<Interval>({0}, 0, 6.283185307179586, [](const auto& u, const auto& angle) {
