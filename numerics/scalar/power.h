@@ -28,13 +28,26 @@ inline Interval power(const Interval& x, double p) {
   return p < 0 ? quotient(Interval(1.0), result) : result;
 }
 
+/// Whether f^p may jump over a box, or have an edge there: at a pole, and where an exponent that is
+/// not an integer meets bases below 0.
+inline bool may_break(const Interval& base, double p) {
+  if (p >= 0 && is_integer_exponent(p)) return false;
+  return p < 0 ? base.lower() <= 0 && base.upper() >= 0 : base.lower() < 0;
+}
 /// By the derivatives p f^(p-1) and p (p-1) f^(p-2) of a power, which exist at 0 too where p leaves
-/// them.
+/// them. Over a box in which the power may break nothing is known of the derivatives: a slope of
+/// one sign would say that it runs through.
 template <class T, std::size_t N>
 Series<T, N> power(const Series<T, N>& f, double p) {
   static_assert(N <= 3);
   Series<T, N> result(power(f.c[0], p));
   if (p == 0) return result;
+  if constexpr (std::is_same_v<T, Interval>) {
+    if (may_break(f.c[0], p)) {
+      for (std::size_t k = 1; k < N; ++k) result.c[k] = Interval::whole();
+      return result;
+    }
+  }
   const T slope = number<T>(p) * power(f.c[0], p - 1);
   if constexpr (N > 1) result.c[1] = slope * f.c[1];
   if constexpr (N > 2) {

@@ -241,7 +241,8 @@ ProvedExtreme proved_highest(const Trace& trace, double sign, double scale) {
       result.proved = true;
       return result;
     }
-    result.slack = kSlack * std::max(std::abs(value), scale);
+    // A pole on the other side is no scale for this one.
+    result.slack = kSlack * std::max(std::abs(value), std::isfinite(scale) ? scale : 0);
     const CycleProof proof = prove_below(trace, sign, sign * value + result.slack, kMostBoxes);
     result.proved = proof.proved;
     if (!proof.broken) return result;

@@ -24,8 +24,12 @@ void check_possible(const std::string& file, const problems::ProblemStatement& s
     values.push_back(fmt::format("{} = {}", parameters[i].name,
                                  problems::with_unit(statement.constants[i], parameters[i].unit)));
   }
-  throw std::invalid_argument(fmt::format("{}: {} is not possible with these values: {}", file,
-                                          statement.mechanism->name, fmt::join(values, ", ")));
+  const std::string with = fmt::format("{}", fmt::join(values, ", "));
+  const std::string& machine = statement.mechanism->name;
+  throw std::invalid_argument(
+      statement.mechanism->cycle != nullptr
+          ? fmt::format("{}: no formula of {} has a value everywhere with {}", file, machine, with)
+          : fmt::format("{}: {} is not possible with these values: {}", file, machine, with));
 }
 
 }  // namespace camlaw::cli

@@ -204,6 +204,18 @@ TEST_CASE("an even power of an interval about 0 is not negative", "[formula]") {
   CHECK(square.upper() == Approx(4));
 }
 
+TEST_CASE("over a pole or an edge nothing is said of the slope of a power", "[formula]") {
+  for (const char* text :
+       {"q^-1", "q^-2", "q^-3", "q^0.5", "q^-0.5", "q^1.5", "1 / q", "min(q^-1, 3)"}) {
+    INFO(text);
+    std::vector<Series<Interval, 2>> boxes(
+        std::size(kNames), Series<Interval, 2>::variable(Interval(-1, 2), Interval(1.0)));
+    const auto over = recorded(text)(std::span<const Series<Interval, 2>>(boxes));
+    CHECK(std::isinf(over.c[1].lower()));
+    CHECK(std::isinf(over.c[1].upper()));
+  }
+}
+
 TEST_CASE("a formula is printed as it can be read again", "[formula]") {
   const auto name_of = [](const Step& step) -> std::optional<std::string> {
     if (step.operation == Operation::Input) return kNames[step.a].name;

@@ -203,6 +203,20 @@ TEST_CASE("a machine of the file's own is worked out as its closed forms", "[for
   }
 }
 
+TEST_CASE("a curve with a pole is not said to have proved ends", "[formula][problems]") {
+  for (const char* formula :
+       {"(angle - 1)^-1", "1 / (angle - 1)", "(angle^2 - 1)^-3", "tan(angle)",
+        "(log(angle + 1) - 0.5)^-1", "max((angle - 1)^-1, 0)", "1 / (angle - 1) / abs(angle)"}) {
+    INFO(formula);
+    const ProblemStatement problem =
+        read(fmt::format("[machine]\n[responses.own]\nformula = \"{}\"\n", formula));
+    const EvaluatedResponse own = evaluated(problem, "own");
+    const bool is_known = std::isinf(own.highest) || std::isinf(own.lowest);
+    CHECK((is_known || !own.proved));
+    if (own.proved) CHECK((std::isinf(own.highest) || own.highest > 1e6));
+  }
+}
+
 TEST_CASE("what is wrong with responses and machines of a file is said", "[formula][problems]") {
   const std::string die = "mechanism = \"die-press\"\n" + std::string(kLaw);
   const auto of = [&](const std::string& name, const std::string& rest) {
