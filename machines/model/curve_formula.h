@@ -44,6 +44,9 @@ X applied(const F& formula, const PlaceOf<X>& place) {
 class CurveFormula {
  public:
   virtual ~CurveFormula() = default;
+  /// Whether the curve goes to infinity with a pulse of the acceleration or the jerk. Of one that
+  /// is not linear in them nothing is known there.
+  virtual bool follows_pulse() const { return true; }
   virtual Series<double, 3> plain(const PlaceSeries<double, 3>& place) const = 0;
   /// The value alone at each of many places.
   virtual std::vector<double> values(const PlaceRows& places) const = 0;

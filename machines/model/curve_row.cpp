@@ -120,8 +120,8 @@ MotionDerivatives PlaceMotion::place_at(std::span<const double> values, int orde
   if (joint_) {
     MotionDerivatives end = law_->end_place({*joint_, true}, values, order);
     end.value[0] = part_.at(end.value[0]);
-    for (Four& slope : end.gradient) slope[0] *= part_.slope;
-    for (Four& bend : end.hessian) bend[0] *= part_.slope;
+    for (Four& slope : end.gradient) slope[0] *= part_.slope<double>();
+    for (Four& bend : end.hessian) bend[0] *= part_.slope<double>();
     return end;
   }
   MotionDerivatives fixed;

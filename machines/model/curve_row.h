@@ -60,8 +60,8 @@ class PlaceMotion {
 
 /// A curve at one place. Arguments: the machine's that vary, then the law's variables that matter
 /// here. `point` is the curve's formula in the machine's arguments, s, v, a, j, and x where
-/// `uses_place`; derivatives by the
-/// law follow by the chain rule (docs/theory.md, "Curves over the cycle").
+/// `uses_place`; derivatives by the law follow by the chain rule (docs/theory.md, "Curves over the
+/// cycle").
 class CurveRow final : public optim::Kernel {
  public:
   CurveRow(std::shared_ptr<const optim::Kernel> point, std::size_t machine_arguments,

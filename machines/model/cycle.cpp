@@ -13,8 +13,8 @@ const Stretch& Cycle::stretch_at(optim::Place place) const {
 }
 
 Cycle::Part Cycle::part_of(const Stretch& stretch) const {
-  const double begin = stretches.front().begin, length = stretches.back().end - begin;
-  return {(stretch.begin - begin) / length, stretch.length() / length};
+  const double begin = stretches.front().begin;
+  return {stretch.begin - begin, stretch.length(), stretches.back().end - begin};
 }
 
 LawPlace law_place(const Stretch& stretch, optim::Place place) {

@@ -23,13 +23,17 @@ struct Cycle {
   std::string unit;
   std::vector<Stretch> stretches;
 
-  /// Where x of a stretch is in the whole cycle, from 0 to 1: begin + slope x.
+  /// Where x of a stretch is in the whole cycle, from 0 to 1: (begin + length x) / total.
   struct Part {
-    double begin, slope;
+    double begin, length, total;
     template <class T>
     T at(const T& x) const {
-      if (begin == 0 && slope == 1) return x;
-      return number<T>(begin) + number<T>(slope) * x;
+      if (begin == 0 && length == total) return x;
+      return (number<T>(begin) + number<T>(length) * x) / number<T>(total);
+    }
+    template <class T>
+    T slope() const {
+      return length == total ? number<T>(1) : number<T>(length) / number<T>(total);
     }
   };
   Part part_of(const Stretch& stretch) const;

@@ -86,6 +86,11 @@ struct MechanismResponse {
   std::function<Expression(std::span<const Expression> parameters,
                            std::span<const Expression> others)>
       write = {};
+  /// Writes an expression that is 0 or above where the formula has a value, where that is not said
+  /// by defined_while.
+  std::function<Expression(std::span<const Expression> parameters,
+                           std::span<const Expression> others)>
+      domain = {};
   std::vector<InnerNumber> inner = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.

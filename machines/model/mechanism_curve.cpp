@@ -81,7 +81,7 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
   parts_.point->hessian(u, g, h);
   // The place itself is the last argument where it is one.
   const auto by_place = [&](std::size_t k) {
-    return parts_.uses_place ? part.slope * h[optim::packed(machine + 4, k)] : 0.0;
+    return parts_.uses_place ? part.slope<double>() * h[optim::packed(machine + 4, k)] : 0.0;
   };
   std::array<double, 4> bent{};  // f_qq q'
   std::vector<double> result(x.size(), 0.0);

@@ -75,6 +75,7 @@ std::optional<double> MechanismTrace::pulse_at(optim::Place place) const {
   const bool there =
       place.angle == *pulse_ || (at_ends && (place.angle == begin || place.angle == end));
   if (!there) return {};
+  if (!formula_->follows_pulse()) return kNaN;
   return place.from_left ? -kInfinity : kInfinity;
 }
 

@@ -50,7 +50,7 @@ class MechanismTrace final : public optim::Trace {
   Series<T, N> place_series(const Section& section, const T& x) const {
     const Cycle::Part part = cycle_.part_of(cycle_.stretches[section.stretch]);
     Series<T, N> place(part.at(x));
-    if constexpr (N > 1) place.c[1] = number<T>(part.slope);
+    if constexpr (N > 1) place.c[1] = part.template slope<T>();
     return place;
   }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 
 #include "machines/model/arguments.h"
 #include "machines/model/composed_number.h"
@@ -45,12 +47,19 @@ std::vector<RuledInput> ruled_arguments(const Binding& binding, const Parameters
   return inputs;
 }
 
+/// A curve of which the record alone is known, and where it has a value. Where it may have none
+/// nothing is known of it: a design must have it everywhere.
 class InterpretedCurve final : public RecordedCurveFormula {
  public:
-  InterpretedCurve(const Formula& record, std::span<const double> arguments, bool is_possible)
+  InterpretedCurve(const Formula& record, const std::optional<Formula>& domain,
+                   std::span<const double> arguments, bool is_possible)
       : RecordedCurveFormula(record, arguments, is_possible),
         formula_(record, arguments),
-        is_possible_(is_possible) {}
+        is_possible_(is_possible) {
+    if (!domain) return;
+    const std::vector<Interval> exact(arguments.begin(), arguments.end());
+    domain_.emplace(*domain, std::span<const Interval>(exact));
+  }
 
   Series<double, 3> plain(const PlaceSeries<double, 3>& place) const override {
     if (!is_possible_) return Series<double, 3>(std::numeric_limits<double>::quiet_NaN());
@@ -58,9 +67,34 @@ class InterpretedCurve final : public RecordedCurveFormula {
     const std::array<Series<double, 3>, kOfPlace> inputs{m.s, m.v, m.a, m.j, place.x};
     return formula_(std::span<const Series<double, 3>>(inputs));
   }
+  Series<Interval, 1> enclosed(const PlaceSeries<Interval, 1>& place) const override {
+    return where_known(place, RecordedCurveFormula::enclosed(place));
+  }
+  Series<Interval, 2> enclosed(const PlaceSeries<Interval, 2>& place) const override {
+    return where_known(place, RecordedCurveFormula::enclosed(place));
+  }
+  Series<Interval, 3> enclosed(const PlaceSeries<Interval, 3>& place) const override {
+    return where_known(place, RecordedCurveFormula::enclosed(place));
+  }
+  bool follows_pulse() const override { return false; }
 
  private:
+  template <std::size_t N>
+  Series<Interval, N> where_known(const PlaceSeries<Interval, N>& place,
+                                  Series<Interval, N> value) const {
+    constexpr double kRounding = 1e-12;
+    if (!domain_) return value;
+    const auto& m = place.motion;
+    const std::array<Interval, kOfPlace> inputs{m.s.c[0], m.v.c[0], m.a.c[0], m.j.c[0],
+                                                place.x.c[0]};
+    const Interval condition = (*domain_)(std::span<const Interval>(inputs));
+    if (condition.lower() >= -kRounding) return value;
+    for (Interval& c : value.c) c = Interval::whole();
+    return value;
+  }
+
   FormulaAlong<double> formula_;
+  std::optional<FormulaAlong<Interval>> domain_;
   bool is_possible_;
 };
 
@@ -128,13 +162,6 @@ optim::Shape ruled_shape(const MechanismResponse& response, const Binding& bindi
   return shape_by_rules(recorded_for(binding, response.write, others, {}).formula, inputs);
 }
 
-std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> /*parameters*/,
-                                                      const Formula& record,
-                                                      std::span<const double> arguments,
-                                                      bool is_possible) {
-  return std::make_unique<InterpretedCurve>(record, arguments, is_possible);
-}
-
 MechanismResponse recorded_curve(MechanismResponse response, const Parameters& parameters,
                                  const Cycle& cycle, MakeCurveFormula make) {
   response.along = cycle.unit;
@@ -146,15 +173,22 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
   std::array<bool, kOfPlace> uses{};
   for (std::size_t i = 0; i < kOfPlace; ++i)
     uses[i] = whole.formula.depends_on(parameters.size() + i);
-  response.curve = [write = response.write, is_possible = response.is_possible, cycle, uses,
+  response.curve = [write = response.write, write_domain = response.domain,
+                    is_possible = response.is_possible, cycle, uses,
                     make = std::move(make)](const Binding& binding, optim::Shape shape) {
     const Recorded record = recorded_for(binding, write, kOfPlace, is_possible);
-    const auto formula = [=, bound = without_law(binding)](std::span<const double> u) {
+    const auto formula = [=, bound = without_law(binding)](
+                             std::span<const double> u) -> std::unique_ptr<const CurveFormula> {
       const bool has_zero = std::find(u.begin(), u.end(), 0.0) != u.end();
       const Formula own =
           has_zero ? recorded_for(bound, write, kOfPlace, {}, u).formula : record.formula;
       const std::vector<double> all = all_values(bound, u);
-      return make(all, own, u, !is_possible || is_possible(all));
+      const bool possible = !is_possible || is_possible(all);
+      if (make) return make(all, own, u, possible);
+      std::optional<Formula> domain;
+      if (write_domain) domain = recorded_for(bound, write_domain, kOfPlace, {}, u).formula;
+      return std::unique_ptr<const CurveFormula>(
+          std::make_unique<InterpretedCurve>(own, domain, u, possible));
     };
     return std::make_shared<MechanismCurve>(
         CurveParts{

@@ -41,15 +41,9 @@ using MakeCurveFormula = std::function<std::unique_ptr<const CurveFormula>(
     std::span<const double> parameters, const Formula& record, std::span<const double> arguments,
     bool is_possible)>;
 
-/// Evaluates the record.
-std::unique_ptr<const CurveFormula> interpreted_curve(std::span<const double> parameters,
-                                                      const Formula& record,
-                                                      std::span<const double> arguments,
-                                                      bool is_possible);
-
-/// Completes a curve, which has write.
+/// Completes a curve, which has write. Without `make` its record is evaluated.
 MechanismResponse recorded_curve(MechanismResponse response,
                                  const std::vector<MechanismParameter>& parameters,
-                                 const Cycle& cycle, MakeCurveFormula make = interpreted_curve);
+                                 const Cycle& cycle, MakeCurveFormula make = {});
 
 }  // namespace camlaw::problems

@@ -205,8 +205,9 @@ class Rules {
       case Operation::Divide:
         return ratio(a, b);
       case Operation::Sqrt:
-      case Operation::Log:
         return from_zero_on(a, increasing(a, false, true));
+      case Operation::Log:  // at 0 it has no value
+        return a.is_positive() || a.quasiconcave ? increasing(a, false, true) : Curvature{};
       case Operation::Exp:
         return increasing(a, true, false);
       case Operation::Atan:

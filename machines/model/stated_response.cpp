@@ -191,6 +191,7 @@ class Writer {
   Expression operator()(std::span<const Expression> parameters,
                         std::span<const Expression> others) const {
     const Writing writing;
+    check_depth();
     const auto known = written().find(this);
     if (known != written().end()) return known->second;
     const WrittenQuantity result = write_formula(stated_.formula, [&](const FormulaTree& name) {
@@ -219,12 +220,18 @@ class Writer {
     Writing(const Writing&) = delete;
     Writing& operator=(const Writing&) = delete;
 
-   private:
     static int& depth() {
       thread_local int value = 0;
       return value;
     }
   };
+
+  static void check_depth() {
+    constexpr int kDeepest = 40;
+    if (Writing::depth() <= kDeepest) return;
+    throw std::invalid_argument(
+        fmt::format("formulas hold one another more than {} deep", kDeepest));
+  }
 
   Expression value(const Meaning& meaning, std::span<const Expression> parameters,
                    std::span<const Expression> others) const {
@@ -283,6 +290,12 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
           std::span<const Expression> parameters, std::span<const Expression> others) {
         return (*writer)(parameters, others);
       };
+  response.domain = [write = response.write](std::span<const Expression> parameters,
+                                             std::span<const Expression> others) {
+    const WrittenDomain domain;
+    write(parameters, others);
+    return domain.least();
+  };
   const auto& parameters = mechanism.parameters;
   check_size(response.write, parameters.size(),
              resolved.is_curve ? kOfPlace : response.inner.size());

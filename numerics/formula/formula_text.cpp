@@ -116,7 +116,6 @@ class Reader {
   }
 
   FormulaTree sum() {
-    const Level level(*this);
     FormulaTree result = product();
     while (next() == '+' || next() == '-') {
       const std::size_t at = at_;
@@ -139,10 +138,11 @@ class Reader {
   }
 
   FormulaTree signed_power() {
-    const Level level(*this);
     const std::size_t at = at_;
+    if (next() != '+' && next() != '-') return power();
+    const Level level(*this);
     if (takes('+')) return signed_power();
-    if (!takes('-')) return power();
+    takes('-');
     std::vector<FormulaTree> parts;
     parts.push_back(signed_power());
     return made(Kind::Negate, at, std::move(parts));
@@ -152,6 +152,7 @@ class Reader {
     FormulaTree base = primary();
     const std::size_t at = at_;
     if (!takes('^')) return base;
+    const Level level(*this);
     return joined(Kind::Power, at, std::move(base), signed_power());
   }
 
@@ -165,6 +166,7 @@ class Reader {
   }
 
   FormulaTree in_parentheses() {
+    const Level level(*this);
     const std::size_t at = at_;
     takes('(');
     FormulaTree inside = sum();

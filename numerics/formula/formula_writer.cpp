@@ -15,6 +15,13 @@ namespace camlaw {
 namespace {
 
 using Kind = FormulaTree::Kind;
+
+thread_local std::vector<Expression>* conditions = nullptr;
+
+/// Notes that a formula has a value only where x is 0 or above.
+void has_value_where(const Expression& x) {
+  if (conditions != nullptr) conditions->push_back(x);
+}
 using Quantities = std::vector<WrittenQuantity>;
 
 WrittenQuantity plain(const Expression& value) { return {value, {}}; }
@@ -65,6 +72,8 @@ std::optional<double> constant_of(const FormulaTree& tree) {
       return parts[0] * parts[1];
     case Kind::Divide:
       return parts[0] / parts[1];
+    case Kind::Power:
+      return std::pow(parts[0], parts[1]);
     default:
       return {};
   }
@@ -97,7 +106,11 @@ WrittenQuantity written_number(const FormulaTree& tree) {
 
 /// Refuses 9.81 m/s, where s is a second to one reader and the motion's displacement to the next.
 void check_unit_ends(const FormulaTree& tree) {
-  const FormulaTree& left = tree.parts[0];
+  const FormulaTree* factor = &tree.parts[0];
+  while ((factor->kind == Kind::Multiply || factor->kind == Kind::Divide) && !factor->is_closed) {
+    factor = &factor->parts[1];
+  }
+  const FormulaTree& left = *factor;
   const FormulaTree* right = &tree.parts[1];
   if (right->kind == Kind::Power) right = &right->parts[0];
   if (left.kind != Kind::Number || left.text.empty() || left.is_closed) return;
@@ -119,6 +132,8 @@ WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& ba
     if (!std::isfinite(*exponent) || std::abs(*exponent) > 100) {
       refuse_formula(tree.parts[1].at, "an exponent lies within -100 and 100");
     }
+    if (*exponent != std::floor(*exponent)) has_value_where(base.value);
+    if (*exponent == 0) return plain(Expression(1.0) + Expression(0.0) * base.value);
     return {power(base.value, *exponent), power(base.dimension, *exponent)};
   }
   const WrittenQuantity exponent = write_formula(tree.parts[1], find);
@@ -127,6 +142,7 @@ WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& ba
     refuse_formula(tree.at, fmt::format("{} has powers with a plain number as the exponent alone",
                                         to_string(base.dimension)));
   }
+  has_value_where(base.value);
   return plain(exp(exponent.value * log(base.value)));
 }
 
@@ -134,8 +150,8 @@ Expression quarter_less(const Expression& angle) {
   return ScalarTraits<Expression>::pi() / Expression(2.0) - angle;
 }
 
-/// 2 atan(y / (sqrt(x^2 + y^2) + x)): within a half turn; it has no value on the half line where x
-/// is negative and y 0.
+/// 2 atan(y / (sqrt(x^2 + y^2) + x)): within a half turn; it has no value where y is 0 and x is 0
+/// or below.
 Expression two_argument_arctangent(const Expression& y, const Expression& x) {
   const Expression radius = sqrt(power(x, 2) + power(y, 2));
   return Expression(2.0) * atan(y / (radius + x));
@@ -158,7 +174,7 @@ constexpr PlainFunction kPlainFunctions[] = {
     {"ln", log},
     {"log10", [](const Expression& x) { return log(x) / log(Expression(10.0)); }}};
 
-/// Functions that keep or halve what their arguments measure.
+/// Functions of quantities of any kind.
 constexpr const char* kOtherFunctions[] = {"sqrt",        "abs",   "sign",   "min",
                                            "max",         "atan2", "select", "where_positive",
                                            "unless_zero", "along"};
@@ -201,6 +217,7 @@ WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
     return {by_side(by, x.value, of[2].value), x.is_zero ? of[2].dimension : x.dimension,
             x.is_zero && of[2].is_zero};
   }
+  if (tree.text == "where_positive") has_value_where(by);
   const Expression value = tree.text == "where_positive" ? where_positive(by, x.value)
                            : tree.text == "unless_zero"  ? unless_zero(by, x.value)
                                                          : along(by, x.value);
@@ -219,7 +236,10 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   if (is_decision(name)) return decision(tree, arguments);
   check_count(tree, name == "atan2" ? 2 : 1);
   const WrittenQuantity& x = arguments[0];
-  if (name == "sqrt") return {sqrt(x.value), power(x.dimension, 0.5)};
+  if (name == "sqrt") {
+    has_value_where(x.value);
+    return {sqrt(x.value), power(x.dimension, 0.5)};
+  }
   if (name == "abs") return {absolute(x.value), x.dimension};
   if (name == "sign") return plain(along(x.value, Expression(1.0)));
   if (name == "atan2") {
@@ -227,6 +247,8 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
     return plain(two_argument_arctangent(x.value, arguments[1].value));
   }
   check_plain(tree.parts[0], fmt::format("the argument of {}", name), x);
+  if (name == "asin" || name == "acos") has_value_where(Expression(1.0) - absolute(x.value));
+  if (name == "log" || name == "ln" || name == "log10") has_value_where(x.value);
   const auto* const function = std::find_if(std::begin(kPlainFunctions), std::end(kPlainFunctions),
                                             [&](const PlainFunction& f) { return f.name == name; });
   return plain(function->of(x.value));
@@ -250,6 +272,15 @@ WrittenQuantity written_pair(const FormulaTree& tree, const WrittenQuantity& a,
 
 }  // namespace
 
+WrittenDomain::WrittenDomain() : before_(conditions) { conditions = &all_; }
+WrittenDomain::~WrittenDomain() { conditions = before_; }
+
+Expression WrittenDomain::least() const {
+  Expression result(1.0);
+  for (const Expression& condition : all_) result = lesser_of(result, condition);
+  return result;
+}
+
 std::vector<std::string> formula_functions() {
   std::vector<std::string> names;
   for (const PlainFunction& f : kPlainFunctions) names.emplace_back(f.name);
@@ -263,7 +294,7 @@ WrittenQuantity write_formula(const FormulaTree& tree, const FindQuantity& find)
       return written_number(tree);
     case Kind::Name:
       if (tree.full_name() == "pi") return plain(ScalarTraits<Expression>::pi());
-      return at_place(tree, [&] { return find(tree); });
+      return find(tree);
     case Kind::Function:
       return written_function(tree, find);
     case Kind::Negate: {
@@ -273,15 +304,23 @@ WrittenQuantity write_formula(const FormulaTree& tree, const FindQuantity& find)
     }
     case Kind::Power:
       return written_power(tree, write_formula(tree.parts[0], find), find);
-    case Kind::Multiply:
-    case Kind::Divide:
-      check_unit_ends(tree);
-      break;
     default:
       break;
   }
-  const WrittenQuantity a = write_formula(tree.parts[0], find);
-  return written_pair(tree, a, write_formula(tree.parts[1], find));
+  // Sums and products of many terms are deep on the left.
+  std::vector<const FormulaTree*> pairs{&tree};
+  const auto is_pair = [](const FormulaTree& part) {
+    return part.kind == Kind::Add || part.kind == Kind::Subtract || part.kind == Kind::Multiply ||
+           part.kind == Kind::Divide;
+  };
+  while (is_pair(pairs.back()->parts[0])) pairs.push_back(&pairs.back()->parts[0]);
+  WrittenQuantity result = write_formula(pairs.back()->parts[0], find);
+  for (; !pairs.empty(); pairs.pop_back()) {
+    const FormulaTree& pair = *pairs.back();
+    if (pair.kind == Kind::Multiply || pair.kind == Kind::Divide) check_unit_ends(pair);
+    result = written_pair(pair, result, write_formula(pair.parts[1], find));
+  }
+  return result;
 }
 
 }  // namespace camlaw

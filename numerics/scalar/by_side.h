@@ -72,6 +72,7 @@ Series<Interval, N> along(const Series<Interval, N>& direction, const Series<Int
 /// and the root of the force has no derivatives.
 template <class X>
 X unless_zero(const X& force, const X& x) {
+  if (std::isnan(value_of(force))) return number<X>(value_of(force));
   return value_of(force) == 0 ? number<X>(0) : x;
 }
 
@@ -80,9 +81,13 @@ inline Interval unless_zero(const Interval& force, const Interval& x) {
   return boost::numeric::zero_in(force) ? boost::numeric::hull(x, Interval(0.0)) : x;
 }
 
+/// Over a box in which the force may be 0 nothing is known of the derivatives: x may jump there.
 template <std::size_t N>
 Series<Interval, N> unless_zero(const Series<Interval, N>& force, Series<Interval, N> x) {
+  if (!boost::numeric::empty(force.c[0]) && !boost::numeric::zero_in(force.c[0])) return x;
+  if (is_number(force, 0.0)) return Series<Interval, N>(Interval(0.0));
   x.c[0] = unless_zero(force.c[0], x.c[0]);
+  for (std::size_t k = 1; k < N; ++k) x.c[k] = Interval::whole();
   return x;
 }
 

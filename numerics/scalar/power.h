@@ -20,6 +20,7 @@ T power(const T& x, double p) {
 
 inline Interval power(const Interval& x, double p) {
   if (boost::numeric::empty(x)) return x;
+  if (p == 0) return Interval(1.0);
   if (!is_integer_exponent(p)) {
     return x.upper() < 0 ? number<Interval>(std::numeric_limits<double>::quiet_NaN())
                          : real_power(x, p);

@@ -22,7 +22,7 @@ struct Dimension {
 };
 Dimension power(const Dimension& d, double exponent);
 
-/// "a force (N)", "a plain number", "a quantity in m2 kg s-2".
+/// "a force (N)", "a plain number", "a quantity in m^2 kg s^-3".
 std::string to_string(const Dimension& d);
 
 /// A unit's dimension, and the unit of the SI that it is converted to, in the spelling of the unit

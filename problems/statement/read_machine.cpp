@@ -59,7 +59,7 @@ void check_name(const Entry& table, const std::string& name) {
   const bool begins = !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
   if (!begins || !std::all_of(name.begin(), name.end(), accepted)) {
     refuse(table, fmt::format("'{}' is not a name for formulas; a name has letters, digits and _, "
-                              "and begins with a letter",
+                              "and begins with a letter or _",
                               name));
   }
   if (is_formula_word(name)) {

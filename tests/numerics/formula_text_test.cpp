@@ -63,6 +63,9 @@ TEST_CASE("formulas are read as people read them", "[formula]") {
   check("(-p)^2", 0.16);
   check("2^3^2", 512);
   check("2^-1", 0.5);
+  check("q^2^1", 9);
+  check("q^(4 / 2)", 9);
+  check("q^0", 1);
   check("+p - -q", 0.4 - 3);
   check("  ( ( p ) ) ", 0.4);
   check("q^3", -27);
@@ -96,7 +99,8 @@ TEST_CASE("formulas are read as people read them", "[formula]") {
 
 TEST_CASE("a part of a formula that has no value leaves the whole without one", "[formula]") {
   for (const char* text : {"sqrt(q)", "min(1, sqrt(q))", "max(sqrt(q), 1)", "sign(log(q))", "q^0.5",
-                           "where_positive(q, 1)", "select(log(q), 1, 1)", "0 * log(q)"}) {
+                           "where_positive(q, 1)", "select(log(q), 1, 1)", "0 * log(q)",
+                           "unless_zero(sqrt(q), 5)", "sqrt(q)^0", "1^sqrt(q)"}) {
     INFO(text);
     CHECK(std::isnan(value_of_text(text)));
   }

@@ -146,7 +146,10 @@ void run_step(const BlockStep& step, const BlockSteps& all, BlockRows rows, std:
       return one(
           [=](std::size_t i) { return at(a, i) > 0.0 ? at(b, i) : none + __builtin_nan(""); });
     case BlockCode::UnlessZero:
-      return one([=](std::size_t i) { return at(a, i) == 0.0 ? none : at(b, i); });
+      return one([=](std::size_t i) {
+        const V force = at(a, i), value = force == 0.0 ? none : at(b, i);
+        return force == force ? value : force;
+      });
     case BlockCode::Each:
       for (std::size_t i = 0; i < points; ++i) {
         to[i] = all.operate(step.operation, a[i], b[i], c[i]);
