@@ -88,7 +88,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
     const std::array<Interval, kOfPlace> inputs{m.s.c[0], m.v.c[0], m.a.c[0], m.j.c[0],
                                                 place.x.c[0]};
     const Interval condition = (*domain_)(std::span<const Interval>(inputs));
-    if (condition.lower() >= -kRounding) return value;
+    if (condition.lower() >= -kRounding * magnitude(condition)) return value;
     for (Interval& c : value.c) c = Interval::whole();
     return value;
   }

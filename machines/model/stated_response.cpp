@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "machines/model/inner_numbers.h"
@@ -32,8 +33,9 @@ bool is_place(const std::string& name) {
 /// What a name of the formula is.
 struct Meaning {
   enum class Kind { Motion, X, Angle, Parameter, Formula, Inner } kind;
-  std::size_t index = 0;  ///< of Motion, Parameter, Inner
-  Write write = {};       ///< of Formula
+  std::size_t index = 0;                               ///< of Motion, Parameter, Inner
+  Write write = {};                                    ///< of Formula
+  std::optional<std::vector<std::size_t>> inner = {};  ///< of Formula: where its inner numbers are
   UnitFactor to_si{"1", "1"};
   Dimension dimension = {};
 };
@@ -56,13 +58,13 @@ Meaning in_si(Meaning::Kind kind, const std::string& unit) {
   return meaning;
 }
 
-/// What a curve of the mechanism runs over; that of one that nothing moves is a turn of its shaft.
+/// What a curve of the mechanism runs over.
 Cycle cycle_of(const Mechanism& mechanism) {
   if (mechanism.cycle) return *mechanism.cycle;
   for (const MechanismResponse& response : mechanism.responses) {
     if (response.cycle) return *response.cycle;
   }
-  return {"deg", {{0, 360}}};
+  return usual_cycle(mechanism.moved_by);
 }
 
 Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
@@ -86,11 +88,20 @@ Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
   return {Meaning::Kind::Angle};
 }
 
+/// The place of an inner number among those of the formula; equal ones are there once.
+std::size_t place_of(const InnerNumber& inner, Resolved& resolved) {
+  const auto known =
+      std::find_if(resolved.inner.begin(), resolved.inner.end(),
+                   [&](const InnerNumber& other) { return other.name == inner.name; });
+  const auto place = static_cast<std::size_t>(known - resolved.inner.begin());
+  if (known == resolved.inner.end()) resolved.inner.push_back(inner);
+  return place;
+}
+
 /// A number that is searched for and not written.
-Meaning inner_meaning(InnerNumber inner, Resolved& resolved) {
+Meaning inner_meaning(const InnerNumber& inner, Resolved& resolved) {
   Meaning meaning = in_si(Meaning::Kind::Inner, inner.unit);
-  meaning.index = resolved.inner.size();
-  resolved.inner.push_back(std::move(inner));
+  meaning.index = place_of(inner, resolved);
   return meaning;
 }
 
@@ -102,7 +113,7 @@ Meaning response_meaning(const ResponseName& found, Resolved& resolved) {
   if (found.part != optim::Part::Value) {
     return inner_meaning(inner_peak(response, found.part), resolved);
   }
-  if (!response.curve && (!response.write || !response.inner.empty())) {
+  if (!response.curve && !response.write) {
     return inner_meaning(inner_number(response), resolved);
   }
   if (!response.write) {
@@ -114,6 +125,12 @@ Meaning response_meaning(const ResponseName& found, Resolved& resolved) {
   resolved.is_curve = resolved.is_curve || response.curve;
   Meaning meaning = in_si(Meaning::Kind::Formula, response.unit);
   meaning.write = response.write;
+  if (!response.curve) {
+    meaning.inner.emplace();
+    for (const InnerNumber& inner : response.inner) {
+      meaning.inner->push_back(place_of(inner, resolved));
+    }
+  }
   return meaning;
 }
 
@@ -233,13 +250,21 @@ class Writer {
         fmt::format("formulas hold one another more than {} deep", kDeepest));
   }
 
+  static std::vector<Expression> chosen(std::span<const Expression> all,
+                                        const std::vector<std::size_t>& places) {
+    std::vector<Expression> result;
+    for (const std::size_t place : places) result.push_back(all[place]);
+    return result;
+  }
+
   Expression value(const Meaning& meaning, std::span<const Expression> parameters,
                    std::span<const Expression> others) const {
     switch (meaning.kind) {
       case Meaning::Kind::Parameter:
         return parameters[meaning.index];
       case Meaning::Kind::Formula:
-        return meaning.write(parameters, others);
+        return meaning.inner ? meaning.write(parameters, chosen(others, *meaning.inner))
+                             : meaning.write(parameters, others);
       case Meaning::Kind::X:
         return others[std::size(kMotion)];
       case Meaning::Kind::Angle:
@@ -257,6 +282,10 @@ class Writer {
 };
 
 }  // namespace
+
+Cycle usual_cycle(MovedBy moved_by) {
+  return moved_by == MovedBy::Law ? Cycle{"1", {{0, 1}}} : Cycle{"deg", {{0, 360}}};
+}
 
 bool is_formula_word(const std::string& name) {
   const auto functions = formula_functions();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "machines/model/cycle.h"
 #include "machines/model/mechanism.h"
 #include "numerics/formula/formula_text.h"
 
@@ -14,6 +15,10 @@ struct StatedResponse {
   std::string name, unit, meaning;
   FormulaTree formula;
 };
+
+/// What the curves of a machine run over as a rule: of one that a law moves its abscissa, else a
+/// turn.
+Cycle usual_cycle(MovedBy moved_by);
 
 /// Whether a name stands for something in every formula: s, v, a, j, x, angle, pi, and the
 /// functions and words of formulas.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "numerics/scalar/series.h"
 
@@ -35,6 +36,18 @@ inline bool may_break(const Interval& base, double p) {
   if (p >= 0 && is_integer_exponent(p)) return false;
   return p < 0 ? base.lower() <= 0 && base.upper() >= 0 : base.lower() < 0;
 }
+/// x^(p - n), of the exponent itself: of an interval not that of the double beside p - n.
+template <class T>
+T power_less(const T& x, double p, int n) {
+  if constexpr (std::is_same_v<T, Interval>) {
+    const Interval exponent = Interval(p) - Interval(n);
+    if (exponent.lower() != exponent.upper()) {
+      return boost::numeric::hull(power(x, exponent.lower()), power(x, exponent.upper()));
+    }
+  }
+  return power(x, p - n);
+}
+
 /// By the derivatives p f^(p-1) and p (p-1) f^(p-2) of a power, which exist at 0 too where p leaves
 /// them. Over a box in which the power may break nothing is known of the derivatives: a slope of
 /// one sign would say that it runs through.
@@ -49,13 +62,13 @@ Series<T, N> power(const Series<T, N>& f, double p) {
       return result;
     }
   }
-  const T slope = number<T>(p) * power(f.c[0], p - 1);
+  const T slope = number<T>(p) * power_less(f.c[0], p, 1);
   if constexpr (N > 1) result.c[1] = slope * f.c[1];
   if constexpr (N > 2) {
     result.c[2] = slope * f.c[2];
     if (p != 1) {
-      const T bend = number<T>(p * (p - 1) / 2) * power(f.c[0], p - 2);
-      result.c[2] = result.c[2] + bend * f.c[1] * f.c[1];
+      const T factor = number<T>(p) * (number<T>(p) - number<T>(1)) / number<T>(2);
+      result.c[2] = result.c[2] + factor * power_less(f.c[0], p, 2) * f.c[1] * f.c[1];
     }
   }
   return result;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "machines/model/cycle.h"
 #include "machines/model/stated_response.h"
@@ -51,6 +53,9 @@ std::string text_or_none(const Entry& table, const char* key) {
   return entry == nullptr ? "" : printable_text(*entry);
 }
 
+/// Names that [variables] has for the tables of what they belong to.
+const std::set<std::string> kTables{"law", "program", "machine"};
+
 /// Refuses a name that a formula could not hold.
 void check_name(const Entry& table, const std::string& name) {
   const auto accepted = [](char c) {
@@ -62,8 +67,9 @@ void check_name(const Entry& table, const std::string& name) {
                               "and begins with a letter or _",
                               name));
   }
-  if (is_formula_word(name)) {
-    refuse(table, fmt::format("'{}' means something else in formulas; give it another name", name));
+  if (is_formula_word(name) || kTables.contains(name)) {
+    refuse(table,
+           fmt::format("'{}' means something else in problem files; give it another name", name));
   }
 }
 
@@ -176,9 +182,7 @@ Mechanism read_own_machine(const Entry& table) {
   machine.source = text_or_none(table, "source");
   if (machine.source.empty()) machine.source = "the problem file";
   machine.moved_by = read_moved_by(table);
-  const Cycle along =
-      machine.moved_by == MovedBy::Law ? Cycle{"1", {{0, 1}}} : Cycle{"deg", {{0, 360}}};
-  machine.cycle = std::make_shared<Cycle>(along);
+  machine.cycle = std::make_shared<Cycle>(usual_cycle(machine.moved_by));
   for (const Entry& entry :
        tables_of(find(table, "parameters"), "[machine.parameters.crank_radius]")) {
     machine.parameters.push_back(read_parameter(entry, machine));

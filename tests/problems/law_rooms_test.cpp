@@ -171,7 +171,8 @@ TEST_CASE("choices that leave a law no room have no designs, and the others are 
   CHECK(angles.options.front() == 1);
 }
 
-TEST_CASE("a law that meets its limits only without its first phase is found", "[law-rooms][long]") {
+TEST_CASE("a law that meets its limits only without its first phase is found",
+          "[law-rooms][long]") {
   // Number 72328 of the adversarial problems, which was called infeasible: with a ramp, however
   // short, the jerk is limited by its length; without it the law begins with its acceleration.
   const std::string limits =

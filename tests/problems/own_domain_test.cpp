@@ -52,6 +52,11 @@ TEST_CASE("a curve that has no value at some place is not proved", "[formula][pr
     INFO(formula);
     CHECK(solved(formula, limit).found.assessment.verdict != Verdict::Certified);
   }
+  // The condition is small in the units of the SI, and so is the hole.
+  const EvaluatedResponse hole = evaluated(
+      "[machine]\n[machine.parameters.p]\nunit = \"mm\"\ndefault = 1\n[responses.own]\n"
+      "formula = \"sqrt(p^4 * ((angle - 2.0012345)^2 - 1e-9))\"\nunit = \"mm2\"\n");
+  CHECK_FALSE(hole.proved);
   // Where a root begins at the edge of the cycle it has a value everywhere.
   for (const char* formula : {"10 + sqrt(x)", "10 + sqrt(1 - x)", "acos(x)", "sqrt(x^2)"}) {
     INFO(formula);
@@ -78,6 +83,23 @@ TEST_CASE("formulas that hold one another deeply are refused", "[formula][proble
                         i == 0 ? chain : fmt::format("r{}{}", i - 1, chain.substr(1)));
   }
   CHECK_THROWS_WITH(read_problem(file, "own.toml"), Catch::Contains("more than 40 deep"));
+}
+
+TEST_CASE("numbers of peaks that hold one another search each peak once", "[formula][problems]") {
+  // Each holds the two before it: worked out one by one they would search 1.6^30 peaks.
+  std::string file =
+      "mechanism = \"die-press\"\n[law]\nname = \"cycloidal\"\n[responses.r0]\n"
+      "formula = \"peak running_force / (1 N)\"\n[responses.r1]\nformula = "
+      "\"r0 + highest running_force / (1 N)\"\n";
+  for (int i = 2; i < 30; ++i) {
+    file += fmt::format("[responses.r{}]\nformula = \"r{} + r{}\"\n", i, i - 1, i - 2);
+  }
+  file += "[responses.own]\nformula = \"r29\"\n";
+  double highest = 0;
+  for (const EvaluatedResponse& response : evaluate(read_problem(file, "own.toml"))) {
+    if (response.name == "running_force") highest = response.highest;
+  }
+  CHECK(evaluated(file).value == Approx(1346269.0 * highest).epsilon(1e-12));
 }
 
 }  // namespace camlaw::problems::own_domain_test

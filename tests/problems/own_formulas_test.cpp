@@ -233,7 +233,7 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
   CHECK_THAT(of("mass", "formula = \"1\"\n"), Contains("die-press has a parameter of this name"));
   CHECK_THAT(of("load", "formula = \"1\"\n"), Contains("die-press has a response of this name"));
   CHECK_THAT(of("least_force", "formula = \"1\"\n"), Contains("has a response of this name"));
-  CHECK_THAT(of("a", "formula = \"1\"\n"), Contains("'a' means something else in formulas"));
+  CHECK_THAT(of("a", "formula = \"1\"\n"), Contains("'a' means something else in problem files"));
   CHECK_THAT(of("\"two words\"", "formula = \"1\"\n"), Contains("is not a name for formulas"));
   CHECK_THAT(of("own", "formula = \"own\"\n"), Contains("in a circle: own, own"));
   CHECK_THAT(of("own", "formula = \"running_force + peak running_force\"\nunit = \"N\"\n"),
