@@ -276,7 +276,8 @@ TEST_CASE("fit does not tell laws apart beyond the digits of the table", "[progr
   CHECK(named["trusted"] == true);
 }
 
-TEST_CASE("fit trusts no law that leaves a curve, however much noise lies over it", "[program][long]") {
+TEST_CASE("fit trusts no law that leaves a curve, however much noise lies over it",
+          "[program][long]") {
   const Folder folder;
   Random random(5);
   std::string text = "angle [deg], lift [mm]\n";

@@ -141,7 +141,8 @@ TEST_CASE("dwells, rises and returns are found in spite of noise and gaps", "[se
   }
 }
 
-TEST_CASE("laws whose acceleration jumps, or that leave very gently, are found too", "[segments][long]") {
+TEST_CASE("laws whose acceleration jumps, or that leave very gently, are found too",
+          "[segments][long]") {
   for (const char* law : {"cosine", "parabolic", "poly-4-5-6-7"}) {
     for (const double noise : {0.0, 1e-3}) {
       INFO(law << " noise " << noise);
