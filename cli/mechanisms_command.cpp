@@ -162,7 +162,7 @@ struct MechanismsOptions {
   bool json = false, markdown = false;
 };
 
-/// The formula of one response, or of all that have one.
+/// The formula of one response.
 void print_formula(const Mechanism& mechanism, const std::string& asked) {
   const problems::ResponseName name = find_response(mechanism, asked);
   if (name.response == nullptr) {

@@ -67,6 +67,18 @@ Shape stated_shape(const Mechanism& mechanism, const MechanismResponse& response
   return best;
 }
 
+/// The shape in what varies of a narrowed binding.
+KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& response,
+                    const Binding& used) {
+  const Shape declared = stated_shape(mechanism, response, used);
+  // Which machines are possible is a set of designs of which the rules know nothing.
+  const bool may_be_impossible =
+      std::any_of(used.parameters.begin(), used.parameters.end(),
+                  [&](std::size_t i) { return holds(response.possible_by, i); });
+  if (may_be_impossible || !response.write) return {declared, Shape::General};
+  return {declared, ruled_shape(response, used, mechanism.parameters)};
+}
+
 /// A parameter of the mechanism as a response.
 optim::Function parameter_function(std::size_t parameter, const Binding& binding) {
   const auto found = std::find(binding.parameters.begin(), binding.parameters.end(), parameter);
@@ -91,15 +103,7 @@ optim::Shape KnownShape::best() const {
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
   if (name.response == nullptr) return {Shape::Linear, Shape::Linear};
-  const MechanismResponse& response = *name.response;
-  const Binding used = narrowed(binding, response);
-  const Shape declared = stated_shape(mechanism, response, used);
-  // Which machines are possible is a set of designs of which the rules know nothing.
-  const bool may_be_impossible =
-      std::any_of(used.parameters.begin(), used.parameters.end(),
-                  [&](std::size_t i) { return holds(response.possible_by, i); });
-  if (may_be_impossible || !response.write) return {declared, Shape::General};
-  return {declared, ruled_shape(response, used, mechanism.parameters)};
+  return shape_in(mechanism, *name.response, narrowed(binding, *name.response));
 }
 
 optim::Response make_response(const Mechanism& mechanism, const ResponseName& name,
@@ -109,7 +113,7 @@ optim::Response make_response(const Mechanism& mechanism, const ResponseName& na
   }
   const MechanismResponse& response = *name.response;
   const Binding used = narrowed(binding, response);
-  const Shape shape = known_shape(mechanism, name, binding).best();
+  const Shape shape = shape_in(mechanism, response, used).best();
   if (response.curve) return {name.name, name.unit, response.curve(used, shape)};
   return {name.name, name.unit, response.number(used, shape)};
 }

@@ -65,6 +65,14 @@ struct InnerNumber {
 
 struct Cycle;
 
+/// Whether there is such a machine, of values of its parameters. None: always.
+using IsPossible = std::function<bool(std::span<const double>)>;
+
+/// Writes a formula of all parameters, in listed units, and some other inputs into the one that is
+/// being recorded (numerics/formula).
+using Write = std::function<Expression(std::span<const Expression> parameters,
+                                       std::span<const Expression> others)>;
+
 struct MechanismResponse {
   std::string name;
   std::string unit;  ///< listed
@@ -74,23 +82,17 @@ struct MechanismResponse {
   /// The parameters that decide whether there is such a machine, increasing: it is a number only
   /// where there is.
   std::vector<std::size_t> possible_by = {};
-  /// Whether there is such a machine, of all its parameters in their listed units. None: always.
-  std::function<bool(std::span<const double>)> is_possible = {};
-  std::string along = {};  ///< of a curve: the unit of its places, "deg" of cam angle
+  IsPossible is_possible = {};  ///< of all parameters, in their listed units
+  std::string along = {};       ///< of a curve: the unit of its places, "deg" of cam angle
   std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law
   bool sees_law = false;                    ///< whether the law, or the program, matters to it
   std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
-  /// Writes the formula into the one that is being recorded (numerics/formula), in listed units: of
-  /// all parameters, and for a curve s, v, a, j and x, for a number the inner numbers. None where
-  /// the response is not a formula.
-  std::function<Expression(std::span<const Expression> parameters,
-                           std::span<const Expression> others)>
-      write = {};
-  /// Writes an expression that is 0 or above where the formula has a value, where that is not said
-  /// by defined_while.
-  std::function<Expression(std::span<const Expression> parameters,
-                           std::span<const Expression> others)>
-      domain = {};
+  /// The formula in its listed unit. The other inputs are for a curve s, v, a, j and x, for a
+  /// number the inner numbers. None where the response is not a formula.
+  Write write = {};
+  /// An expression that is 0 or above where the formula has a value, where that is not said by
+  /// defined_while.
+  Write domain = {};
   std::vector<InnerNumber> inner = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.

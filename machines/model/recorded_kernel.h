@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <memory>
 
 #include "machines/model/curve_formula.h"
+#include "machines/model/mechanism.h"
 #include "numerics/formula/formula.h"
 #include "optim/problem/function.h"
 
@@ -14,10 +14,8 @@
 /// compiled.
 namespace camlaw::problems {
 
-/// Whether there is such a machine at values of its arguments. None: always.
-using IsPossible = std::function<bool(std::span<const double>)>;
-
-/// The same in any scalar, of whose numbers the plain ones count: the middles of intervals.
+/// Whether there is such a machine, in any scalar, of whose numbers the plain ones count: the
+/// middles of intervals.
 template <class T>
 bool is_possible_at(const IsPossible& is_possible, std::span<const T> arguments) {
   if (!is_possible) return true;

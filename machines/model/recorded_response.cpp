@@ -31,13 +31,6 @@ Binding without_law(const Binding& binding) {
   return {binding.constants, binding.parameters, {}, nullptr};
 }
 
-/// A binding in which every parameter varies.
-Binding free_binding(std::size_t parameters) {
-  Binding binding{std::vector<double>(parameters), {}, {}, nullptr};
-  for (std::size_t i = 0; i < parameters; ++i) binding.parameters.push_back(i);
-  return binding;
-}
-
 /// What varies of a formula's arguments, between what the parameters accept.
 std::vector<RuledInput> ruled_arguments(const Binding& binding, const Parameters& parameters) {
   std::vector<RuledInput> inputs;
@@ -101,8 +94,7 @@ class InterpretedCurve final : public RecordedCurveFormula {
 }  // namespace
 
 Recorded recorded_for(const Binding& binding, const Write& write, std::size_t others,
-                      const decltype(MechanismResponse::is_possible)& is_possible,
-                      std::span<const double> at) {
+                      const IsPossible& is_possible, std::span<const double> at) {
   const std::size_t arguments = binding.parameters.size();
   Formula formula = Formula::record(arguments + others, [&](std::span<const Expression> u) {
     std::vector<Expression> parameters(binding.constants.begin(), binding.constants.end());
@@ -121,9 +113,19 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
   return {std::move(formula), arguments, std::move(possible)};
 }
 
+std::size_t others_of(const MechanismResponse& response) {
+  return response.curve ? kOfPlace : response.inner.size();
+}
+
+Formula whole_formula(const Write& write, std::size_t parameters, std::size_t others) {
+  return Formula::record(parameters + others, [&](std::span<const Expression> u) {
+    return write(u.first(parameters), u.subspan(parameters));
+  });
+}
+
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
                                          std::size_t others) {
-  return used_arguments({recorded_for(free_binding(parameters), write, others, {})});
+  return used_arguments({{whole_formula(write, parameters, others), parameters, {}}});
 }
 
 MechanismResponse recorded_number(MechanismResponse response, const Parameters& parameters) {
@@ -158,8 +160,8 @@ optim::Shape ruled_shape(const MechanismResponse& response, const Binding& bindi
   } else {
     inputs.insert(inputs.end(), response.inner.size(), {Varies::Otherwise, Interval::whole()});
   }
-  const std::size_t others = inputs.size() - binding.parameters.size();
-  return shape_by_rules(recorded_for(binding, response.write, others, {}).formula, inputs);
+  return shape_by_rules(recorded_for(binding, response.write, others_of(response), {}).formula,
+                        inputs);
 }
 
 MechanismResponse recorded_curve(MechanismResponse response, const Parameters& parameters,
@@ -167,8 +169,8 @@ MechanismResponse recorded_curve(MechanismResponse response, const Parameters& p
   response.along = cycle.unit;
   response.cycle = std::make_shared<Cycle>(cycle);
   response.sees_law = true;
-  const Recorded whole =
-      recorded_for(free_binding(parameters.size()), response.write, kOfPlace, {});
+  const Recorded whole{
+      whole_formula(response.write, parameters.size(), kOfPlace), parameters.size(), {}};
   response.uses = used_arguments({whole});
   std::array<bool, kOfPlace> uses{};
   for (std::size_t i = 0; i < kOfPlace; ++i)

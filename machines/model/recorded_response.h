@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+
 #include "machines/model/curve_formula.h"
 #include "machines/model/cycle.h"
 #include "machines/model/mechanism.h"
@@ -10,18 +12,21 @@
 /// all from MechanismResponse::write.
 namespace camlaw::problems {
 
-/// s, v, a, j and x: what a curve's formula has beside the parameters.
-inline constexpr std::size_t kOfPlace = 5;
+/// What a curve's formula has beside the parameters.
+inline constexpr std::array<const char*, 5> kPlaceNames{"s", "v", "a", "j", "x"};
+inline constexpr std::size_t kOfPlace = kPlaceNames.size();
 
-/// Writes a formula of all parameters and some other inputs.
-using Write = decltype(MechanismResponse::write);
+/// How many other inputs a response's formula has.
+std::size_t others_of(const MechanismResponse& response);
+
+/// Records a formula with all parameters as inputs, in which the others follow.
+Formula whole_formula(const Write& write, std::size_t parameters, std::size_t others);
 
 /// Records a formula for what varies of a binding: these arguments come first among the inputs,
 /// then `others`. Arguments that are 0 in `at`, where it is given, are constants, and what they
 /// multiply is left out.
 Recorded recorded_for(const Binding& binding, const Write& write, std::size_t others,
-                      const decltype(MechanismResponse::is_possible)& is_possible,
-                      std::span<const double> at = {});
+                      const IsPossible& is_possible, std::span<const double> at = {});
 
 /// The parameters that a formula depends on, of as many as there are, increasing.
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,

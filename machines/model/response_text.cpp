@@ -14,8 +14,6 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr const char* kPlace[kOfPlace] = {"s", "v", "a", "j", "x"};
-
 /// Whether a step multiplies by this constant.
 bool scales_by(const std::vector<Step>& steps, const Step& step, double factor) {
   return step.operation == Operation::Multiply && steps[step.a].operation == Operation::Constant &&
@@ -27,10 +25,8 @@ std::string input_name(const Mechanism& mechanism, const MechanismResponse& resp
                        std::size_t input) {
   const std::size_t parameters = mechanism.parameters.size();
   if (input < parameters) return mechanism.parameters[input].name;
-  return response.curve ? kPlace[input - parameters] : response.inner[input - parameters].name;
+  return response.curve ? kPlaceNames[input - parameters] : response.inner[input - parameters].name;
 }
-
-double to_si(const std::string& unit) { return UnitFactor(unit, si_unit(unit).unit).as<double>(); }
 
 }  // namespace
 
@@ -41,10 +37,7 @@ std::string formula_text(const Mechanism& mechanism, const MechanismResponse& re
                     mechanism.name, response.name));
   }
   const std::size_t parameters = mechanism.parameters.size();
-  const std::size_t others = response.curve ? kOfPlace : response.inner.size();
-  const Formula formula = Formula::record(parameters + others, [&](auto u) {
-    return response.write(u.first(parameters), u.subspan(parameters));
-  });
+  const Formula formula = whole_formula(response.write, parameters, others_of(response));
   const auto& steps = formula.steps();
   // A parameter in the units of the SI is its number in listed units times their size.
   const NameOfStep name_of = [&](const Step& step) -> std::optional<std::string> {
@@ -57,12 +50,8 @@ std::string formula_text(const Mechanism& mechanism, const MechanismResponse& re
                                                                              : std::nullopt;
   };
   auto value = static_cast<std::uint32_t>(steps.size() - 1);
-  const double factor = 1 / to_si(response.unit);
-  const SiUnit si = si_unit(response.unit);
-  if (factor != 1 &&
-      scales_by(steps, steps[value], UnitFactor(si.unit, response.unit).as<double>())) {
-    value = steps[value].b;
-  }
+  const UnitFactor from_si(si_unit(response.unit).unit, response.unit);
+  if (scales_by(steps, steps[value], from_si.as<double>())) value = steps[value].b;
   std::string text;
   for (const FormulaLines::Line& line : lines_of(formula, value, name_of).lines) {
     text += fmt::format("{} = {}\n", line.name.empty() ? response.name : line.name, line.text);

@@ -206,7 +206,7 @@ class Rules {
         return ratio(a, b);
       case Operation::Sqrt:
         return from_zero_on(a, increasing(a, false, true));
-      case Operation::Log:  // at 0 it has no value
+      case Operation::Log:  // at 0 it is infinite, and the set above need not be convex
         return a.is_positive() || a.quasiconcave ? increasing(a, false, true) : Curvature{};
       case Operation::Exp:
         return increasing(a, true, false);

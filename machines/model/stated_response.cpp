@@ -17,23 +17,19 @@
 namespace camlaw::problems {
 namespace {
 
-/// The follower's motion by x, and the place.
-constexpr const char* kMotion[] = {"s", "v", "a", "j"};
-constexpr const char* kPlaceWords[] = {"x", "angle"};
-
-std::size_t motion_index(const std::string& name) {
-  const auto* const found = std::find(std::begin(kMotion), std::end(kMotion), name);
-  return static_cast<std::size_t>(found - std::begin(kMotion));
+/// Of s, v, a, j and x; beyond them of other names.
+std::size_t index_at_place(const std::string& name) {
+  const auto* const found = std::find(kPlaceNames.begin(), kPlaceNames.end(), name);
+  return static_cast<std::size_t>(found - kPlaceNames.begin());
 }
-bool is_motion(const std::string& name) { return motion_index(name) < std::size(kMotion); }
-bool is_place(const std::string& name) {
-  return std::find(std::begin(kPlaceWords), std::end(kPlaceWords), name) != std::end(kPlaceWords);
-}
+constexpr std::size_t kX = kOfPlace - 1;
+bool is_motion(const std::string& name) { return index_at_place(name) < kX; }
+bool is_place(const std::string& name) { return index_at_place(name) == kX || name == "angle"; }
 
 /// What a name of the formula is.
 struct Meaning {
-  enum class Kind { Motion, X, Angle, Parameter, Formula, Inner } kind;
-  std::size_t index = 0;                               ///< of Motion, Parameter, Inner
+  enum class Kind { Other, Angle, Parameter, Formula } kind;
+  std::size_t index = 0;                               ///< of Other inputs, of Parameter
   Write write = {};                                    ///< of Formula
   std::optional<std::vector<std::size_t>> inner = {};  ///< of Formula: where its inner numbers are
   UnitFactor to_si{"1", "1"};
@@ -75,11 +71,8 @@ Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
                       "know the angle",
                       mechanism.name, name));
     }
-    Meaning meaning{Meaning::Kind::Motion};
-    meaning.index = motion_index(name);
-    return meaning;
   }
-  if (name == "x") return {Meaning::Kind::X};
+  if (name != "angle") return {Meaning::Kind::Other, index_at_place(name)};
   if (cycle_of(mechanism).unit != "deg") {
     throw std::invalid_argument(fmt::format(
         "the curves of {} run over x, the law's abscissa from 0 to 1, not over an angle",
@@ -100,7 +93,7 @@ std::size_t place_of(const InnerNumber& inner, Resolved& resolved) {
 
 /// A number that is searched for and not written.
 Meaning inner_meaning(const InnerNumber& inner, Resolved& resolved) {
-  Meaning meaning = in_si(Meaning::Kind::Inner, inner.unit);
+  Meaning meaning = in_si(Meaning::Kind::Other, inner.unit);
   meaning.index = place_of(inner, resolved);
   return meaning;
 }
@@ -185,13 +178,11 @@ void check_dimension(const StatedResponse& stated, const Dimension& dimension,
 /// Refuses formulas that hold others without end.
 void check_size(const Write& write, std::size_t parameters, std::size_t others) {
   constexpr std::size_t kMostSteps = 10000;
-  const Formula formula = Formula::record(parameters + others, [&](std::span<const Expression> u) {
-    return write(u.first(parameters), u.subspan(parameters));
-  });
-  if (formula.steps().size() <= kMostSteps) return;
+  const std::size_t steps = whole_formula(write, parameters, others).steps().size();
+  if (steps <= kMostSteps) return;
   throw std::invalid_argument(
       fmt::format("with the formulas that it holds it takes {} steps; at most {} are accepted",
-                  formula.steps().size(), kMostSteps));
+                  steps, kMostSteps));
 }
 
 /// Writes the formula: its names by what they mean. Within one recording a formula that several
@@ -265,13 +256,12 @@ class Writer {
       case Meaning::Kind::Formula:
         return meaning.inner ? meaning.write(parameters, chosen(others, *meaning.inner))
                              : meaning.write(parameters, others);
-      case Meaning::Kind::X:
-        return others[std::size(kMotion)];
       case Meaning::Kind::Angle:
-        return angle_at(cycle_, others[std::size(kMotion)]);
-      default:
-        return others[meaning.index];
+        return angle_at(cycle_, others[kX]);
+      case Meaning::Kind::Other:
+        break;
     }
+    return others[meaning.index];
   }
 
   StatedResponse stated_;
@@ -314,13 +304,11 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
     response.possible_by = mechanism.responses.front().possible_by;
     response.is_possible = mechanism.responses.front().is_possible;
   }
+  using Numbers = std::span<const Expression>;
   response.write =
       [writer = std::make_shared<Writer>(std::move(stated), std::move(resolved.meanings), cycle)](
-          std::span<const Expression> parameters, std::span<const Expression> others) {
-        return (*writer)(parameters, others);
-      };
-  response.domain = [write = response.write](std::span<const Expression> parameters,
-                                             std::span<const Expression> others) {
+          Numbers parameters, Numbers others) { return (*writer)(parameters, others); };
+  response.domain = [write = response.write](Numbers parameters, Numbers others) {
     const WrittenDomain domain;
     write(parameters, others);
     return domain.least();

@@ -122,13 +122,7 @@ MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) 
   parameter.default_value = quantity_of(*value, parameter.unit);
   parameter.low = read_number(table, "lower", parameter.unit, -kWidest);
   parameter.high = read_number(table, "upper", parameter.unit, kWidest);
-  if (const Entry* type = find(table, "type")) {
-    parameter.integer = text_of(*type) == "integer";
-    if (!parameter.integer && type->text != "continuous") {
-      refuse(*type,
-             fmt::format("'{}' is not a type; accepted are integer, continuous", type->text));
-    }
-  }
+  parameter.integer = reads_integer(table);
   if (parameter.default_value < parameter.low || parameter.default_value > parameter.high) {
     refuse(*value, fmt::format("{:g} {} is not within {:g} .. {:g}", parameter.default_value,
                                parameter.unit, parameter.low, parameter.high));
@@ -229,6 +223,7 @@ class Adding {
  public:
   Adding(Mechanism& mechanism, const std::vector<Stated>& all) : mechanism_(mechanism), all_(all) {
     for (const Stated& stated : all) names_.push_back(stated.response.name);
+    is_added_.resize(all.size());
   }
 
   void add(std::size_t i) {
@@ -252,7 +247,7 @@ class Adding {
   Mechanism& mechanism_;
   const std::vector<Stated>& all_;
   std::vector<std::string> names_, path_;
-  std::map<std::size_t, bool> is_added_;
+  std::vector<bool> is_added_;
 };
 
 void add_responses(const Entry* responses, Mechanism& mechanism) {

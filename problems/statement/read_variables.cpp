@@ -39,16 +39,6 @@ double accepted_number(const Entry& entry, const NamedParameter& parameter) {
   return value;
 }
 
-bool reads_integer(const Entry& table) {
-  const Entry* type = find(table, "type");
-  if (type == nullptr) return false;
-  const std::string& text = text_of(*type);
-  if (text != "integer" && text != "continuous") {
-    refuse(*type, fmt::format("'{}' is not a type; accepted are integer, continuous", text));
-  }
-  return text == "integer";
-}
-
 double read_bound(const Entry& table, const char* key, const Element& element, bool integer) {
   const Entry* entry = find(table, key);
   if (entry == nullptr) {

@@ -102,4 +102,14 @@ std::vector<double> quantities_of(const Entry& list, const std::string& unit) {
   return values;
 }
 
+bool reads_integer(const Entry& table) {
+  const Entry* type = find(table, "type");
+  if (type == nullptr) return false;
+  const std::string& text = text_of(*type);
+  if (text != "integer" && text != "continuous") {
+    refuse(*type, fmt::format("'{}' is not a type; accepted are integer, continuous", text));
+  }
+  return text == "integer";
+}
+
 }  // namespace camlaw::problems

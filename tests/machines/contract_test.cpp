@@ -7,23 +7,16 @@
 #include "machines/model/recorded_response.h"
 #include "machines/model/response_text.h"
 #include "machines/registry.h"
-#include "numerics/formula/formula_dimension.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
+#include "tests/machines/formula_dimension.h"
 
 /// What every machine keeps to.
 namespace camlaw::problems {
 namespace {
 
-std::size_t others_of(const MechanismResponse& response) {
-  return response.curve ? kOfPlace : response.inner.size();
-}
-
 Formula record_of(const Mechanism& mechanism, const MechanismResponse& response) {
-  const std::size_t parameters = mechanism.parameters.size();
-  return Formula::record(parameters + others_of(response), [&](auto u) {
-    return response.write(u.first(parameters), u.subspan(parameters));
-  });
+  return whole_formula(response.write, mechanism.parameters.size(), others_of(response));
 }
 
 void for_each_formula(const std::function<void(const Mechanism&, const MechanismResponse&)>& look) {
@@ -53,7 +46,7 @@ std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismRes
 std::vector<std::string> names_of(const Mechanism& mechanism, const MechanismResponse& response) {
   std::vector<std::string> names;
   for (const MechanismParameter& p : mechanism.parameters) names.push_back(p.name);
-  if (response.curve) names.insert(names.end(), {"s", "v", "a", "j", "x"});
+  if (response.curve) names.insert(names.end(), kPlaceNames.begin(), kPlaceNames.end());
   for (const InnerNumber& inner : response.inner) names.push_back(inner.name);
   return names;
 }

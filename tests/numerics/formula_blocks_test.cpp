@@ -109,7 +109,7 @@ std::vector<Formula> wave_formulas() {
   return all;
 }
 
-/// Zeros, infinities, what is no number, and numbers of every size.
+/// Zeros, infinities, what is not a number, and numbers of every size.
 Row numbers(std::uint64_t seed, std::size_t count) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> some(-3, 3), size(-1074, 1023);

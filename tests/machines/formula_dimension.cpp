@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "numerics/formula/formula_dimension.h"
+#include "tests/machines/formula_dimension.h"
 
 #include <fmt/format.h>
 
