@@ -55,12 +55,11 @@ TEST_CASE("workers know a file's own formulas, and its study too", "[program][fo
   const Folder folder;
   const std::string file = folder / "lift.toml", study = folder / "lift.db";
   std::ofstream(file) << kFront;
-  const std::string front =
-      done({"pareto", file, "--points", "6", "--workers", "2", "--db", study, "--json"});
-  CHECK(ParsedJson::parse(done({"front", study, "--json"})).at("points") ==
-        ParsedJson::parse(front).at("points"));
+  const ParsedJson front = ParsedJson::parse(
+      done({"pareto", file, "--points", "6", "--workers", "2", "--db", study, "--json"}));
+  CHECK(ParsedJson::parse(done({"front", study, "--json"})).at("points") == front.at("points"));
   // The polynomial's peak is the lower one at every time: 4.656083 strokes per square of the time.
-  for (const ParsedJson& point : ParsedJson::parse(front).at("points")) {
+  for (const ParsedJson& point : front.at("points")) {
     const double peak = point.at("objectives").at("peak acceleration");
     const double rate = point.at("objectives").at("rate");
     CHECK(peak == Approx(0.05 * rate * rate * 4.656083).epsilon(1e-5));
