@@ -16,6 +16,7 @@
 #include "output/answers/limit_text.h"
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
+#include "output/answers/segments_output.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
@@ -129,6 +130,7 @@ Document evaluation_document(const ProblemStatement& statement,
   document.add(response_table(responses));
   document.say(sampled_text(responses));
   document.fact("responses", responses_json(responses));
+  if (moved) add_segments(statement.laws.front(), document);
   add_limits(limits, statement, document);
   const Warnings warnings = warnings_of(statement);
   document.say(warnings_text(warnings));

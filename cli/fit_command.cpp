@@ -16,7 +16,7 @@
 #include "cli/run_limits.h"
 #include "cli/watched_run.h"
 #include "fitting/cams/found_program.h"
-#include "fitting/samples/assumed_units.h"
+#include "numerics/tables/assumed_units.h"
 #include "output/answers/fit_output.h"
 #include "output/answers/next_step.h"
 #include "output/document/printing.h"

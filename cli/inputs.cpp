@@ -35,7 +35,8 @@ void keep_own_laws() {
 void keep_inputs(const problems::ProblemStatement& statement) {
   keep_input(statement.source);
   const std::string folder = fs::path(statement.source).parent_path().string();
-  for (const auto& [name, law] : statement.law_files) keep_law(name, folder);
+  for (const auto& [name, law] : statement.files.laws) keep_law(name, folder);
+  for (const auto& [name, text] : statement.files.tables) keep_input(fs::path(folder) / name);
 }
 
 void keep_inputs(const problems::ReadDesign& read) {

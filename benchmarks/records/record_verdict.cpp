@@ -11,7 +11,7 @@
 #include "benchmarks/timing.h"
 #include "fitting/constants/constants_fit.h"
 #include "fitting/motions/recorded_motion.h"
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 
 namespace camlaw::benchmarks {
 namespace {

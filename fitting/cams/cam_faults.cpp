@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

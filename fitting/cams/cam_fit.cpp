@@ -8,7 +8,7 @@
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/recorded_motion.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "optim/fit/loss.h"
 
 namespace camlaw::problems {

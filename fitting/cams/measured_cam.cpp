@@ -11,9 +11,9 @@
 #include <tuple>
 #include <utility>
 
-#include "fitting/samples/columns.h"
+#include "numerics/tables/columns.h"
 #include "fitting/samples/condensed.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "machines/registry.h"
 #include "numerics/linear/statistics.h"
 #include "problems/statement/parameters.h"

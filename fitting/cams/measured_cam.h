@@ -5,8 +5,8 @@
 
 #include "fitting/cams/measured_lift.h"
 #include "fitting/motions/law_fit.h"
-#include "fitting/samples/sample_table.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/sample_table.h"
+#include "numerics/tables/turn.h"
 #include "problems/statement/statement.h"
 
 /// From a table of a measured disc cam to samples of what its follower does.

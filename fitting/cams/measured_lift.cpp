@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "fitting/cams/measured_refusal.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "kinematics/laws/spline.h"
 
 namespace camlaw::problems {

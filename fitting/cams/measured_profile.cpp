@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fitting/cams/measured_refusal.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

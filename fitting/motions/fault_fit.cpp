@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "fitting/motions/law_ranking.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

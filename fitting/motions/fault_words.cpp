@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

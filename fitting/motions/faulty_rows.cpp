@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "fitting/samples/lift_samples.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "numerics/linear/statistics.h"
 
 namespace camlaw::problems {

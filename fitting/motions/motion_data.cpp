@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "fitting/samples/assumed_units.h"
-#include "fitting/samples/columns.h"
+#include "numerics/tables/assumed_units.h"
+#include "numerics/tables/columns.h"
 #include "fitting/samples/condensed.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

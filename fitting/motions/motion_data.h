@@ -4,14 +4,14 @@
 #include "fitting/motions/faulty_rows.h"
 #include "fitting/motions/law_fit.h"
 #include "fitting/motions/segments.h"
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 
 /// From a measured table to motions: which column is what, in which unit, and where the follower
 /// moves.
 namespace camlaw::problems {
 
 /// The columns of a table as a place and a displacement, velocity or acceleration. The place is the
-/// column called angle, phi, x, t, ... (fitting/samples/column_names.h), else the first; the value
+/// column called angle, phi, x, t, ... (numerics/tables/column_names.h), else the first; the value
 /// that named as a displacement, velocity or acceleration, else the second. Angles become deg,
 /// lengths mm, times s, what has no unit stays, but for angles of which the values tell that they
 /// are degrees; velocity is in mm/deg and the like. Rows whose place lies far from all others are

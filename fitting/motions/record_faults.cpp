@@ -9,7 +9,7 @@
 #include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/motion_residuals.h"
 #include "fitting/motions/rounding_errors.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

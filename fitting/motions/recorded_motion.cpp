@@ -9,7 +9,7 @@
 
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "numerics/linear/statistics.h"
 
 namespace camlaw::problems {

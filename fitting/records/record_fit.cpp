@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "optim/fit/residuals.h"
 #include "problems/statement/bind.h"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/samples/columns.h"
+#include "numerics/tables/columns.h"
 #include "fitting/samples/condensed.h"
 
 namespace camlaw::problems {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 #include "machines/model/mechanism.h"
 
 /// Curves of a machine that were recorded over its cycle.

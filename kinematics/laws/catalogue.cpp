@@ -16,14 +16,22 @@
 namespace camlaw {
 namespace {
 
+/// Blanks, underscores and hyphens part words alike.
+std::string spelling(std::string_view name) {
+  std::string result = folded(name);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c == ' ' || c == '_'; }, '-');
+  return result;
+}
+
 bool is_named(const Family& family, const std::string& wanted) {
-  if (folded(family.name) == wanted) return true;
+  if (spelling(family.name) == wanted) return true;
   return std::any_of(family.aliases.begin(), family.aliases.end(),
-                     [&](const std::string& alias) { return folded(alias) == wanted; });
+                     [&](const std::string& alias) { return spelling(alias) == wanted; });
 }
 
 const Family* find_exact(std::string_view name) {
-  const std::string wanted = folded(name);
+  const std::string wanted = spelling(name);
   for (const Family& family : catalogue()) {
     if (is_named(family, wanted)) return &family;
   }

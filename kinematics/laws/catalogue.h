@@ -103,6 +103,12 @@ struct Room {
   bool is_equal = false;       ///< 0, and neither more nor less
 };
 
+/// A part of a law that has a name, as a segment of a motion program has.
+struct NamedSpan {
+  std::string name;
+  double begin, end;  ///< of the law's x
+};
+
 struct Member;
 
 /// A law of the catalogue: fixed, or a family with parameters.
@@ -120,6 +126,8 @@ struct Family {
   /// is such a member.
   std::function<Member(const Arguments<double>&)> listed = {};
   std::vector<Room> rooms = {};  ///< what the parameters must leave together
+  /// Of a law that is made of parts with names: where these lie, in their order.
+  std::function<std::vector<NamedSpan>(const Arguments<double>&)> spans = {};
 
   Arguments<double> defaults() const;
   /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter

@@ -11,14 +11,14 @@ using detail::rest_to_rest;
 std::vector<Family> fixed_harmonics() {
   const char* rothbart = "Rothbart (ed.), Cam Design Handbook, 2004, p. 104";
   return {
-      rest_to_rest(
-          {"cosine",
-           {"simple harmonic", "cosine of acceleration", "einfache Sinuslinie", "Косинусоїда"},
-           "(1 - cos(pi x)) / 2",
-           1,
-           true,
-           "VDI 2143; the spine-cutter study"},
-          []<class S>(const Arguments<S>&) { return cosine<S>(); }),
+      rest_to_rest({"cosine",
+                    {"SHM", "simple harmonic", "simple harmonic motion", "cosine of acceleration",
+                     "einfache Sinuslinie", "Косинусоїда"},
+                    "(1 - cos(pi x)) / 2",
+                    1,
+                    true,
+                    "VDI 2143; the spine-cutter study"},
+                   []<class S>(const Arguments<S>&) { return cosine<S>(); }),
       {"harmonic",
        {"cosine from turn to turn"},
        "(1 - cos(pi x)) / 2",
@@ -29,8 +29,8 @@ std::vector<Family> fixed_harmonics() {
        "VDI 2143",
        []<class S>(const Arguments<S>&) { return harmonic<S>(); }},
       rest_to_rest({"cycloidal",
-                    {"cycloid", "sine of acceleration", "sinusoid", "Bestehorn-Sinoide",
-                     "geneigte Sinuslinie", "Синусоїда", "Со"},
+                    {"cycloid", "sine of acceleration", "sinusoid", "Bestehorn",
+                     "Bestehorn-Sinoide", "geneigte Sinuslinie", "Синусоїда", "Со"},
                     "x - sin(2 pi x) / (2 pi)",
                     2,
                     true,

@@ -7,18 +7,17 @@
 #include <cmath>
 #include <set>
 
-#include "kinematics/program/segments.h"
+#include "kinematics/program/joints.h"
+#include "kinematics/program/layout.h"
 #include "numerics/scalar/dual.h"
 
 namespace camlaw {
 namespace {
 
-constexpr double kCycle = 360;        // deg
-constexpr double kLeastAngle = 1e-3;  // deg, of a segment
-
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("motion program: " + why);
-}
+using detail::kCycle;
+using detail::Layout;
+using detail::refuse_program;
+using detail::StatedProgram;
 
 bool is_name(const std::string& name) {
   const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -27,155 +26,73 @@ bool is_name(const std::string& name) {
                      [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-void check_segments(const std::vector<ProgramSegment>& segments) {
-  if (segments.size() < 2) refuse("a cycle has at least two segments");
+/// Refuses what only a segment that joins can have, and a law's own of one that has none.
+void check_motion(const ProgramSegment& segment) {
+  const bool states_motion = !segment.points.empty() || segment.velocity || segment.acceleration;
+  if (states_motion && !detail::joins(segment)) {
+    refuse_program(
+        fmt::format("'{}' {}; points and a velocity or an acceleration at the end are "
+                    "for a segment that joins (law = \"joining\")",
+                    segment.name, segment.rests ? "rests" : "moves by a law"));
+  }
+  if (segment.reversed && !segment.law) {
+    refuse_program(fmt::format("'{}' has no law that could run backwards", segment.name));
+  }
+  if (segment.continuity != 2 && segment.continuity != 4) {
+    refuse_program(
+        fmt::format("the continuity of '{}' is 2 (pieces of degree 3) or 4 (pieces of "
+                    "degree 5), not {}",
+                    segment.name, segment.continuity));
+  }
+  double before = 0;
+  for (std::size_t i = 0; i < segment.points.size(); ++i) {
+    const double angle = segment.points[i].angle;
+    if (!(angle > before && angle < segment.angle)) {
+      refuse_program(
+          fmt::format("point {} of '{}' is at {:g} deg; accepted is what lies between "
+                      "{:g} and {:g} deg",
+                      i + 1, segment.name, angle, before, segment.angle));
+    }
+    before = angle;
+  }
+}
+
+void check_segment(const ProgramSegment& segment, double level, std::set<std::string>& names) {
+  if (!is_name(segment.name)) {
+    refuse_program(
+        fmt::format("'{}' is not a segment's name; use small letters, digits and _, a letter first",
+                    segment.name));
+  }
+  if (!names.insert(segment.name).second) {
+    refuse_program(fmt::format("two segments are called '{}'", segment.name));
+  }
+  if (!(segment.angle > 0)) {
+    refuse_program(fmt::format("the angle of '{}' must be above 0, not {:g} deg", segment.name,
+                               segment.angle));
+  }
+  if (segment.rests && segment.to != level) {
+    refuse_program(
+        fmt::format("'{}' rests, but would go from {:g} to {:g}", segment.name, level, segment.to));
+  }
+  if (segment.law && segment.to == level) {
+    refuse_program(fmt::format("'{}' moves, but begins and ends at {:g}", segment.name, level));
+  }
+  check_motion(segment);
+}
+
+void check_program(const StatedProgram& program) {
+  const auto& segments = program.segments;
+  if (segments.size() < 2) refuse_program("a cycle has at least two segments");
   std::set<std::string> names;
-  double sum = 0, level = segments.back().to;
+  double sum = 0, level = segments.back().to - program.advance;
   for (const ProgramSegment& segment : segments) {
-    if (!is_name(segment.name)) {
-      refuse(
-          fmt::format("'{}' is not a segment's name; use small letters, digits and _, a letter "
-                      "first",
-                      segment.name));
-    }
-    if (!names.insert(segment.name).second) {
-      refuse(fmt::format("two segments are called '{}'", segment.name));
-    }
-    if (!(segment.angle > 0)) {
-      refuse(fmt::format("the angle of '{}' must be above 0, not {:g} deg", segment.name,
-                         segment.angle));
-    }
-    if (segment.rests && segment.to != level) {
-      refuse(fmt::format("'{}' rests, but would go from {:g} to {:g}", segment.name, level,
-                         segment.to));
-    }
-    if (!segment.rests && segment.to == level) {
-      refuse(fmt::format("'{}' moves, but begins and ends at {:g}", segment.name, level));
-    }
+    check_segment(segment, level, names);
     level = segment.to;
     sum += segment.angle;
   }
   constexpr double kRounding = 1e-9;
   if (std::abs(sum - kCycle) > kRounding * kCycle) {
-    refuse(fmt::format("the angles add up to {:.10g} deg, not 360", sum));
-  }
-}
-
-/// Whose parameters a program's are: each knows how to find its place again.
-struct Layout {
-  struct Part {
-    std::optional<std::size_t> angle, to;  ///< index among the family's parameters
-    std::size_t law = 0;                   ///< of the first parameter of its law
-  };
-  std::vector<Part> parts;
-  std::vector<Parameter> parameters;
-};
-
-Layout lay_out(const std::vector<ProgramSegment>& segments) {
-  constexpr double kMostLevel = 1e3;
-  const auto last_move = std::find_if(segments.rbegin(), segments.rend(),
-                                      [](const ProgramSegment& s) { return !s.rests; });
-  Layout layout;
-  for (const ProgramSegment& segment : segments) {
-    Layout::Part part;
-    const auto add = [&](Parameter parameter) {
-      layout.parameters.push_back(std::move(parameter));
-      return layout.parameters.size() - 1;
-    };
-    if (&segment != &segments.back()) {
-      part.angle = add({segment.name + "_angle",
-                        "deg",
-                        kLeastAngle,
-                        kCycle,
-                        {segment.angle},
-                        "cam angle of " + segment.name});
-    }
-    if (!segment.rests && &segment != &*last_move) {
-      part.to = add({segment.name + "_to",
-                     "1",
-                     -kMostLevel,
-                     kMostLevel,
-                     {segment.to},
-                     "displacement at the end of " + segment.name + " in parts of the stroke"});
-    }
-    part.law = layout.parameters.size();
-    if (segment.law) {
-      const Family& family = *segment.law->family;
-      for (std::size_t i = 0; i < family.parameters.size(); ++i) {
-        Parameter parameter = family.parameters[i];
-        parameter.name = segment.name + "_" + parameter.name;
-        parameter.default_value = segment.law->arguments.list(i);
-        add(std::move(parameter));
-      }
-    }
-    layout.parts.push_back(part);
-  }
-  return layout;
-}
-
-/// The part of a program's arguments that is one segment's law.
-template <class S>
-Arguments<S> law_arguments(const Arguments<S>& all, const Layout::Part& part,
-                           const Family& family) {
-  const auto first = all.values().begin() + static_cast<std::ptrdiff_t>(part.law);
-  return Arguments<S>({first, first + static_cast<std::ptrdiff_t>(family.parameters.size())});
-}
-
-/// The program's segments for arguments. The last takes what is left of the cycle.
-template <class S>
-std::vector<Segment<S>> segments_at(const std::vector<ProgramSegment>& stated, const Layout& layout,
-                                    const Arguments<S>& arguments) {
-  std::vector<Segment<S>> result;
-  S left = number<S>(1);
-  S level = number<S>(stated.back().to);
-  for (std::size_t i = 0; i < stated.size(); ++i) {
-    const Layout::Part& part = layout.parts[i];
-    const S share = part.angle ? arguments.scalar(*part.angle) / number<S>(kCycle) : left;
-    if (!(value_of(share) > 0)) refuse(fmt::format("no angle is left for '{}'", stated[i].name));
-    left = left - share;
-    S to = part.to ? arguments.scalar(*part.to) : number<S>(stated[i].to);
-    if (stated[i].rests) to = level;
-    Segment<S> segment{share, level, to, {}};
-    if (stated[i].law) {
-      const Family& family = *stated[i].law->family;
-      segment.law = family.make(law_arguments(arguments, part, family));
-    }
-    result.push_back(std::move(segment));
-    level = to;
-  }
-  return result;
-}
-
-/// s, v, a of a program on one side of a place where segments meet; 0 is the end of the cycle from
-/// the left.
-std::array<double, 3> beside(const Law<double>& law, double at, Side side) {
-  return law.derivatives<3>(at == 0 && side == Side::Left ? 1.0 : at, side);
-}
-
-/// Throws where two segments do not meet as asked for. Jumps are counted against what a motion of
-/// the segment's own stroke and share would have.
-void check_joints(const std::vector<ProgramSegment>& stated,
-                  const std::vector<Segment<double>>& segments, const Law<double>& law,
-                  Matched matched) {
-  constexpr double kSlack = 1e-6;
-  constexpr const char* kWhat[] = {"displacement", "velocity", "acceleration"};
-  constexpr const char* kUnit[] = {"strokes", "strokes per cycle", "strokes per cycle^2"};
-  double at = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const std::size_t before = (i + segments.size() - 1) % segments.size();
-    const auto left = beside(law, at, Side::Left), right = beside(law, at, Side::Right);
-    double size = 1;
-    const double rate = 1 / std::max(segments[i].share, segments[before].share);
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(matched); ++k) {
-      if (!(std::abs(left[k] - right[k]) <= kSlack * size)) {
-        refuse(fmt::format(
-            "where '{}' meets '{}', at {:.6g} deg, the {} jumps from {:.6g} to {:.6g} {}",
-            stated[before].name, stated[i].name, at * kCycle, kWhat[k], left[k], right[k],
-            kUnit[k]));
-      }
-      size *= rate;
-    }
-    at += segments[i].share;
+    refuse_program(fmt::format("the angles add up to {:.10g} deg, not 360", sum));
   }
 }
 
@@ -188,93 +105,96 @@ std::string name_of(const std::vector<ProgramSegment>& segments) {
   return result;
 }
 
+/// "by cycloidal to 1", "joining through 2 points to 0.5".
+std::string motion_words(const ProgramSegment& segment) {
+  std::string result;
+  if (segment.law) {
+    result = " by " + segment.law->label() + (segment.reversed ? " backwards" : "");
+  } else {
+    result = " joining";
+    const std::size_t count = segment.points.size();
+    if (count > 0) result += fmt::format(" through {} point{}", count, count == 1 ? "" : "s");
+  }
+  result += fmt::format(" to {:.6g}", segment.to);
+  if (segment.velocity) result += fmt::format(" at {:.6g} strokes per cycle", *segment.velocity);
+  if (segment.acceleration) {
+    result += fmt::format(" with {:.6g} strokes per cycle^2", *segment.acceleration);
+  }
+  return result;
+}
+
 /// "rise 120 deg by cycloidal to 1, dwell 60 deg, ...".
 std::string words_of(const std::vector<ProgramSegment>& segments) {
   std::string result;
   for (const ProgramSegment& segment : segments) {
     result +=
         fmt::format("{}{} {:.6g} deg", result.empty() ? "" : ", ", segment.name, segment.angle);
-    if (segment.rests) continue;
-    result += fmt::format(" {} to {:.6g}", segment.law ? "by " + segment.law->label() : "joining",
-                          segment.to);
+    if (!segment.rests) result += motion_words(segment);
   }
   return result;
 }
 
-/// The program's segments at arguments, with laws of the catalogue where a law knows one.
-std::vector<ProgramSegment> listed_segments(std::vector<ProgramSegment> stated,
-                                            const Layout& layout,
-                                            const Arguments<double>& arguments) {
-  const auto segments = segments_at(stated, layout, arguments);
-  for (std::size_t i = 0; i < stated.size(); ++i) {
-    const auto angle = layout.parts[i].angle;
-    stated[i].angle = angle ? arguments.scalar(*angle) : segments[i].share * kCycle;
-    stated[i].to = segments[i].to;
-    if (!stated[i].law) continue;
-    const Family& family = *stated[i].law->family;
-    const Member own{stated[i].law->family, law_arguments(arguments, layout.parts[i], family)};
-    stated[i].law = own.listed();
+/// A segment as arguments have it, with a law of the catalogue where its law knows one.
+ProgramSegment listed_segment(ProgramSegment stated, const detail::SegmentPlaces& places,
+                              const Segment<double>& segment, const Arguments<double>& arguments) {
+  stated.angle = places.angle ? arguments.scalar(*places.angle) : segment.share * kCycle;
+  stated.to = segment.to;
+  for (std::size_t i = 0; i < stated.points.size(); ++i) {
+    stated.points[i].to = segment.points[i].s;
+    stated.points[i].angle = arguments.list(*places.point_angles)[i];
+  }
+  stated.velocity = segment.stated_end.velocity;
+  stated.acceleration = segment.stated_end.acceleration;
+  if (stated.law) {
+    const Family& family = *stated.law->family;
+    stated.law = Member{stated.law->family, law_arguments(arguments, places, family)}.listed();
   }
   return stated;
 }
 
-/// What its angles leave for the last segment, of the cycle, and the rooms of its laws.
-std::vector<Room> rooms_of(const std::vector<ProgramSegment>& stated, const Layout& layout) {
-  std::string name = "1 -";
-  std::vector<std::size_t> angles;
-  for (std::size_t i = 0; i < stated.size(); ++i) {
-    if (!layout.parts[i].angle) continue;
-    name += fmt::format("{}{}_angle", angles.empty() ? " (" : " + ", stated[i].name);
-    angles.push_back(*layout.parts[i].angle);
-  }
-  std::vector<Room> rooms{{name + ") / 360 deg", [angles]<class S>(const Arguments<S>& a) {
-                             S left = number<S>(1 - kLeastAngle / kCycle);
-                             for (const std::size_t i : angles) {
-                               left = left - a.scalar(i) / number<S>(kCycle);
-                             }
-                             return left;
-                           }}};
-  for (std::size_t i = 0; i < stated.size(); ++i) {
-    if (!stated[i].law) continue;
-    const FamilyOf family = stated[i].law->family;
-    for (const Room& room : family->rooms) {
-      rooms.push_back(
-          {stated[i].name + ": " + room.name,
-           [family, part = layout.parts[i], left = room.left]<class S>(const Arguments<S>& a) {
-             return left.make(law_arguments(a, part, *family));
-           },
-           room.linear, room.is_equal});
-    }
-  }
-  return rooms;
-}
-
-/// The program of segments that need not be such as a person may state: a design may have a move
-/// that stays where it is.
-Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
-  const Layout layout = lay_out(stated);
-  Family family{.name = name_of(stated),
+/// A program that need not be such as a person may state: a design may have a move that stays where
+/// it is.
+Member program_of(const StatedProgram& program) {
+  const Layout layout = detail::lay_out(program);
+  Family family{.name = name_of(program.segments),
                 .aliases = {},
-                .formula = words_of(stated),
+                .formula = words_of(program.segments),
                 .parameters = layout.parameters,
                 .ends = "periodic",
                 .continuity = 0,
                 .symmetric = false,
                 .source = "stated",
-                .maker = [stated, layout, matched]<class S>(const Arguments<S>& arguments) {
-                  const auto segments = segments_at(stated, layout, arguments);
+                .maker = [program, layout]<class S>(const Arguments<S>& arguments) {
+                  const auto segments = segments_at(program, layout, arguments);
                   Law<S> law = program_law(segments);
                   std::vector<Segment<double>> plain;
                   for (const auto& s : segments) {
-                    plain.push_back({value_of(s.share), value_of(s.from), value_of(s.to), {}});
+                    plain.push_back({value_of(s.share), value_of(s.from), value_of(s.to)});
                   }
-                  check_joints(stated, plain, law.template as<double>(), matched);
+                  check_joints(program, plain, law.template as<double>());
                   return law;
                 }};
-  family.listed = [stated, layout, matched](const Arguments<double>& arguments) {
-    return program_of(listed_segments(stated, layout, arguments), matched);
+  family.listed = [program, layout](const Arguments<double>& arguments) {
+    const auto segments = segments_at(program, layout, arguments);
+    StatedProgram listed = program;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      listed.segments[i] =
+          listed_segment(program.segments[i], layout.segments[i], segments[i], arguments);
+    }
+    return program_of(listed);
   };
-  family.rooms = rooms_of(stated, layout);
+  family.rooms = rooms_of(program, layout);
+  family.spans = [program, layout](const Arguments<double>& arguments) {
+    std::vector<NamedSpan> spans;
+    double begin = 0;
+    for (const auto& segment : segments_at(program, layout, arguments)) {
+      const bool is_last = spans.size() + 1 == program.segments.size();
+      const double end = is_last ? 1 : begin + segment.share;
+      spans.push_back({program.segments[spans.size()].name, begin, end});
+      begin = end;
+    }
+    return spans;
+  };
   family.continuity = continuity(family.make(family.defaults()));
   const auto owned = std::make_shared<const Family>(std::move(family));
   return {owned, owned->defaults()};
@@ -282,9 +202,10 @@ Member program_of(const std::vector<ProgramSegment>& stated, Matched matched) {
 
 }  // namespace
 
-Member motion_program(std::vector<ProgramSegment> stated, Matched matched) {
-  check_segments(stated);
-  return program_of(stated, matched);
+Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance) {
+  const StatedProgram program{std::move(segments), matched, advance};
+  check_program(program);
+  return program_of(program);
 }
 
 }  // namespace camlaw

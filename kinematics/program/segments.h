@@ -5,72 +5,164 @@
 #include <vector>
 
 #include "kinematics/laws/polynomial.h"
+#include "kinematics/program/joined_run.h"
 #include "kinematics/transform.h"
 
 /// The law of a motion program, generic in the scalar, from segments that have laws already.
 namespace camlaw {
+
+/// A place that a segment passes, with what is stated of the motion there, by the cycle's x.
+template <class T>
+struct SegmentPoint {
+  T share;  ///< of the cycle, since the segment began
+  T s;      ///< in parts of the stroke
+  RunKnot<T> stated = {};
+};
 
 /// A stretch of the cycle.
 template <class T>
 struct Segment {
   T share;     ///< of the cycle
   T from, to;  ///< displacement at its ends, in parts of the stroke
-  /// How it moves; none: it rests where from = to, else it joins its neighbours in velocity and
-  /// acceleration by a polynomial of degree 5.
-  std::optional<Law<T>> law;
+  /// How it moves; without one it rests, or joins what is before and after it.
+  std::optional<Law<T>> law = {};
+  bool joins = false;
+  Smoothness smoothness = Smoothness::Snap;  ///< of a segment that joins
+  std::vector<SegmentPoint<T>> points = {};  ///< that a segment which joins passes, in turn
+  RunKnot<T> stated_end = {};                ///< where a segment which joins ends
 };
 
 namespace detail {
 
-/// The pieces of a segment that has a law or rests, from cycle place `begin` on.
+/// A law's pieces over a part of the cycle, between two displacements.
 template <class T>
-std::vector<Piece<T>> segment_pieces(const Segment<T>& segment, const T& begin) {
-  const T zero = number<T>(0), one = number<T>(1);
-  if (!segment.law) return {{begin, begin + segment.share, begin, {segment.from}, {}, {}}};
+std::vector<Piece<T>> pieces_over(const Law<T>& law, const T& begin, const T& share, const T& from,
+                                  const T& to) {
   std::vector<Piece<T>> pieces;
-  const T slope = one / segment.share;
-  for (const Piece<T>& piece : segment.law->pieces()) {
-    pieces.push_back(
-        map_piece(piece, slope, zero - begin * slope, segment.to - segment.from, segment.from));
+  const T slope = number<T>(1) / share, shift = number<T>(0) - begin * slope;
+  for (const Piece<T>& piece : law.pieces()) {
+    pieces.push_back(map_piece(piece, slope, shift, to - from, from));
   }
   return pieces;
 }
 
+/// A piece of a run of segments that join: where it lies, and to whose pieces it belongs.
 template <class T>
-bool joins(const Segment<T>& segment) {
-  return !segment.law && value_of(segment.from) != value_of(segment.to);
+struct PlacedPiece {
+  RunPiece<T> piece;
+  T begin;
+  std::size_t segment;
+};
+
+/// Segments that follow one another, round the cycle, and join: from `first` on.
+template <class T>
+struct Run {
+  std::vector<PlacedPiece<T>> pieces;
+  std::vector<RunKnot<T>> ends;  ///< what is stated where each piece ends
+  Smoothness smoothness = Smoothness::Snap;
+
+  void add(const Segment<T>& segment, const T& begin, std::size_t index) {
+    if (!pieces.empty() && segment.smoothness != smoothness) {
+      throw std::invalid_argument("segments that join one another need the same continuity");
+    }
+    smoothness = segment.smoothness;
+    T before = number<T>(0), s = segment.from;
+    const auto add_piece = [&](const T& share, const T& to, const RunKnot<T>& stated) {
+      if (!(value_of(share) > value_of(before))) {
+        throw std::invalid_argument("points must follow one another within their segment");
+      }
+      pieces.push_back({{share - before, s, to}, begin + before, index});
+      ends.push_back(stated);
+      before = share;
+      s = to;
+    };
+    for (const auto& point : segment.points) add_piece(point.share, point.s, point.stated);
+    add_piece(segment.share, segment.to, segment.stated_end);
+  }
+
+  /// The pieces' laws, with these states at the knots.
+  void place(const std::vector<RunState<T>>& states, std::vector<std::vector<Piece<T>>>& parts) {
+    const bool quintic = smoothness == Smoothness::Snap;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const auto& [piece, begin, segment] = pieces[i];
+      const T& d = piece.share;
+      // In the piece's own x: a derivative by it is one by the cycle's, times the share.
+      const auto conditions = [&](const T& s, const RunState<T>& state) {
+        std::vector<T> result{s, d * state[0]};
+        if (quintic) result.push_back(d * d * state[1]);
+        return result;
+      };
+      const Law<T> law = boundary_polynomial<T>(
+          conditions(piece.from, states[i]), conditions(piece.to, states[(i + 1) % states.size()]));
+      for (auto& part : pieces_over(law, begin, d, number<T>(0), number<T>(1))) {
+        parts[segment].push_back(std::move(part));
+      }
+    }
+  }
+};
+
+/// All that is known of the motion at a place of a piece.
+template <class T>
+RunKnot<T> knot_at(const Piece<T>& piece, const T& place) {
+  const auto motion = derivatives<3>(piece, place);
+  return {motion[1], motion[2]};
+}
+
+/// The pieces of the segments that join, from those of the others.
+template <class T>
+void join(const std::vector<Segment<T>>& segments, const std::vector<T>& begins,
+          std::vector<std::vector<Piece<T>>>& parts) {
+  const std::size_t n = segments.size();
+  std::size_t first = 0;  // one that does not join, where there is any
+  while (first < n && segments[first].joins) ++first;
+  if (first == n) {  // the whole cycle is one run that ends where it begins
+    Run<T> run;
+    for (std::size_t i = 0; i < n; ++i) run.add(segments[i], begins[i], i);
+    std::vector<RunPiece<T>> pieces;
+    for (const auto& p : run.pieces) pieces.push_back(p.piece);
+    std::vector<RunKnot<T>> knots{run.ends.back()};
+    knots.insert(knots.end(), run.ends.begin(), run.ends.end() - 1);
+    run.place(run_states(pieces, knots, run.smoothness), parts);
+    return;
+  }
+  for (std::size_t k = first; k < first + n; ++k) {
+    if (segments[k % n].joins || !segments[(k + 1) % n].joins) continue;
+    Run<T> run;
+    std::size_t i = k + 1;
+    for (; segments[i % n].joins; ++i) run.add(segments[i % n], begins[i % n], i % n);
+    std::vector<RunPiece<T>> pieces;
+    for (const auto& p : run.pieces) pieces.push_back(p.piece);
+    const auto &before = parts[k % n], &after = parts[i % n];
+    std::vector<RunKnot<T>> knots{knot_at(before.back(), before.back().end)};
+    knots.insert(knots.end(), run.ends.begin(), run.ends.end());
+    const RunKnot<T> next = knot_at(after.front(), after.front().begin);
+    if (!knots.back().velocity) knots.back().velocity = next.velocity;
+    if (!knots.back().acceleration) knots.back().acceleration = next.acceleration;
+    run.place(run_states(pieces, knots, run.smoothness), parts);
+  }
 }
 
 }  // namespace detail
 
 /// The program of segments that fill the cycle one after another; the last ends at 1 whatever its
-/// share. Throws std::invalid_argument where two segments that join follow one another, and what
-/// Law's constructor throws.
+/// share. Segments that join are found together with those that they follow. Throws
+/// std::invalid_argument where points do not follow one another, and what Law's constructor throws.
 template <class T>
 Law<T> program_law(const std::vector<Segment<T>>& segments) {
   std::vector<std::vector<Piece<T>>> parts(segments.size());
   std::vector<T> begins;
   T begin = number<T>(0);
   for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment<T>& segment = segments[i];
     begins.push_back(begin);
-    if (!detail::joins(segments[i])) parts[i] = detail::segment_pieces(segments[i], begin);
-    begin = begin + segments[i].share;
-  }
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    if (!detail::joins(segments[i])) continue;
-    const auto& before = parts[(i + segments.size() - 1) % segments.size()];
-    const auto& after = parts[(i + 1) % segments.size()];
-    if (before.empty() || after.empty()) {
-      throw std::invalid_argument("a segment that joins its neighbours needs laws or rests there");
+    if (segment.law) {
+      parts[i] = detail::pieces_over(*segment.law, begin, segment.share, segment.from, segment.to);
+    } else if (!segment.joins) {
+      parts[i] = {{begin, begin + segment.share, begin, {segment.from}, {}, {}}};
     }
-    const auto from = derivatives<3>(before.back(), before.back().end);
-    const auto to = derivatives<3>(after.front(), after.front().begin);
-    // In the segment's own x: a derivative by it is one by the cycle's, times the share.
-    const T& d = segments[i].share;
-    const Law<T> joining = boundary_polynomial<T>({from[0], d * from[1], d * d * from[2]},
-                                                  {to[0], d * to[1], d * d * to[2]});
-    parts[i] = detail::segment_pieces<T>({d, number<T>(0), number<T>(1), joining}, begins[i]);
+    begin = begin + segment.share;
   }
+  detail::join(segments, begins, parts);
   std::vector<Piece<T>> pieces;
   for (auto& part : parts) {
     for (auto& piece : part) pieces.push_back(std::move(piece));

@@ -5,6 +5,7 @@
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recorded_response.h"
+#include "machines/model/windowed.h"
 #include "numerics/scalar/interval.h"
 #include "optim/problem/automatic.h"
 
@@ -114,7 +115,11 @@ optim::Response make_response(const Mechanism& mechanism, const ResponseName& na
   const MechanismResponse& response = *name.response;
   const Binding used = narrowed(binding, response);
   const Shape shape = shape_in(mechanism, response, used).best();
-  if (response.curve) return {name.name, name.unit, response.curve(used, shape)};
+  if (response.curve) {
+    auto curve = response.curve(used, shape);
+    if (name.window) curve = windowed(std::move(curve), *name.window, response, binding);
+    return {name.name, name.unit, std::move(curve)};
+  }
   return {name.name, name.unit, response.number(used, shape)};
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -152,6 +153,12 @@ struct Mechanism {
   std::size_t parameter(std::string_view parameter_name) const;
 };
 
+/// The part of the cycle that a limit or an objective is about.
+struct CycleWindow {
+  std::string segment;      ///< of the motion program; empty: the places follow
+  double from = 0, to = 0;  ///< in the curve's own unit
+};
+
 /// A response asked for by name: one of the mechanism's, a named peak, "peak X", "highest X" or
 /// "lowest X" of a curve X, or a parameter of the mechanism (a number that the design holds).
 struct ResponseName {
@@ -160,6 +167,7 @@ struct ResponseName {
   std::size_t parameter = 0;                    ///< where response is null
   optim::Part part = optim::Part::Value;        ///< of a curve; Value: the curve itself, everywhere
   std::string unit;                             ///< listed
+  std::optional<CycleWindow> window = {};       ///< of a curve; none: the whole cycle
 };
 
 /// "peak torque": a part of a curve as it is asked for.

@@ -18,9 +18,14 @@ using Kind = FormulaTree::Kind;
 
 thread_local std::vector<Expression>* conditions = nullptr;
 
-/// Notes that a formula has a value only where x is 0 or above.
-void has_value_where(const Expression& x) {
-  if (conditions != nullptr) conditions->push_back(x);
+/// Whether a formula has a value where its condition is 0.
+enum class Edge : char { Closed, Open };
+
+/// Notes that a formula has a value only where x is above 0 or, where the edge is closed, is 0.
+void has_value_where(const Expression& x, Edge edge) {
+  if (conditions == nullptr) return;
+  const bool is_open = edge == Edge::Open;
+  conditions->push_back(is_open ? by_side(-x, Expression(-1.0), Expression(1.0)) : x);
 }
 using Quantities = std::vector<WrittenQuantity>;
 
@@ -132,7 +137,9 @@ WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& ba
     if (!std::isfinite(*exponent) || std::abs(*exponent) > 100) {
       refuse_formula(tree.parts[1].at, "an exponent lies within -100 and 100");
     }
-    if (*exponent != std::floor(*exponent)) has_value_where(base.value);
+    if (*exponent != std::floor(*exponent)) {
+      has_value_where(base.value, *exponent < 0 ? Edge::Open : Edge::Closed);
+    }
     if (*exponent == 0) return plain(Expression(1.0) + Expression(0.0) * base.value);
     return {power(base.value, *exponent), power(base.dimension, *exponent)};
   }
@@ -142,7 +149,7 @@ WrittenQuantity written_power(const FormulaTree& tree, const WrittenQuantity& ba
     refuse_formula(tree.at, fmt::format("{} has powers with a plain number as the exponent alone",
                                         to_string(base.dimension)));
   }
-  has_value_where(base.value);
+  has_value_where(base.value, Edge::Open);
   return plain(exp(exponent.value * log(base.value)));
 }
 
@@ -152,9 +159,10 @@ Expression quarter_less(const Expression& angle) {
 
 /// 2 atan(y / (sqrt(x^2 + y^2) + x)): within a half turn; it has no value where y is 0 and x is 0
 /// or below.
+/// By half the angle, of which no digits are lost: beside the negative x axis radius + x would.
 Expression two_argument_arctangent(const Expression& y, const Expression& x) {
   const Expression radius = sqrt(power(x, 2) + power(y, 2));
-  return Expression(2.0) * atan(y / (radius + x));
+  return Expression(2.0) * by_side(x, atan(y / (radius + x)), atan((radius - x) / y));
 }
 
 /// Functions of plain numbers that give one.
@@ -217,7 +225,7 @@ WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
     return {by_side(by, x.value, of[2].value), x.is_zero ? of[2].dimension : x.dimension,
             x.is_zero && of[2].is_zero};
   }
-  if (tree.text == "where_positive") has_value_where(by);
+  if (tree.text == "where_positive") has_value_where(by, Edge::Open);
   const Expression value = tree.text == "where_positive" ? where_positive(by, x.value)
                            : tree.text == "unless_zero"  ? unless_zero(by, x.value)
                                                          : along(by, x.value);
@@ -237,7 +245,7 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
   check_count(tree, name == "atan2" ? 2 : 1);
   const WrittenQuantity& x = arguments[0];
   if (name == "sqrt") {
-    has_value_where(x.value);
+    has_value_where(x.value, Edge::Closed);
     return {sqrt(x.value), power(x.dimension, 0.5)};
   }
   if (name == "abs") return {absolute(x.value), x.dimension};
@@ -247,8 +255,10 @@ WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& fi
     return plain(two_argument_arctangent(x.value, arguments[1].value));
   }
   check_plain(tree.parts[0], fmt::format("the argument of {}", name), x);
-  if (name == "asin" || name == "acos") has_value_where(Expression(1.0) - absolute(x.value));
-  if (name == "log" || name == "ln" || name == "log10") has_value_where(x.value);
+  if (name == "asin" || name == "acos") {
+    has_value_where(Expression(1.0) - absolute(x.value), Edge::Closed);
+  }
+  if (name == "log" || name == "ln" || name == "log10") has_value_where(x.value, Edge::Open);
   const auto* const function = std::find_if(std::begin(kPlainFunctions), std::end(kPlainFunctions),
                                             [&](const PlainFunction& f) { return f.name == name; });
   return plain(function->of(x.value));

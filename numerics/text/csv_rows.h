@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The tables of our own that the program carries. (What people measure is read more leniently:
-/// fitting/samples/sample_table.h.)
+/// numerics/tables/sample_table.h.)
 namespace camlaw::problems {
 
 struct CsvRow {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optim/cycle/maxima_at.h"
 
@@ -71,6 +72,10 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
     if (prove) {
       result.proved =
           prove_side(c.response, maxima, x, sign, bound, size.tolerance, side) && result.proved;
+    }
+    // A value at minus infinity is as far from its bound as can be, but no value of a design.
+    if (std::isinf(side.margin) && side.margin > 0) {
+      side.margin = std::numeric_limits<double>::quiet_NaN();
     }
     // What is not a number is worst of all, and stays.
     if (side.margin >= result.margin || std::isnan(result.margin)) return;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fitting/motions/fault_words.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "output/answers/fit_output.h"
 #include "output/document/formatting.h"
 

@@ -11,7 +11,7 @@
 namespace camlaw::problems {
 namespace {
 
-Json laws_to_json(const LawFiles& files) {
+Json laws_to_json(const std::map<std::string, Member>& files) {
   Json result = Json::object();
   for (const auto& [name, law] : files) {
     result[name] = law_file(law.law(), law.family->formula, nullptr);
@@ -31,13 +31,15 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
   }
   Json variables = Json::object();
   for (const VariableStatement& v : bound.at(options, x).variables) variables[v.name] = v.start;
-  return {
+  Json design = {
       {"source", std::filesystem::path(problem.source).filename().string()},
       {"problem", problem.text},
       {"set", problem.settings},
-      {"law_files", laws_to_json(problem.law_files)},
+      {"law_files", laws_to_json(problem.files.laws)},
       {"law", problem.chooses_law() ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
       {"variables", std::move(variables)}};
+  if (!problem.files.tables.empty()) design["tables"] = problem.files.tables;
+  return design;
 }
 
 }  // namespace camlaw::problems

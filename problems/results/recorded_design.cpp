@@ -33,10 +33,15 @@ std::string text_of(const Json& record, const char* name) {
   return key(record, name, &Json::is_string, "text").get<std::string>();
 }
 
-LawFiles laws_of(const Json& record) {
-  LawFiles files;
+HeldFiles files_of(const Json& record) {
+  HeldFiles files;
   for (const auto& [name, law] : key(record, "law_files", &Json::is_object, "object").items()) {
-    files.emplace(name, read_law_text(law.dump(), name));
+    files.laws.emplace(name, read_law_text(law.dump(), name));
+  }
+  if (!record.contains("tables")) return files;
+  for (const auto& [name, table] : key(record, "tables", &Json::is_object, "object").items()) {
+    if (!table.is_string()) refuse("a table of its design is not text");
+    files.tables.emplace(name, table.get<std::string>());
   }
   return files;
 }
@@ -136,7 +141,7 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     const Json result = result_of(json);
     const Json& record = result["design"];
     ProblemStatement problem =
-        read_problem(text_of(record, "problem"), text_of(record, "source"), laws_of(record));
+        read_problem(text_of(record, "problem"), text_of(record, "source"), files_of(record));
     set_values(problem, settings_of(record));
     ReadDesign design{std::move(problem)};
     choose_law(record, design.statement);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 
 #include "kinematics/laws/build.h"
 #include "machines/model/law_binding.h"
@@ -296,11 +297,15 @@ std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
                                               const Binding& binding) {
   std::vector<optim::Constraint> result;
   std::map<std::string, int> seen;
-  std::map<const MechanismResponse*, optim::Response> curves;  // which many limits may be on
+  // Curves that many limits may be on, each over the whole cycle or a window.
+  using Over = std::tuple<const MechanismResponse*, std::string, double, double>;
+  std::map<Over, optim::Response> curves;
   for (const ConstraintStatement& c : statement.constraints) {
     result.push_back(limit_on(*statement.mechanism, c, binding));
     if (result.back().response.is_curve()) {
-      const auto known = curves.emplace(c.response.response, result.back().response).first;
+      const CycleWindow window = c.response.window.value_or(CycleWindow{});
+      const Over over{c.response.response, window.segment, window.from, window.to};
+      const auto known = curves.emplace(over, result.back().response).first;
       result.back().response.measure = known->second.measure;
     }
     const int number = ++seen[c.response.name];

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "problems/statement/parameters.h"
+#include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
@@ -72,6 +73,16 @@ std::optional<NamedParameter> find_in_laws(const ProblemStatement& problem,
     }
   }
   return result;
+}
+
+const Entry* entry_of(const Entry* table, const MechanismParameter& parameter) {
+  if (table == nullptr || table->kind != Entry::Kind::Table) return nullptr;
+  for (const Entry& entry : table->items) {
+    const bool owned = entry.key.starts_with("machine.");
+    const std::string_view bare = std::string_view(entry.key).substr(owned ? 8 : 0);
+    if (bare == parameter.name || bare == parameter.symbol) return &entry;
+  }
+  return nullptr;
 }
 
 std::optional<NamedParameter> find_in_machine(const Mechanism& mechanism, const std::string& name) {
@@ -174,6 +185,16 @@ NamedParameter find_parameter(const ProblemStatement& problem, std::string_view 
   if (of_law && of_machine) result.name = "law." + result.name;
   result.element = spelling.element;
   check_element(problem, result);
+  return result;
+}
+
+StatedParameter stated_parameter(const Entry& file, const MechanismParameter& parameter) {
+  const Entry* variables = find(file, "variables");
+  StatedParameter result{entry_of(find(file, "constants"), parameter),
+                         entry_of(variables, parameter)};
+  if (result.varying == nullptr && variables != nullptr) {
+    result.varying = entry_of(find(*variables, "machine"), parameter);
+  }
   return result;
 }
 

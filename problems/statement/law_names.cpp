@@ -33,15 +33,11 @@ Member as_family_member(const Member& law) {
   return result;
 }
 
-/// The folder of the problem file, from which paths in it count; empty: the one worked in.
-std::string folder_of(const Entry& entry) {
-  return std::filesystem::path(entry.place).parent_path().string();
-}
-
-Member find_law_of(const Entry& name, LawFiles& files) {
-  if (const auto known = files.find(name.text); known != files.end()) return known->second;
+Member find_law_of(const Entry& name, HeldFiles& files) {
+  if (const auto known = files.laws.find(name.text); known != files.laws.end())
+    return known->second;
   const Member found = find_any_law(name.text, folder_of(name), read_value);
-  if (is_law_file(found)) files.emplace(name.text, found);
+  if (is_law_file(found)) files.laws.emplace(name.text, found);
   return found;
 }
 
@@ -59,6 +55,10 @@ std::set<std::string> given_in(std::string_view name, const Family& family) {
 
 }  // namespace
 
+std::string folder_of(const Entry& entry) {
+  return std::filesystem::path(entry.place).parent_path().string();
+}
+
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value) {
   if (const auto why = refusal(parameter, value)) refuse(entry, *why);
 }
@@ -71,7 +71,7 @@ void tell_apart(std::vector<Member>& laws) {
   }
 }
 
-NamedLaw read_law_name(const Entry& name, LawFiles& files) {
+NamedLaw read_law_name(const Entry& name, HeldFiles& files) {
   const std::string& text = text_of(name);
   const Member found = located(name, [&] { return find_law_of(name, files); });
   const Member law = as_family_member(found);

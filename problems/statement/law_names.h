@@ -20,17 +20,10 @@ struct NamedLaw {
 /// Reads "cosine", "polynomial-5 alpha=-3"; an entry of the catalogue with a parameter in its name
 /// as the member of its family. A file's law is taken from `files` where it is there, else it is
 /// read and joins them. Refuses the entry for names and values that are not accepted.
-NamedLaw read_law_name(const Entry& name, LawFiles& files);
+NamedLaw read_law_name(const Entry& name, HeldFiles& files);
 
 /// Laws of a list that are files are called by their paths where their stems would be taken for
 /// another law of the list.
 void tell_apart(std::vector<Member>& laws);
-
-/// The programs of a file's table [program], one for each combination of its segments' laws. A free
-/// law is what the file's table [free] says.
-std::vector<Member> read_program(const Entry& file, const Entry& program,
-                                 const std::optional<ProgramTiming>& timing, LawFiles& files);
-/// What the i-th segment, counted from 0, is called.
-std::string segment_name(const Entry& segment, std::size_t i);
 
 }  // namespace camlaw::problems

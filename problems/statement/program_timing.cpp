@@ -8,6 +8,8 @@
 
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/program_units.h"
+#include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
@@ -16,55 +18,48 @@ namespace {
 constexpr const char* kSpeedUnit = "rpm";
 constexpr double kSame = 1e-6;  ///< relative: the rounding of a speed that is written out
 
-/// Where a file states the speed of the machine.
-struct SpeedEntries {
-  std::optional<std::size_t> parameter;  ///< of the mechanism; none: it has no speed
-  const Entry* fixed = nullptr;          ///< in [constants]
-  const Entry* varying = nullptr;        ///< in [variables]
-};
-
-const Entry* entry_of(const Entry* table, const MechanismParameter& parameter) {
-  if (table == nullptr || table->kind != Entry::Kind::Table) return nullptr;
-  for (const Entry& entry : table->items) {
-    const bool owned = entry.key.starts_with("machine.");
-    const std::string_view bare = std::string_view(entry.key).substr(owned ? 8 : 0);
-    if (bare == parameter.name || bare == parameter.symbol) return &entry;
-  }
-  return nullptr;
-}
-
-SpeedEntries find_speed(const Entry& file, const Mechanism& mechanism) {
+/// The mechanism's speed; none: it has no such parameter.
+std::optional<std::size_t> speed_of(const Mechanism& mechanism) {
   const auto& all = mechanism.parameters;
   const auto at =
       std::find_if(all.begin(), all.end(), [](const auto& p) { return p.unit == kSpeedUnit; });
-  SpeedEntries result;
-  if (at == all.end()) return result;
-  result.parameter = static_cast<std::size_t>(at - all.begin());
-  result.fixed = entry_of(find(file, "constants"), *at);
-  const Entry* variables = find(file, "variables");
-  result.varying = entry_of(variables, *at);
-  if (result.varying == nullptr && variables != nullptr) {
-    result.varying = entry_of(find(*variables, "machine"), *at);
-  }
-  return result;
+  if (at == all.end()) return {};
+  return static_cast<std::size_t>(at - all.begin());
+}
+
+/// Whether a table states a point's time, or a rate by time.
+bool counts_time(const Entry& table) {
+  const Entry* velocity = find(table, "velocity");
+  const Entry* acceleration = find(table, "acceleration");
+  return (velocity != nullptr && is_by_time(*velocity, Rate::Velocity)) ||
+         (acceleration != nullptr && is_by_time(*acceleration, Rate::Acceleration));
+}
+
+/// Whether anything but a segment's whole time needs the time of a turn.
+bool has_rates_by_time(const Entry& program) {
+  return std::any_of(segment_tables(program).begin(), segment_tables(program).end(),
+                     [](const Entry& segment) {
+                       const auto& points = point_tables(segment);
+                       return counts_time(segment) ||
+                              std::any_of(points.begin(), points.end(), [](const Entry& point) {
+                                return counts_time(point) || find(point, "time") != nullptr;
+                              });
+                     });
 }
 
 std::vector<ProgramTiming::Segment> timed_segments(const Entry& program) {
   std::vector<ProgramTiming::Segment> result;
-  const Entry* list = find(program, "segments");
-  if (list == nullptr || list->kind != Entry::Kind::List) return result;
-  for (std::size_t i = 0; i < list->items.size(); ++i) {
-    const Entry& segment = list->items[i];
-    if (segment.kind != Entry::Kind::Table) continue;
-    if (const Entry* time = find(segment, "time")) {
-      result.push_back({segment_name(segment, i), positive_of(*time, "s")});
+  const auto& segments = segment_tables(program);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (const Entry* time = find(segments[i], "time")) {
+      result.push_back({segment_name(segments[i], i), positive_of(*time, "s")});
     }
   }
   return result;
 }
 
 /// The speed that a cycle's time makes, which no other statement contradicts.
-double speed_of_cycle(const Entry& cycle, const SpeedEntries& stated) {
+double speed_of_cycle(const Entry& cycle, const StatedParameter& stated) {
   const double time = positive_of(cycle, "s");
   const double speed = 60 / time;
   if (stated.varying != nullptr) {
@@ -83,16 +78,16 @@ double speed_of_cycle(const Entry& cycle, const SpeedEntries& stated) {
 }
 
 /// The speed that nothing in [program] gives: the machine's own.
-double speed_of_machine(const Entry& program, const SpeedEntries& stated) {
+double speed_of_machine(const Entry& program, const StatedParameter& stated) {
   if (stated.varying != nullptr) {
     refuse(program,
-           "segments have times, and speed varies: write the speed at which the times hold, such "
+           "the program has times, and speed varies: write the speed at which the times hold, such "
            "as times_at = \"60 rpm\"; the angles that they make are kept at every speed");
   }
   if (stated.fixed == nullptr) {
     refuse(program,
-           "segments have times, which need the time of a turn: write cycle_time = \"0.2 "
-           "s\" in [program], or speed in [constants]");
+           "the program has times, which need the time of a turn: write cycle_time = \"0.2 s\" in "
+           "[program], or speed in [constants]");
   }
   return positive_of(*stated.fixed, kSpeedUnit);
 }
@@ -111,20 +106,23 @@ void set_speed(const Entry& cycle, double speed, std::size_t parameter, ProblemS
 
 std::optional<ProgramTiming> read_timing(const Entry& file, const Entry& program,
                                          ProblemStatement& problem) {
-  const SpeedEntries stated = find_speed(file, *problem.mechanism);
+  const std::optional<std::size_t> speed = speed_of(*problem.mechanism);
+  const StatedParameter stated =
+      speed ? stated_parameter(file, problem.mechanism->parameters[*speed]) : StatedParameter{};
   ProgramTiming timing{0, timed_segments(program)};
+  const bool needs_time = !timing.segments.empty() || has_rates_by_time(program);
   const Entry* cycle = find(program, "cycle_time");
   const Entry* at = find(program, "times_at");
   if (at != nullptr && cycle != nullptr) {
     refuse(*at, "cycle_time says already how long a turn takes; drop one of the two");
   }
   if (at != nullptr) {
-    if (timing.segments.empty()) refuse(*at, "no segment has a time; drop it");
+    if (!needs_time) refuse(*at, "the program has no times; drop it");
     timing.speed = positive_of(*at, kSpeedUnit);
   } else if (cycle != nullptr) {
     timing.speed = speed_of_cycle(*cycle, stated);
-    if (stated.parameter) set_speed(*cycle, timing.speed, *stated.parameter, problem);
-  } else if (!timing.segments.empty()) {
+    if (speed) set_speed(*cycle, timing.speed, *speed, problem);
+  } else if (needs_time) {
     timing.speed = speed_of_machine(program, stated);
   } else {
     return {};

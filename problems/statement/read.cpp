@@ -14,7 +14,7 @@ constexpr FileFormat kProblemFormat{"camlaw problem", 1};
 
 }  // namespace
 
-ProblemStatement read_problem(std::string_view toml, const std::string& source, LawFiles known) {
+ProblemStatement read_problem(std::string_view toml, const std::string& source, HeldFiles known) {
   const Entry file = parse_toml(toml, source);
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
@@ -29,7 +29,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   ProblemStatement problem;
   problem.source = source;
   problem.text = toml;
-  problem.law_files = std::move(known);
+  problem.files = std::move(known);
   read_title(file, problem);
   FixedNames fixed;
   read_mechanism(file, problem);
@@ -37,6 +37,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   read_constants(file, problem, fixed);
   read_variables(file, problem, fixed);
   read_free_variables(file, problem, fixed);
+  read_tolerances(file, problem);
   check_laws_at_start(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);

@@ -8,6 +8,7 @@
 #include "kinematics/laws/free.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -47,13 +48,6 @@ int smooth_or(const Entry& table, const char* key, int low, int high, int defaul
   return static_cast<int>(whole_of(*entry, low, high));
 }
 
-bool truth_of(const Entry& table, const char* key) {
-  const Entry* entry = find(table, key);
-  if (entry == nullptr) return false;
-  expect(*entry, Kind::Truth, "true or false");
-  return entry->integer != 0;
-}
-
 std::vector<double> read_knots(const Entry& table) {
   const Entry* entry = find(table, "knots");
   if (entry == nullptr) return even_knots(kDefaultKnots);
@@ -86,7 +80,7 @@ FreeEnd read_end(const Entry& table, const char* key, int continuity) {
                              text));
 }
 
-Law<double> read_start(const Entry& table, LawFiles& files) {
+Law<double> read_start(const Entry& table, HeldFiles& files) {
   const Entry* entry = find(table, "start");
   return entry == nullptr ? find_law("poly-3-4-5").law() : read_law_name(*entry, files).law.law();
 }
@@ -155,9 +149,9 @@ std::vector<std::string> free_prefixes(const Entry& file, const ProblemStatement
     return any ? std::vector<std::string>{""} : std::vector<std::string>{};
   }
   std::vector<std::string> prefixes;
-  const Entry& segments = *find(*find(file, "program"), "segments");
-  for (std::size_t i = 0; i < segments.items.size(); ++i) {
-    if (is_free(segments.items[i])) prefixes.push_back(segment_name(segments.items[i], i) + "_");
+  const auto& segments = segment_tables(*find(file, "program"));
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (is_free(segments[i])) prefixes.push_back(segment_name(segments[i], i) + "_");
   }
   return prefixes;
 }
@@ -173,8 +167,9 @@ std::optional<NamedParameter> unfixed(const ProblemStatement& problem, const std
 
 bool is_free_name(std::string_view name) { return name == kFree; }
 
-Member read_free_law(const Entry& file, LawFiles& files) {
-  const Entry table = free_table(file);
+namespace {
+
+Member free_law_of(const Entry& table, HeldFiles& files) {
   FreeLaw shape;
   shape.degree = smooth_or(table, "degree", kLeastDegree, kMostDegree, shape.degree);
   shape.knots = read_knots(table);
@@ -186,6 +181,23 @@ Member read_free_law(const Entry& file, LawFiles& files) {
   shape.moving_knots = truth_of(table, "moving_knots");
   const Law<double> start = read_start(table, files);
   return located(table, [&] { return free_law(shape, start); });
+}
+
+}  // namespace
+
+Member read_free_law(const Entry& file, HeldFiles& files) {
+  return free_law_of(free_table(file), files);
+}
+
+Member read_free_law(const Entry& file, const Entry& segment, HeldFiles& files) {
+  Entry table = free_table(file);
+  for (const char* key : {"begin", "end"}) {
+    const Entry* own = find(segment, key);
+    if (own == nullptr) continue;
+    std::erase_if(table.items, [&](const Entry& item) { return item.key == key; });
+    table.items.push_back(*own);
+  }
+  return free_law_of(table, files);
 }
 
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed) {

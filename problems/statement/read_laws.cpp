@@ -6,7 +6,6 @@
 #include "problems/law_files/pieces_json.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
-#include "problems/statement/program_timing.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -21,7 +20,7 @@ struct NamedLaws {
   std::set<std::string> given;
 };
 
-void read_law(const Entry& file, const Entry& name, LawFiles& files, NamedLaws& result) {
+void read_law(const Entry& file, const Entry& name, HeldFiles& files, NamedLaws& result) {
   if (name.kind == Kind::Text && is_free_name(name.text)) {
     result.laws.push_back(read_free_law(file, files));
     return;
@@ -31,7 +30,7 @@ void read_law(const Entry& file, const Entry& name, LawFiles& files, NamedLaws& 
   result.laws.push_back(std::move(law.law));
 }
 
-NamedLaws read_names(const Entry& file, const Entry& name, LawFiles& files) {
+NamedLaws read_names(const Entry& file, const Entry& name, HeldFiles& files) {
   NamedLaws result;
   if (name.kind == Kind::List) {
     if (name.items.empty()) refuse(name, "the list is empty; name at least one law");
@@ -122,13 +121,11 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed) 
       refuse(file, "program is missing; write [program] and [[program.segments]]");
     }
     expect(*program, Kind::Table, "a table, [program] with [[program.segments]]");
-    check_keys(*program, {"matched", "cycle_time", "times_at", "segments"});
-    problem.timing = read_timing(file, *program, problem);
-    problem.laws = read_program(file, *program, problem.timing, problem.law_files);
+    read_program(file, *program, problem);
     return;
   }
   const Entry& law = law_entry(file);
-  const NamedLaws named_laws = read_names(file, name_entry(law), problem.law_files);
+  const NamedLaws named_laws = read_names(file, name_entry(law), problem.files);
   problem.laws = named_laws.laws;
   for (const Entry& entry : law.items) {
     if (entry.key != "name") read_fixed(entry, named_laws.given, problem, fixed);

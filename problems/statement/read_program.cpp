@@ -6,6 +6,8 @@
 #include "kinematics/program/program.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_names.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/program_units.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -15,7 +17,7 @@ namespace {
 using Kind = Entry::Kind;
 
 constexpr double kCycle = 360;  // deg
-constexpr std::size_t kMostSegments = 1000;
+constexpr std::size_t kMostSegments = 1000, kMostPoints = 200;
 constexpr const char* kJoining = "joining";
 
 /// A segment as the file states it, with a choice of laws.
@@ -36,54 +38,156 @@ Matched read_matched(const Entry& program) {
          fmt::format("'{}' is not known; accepted are displacement, velocity, acceleration", text));
 }
 
-/// Degrees of the cycle, stated as an angle or as a time; none: what is left.
-std::optional<double> read_angle(const Entry& segment, const std::optional<ProgramTiming>& timing) {
-  const Entry* angle = find(segment, "angle");
-  const Entry* time = find(segment, "time");
-  if (angle != nullptr && time != nullptr) {
-    refuse(*time, "the segment has an angle already; give one of the two");
-  }
-  if (angle != nullptr) return positive_of(*angle, "deg");
-  if (time == nullptr) return {};
-  return timing.value().angle_of(positive_of(*time, "s"));
-}
-
-Member read_segment_law(const Entry& file, const Entry& name, LawFiles& files) {
+Member read_segment_law(const Entry& file, const Entry& segment, const Entry& name,
+                        HeldFiles& files) {
   const bool free = name.kind == Kind::Text && is_free_name(name.text);
-  return free ? read_free_law(file, files) : read_law_name(name, files).law;
+  return free ? read_free_law(file, segment, files) : read_law_name(name, files).law;
 }
 
-std::vector<Member> read_segment_laws(const Entry& file, const Entry& law, LawFiles& files) {
+std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, const Entry& law,
+                                      HeldFiles& files) {
   std::vector<Member> laws;
   if (law.kind == Kind::List) {
     if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
-    for (const Entry& item : law.items) laws.push_back(read_segment_law(file, item, files));
+    for (const Entry& item : law.items) {
+      laws.push_back(read_segment_law(file, segment, item, files));
+    }
   } else {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
-    if (law.text != kJoining) laws.push_back(read_segment_law(file, law, files));
+    if (law.text != kJoining) laws.push_back(read_segment_law(file, segment, law, files));
   }
   tell_apart(laws);
   return laws;
 }
 
+/// Where a segment or a point ends, from where it begins: `to` or `by`; none where it says neither.
+std::optional<double> read_level(const Entry& table, const ProgramUnits& units, double from) {
+  const Entry* to = find(table, "to");
+  const Entry* by = find(table, "by");
+  if (to != nullptr && by != nullptr) refuse(*by, "there is a to already; give one of the two");
+  if (to != nullptr) return units.level(*to);
+  if (by != nullptr) return from + units.level(*by);
+  return {};
+}
+
+std::optional<double> read_rate(const Entry& table, const char* key, const ProgramUnits& units,
+                                Rate rate) {
+  const Entry* entry = find(table, key);
+  return entry == nullptr ? std::nullopt : std::optional(units.rate(*entry, rate));
+}
+
+ProgramPoint read_point(const Entry& entry, const ProgramUnits& units, double from) {
+  check_keys(entry, {"angle", "time", "to", "by", "velocity", "acceleration", "tolerance"});
+  const std::optional<double> angle = units.angle(entry);
+  if (!angle) refuse(entry, "a point needs an angle or a time, since its segment began");
+  const std::optional<double> to = read_level(entry, units, from);
+  if (!to) refuse(entry, "a point needs to, the displacement there");
+  return {*angle, *to, read_rate(entry, "velocity", units, Rate::Velocity),
+          read_rate(entry, "acceleration", units, Rate::Acceleration)};
+}
+
+/// What only a segment that joins can have.
+void read_joining(const Entry& entry, const ProgramUnits& units, double level,
+                  ProgramSegment& segment) {
+  const auto& points = point_tables(entry);
+  if (points.size() > kMostPoints) {
+    refuse(entry, fmt::format("{} points; at most {} are accepted, and [program] table for more",
+                              points.size(), kMostPoints));
+  }
+  for (const Entry& point : points) {
+    segment.points.push_back(read_point(point, units, level));
+    level = segment.points.back().to;
+  }
+  segment.velocity = read_rate(entry, "velocity", units, Rate::Velocity);
+  segment.acceleration = read_rate(entry, "acceleration", units, Rate::Acceleration);
+  if (const Entry* continuity = find(entry, "continuity")) {
+    segment.continuity = static_cast<int>(whole_of(*continuity, 2, 4));
+  }
+}
+
+/// Whether a segment says something that only a motion has.
+bool moves_without_law(const Entry& entry) {
+  return find(entry, "points") != nullptr || find(entry, "velocity") != nullptr ||
+         find(entry, "acceleration") != nullptr;
+}
+
+void refuse_free_ends(const Entry& entry, const Entry* law) {
+  const auto is_free = [](const Entry& name) {
+    return name.kind == Kind::Text && is_free_name(name.text);
+  };
+  const bool free =
+      law != nullptr &&
+      (law->kind == Kind::List ? std::any_of(law->items.begin(), law->items.end(), is_free)
+                               : is_free(*law));
+  for (const char* key : {"begin", "end"}) {
+    const Entry* end = find(entry, key);
+    if (end != nullptr && !free) refuse(*end, "it is for a segment whose law is \"free\"");
+  }
+}
+
 StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t index, double level,
-                           const std::optional<ProgramTiming>& timing, LawFiles& files) {
-  expect(entry, Kind::Table, "a table with name, angle and, where it moves, law and to");
-  check_keys(entry, {"name", "angle", "time", "law", "to"});
+                           double top, const ProgramUnits& units, HeldFiles& files) {
+  check_keys(entry, {"name", "angle", "time", "law", "to", "by", "reversed", "points", "velocity",
+                     "acceleration", "continuity", "tolerance", "begin", "end"});
   StatedSegment result{&entry, {}, {}};
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
-  segment.angle = read_angle(entry, timing).value_or(0);
+  segment.angle = units.angle(entry).value_or(0);
   const Entry* law = find(entry, "law");
-  segment.rests = law == nullptr;
-  const Entry* to = find(entry, "to");
-  if (to != nullptr && segment.rests) {
-    refuse(*to, "a segment that goes somewhere needs a law, or law = \"joining\"");
+  segment.rests = law == nullptr && !moves_without_law(entry);
+  segment.reversed = truth_of(entry, "reversed");
+  const std::optional<double> to = read_level(entry, units, level);
+  if (to && segment.rests) {
+    refuse(entry, "a segment that goes somewhere needs a law, or law = \"joining\"");
   }
-  segment.to = segment.rests ? level : level == 0 ? 1 : 0;
-  if (to != nullptr) segment.to = quantity_of(*to, "1");
-  if (law != nullptr) result.laws = read_segment_laws(file, *law, files);
+  segment.to = to ? *to : segment.rests ? level : level == 0 ? top : 0;
+  read_joining(entry, units, level, segment);
+  if (law != nullptr) result.laws = read_segment_laws(file, entry, *law, files);
+  refuse_free_ends(entry, law);
   return result;
+}
+
+/// How much further than it began a cycle ends, in parts of the stroke.
+double read_advance(const Entry& program, const ProgramUnits& units, const Mechanism& mechanism) {
+  const Entry* entry = find(program, "advance");
+  if (entry == nullptr) return 0;
+  if (mechanism.form != Form::Other) {
+    refuse(*entry, fmt::format("the motion of {} returns to where it began; a motion that advances "
+                               "is for a machine of the file's own, [machine] with moved_by = "
+                               "\"program\"",
+                               mechanism.name));
+  }
+  return units.level(*entry);
+}
+
+/// Lets a parameter of the program vary by a tolerance about its value.
+void add_tolerance(const Entry& entry, const ProgramUnits& units, const std::string& name,
+                   ProblemStatement& problem) {
+  const double tolerance = units.tolerance(entry);
+  if (tolerance == 0) return;
+  const NamedParameter parameter = located(entry, [&] {
+    try {
+      return find_parameter(problem, name, Owner::Law);
+    } catch (const std::invalid_argument&) {
+      throw std::invalid_argument(
+          "the last motion of a program ends where the first begins, so "
+          "that its end has no tolerance");
+    }
+  });
+  const std::size_t element = parameter.element.value_or(0);
+  if (find_variable(problem, parameter, element)) {
+    refuse(entry, fmt::format("{} is among the variables; drop one of the two", name));
+  }
+  VariableStatement variable;
+  variable.name = parameter.list ? parameter.element_name(element) : parameter.name;
+  variable.unit = parameter.unit;
+  variable.of_law = true;
+  variable.law_parameter = parameter.law_parameter;
+  variable.element = element;
+  variable.start = values_of(problem, parameter).at(element);
+  variable.lower = variable.start - tolerance;
+  variable.upper = variable.start + tolerance;
+  problem.variables.push_back(std::move(variable));
 }
 
 /// The last segment may leave its angle open.
@@ -132,35 +236,58 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
 
 }  // namespace
 
-std::string segment_name(const Entry& segment, std::size_t i) {
-  const Entry* name = find(segment, "name");
-  return name != nullptr ? text_of(*name) : fmt::format("segment{}", i + 1);
-}
-
-std::vector<Member> read_program(const Entry& file, const Entry& program,
-                                 const std::optional<ProgramTiming>& timing, LawFiles& files) {
+void read_program(const Entry& file, const Entry& program, ProblemStatement& problem) {
+  if (find(program, "table") != nullptr) {
+    read_table(file, program, problem);
+    return;
+  }
+  check_keys(program, {"matched", "cycle_time", "times_at", "advance", "segments", "table"});
   const Matched matched = read_matched(program);
   const Entry* list = find(program, "segments");
   if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
-  expect(*list, Kind::List, "a list of tables, [[program.segments]]");
-  if (list->items.size() > kMostSegments) {
+  const std::vector<Entry>& tables = segment_tables(program);
+  if (tables.size() > kMostSegments) {
     refuse(*list,
-           fmt::format("{} segments; at most {} are accepted", list->items.size(), kMostSegments));
+           fmt::format("{} segments; at most {} are accepted", tables.size(), kMostSegments));
   }
+  const ProgramUnits units = read_program_units(file, program, problem);
+  problem.timing = units.timing;
+  const double advance = read_advance(program, units, *problem.mechanism);
   std::vector<StatedSegment> stated;
   double level = 0;
-  for (const Entry& entry : list->items) {
-    stated.push_back(read_segment(file, entry, stated.size(), level, timing, files));
+  for (const Entry& entry : tables) {
+    stated.push_back(read_segment(file, entry, stated.size(), level, advance == 0 ? 1 : advance,
+                                  units, problem.files));
     level = stated.back().segment.to;
   }
   if (stated.empty()) refuse(*list, "it is empty; a cycle has at least two segments");
   fill_last_angle(*list, stated);
   check_count(*list, stated);
-  std::vector<Member> programs;
+  problem.laws.clear();
   for (auto& segments : combinations(stated)) {
-    programs.push_back(located(*list, [&] { return motion_program(segments, matched); }));
+    problem.laws.push_back(
+        located(*list, [&] { return motion_program(segments, matched, advance); }));
   }
-  return programs;
+}
+
+void read_tolerances(const Entry& file, ProblemStatement& problem) {
+  const Entry* program = find(file, "program");
+  if (program == nullptr || find(*program, "segments") == nullptr) return;
+  ProblemStatement plain = problem;  // of which the units are asked for a second time
+  const ProgramUnits units = read_program_units(file, *program, plain);
+  const auto& segments = segment_tables(*program);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const std::string name = segment_name(segments[i], i);
+    if (const Entry* tolerance = find(segments[i], "tolerance")) {
+      add_tolerance(*tolerance, units, name + "_to", problem);
+    }
+    const auto& points = point_tables(segments[i]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Entry* tolerance = find(points[k], "tolerance");
+      if (tolerance == nullptr) continue;
+      add_tolerance(*tolerance, units, fmt::format("{}_points[{}]", name, k + 1), problem);
+    }
+  }
 }
 
 }  // namespace camlaw::problems

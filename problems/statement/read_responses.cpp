@@ -155,11 +155,12 @@ void check_order(const Entry& table, const Limits& limits, const ConstraintState
 
 ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[constraints]]");
-  check_keys(table, {"response", "lower", "upper", "equals", "tolerance"});
+  check_keys(table, {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance"});
   const Entry* response = find(table, "response");
   if (response == nullptr) refuse(table, "response is missing; name what is to hold");
   ConstraintStatement constraint;
   constraint.response = read_response(*response, problem);
+  read_window(table, problem, constraint.response);
   const std::string& unit = constraint.response.unit;
   const Limits limits = find_limits(table);
   check_limits(limits, constraint.response);
@@ -218,13 +219,14 @@ ObjectiveStatement read_wanted(const Entry& table, const ProblemStatement& probl
   objective.response = read_response(wanted, problem);
   check_part(wanted, objective.response, objective.sense);
   check_varies(wanted, objective.response, problem);
+  read_window(table, problem, objective.response);
   objective.tolerance = find_positive(table, "tolerance", objective.response.unit);
   return objective;
 }
 
 ObjectiveStatement read_one_of_several(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[objectives]] with minimize or maximize");
-  check_keys(table, {"minimize", "maximize", "tolerance", "reference"});
+  check_keys(table, {"minimize", "maximize", "over", "from", "to", "tolerance", "reference"});
   ObjectiveStatement objective = read_wanted(table, problem);
   if (const Entry* reference = find(table, "reference")) {
     objective.reference = quantity_of(*reference, objective.response.unit);
@@ -253,7 +255,7 @@ void read_objectives(const Entry& file, ProblemStatement& problem) {
   }
   if (one != nullptr) {
     expect(*one, Kind::Table, "a table, [objective] with minimize or maximize");
-    check_keys(*one, {"minimize", "maximize", "tolerance"});
+    check_keys(*one, {"minimize", "maximize", "over", "from", "to", "tolerance"});
     problem.objectives = {read_wanted(*one, problem)};
   }
   if (several == nullptr) return;

@@ -16,22 +16,44 @@ namespace camlaw::problems {
 /// Parameters that the file fixes, by NamedParameter::name; they may not vary as well.
 using FixedNames = std::set<std::string>;
 
+/// The folder of the problem file, from which paths in it count; empty: the one worked in.
+std::string folder_of(const Entry& entry);
+
 /// Refuses an entry with a value that the parameter does not accept.
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
+
+/// Where a file states a parameter of its mechanism; null where it does not.
+struct StatedParameter {
+  const Entry* fixed = nullptr;    ///< in [constants]
+  const Entry* varying = nullptr;  ///< in [variables]
+};
+StatedParameter stated_parameter(const Entry& file, const MechanismParameter& parameter);
 
 void read_title(const Entry& file, ProblemStatement& problem);
 /// Its mechanism, with the responses that the file states.
 void read_mechanism(const Entry& file, ProblemStatement& problem);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+/// The programs of a file's table [program], one for each combination of its segments' laws. A free
+/// law is what the file's table [free] says.
+void read_program(const Entry& file, const Entry& program, ProblemStatement& problem);
+/// The motion of a program's `table`, and the stroke that it has.
+void read_table(const Entry& file, const Entry& program, ProblemStatement& problem);
+/// The tolerances of a program's points and ends: as variables, but for those that the file states.
+void read_tolerances(const Entry& file, ProblemStatement& problem);
 /// What [free] says: the law that the name "free" stands for, and its coefficients (and knots) as
 /// variables, but for those that the file states. Refuses the table where no law is free.
 bool is_free_name(std::string_view name);
-Member read_free_law(const Entry& file, LawFiles& files);
+Member read_free_law(const Entry& file, HeldFiles& files);
+/// The same with ends of its own, where a segment states them.
+Member read_free_law(const Entry& file, const Entry& segment, HeldFiles& files);
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 /// That each law can be made with its fixed values and starts, and that no two are the same.
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
+/// The part of the cycle that a table confines a response to, `over` or `from` and `to`; its name
+/// then says so. Refuses them of a number.
+void read_window(const Entry& table, const ProblemStatement& problem, ResponseName& response);
 void read_objectives(const Entry& file, ProblemStatement& problem);
 void read_constraints(const Entry& file, ProblemStatement& problem);
 void read_solver(const Entry& file, ProblemStatement& problem);

@@ -75,8 +75,12 @@ struct ProgramTiming {
   double angle_of(double time) const { return time / turn() * 360; }
 };
 
-/// Laws of files by the names that a problem's text has for them: what it does not hold itself.
-using LawFiles = std::map<std::string, Member>;
+/// What a problem's text does not hold itself, by the names that it has for it: laws of files, and
+/// the texts of tables.
+struct HeldFiles {
+  std::map<std::string, Member> laws;
+  std::map<std::string, std::string> tables;
+};
 
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.
 struct ProblemStatement {
@@ -95,15 +99,15 @@ struct ProblemStatement {
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
   std::string text = {};    ///< as it was read
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words
-  LawFiles law_files = {};                 ///< those that were read with it
+  HeldFiles files = {};                    ///< those that were read with it
 };
 
 /// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.
 /// Throws std::invalid_argument with the line, the key and what is accepted:
-/// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20". Laws of files that are known
-/// already are not looked for on the disk.
+/// "cutter.toml:12: variables.alpha: lower -10 exceeds upper -20". Files that are known already are
+/// not looked for on the disk.
 ProblemStatement read_problem(std::string_view toml, const std::string& source,
-                              LawFiles known = {});
+                              HeldFiles known = {});
 /// Reads a file of at most 16 MiB. Throws std::invalid_argument too where it cannot be read.
 ProblemStatement read_problem_file(const std::string& path);
 /// The text of such a file.

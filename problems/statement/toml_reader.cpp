@@ -102,6 +102,13 @@ std::vector<double> quantities_of(const Entry& list, const std::string& unit) {
   return values;
 }
 
+bool truth_of(const Entry& table, const char* key) {
+  const Entry* entry = find(table, key);
+  if (entry == nullptr) return false;
+  expect(*entry, Kind::Truth, "true or false");
+  return entry->integer != 0;
+}
+
 bool reads_integer(const Entry& table) {
   const Entry* type = find(table, "type");
   if (type == nullptr) return false;

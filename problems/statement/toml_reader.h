@@ -31,6 +31,8 @@ double positive_of(const Entry& entry, const std::string& unit);
 /// positive_of a table's entry, where there is one.
 std::optional<double> find_positive(const Entry& table, std::string_view key,
                                     const std::string& unit);
+/// Whether a table's entry is true; it is not where there is none.
+bool truth_of(const Entry& table, const char* key);
 /// Whether a table's type is "integer" and not "continuous", as it is without one.
 bool reads_integer(const Entry& table);
 /// The numbers of a list that is not empty.

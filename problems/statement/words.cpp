@@ -184,8 +184,9 @@ std::string limits_text(const ConstraintStatement& c) {
 
 std::string constraint_sentence(const ConstraintStatement& c) {
   const bool curve = c.response.response != nullptr && c.response.response->curve;
+  const bool everywhere = curve && c.response.part == optim::Part::Value && !c.response.window;
   return fmt::format("Such that {} is {}{}{}.\n", c.response.name, limits_text(c),
-                     curve && c.response.part == optim::Part::Value ? " over the whole cycle" : "",
+                     everywhere ? " over the whole cycle" : "",
                      tolerance_note(c.tolerance, c.response.unit));
 }
 

@@ -15,7 +15,7 @@ namespace camlaw::adversary {
 struct Case {
   std::string kind;  ///< its class
   std::string text;  ///< a problem file; empty where `api` is stated
-  problems::LawFiles files = {};
+  problems::HeldFiles files = {};
   std::optional<optim::Problem> api = {};
   /// A front whose numbers come with enclosures that are too wide to show anything.
   std::optional<optim::Problem> vague_front = {};

@@ -265,7 +265,7 @@ Case spike_file_case(Random& random) {
     problem.limit("follower_force", 0, most);
   }
   Case test = problem.made({speed * random.rounded(0.3, 1.5)});
-  test.files.emplace("spike.json", problems::read_law_text(file.dump(), "spike.json"));
+  test.files.laws.emplace("spike.json", problems::read_law_text(file.dump(), "spike.json"));
   test.evaluated = true;
   return test;
 }

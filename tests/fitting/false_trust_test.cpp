@@ -11,7 +11,7 @@
 
 #include "fitting/constants/constants_fit.h"
 #include "fitting/motions/recorded_motion.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/turn.h"
 #include "kinematics/laws/catalogue.h"
 #include "tests/random_numbers.h"
 

@@ -12,7 +12,7 @@
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/motion_fit.h"
 #include "fitting/samples/condensed.h"
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 #include "optim/fit/loss.h"
 
 namespace camlaw::problems::law_fit_test {

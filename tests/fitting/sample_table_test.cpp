@@ -7,9 +7,9 @@
 
 #include "fitting/cams/measured_cam.h"
 #include "fitting/motions/motion_data.h"
-#include "fitting/samples/assumed_units.h"
-#include "fitting/samples/line_source.h"
-#include "fitting/samples/table_layout.h"
+#include "numerics/tables/assumed_units.h"
+#include "numerics/tables/line_source.h"
+#include "numerics/tables/table_layout.h"
 #include "tests/problems/complaint.h"
 
 namespace camlaw::problems::sample_table_test {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 #include "numerics/text/file_format.h"
 #include "output/answers/claim_output.h"
 #include "problems/fronts/stored_front.h"

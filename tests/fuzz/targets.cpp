@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/law_files/law_file.h"
 #include "problems/results/judged_design.h"

@@ -99,7 +99,7 @@ TEST_CASE("times that contradict the speed, or hold at none, are refused", "[pro
       {cam(kTime, "", owned), "such as times_at = \"60 rpm\""},
       {cam(kTime, "cycle_time = '1 s'\n", varies), "write times_at = \"60 rpm\" instead"},
       {cam("angle = 90", "cycle_time = '1 s'\n", varies), "instead"},
-      {cam("angle = 90", "times_at = '60 rpm'\n"), "no segment has a time"},
+      {cam("angle = 90", "times_at = '60 rpm'\n"), "the program has no times"},
       {cam(kTime, "times_at = '60 rpm'\ncycle_time = '1 s'\n"), "drop one of the two"},
       {cam(kTime, "times_at = '60 mm'\n"), "times_at"},
       {cam(kTime, "cycle_time = '1e-9 s'\n"), "accepted is"},

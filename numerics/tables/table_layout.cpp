@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/table_layout.h"
+#include "numerics/tables/table_layout.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/samples/cells.h"
-#include "fitting/samples/column_names.h"
+#include "numerics/tables/cells.h"
+#include "numerics/tables/column_names.h"
 
 namespace camlaw::problems {
 namespace {

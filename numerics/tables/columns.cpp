@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/columns.h"
+#include "numerics/tables/columns.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

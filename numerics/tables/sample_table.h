@@ -38,8 +38,8 @@ inline constexpr std::size_t kMostColumns = 1000;
 /// "angle [deg], lift [mm]", or a line of units below. Cells are separated by commas, semicolons,
 /// tabs or blanks; beside others than commas, and in quotes, numbers may have a decimal comma.
 /// Lines above the names are passed over, and empty lines and those that begin with #. How names,
-/// units and separators are found: fitting/samples/table_layout.h; encodings and line ends:
-/// fitting/samples/line_source.h. Throws std::invalid_argument naming file and line: no header, too
+/// units and separators are found: numerics/tables/table_layout.h; encodings and line ends:
+/// numerics/tables/line_source.h. Throws std::invalid_argument naming file and line: no header, too
 /// few columns or rows, a row of another length, more than kMostCells or kMostColumns.
 SampleTable read_samples(const std::string& path);
 /// The same of a text; `source` names it in errors.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/column_names.h"
+#include "numerics/tables/column_names.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 
 /// Units that tables do not state.
 namespace camlaw::problems {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/assumed_units.h"
+#include "numerics/tables/assumed_units.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fitting/samples/columns.h"
-#include "fitting/samples/turn.h"
+#include "numerics/tables/columns.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

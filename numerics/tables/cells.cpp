@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/cells.h"
+#include "numerics/tables/cells.h"
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
@@ -11,7 +11,6 @@
 namespace camlaw::problems {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kBlank = " \t";
 
 /// Where a cell that begins at `from` ends: at the next `between` that stands in no quotes.
@@ -57,7 +56,7 @@ bool is_missing(std::string_view cell) {
 
 bool read_number(std::string_view cell, double& value) {
   if (is_missing(cell)) {
-    value = kNaN;
+    value = std::numeric_limits<double>::quiet_NaN();
     return true;
   }
   std::string plain;

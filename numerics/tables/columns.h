@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "fitting/samples/column_names.h"
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/column_names.h"
+#include "numerics/tables/sample_table.h"
 
 /// What the columns of measured tables are called, and what they are counted in.
 namespace camlaw::problems {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/sample_table.h"
+#include "numerics/tables/sample_table.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "fitting/samples/cells.h"
-#include "fitting/samples/line_source.h"
-#include "fitting/samples/table_layout.h"
+#include "numerics/tables/cells.h"
+#include "numerics/tables/line_source.h"
+#include "numerics/tables/table_layout.h"
 
 namespace camlaw::problems {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitting/samples/line_source.h"
+#include "numerics/tables/line_source.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/program/layout.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "numerics/scalar/dual.h"
+
+namespace camlaw::detail {
+namespace {
+
+constexpr double kMostLevel = 1e3;  // strokes
+constexpr double kMostRate = 1e9;   // strokes per cycle, and per cycle^2
+
+/// The parameters that one segment has.
+class SegmentParameters {
+ public:
+  SegmentParameters(const ProgramSegment& segment, bool linear, Layout& layout)
+      : segment_(segment), linear_(linear), layout_(layout) {}
+
+  /// Angles in deg.
+  std::size_t add_angles(const char* name, std::vector<double> values, const char* meaning,
+                         bool is_list = false) {
+    Parameter parameter{segment_.name + name,   "deg", kLeastAngle, kCycle, std::move(values),
+                        meaning + segment_.name};
+    parameter.list = is_list;
+    return append(std::move(parameter));
+  }
+  /// What the displacement is linear in.
+  std::size_t add_motion(const char* name, double most, std::vector<double> values,
+                         const std::string& meaning, bool is_list = false) {
+    Parameter parameter{segment_.name + name, "1", -most, most, std::move(values), meaning};
+    parameter.list = is_list;
+    parameter.linear = linear_;
+    return append(std::move(parameter));
+  }
+  void add_law() {
+    const Family& family = *segment_.law->family;
+    for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+      Parameter parameter = family.parameters[i];
+      parameter.name = segment_.name + "_" + parameter.name;
+      parameter.default_value = segment_.law->arguments.list(i);
+      append(std::move(parameter));
+    }
+  }
+
+ private:
+  std::size_t append(Parameter parameter) {
+    layout_.parameters.push_back(std::move(parameter));
+    return layout_.parameters.size() - 1;
+  }
+
+  const ProgramSegment& segment_;
+  bool linear_;
+  Layout& layout_;
+};
+
+void add_joining(const ProgramSegment& segment, SegmentParameters& parameters,
+                 SegmentPlaces& places) {
+  if (!segment.points.empty()) {
+    std::vector<double> levels, angles;
+    for (const ProgramPoint& point : segment.points) {
+      levels.push_back(point.to);
+      angles.push_back(point.angle);
+    }
+    places.points = parameters.add_motion("_points", kMostLevel, levels,
+                                          "displacements at the points of " + segment.name +
+                                              " in parts of the "
+                                              "stroke",
+                                          true);
+    places.point_angles = parameters.add_angles(
+        "_point_angles", angles, "cam angles of the points since the beginning of ", true);
+  }
+  if (segment.velocity) {
+    places.velocity =
+        parameters.add_motion("_velocity", kMostRate, {*segment.velocity},
+                              "velocity at the end of " + segment.name + " in strokes per cycle");
+  }
+  if (segment.acceleration) {
+    places.acceleration = parameters.add_motion(
+        "_acceleration", kMostRate, {*segment.acceleration},
+        "acceleration at the end of " + segment.name + " in strokes per cycle^2");
+  }
+}
+
+/// Whether displacement is linear in levels and rates together: it is not in a level and a law's
+/// coefficients, which are multiplied.
+bool is_linear(const std::vector<ProgramSegment>& segments) {
+  return std::none_of(segments.begin(), segments.end(), [](const ProgramSegment& segment) {
+    if (!segment.law) return false;
+    const auto& parameters = segment.law->family->parameters;
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [](const Parameter& p) { return p.linear; });
+  });
+}
+
+/// What the angles leave for the last segment, of the cycle.
+Room room_of_last(const std::vector<ProgramSegment>& stated, const Layout& layout) {
+  std::string name = "1 -";
+  std::vector<std::size_t> angles;
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (!layout.segments[i].angle) continue;
+    name += fmt::format("{}{}_angle", angles.empty() ? " (" : " + ", stated[i].name);
+    angles.push_back(*layout.segments[i].angle);
+  }
+  return {name + ") / 360 deg", [angles]<class S>(const Arguments<S>& a) {
+            S left = number<S>(1 - kLeastAngle / kCycle);
+            for (const std::size_t i : angles) left = left - a.scalar(i) / number<S>(kCycle);
+            return left;
+          }};
+}
+
+}  // namespace
+
+void refuse_program(const std::string& why) {
+  throw std::invalid_argument("motion program: " + why);
+}
+
+Layout lay_out(const StatedProgram& program) {
+  const auto& segments = program.segments;
+  const auto last_move = std::find_if(segments.rbegin(), segments.rend(),
+                                      [](const ProgramSegment& s) { return !s.rests; });
+  const bool linear = is_linear(segments);
+  Layout layout;
+  for (const ProgramSegment& segment : segments) {
+    SegmentPlaces places;
+    SegmentParameters parameters(segment, linear, layout);
+    if (&segment != &segments.back()) {
+      places.angle = parameters.add_angles("_angle", {segment.angle}, "cam angle of ");
+    }
+    if (!segment.rests && &segment != &*last_move) {
+      places.to = parameters.add_motion(
+          "_to", kMostLevel, {segment.to},
+          "displacement at the end of " + segment.name + " in parts of the stroke");
+    }
+    if (joins(segment)) add_joining(segment, parameters, places);
+    places.law = layout.parameters.size();
+    if (segment.law) parameters.add_law();
+    layout.segments.push_back(places);
+  }
+  return layout;
+}
+
+std::vector<Room> rooms_of(const StatedProgram& program, const Layout& layout) {
+  const auto& stated = program.segments;
+  std::vector<Room> rooms{room_of_last(stated, layout)};
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (!stated[i].law) continue;
+    const FamilyOf family = stated[i].law->family;
+    for (const Room& room : family->rooms) {
+      rooms.push_back(
+          {stated[i].name + ": " + room.name,
+           [family, places = layout.segments[i], left = room.left]<class S>(const Arguments<S>& a) {
+             return left.make(law_arguments(a, places, *family));
+           },
+           room.linear, room.is_equal});
+    }
+  }
+  return rooms;
+}
+
+}  // namespace camlaw::detail

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/program/program.h"
+#include "kinematics/program/segments.h"
+
+/// Between a motion program as it is stated and the arguments of its family.
+namespace camlaw::detail {
+
+inline constexpr double kCycle = 360;        ///< deg
+inline constexpr double kLeastAngle = 1e-3;  ///< deg, of a segment
+
+[[noreturn]] void refuse_program(const std::string& why);
+
+/// A program as it is stated.
+struct StatedProgram {
+  std::vector<ProgramSegment> segments;
+  Matched matched;
+  double advance = 0;
+};
+
+inline bool joins(const ProgramSegment& segment) { return !segment.rests && !segment.law; }
+
+/// Where the family's parameters hold what belongs to a segment.
+struct SegmentPlaces {
+  std::optional<std::size_t> angle, to, points, point_angles, velocity, acceleration;
+  std::size_t law = 0;  ///< of the first parameter of its law
+};
+
+struct Layout {
+  std::vector<SegmentPlaces> segments;
+  std::vector<Parameter> parameters;
+};
+
+Layout lay_out(const StatedProgram& program);
+
+/// What the parameters must leave: an angle for the last segment, and the rooms of laws.
+std::vector<Room> rooms_of(const StatedProgram& program, const Layout& layout);
+
+/// The part of a program's arguments that is one segment's law.
+template <class S>
+Arguments<S> law_arguments(const Arguments<S>& all, const SegmentPlaces& places,
+                           const Family& family) {
+  const auto first = all.values().begin() + static_cast<std::ptrdiff_t>(places.law);
+  return Arguments<S>({first, first + static_cast<std::ptrdiff_t>(family.parameters.size())});
+}
+
+/// A value that is stated, from the arguments where they hold it.
+template <class S>
+std::optional<S> stated_value(const std::optional<double>& stated,
+                              const std::optional<std::size_t>& place,
+                              const Arguments<S>& arguments) {
+  if (!stated) return {};
+  return place ? arguments.scalar(*place) : number<S>(*stated);
+}
+
+template <class S>
+std::vector<SegmentPoint<S>> points_at(const ProgramSegment& stated, const SegmentPlaces& places,
+                                       const Arguments<S>& arguments) {
+  std::vector<SegmentPoint<S>> result;
+  if (stated.points.empty()) return result;
+  const auto& levels = arguments.list(*places.points);
+  const auto& angles = arguments.list(*places.point_angles);
+  if (levels.size() != stated.points.size() || angles.size() != levels.size()) {
+    refuse_program(fmt::format("'{}' has {} points; {} displacements and {} angles are given",
+                               stated.name, stated.points.size(), levels.size(), angles.size()));
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    SegmentPoint<S> point{angles[i] / number<S>(kCycle), levels[i], {}};
+    if (const auto& v = stated.points[i].velocity) point.stated.velocity = number<S>(*v);
+    if (const auto& a = stated.points[i].acceleration) point.stated.acceleration = number<S>(*a);
+    result.push_back(std::move(point));
+  }
+  return result;
+}
+
+/// The program's segments for arguments. The last takes what is left of the cycle.
+template <class S>
+std::vector<Segment<S>> segments_at(const StatedProgram& program, const Layout& layout,
+                                    const Arguments<S>& arguments) {
+  std::vector<Segment<S>> result;
+  S left = number<S>(1);
+  S level = number<S>(program.segments.back().to - program.advance);
+  for (std::size_t i = 0; i < program.segments.size(); ++i) {
+    const ProgramSegment& stated = program.segments[i];
+    const SegmentPlaces& places = layout.segments[i];
+    const S share = places.angle ? arguments.scalar(*places.angle) / number<S>(kCycle) : left;
+    if (!(value_of(share) > 0)) {
+      refuse_program(fmt::format("no angle is left for '{}'", stated.name));
+    }
+    left = left - share;
+    S to = places.to ? arguments.scalar(*places.to) : number<S>(stated.to);
+    if (stated.rests) to = level;
+    Segment<S> segment{share, level, to};
+    if (stated.law) {
+      const Family& family = *stated.law->family;
+      const Law<S> law = family.make(law_arguments(arguments, places, family));
+      segment.law = stated.reversed ? reversed(law) : law;
+    }
+    segment.joins = joins(stated);
+    segment.smoothness = static_cast<Smoothness>(stated.continuity);
+    segment.points = points_at(stated, places, arguments);
+    segment.stated_end.velocity = stated_value(stated.velocity, places.velocity, arguments);
+    segment.stated_end.acceleration =
+        stated_value(stated.acceleration, places.acceleration, arguments);
+    result.push_back(std::move(segment));
+    level = to;
+  }
+  return result;
+}
+
+}  // namespace camlaw::detail

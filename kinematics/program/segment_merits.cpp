@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/program/segment_merits.h"
+
+#include <algorithm>
+
+#include "kinematics/peaks.h"
+#include "kinematics/transform.h"
+
+namespace camlaw {
+namespace {
+
+/// The law between two of its breaks, over [0, 1].
+Law<double> part_of(const Law<double>& law, const NamedSpan& span, double from, double stroke) {
+  const double share = span.end - span.begin;
+  std::vector<Piece<double>> pieces;
+  for (const Piece<double>& piece : law.pieces()) {
+    const double middle = 0.5 * (piece.begin + piece.end);
+    if (middle < span.begin || middle > span.end) continue;
+    pieces.push_back(detail::map_piece(piece, share, span.begin, 1 / stroke, -from / stroke));
+  }
+  // Of ends that were counted from shares the rounding is taken off.
+  pieces.front().begin = 0;
+  pieces.back().end = 1;
+  return Law<double>(std::move(pieces), {End::Motion, End::Motion});
+}
+
+bool is_rest(const Law<double>& law, const NamedSpan& span) {
+  return std::none_of(law.pieces().begin(), law.pieces().end(), [&](const Piece<double>& piece) {
+    const double middle = 0.5 * (piece.begin + piece.end);
+    const bool inside = middle >= span.begin && middle <= span.end;
+    return inside &&
+           (piece.polynomial.size() > 1 || !piece.harmonics.empty() || !piece.curves.empty());
+  });
+}
+
+}  // namespace
+
+std::vector<SegmentMerits> segment_merits(const Member& member) {
+  std::vector<SegmentMerits> result;
+  if (!member.family->spans) return result;
+  const Law<double> law = member.law();
+  for (const NamedSpan& span : member.family->spans(member.arguments)) {
+    const double from = law(span.begin).s, to = law(span.end, Side::Left).s;
+    SegmentMerits merits{span.name, span.begin, span.end, from, to};
+    if (!is_rest(law, span)) {
+      const double stroke = from == to ? 1 : to - from;
+      const auto own = peaks(part_of(law, span, from, stroke));
+      merits.max_velocity = own.max_velocity();
+      merits.max_acceleration = own.max_acceleration();
+      merits.max_jerk = own.max_jerk();
+      merits.max_dynamic_moment = own.max_dynamic_moment();
+    }
+    result.push_back(std::move(merits));
+  }
+  return result;
+}
+
+}  // namespace camlaw

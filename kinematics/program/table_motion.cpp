@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "kinematics/program/table_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/peaks.h"
+#include "kinematics/program/segments.h"
+#include "numerics/spline/smoothing_spline.h"
+
+namespace camlaw {
+namespace {
+
+constexpr std::size_t kFewest = 8;  // rows that a curve of degree 5 can be told from
+constexpr std::size_t kDegree = 5;
+
+void check_rows(std::span<const double> x, std::span<const double> s) {
+  if (x.size() != s.size() || x.size() < kFewest) {
+    throw std::invalid_argument(fmt::format(
+        "a motion needs at least {} rows over the cycle; {} are given", kFewest, x.size()));
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool follows = i == 0 ? x[0] >= 0 : x[i] > x[i - 1];
+    if (!follows || !(x[i] < 1) || !std::isfinite(s[i])) {
+      throw std::invalid_argument(
+          "places must increase within one cycle, with a displacement each");
+    }
+  }
+}
+
+/// Through every row.
+Law<double> interpolated(std::span<const double> x, std::span<const double> s) {
+  Segment<double> whole{1, s.front(), s.front()};
+  whole.joins = true;
+  for (std::size_t i = 1; i < x.size(); ++i) whole.points.push_back({x[i] - x[0], s[i]});
+  const Law<double> from_first = program_law<double>({whole});
+  if (x[0] == 0) return from_first;
+  // It begins at the first row: what lies beyond the cycle's end comes first.
+  std::vector<Piece<double>> before, after;
+  for (const Piece<double>& piece : from_first.pieces()) {
+    Piece<double> placed = detail::map_piece(piece, 1.0, -x[0], 1.0, 0.0);
+    if (placed.begin < 1) after.push_back(placed);
+    if (placed.end <= 1) continue;
+    Piece<double> early = detail::map_piece(piece, 1.0, 1 - x[0], 1.0, 0.0);
+    early.begin = std::max(early.begin, 0.0);
+    after.back().end = std::min(after.back().end, 1.0);
+    before.push_back(std::move(early));
+  }
+  before.insert(before.end(), after.begin(), after.end());
+  before.front().begin = 0;
+  before.back().end = 1;
+  return Law<double>(std::move(before), {End::Motion, End::Motion});
+}
+
+/// A spline's pieces: polynomials about where each begins.
+Law<double> law_of(const optim::SmoothingSpline& spline) {
+  const std::vector<double>& places = spline.basis().places();
+  std::vector<Piece<double>> pieces;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    Piece<double> piece{places[i], places[i + 1], places[i], {}, {}, {}};
+    double factorial = 1;
+    for (std::size_t k = 0; k <= kDegree; ++k) {
+      if (k > 1) factorial *= static_cast<double>(k);
+      piece.polynomial.push_back(spline(places[i], static_cast<int>(k)) / factorial);
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return Law<double>(std::move(pieces), {End::Motion, End::Motion});
+}
+
+double deviation_of(const optim::SmoothingSpline& spline) {
+  double squares = 0;
+  for (const auto& sample : spline.samples()) squares += sample.residual * sample.residual;
+  return std::sqrt(squares / static_cast<double>(spline.samples().size()));
+}
+
+optim::SmoothingSpline smoothed(std::span<const double> x, std::span<const double> s,
+                                std::optional<double> mu) {
+  optim::SmoothingOptions options;
+  options.degree = static_cast<int>(kDegree);
+  options.periodic = true;
+  options.range = {0.0, 1.0};
+  options.mu = mu;
+  return smoothing_spline(x, s, options);
+}
+
+/// The mu with which a spline deviates as stated: deviations grow with it.
+optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const double> s,
+                                      double wanted) {
+  double low = -40, high = 5;  // powers of 10
+  const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power)); };
+  if (deviation_of(at(low)) > wanted || deviation_of(at(high)) < wanted) {
+    throw std::invalid_argument(
+        fmt::format("no spline is as far from the rows as that; the deviations that there are go "
+                    "from {:.3g} to {:.3g} of the stroke",
+                    deviation_of(at(low)), deviation_of(at(high))));
+  }
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (deviation_of(at(middle)) < wanted ? low : high) = middle;
+  }
+  return at(low);
+}
+
+}  // namespace
+
+TableMotion table_motion(std::span<const double> x, std::span<const double> s,
+                         const TableSmoothing& smoothing) {
+  check_rows(x, s);
+  using Kind = TableSmoothing::Kind;
+  const Law<double> exact = interpolated(x, s);
+  if (smoothing.kind == Kind::None) return {exact};
+  const optim::SmoothingSpline spline = smoothing.kind == Kind::Automatic
+                                            ? smoothed(x, s, {})
+                                            : with_deviation(x, s, smoothing.deviation);
+  TableMotion result{law_of(spline), deviation_of(spline)};
+  for (const auto& sample : spline.samples()) {
+    result.greatest = std::max(result.greatest, std::abs(sample.residual));
+  }
+  result.acceleration_kept = peaks(result.law).max_acceleration() / peaks(exact).max_acceleration();
+  return result;
+}
+
+}  // namespace camlaw

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "optim/cycle/forwarding_curve.h"
+
+namespace camlaw::optim {
+
+/// A part of the cycle: where it begins and ends, increasing.
+using Window = std::pair<double, double>;
+
+/// A curve over a part of its cycle alone, which may depend on the design. An end that is a break
+/// of the curve moves as that does, unless the window is fixed.
+class WindowCurve final : public ForwardingCurve {
+ public:
+  WindowCurve(std::shared_ptr<const Curve> whole, Window fixed)
+      : ForwardingCurve(std::move(whole)),
+        is_fixed_(true),
+        window_([fixed](Design) { return fixed; }) {}
+  /// Of a window whose ends are breaks of the curve.
+  WindowCurve(std::shared_ptr<const Curve> whole, std::function<Window(Design)> moving)
+      : ForwardingCurve(std::move(whole)), is_fixed_(false), window_(std::move(moving)) {}
+
+  Place tied(Place place, Design x) const override;
+  std::vector<Rest> rests(double bound, Design x) const override;
+  std::unique_ptr<Trace> trace(Design x) const override;
+
+ private:
+  bool is_fixed_;
+  std::function<Window(Design)> window_;
+};
+
+}  // namespace camlaw::optim

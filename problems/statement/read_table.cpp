@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "kinematics/program/table_motion.h"
+#include "kinematics/shape.h"
+#include "numerics/scalar/dual.h"
+#include "numerics/tables/assumed_units.h"
+#include "numerics/tables/columns.h"
+#include "numerics/tables/sample_table.h"
+#include "numerics/tables/turn.h"
+#include "numerics/text/file_text.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/program_timing.h"
+#include "problems/statement/program_units.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr std::size_t kMostRows = 20000;
+constexpr double kWidestGap = 30;  // deg between rows
+
+/// A lift over the turn: places from 0 to 1, increasing.
+struct TurnTable {
+  std::vector<double> x, lift;
+  std::string unit;  ///< of the lift; "1" where the table states none
+};
+
+const std::string& table_text(const Entry& name, HeldFiles& files) {
+  const std::string& path = text_of(name);
+  const auto known = files.tables.find(path);
+  if (known != files.tables.end()) return known->second;
+  const std::string text = located(name, [&] {
+    return file_text((std::filesystem::path(folder_of(name)) / path).string(), "table");
+  });
+  return files.tables.emplace(path, text).first->second;
+}
+
+/// The angle and the lift of a table, whatever else it holds.
+SampleTable lift_columns(const SampleTable& table) {
+  const SampleColumn* lift = find_column(table, ColumnKind::Displacement);
+  const SampleColumn& angle = place_column(table, lift);
+  if (lift == nullptr || lift == &angle) lift = &column_beside(table, &angle);
+  return numbers_of(table, {&angle, lift});
+}
+
+/// The rows in their order round the turn, one at each place.
+TurnTable turn_of(const SampleTable& table, const std::string& unit) {
+  SampleColumn angle = table.columns[0];
+  if (angle.unit.empty()) angle.unit = "deg";
+  const std::vector<double> places = in_unit(table, angle, {"deg"}).values;
+  const UnitValues lift = in_unit(table, table.columns[1], {unit, "1"});
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<double> x(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    x[i] = in_period(places[i], 0, kTurnDegrees) / kTurnDegrees;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return x[a] < x[b]; });
+  constexpr double kSamePlace = 1e-9;
+  TurnTable turn{{}, {}, lift.unit};
+  for (const std::size_t i : order) {
+    // The beginning is often there twice, as 0 and as 360 deg.
+    const bool again = !turn.x.empty() && (x[i] - turn.x.back() < kSamePlace ||
+                                           turn.x.front() + 1 - x[i] < kSamePlace);
+    if (again) continue;
+    turn.x.push_back(x[i]);
+    turn.lift.push_back(lift.values[i]);
+  }
+  return turn;
+}
+
+void check_turn(const TurnTable& turn) {
+  if (turn.x.size() > kMostRows) {
+    throw std::invalid_argument(
+        fmt::format("{} rows; at most {} are accepted", turn.x.size(), kMostRows));
+  }
+  for (std::size_t i = 0; i < turn.x.size(); ++i) {
+    const bool last = i + 1 == turn.x.size();
+    const double next = last ? turn.x.front() + 1 : turn.x[i + 1];
+    if ((next - turn.x[i]) * kTurnDegrees <= kWidestGap) continue;
+    throw std::invalid_argument(fmt::format(
+        "there is nothing from {:.6g} to {:.6g} deg; a lift over the whole turn is wanted, with "
+        "rows at most {:g} deg apart",
+        turn.x[i] * kTurnDegrees, next * kTurnDegrees, kWidestGap));
+  }
+}
+
+TableSmoothing read_smoothing(const Entry& program, const std::string& unit, double range) {
+  const Entry* entry = find(program, "smoothing");
+  if (entry == nullptr || (entry->kind == Entry::Kind::Text && entry->text == "auto")) return {};
+  using Kind = TableSmoothing::Kind;
+  if (entry->kind == Entry::Kind::Text && entry->text == "none") return {Kind::None};
+  const double deviation = located(*entry, [&] {
+    try {
+      return positive_of(*entry, unit);
+    } catch (const std::invalid_argument&) {
+      throw std::invalid_argument(fmt::format(
+          "accepted are \"none\", \"auto\", and how far the motion may be from the rows, root "
+          "mean square, such as {}",
+          unit == "1" ? "0.0001" : fmt::format("\"0.002 {}\"", unit)));
+    }
+  });
+  return {Kind::Deviation, deviation / range};
+}
+
+/// The motion as a law that has no parameters; `words` say where it comes from.
+Member member_of(Law<double> law, const std::string& name, const std::string& words) {
+  Family family{.name = "table " + name,
+                .aliases = {},
+                .formula = words,
+                .parameters = {},
+                .ends = "periodic",
+                .continuity = continuity(law),
+                .symmetric = false,
+                .source = "a table",
+                .maker = [law = std::move(law)]<class S>(const Arguments<S>&) {
+                  return law.template as<S>();
+                }};
+  const auto owned = std::make_shared<const Family>(std::move(family));
+  return {owned, owned->defaults()};
+}
+
+std::string words_of(const std::string& name, std::size_t rows, const TableMotion& motion,
+                     double range, const std::string& unit) {
+  if (motion.greatest == 0) return fmt::format("the lift of {}, through all {} rows", name, rows);
+  return fmt::format(
+      "the lift of {}, {} rows, smoothed: it is {} from them (root mean square), at most {}, and "
+      "its greatest acceleration is {:.3g} of that of the curve through all rows",
+      name, rows, with_unit(motion.deviation * range, unit),
+      with_unit(motion.greatest * range, unit), motion.acceleration_kept);
+}
+
+}  // namespace
+
+void read_table(const Entry& file, const Entry& program, ProblemStatement& problem) {
+  check_keys(program, {"table", "smoothing", "cycle_time"});
+  const Entry& name = *find(program, "table");
+  const auto place = stroke_of(*problem.mechanism);
+  if (!place) {
+    refuse(name, fmt::format("{} has no parameter called stroke or swing, which a table's lift "
+                             "would be",
+                             problem.mechanism->name));
+  }
+  const MechanismParameter& parameter = problem.mechanism->parameters[*place];
+  problem.timing = read_timing(file, program, problem);
+  const TurnTable turn = located(name, [&] {
+    const SampleTable table = parse_samples(table_text(name, problem.files), name.text);
+    TurnTable rows = turn_of(lift_columns(table), parameter.unit);
+    check_turn(rows);
+    return rows;
+  });
+  const auto [lowest, highest] = std::minmax_element(turn.lift.begin(), turn.lift.end());
+  const double range = *highest - *lowest;
+  if (!(range > 0)) refuse(name, "the lift is the same everywhere");
+  if (turn.unit != "1") {
+    const StatedParameter stated = stated_parameter(file, parameter);
+    const Entry* other = stated.fixed != nullptr ? stated.fixed : stated.varying;
+    if (other != nullptr) {
+      refuse(*other, fmt::format("the table's lift says what the {} is, {}; drop this entry",
+                                 parameter.name, with_unit(range, parameter.unit)));
+    }
+    set_stroke(name, *place, range, problem);
+  }
+  std::vector<double> s;
+  for (const double lift : turn.lift) s.push_back((lift - *lowest) / range);
+  const TableSmoothing smoothing = read_smoothing(program, turn.unit, range);
+  const TableMotion motion = located(name, [&] { return table_motion(turn.x, s, smoothing); });
+  problem.laws = {member_of(motion.law, name.text,
+                            words_of(name.text, turn.x.size(), motion, range, turn.unit))};
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "machines/model/cycle.h"
+#include "machines/model/windowed.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// The segment that `over` names, which every law must have.
+CycleWindow read_over(const Entry& over, const ProblemStatement& problem, const Cycle& cycle) {
+  CycleWindow window{text_of(over)};
+  if (problem.mechanism->moved_by != MovedBy::Program) {
+    refuse(over, fmt::format("{} has no motion program, whose segments have names; write from and "
+                             "to",
+                             problem.mechanism->name));
+  }
+  located(over, [&] {
+    for (const Member& law : problem.laws) window_at(window, cycle, law);
+  });
+  return window;
+}
+
+/// An end of the window; where it is not stated, that of the cycle.
+double read_end(const Entry* entry, const Cycle& cycle, double otherwise) {
+  if (entry == nullptr) return otherwise;
+  const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
+  const double value = quantity_of(*entry, cycle.unit);
+  if (!(value >= begin && value <= end)) {
+    refuse(*entry, fmt::format("{} is outside the cycle; accepted is {}",
+                               with_unit(value, cycle.unit), range_text(begin, end, cycle.unit)));
+  }
+  return value;
+}
+
+}  // namespace
+
+void read_window(const Entry& table, const ProblemStatement& problem, ResponseName& response) {
+  const Entry *over = find(table, "over"), *from = find(table, "from"), *to = find(table, "to");
+  const Entry* const any = over != nullptr ? over : from != nullptr ? from : to;
+  if (any == nullptr) return;
+  if (response.response == nullptr || !response.response->curve) {
+    refuse(*any, fmt::format("{} is a number, which has no places in the cycle; a window is for "
+                             "curves and their peaks",
+                             response.name));
+  }
+  const auto cycle = response.response->cycle;
+  if (!cycle) {
+    refuse(*any, fmt::format("{} runs over the turn of the driving shaft, of which no windows are "
+                             "taken",
+                             response.name));
+  }
+  if (over != nullptr && (from != nullptr || to != nullptr)) {
+    refuse(from != nullptr ? *from : *to, "over says where already; drop one of the two");
+  }
+  if (over != nullptr) {
+    response.window = read_over(*over, problem, *cycle);
+    response.name += " over " + response.window->segment;
+    return;
+  }
+  CycleWindow window{"", read_end(from, *cycle, cycle->stretches.front().begin),
+                     read_end(to, *cycle, cycle->stretches.back().end)};
+  if (!(window.from < window.to)) {
+    refuse(*any,
+           fmt::format("the window from {} to {} is empty; one that goes over the end of the "
+                       "cycle is two limits",
+                       with_unit(window.from, cycle->unit), with_unit(window.to, cycle->unit)));
+  }
+  response.name +=
+      fmt::format(" from {:.6g} to {}", window.from, with_unit(window.to, cycle->unit));
+  response.window = window;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/statement.h"
+#include "tests/problems/complaint.h"
+
+/// A lift table as the motion of a cam.
+namespace camlaw::problems::lift_table_test {
+
+using Catch::Contains, testing::complaint;
+
+namespace {
+
+ProblemStatement with_table(const std::string& table, const std::string& program = "",
+                            const std::string& rest = "") {
+  HeldFiles files;
+  files.tables["lift.csv"] = table;
+  return read_problem(
+      "mechanism = 'disc-cam-roller'\n[program]\ntable = 'lift.csv'\n" + program + "\n" + rest,
+      "f.toml", std::move(files));
+}
+
+/// Its joints lie on rows of half degrees.
+ProblemStatement program(const std::string& rest = "") {
+  return read_problem(
+      "mechanism = 'disc-cam-roller'\n[program]\nsegments = [{name = 'up', angle = 130, to = '24 "
+      "mm', law = 'joining', points = [{angle = 60, to = '9 mm'}]}, {name = 'down', angle = 120, "
+      "to = '3 mm', law = 'joining'}, {name = 'on', to = '0 mm', law = 'joining'}]\n" +
+          rest,
+      "f.toml");
+}
+
+std::string table_of(const ProblemStatement& problem, double step, double first, int digits,
+                     double noise = 0) {
+  const Law<double> law = problem.laws.front().law();
+  std::mt19937 random(1);
+  std::normal_distribution<double> error(0, noise);
+  std::string text = "angle [deg];lift [mm]\n";
+  for (double angle = first; angle < 360; angle += step) {
+    const double lift = 24 * law(angle / 360).s + (noise > 0 ? error(random) : 0);
+    text += fmt::format("{:.3f};{:.{}f}\n", angle, lift, digits);
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a lift table made from a program gives the program's responses", "[lift_table]") {
+  const auto sizes = [](double base, double preload) {
+    return fmt::format(
+        "[constants]\nbase_radius = {}\nspring_rate = 5\nspring_preload = {}\nspeed = 200\n", base,
+        preload);
+  };
+  const ProblemStatement stated = program(sizes(40, 50));
+  for (const double first : {0.0, 0.5}) {
+    // The table's lift counts from its lowest row, which lies a little below the program's zero.
+    double lowest = 0;
+    const Law<double> law = stated.laws.front().law();
+    for (double angle = first; angle < 360; angle += 0.5) {
+      lowest = std::min(lowest, 24 * law(angle / 360).s);
+    }
+    const ProblemStatement table =
+        with_table(table_of(stated, 0.5, first, 13), "smoothing = 'none'",
+                   sizes(40 + lowest, 50 + 5 * lowest));
+    const auto expected = evaluate(stated), found = evaluate(table);
+    REQUIRE(expected.size() == found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      INFO(found[i].name);
+      if (std::isnan(expected[i].highest)) continue;
+      const double shift = found[i].name == "displacement" ? lowest : 0;
+      const double slack = 1e-6 * std::abs(expected[i].highest - expected[i].lowest);
+      CHECK(found[i].value == Approx(expected[i].value).epsilon(1e-6));
+      CHECK(found[i].highest + shift == Approx(expected[i].highest).margin(slack));
+      CHECK(found[i].lowest + shift == Approx(expected[i].lowest).margin(slack));
+    }
+  }
+}
+
+TEST_CASE("a table is smoothed as it is stated, and says by how much", "[lift_table]") {
+  constexpr double kNoise = 0.002;  // mm
+  const std::string table = table_of(program(), 1, 0, 6, kNoise);
+  const ProblemStatement by_length = with_table(table, "smoothing = '0.003 mm'");
+  CHECK_THAT(in_words(by_length), Contains("it is 0.003 mm from them (root mean square)"));
+  const Law<double> exact = program().laws.front().law();
+  const Law<double> smooth = with_table(table).laws.front().law();
+  const Law<double> rough = with_table(table, "smoothing = 'none'").laws.front().law();
+  double of_smooth = 0, of_rough = 0, most = 0;
+  for (int i = 0; i < 720; ++i) {
+    const double a = exact((i + 0.5) / 720).a;
+    of_smooth = std::max(of_smooth, std::abs(smooth((i + 0.5) / 720).a - a));
+    of_rough = std::max(of_rough, std::abs(rough((i + 0.5) / 720).a - a));
+    most = std::max(most, std::abs(a));
+  }
+  CHECK(of_smooth < 0.2 * most);
+  CHECK(of_rough > most);
+}
+
+TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
+  const std::string good = table_of(program(), 1, 0, 6);
+  CHECK_THAT(complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
+             Contains("f.toml:6: constants.stroke: the table's lift says what the stroke is"));
+  CHECK_THAT(complaint([&] { with_table("angle [deg];lift [mm]\n0;1\n10;2\n20;3\n"); }),
+             Contains("program.table: there is nothing from 20 to 360 deg"));
+  CHECK_THAT(complaint([&] { with_table("angle [deg];lift [kg]\n0;1\n10;2\n20;3\n"); }),
+             Contains("column 'lift' is in 'kg'"));
+  CHECK_THAT(complaint([&] { with_table(good, "smoothing = 'some'"); }),
+             Contains("accepted are \"none\", \"auto\""));
+  CHECK_THAT(complaint([&] { with_table(good, "smoothing = '90 mm'"); }),
+             Contains("no spline is as far from the rows as that"));
+  CHECK_THAT(complaint([&] { with_table(good, "segments = []"); }), Contains("segments"));
+  CHECK_THAT(complaint([] {
+               read_problem("mechanism = 'disc-cam-roller'\n[program]\ntable = 'none.csv'\n",
+                            "f.toml");
+             }),
+             Contains("none.csv"));
+}
+
+}  // namespace camlaw::problems::lift_table_test

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "kinematics/peaks.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/statement.h"
+#include "tests/problems/complaint.h"
+
+/// Motion programs in millimetres, degrees and metres per second.
+namespace camlaw::problems::physical_program_test {
+
+using Catch::Contains, testing::complaint;
+
+namespace {
+
+ProblemStatement read(const std::string& segments, const std::string& program = "",
+                      const std::string& rest = "", const char* machine = "disc-cam-roller") {
+  return read_problem(fmt::format("mechanism = '{}'\n[program]\n{}segments = [{}]\n{}", machine,
+                                  program, segments, rest),
+                      "f.toml");
+}
+std::string refusal(const std::string& segments, const std::string& program = "",
+                    const std::string& rest = "", const char* machine = "disc-cam-roller") {
+  return complaint([&] { read(segments, program, rest, machine); });
+}
+
+EvaluatedResponse response(const ProblemStatement& problem, const std::string& name) {
+  for (const EvaluatedResponse& r : evaluate(problem)) {
+    if (r.name == name) return r;
+  }
+  throw std::invalid_argument(name);
+}
+
+void check_same(const ProblemStatement& a, const ProblemStatement& b) {
+  const Law<double> one = a.laws.front().law(), other = b.laws.front().law();
+  for (int i = 0; i <= 72; ++i) {
+    INFO(i * 5 << " deg");
+    CHECK(one(i / 72.0).s == Approx(other(i / 72.0).s).margin(1e-13));
+    CHECK(one(i / 72.0).a == Approx(other(i / 72.0).a).margin(1e-9));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a modified sine over 120 ms and 20 mm peaks at 0.2933 m/s", "[physical_program]") {
+  const ProblemStatement problem = read(
+      "{name = 'rise', time = '120 ms', to = '20 mm', law = 'modified sine'}, "
+      "{name = 'back', to = 0, law = 'Bestehorn'}",
+      "cycle_time = '0.4 s'\n");
+  CHECK(constant_of(problem, "stroke") == Approx(20).epsilon(1e-14));
+  CHECK(response(problem, "velocity").highest == Approx(0.2933).margin(5e-5));
+}
+
+TEST_CASE("lengths, rates and times become those of the normalised motion", "[physical_program]") {
+  // 0.3 m/s at a turn of 0.36 s and a stroke of 22 mm, and so on.
+  const double velocity = 0.3 * 0.36 / 0.022, acceleration = -12 * 0.36 * 0.36 / 0.022;
+  const double slope = -0.1 * 360 / 22, bend = 0.002 * 360 * 360 / 22;
+  const ProblemStatement physical = read(
+      "{name = 'a', time = '120 ms', to = '22 mm', velocity = '0.3 m/s', acceleration = "
+      "'-12 m/s^2', points = [{time = '40 ms', to = '6 mm'}, {angle = '80 deg', by = '1 cm', "
+      "velocity = '250 mm/s'}]}, "
+      "{name = 'b', angle = 60, by = '-0.5 cm', velocity = '-0.1 mm/deg', acceleration = "
+      "'0.002 mm/deg^2'}, {name = 'c', to = '0 mm', law = 'joining'}",
+      "cycle_time = '360 ms'\n");
+  const ProblemStatement normalised = read(fmt::format(
+      "{{name = 'a', angle = 120, to = 1, velocity = {}, acceleration = {}, points = [{{angle = "
+      "40, to = {}}}, {{angle = 80, to = {}, velocity = {}}}]}}, {{name = 'b', angle = 60, to = "
+      "{}, velocity = {}, acceleration = {}}}, {{name = 'c', to = 0, law = 'joining'}}",
+      velocity, acceleration, 6.0 / 22, 16.0 / 22, 0.25 * 0.36 / 0.022, 17.0 / 22, slope, bend));
+  check_same(physical, normalised);
+}
+
+TEST_CASE("an arm's motion is stated in degrees", "[physical_program]") {
+  const ProblemStatement problem = read(
+      "{name = 'a', angle = 120, to = '25 deg', velocity = '0.2 deg/deg', points = [{angle = "
+      "60, to = '10 deg'}]}, {name = 'b', to = '0 deg', law = 'joining'}",
+      "", "", "disc-cam-oscillating-roller");
+  CHECK(constant_of(problem, "swing") == Approx(25).epsilon(1e-14));
+  CHECK(problem.laws.front().law().derivatives<2>(1 / 3.0)[1] ==
+        Approx(0.2 * 360 / 25).epsilon(1e-12));
+  const ProblemStatement timed = read(
+      "{name = 'a', angle = 120, to = '25 deg', velocity = '30 deg/s'}, {name = 'b', to = "
+      "'0 deg', law = 'joining'}",
+      "cycle_time = '0.5 s'\n", "", "disc-cam-oscillating-roller");
+  CHECK(timed.laws.front().law().derivatives<2>(1 / 3.0)[1] ==
+        Approx(30 * 0.5 / 25).epsilon(1e-12));
+}
+
+TEST_CASE("the stroke that is stated is what displacements are parts of", "[physical_program]") {
+  const char* segments =
+      "{name = 'a', angle = 120, to = '10 mm', law = 'MS'}, {name = 'b', to = "
+      "'0 mm', law = 'MT'}";
+  CHECK(read(segments, "", "[constants]\nstroke = '20 mm'\n").laws.front().law()(1 / 3.0).s ==
+        Approx(0.5).epsilon(1e-14));
+  CHECK_THAT(refusal(segments, "", "[variables.stroke]\nlower = 10\nupper = 30\n"),
+             Contains("program.segments[1].to: stroke varies; write a plain number, in strokes"));
+  CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', law = 'MS'}, {name = 'c', angle = "
+                     "60, to = 0.2, law = 'MS'}, {name = 'b', to = 0, law = 'MT'}"),
+             Contains("give this one a unit"));
+  CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 kg', law = 'MS'}, {name = 'b', to = 0, "
+                     "law = 'MT'}"),
+             Contains("'10 kg' is a mass"));
+  CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', velocity = '3 kg'}, {name = 'b', to "
+                     "= 0, law = 'joining'}"),
+             Contains("'3 kg' is not a velocity; accepted are \"0.3 mm/s\", \"0.3 mm/deg\""));
+  CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', velocity = '0.3 m/s'}, {name = 'b', "
+                     "to = 0, law = 'joining'}"),
+             Contains("the program has times, which need the time of a turn"));
+}
+
+TEST_CASE("a tolerance of a point is a variable, and none of zero width", "[physical_program]") {
+  const auto with = [](const std::string& tolerance) {
+    return read(
+        "{name = 'a', angle = 140, to = '20 mm', law = 'joining', points = [{angle = 50, "
+        "to = '6 mm'" +
+            tolerance +
+            "}]}, {name = 'b', angle = 40}, {name = 'c', angle = "
+            "120, to = 0, law = 'joining'}, {name = 'd'}",
+        "", "[objective]\nminimize = 'peak acceleration'\n");
+  };
+  const ProblemStatement exact = with(""), zero = with(", tolerance = '0 mm'"),
+                         slack = with(", tolerance = '0.2 mm'");
+  CHECK(zero.variables.empty());
+  check_same(exact, zero);
+  REQUIRE(slack.variables.size() == 1);
+  CHECK(slack.variables[0].name == "a_points[1]");
+  CHECK(slack.variables[0].lower == Approx(5.8 / 20).epsilon(1e-13));
+  CHECK(slack.variables[0].upper == Approx(6.2 / 20).epsilon(1e-13));
+  CHECK_THAT(complaint([&] { with(", tolerance = '-1 mm'"); }), Contains("0 or above"));
+  CHECK_THAT(refusal("{name = 'a', angle = 140, to = '20 mm', law = 'MS'}, {name = 'c', to = 0, "
+                     "tolerance = '1 mm', law = 'joining'}"),
+             Contains("its end has no tolerance"));
+}
+
+TEST_CASE("a free segment has ends of its own", "[physical_program]") {
+  const ProblemStatement problem = read(
+      "{name = 'a', angle = 180, law = 'free', end = 'U'}, {name = 'b', law = 'free', begin = "
+      "'U'}",
+      "matched = 'velocity'\n");
+  const Law<double> law = problem.laws.front().law();
+  CHECK(std::abs(law.derivatives<3>(0.5, Side::Left)[2]) > 1);
+  CHECK(law.derivatives<3>(0.0)[2] == Approx(0).margin(1e-10));
+  CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS', end = 'U'}, {name = 'b', law = 'MS'}"),
+             Contains("it is for a segment whose law is \"free\""));
+}
+
+TEST_CASE("a motion that advances is not for a cam", "[physical_program]") {
+  CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b'}", "advance = 1\n"),
+             Contains("the motion of disc-cam-roller returns to where it began"));
+}
+
+}  // namespace camlaw::problems::physical_program_test
