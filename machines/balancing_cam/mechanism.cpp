@@ -170,11 +170,10 @@ constexpr Row kRows[] = {
 template <template <class> class M>
 MechanismResponse curve(const Row& row) {
   return turn_response<M>(
-      {row.name, row.unit, row.stored, row.meaning}, row.which, [](const auto& machine) {
-        return
-            [turn = BalancedTurn(machine)](Quantity which, std::size_t section, const auto& phi) {
-              return quantity(turn, which, section, phi);
-            };
+      {row.name, row.unit, row.stored, row.meaning}, [which = row.which](const auto& machine) {
+        return [which, turn = BalancedTurn(machine)](std::size_t section, const auto& phi) {
+          return quantity(turn, which, section, phi);
+        };
       });
 }
 
@@ -229,7 +228,7 @@ template <template <class> class M>
 std::vector<MechanismResponse> numbers() {
   std::vector<MechanismResponse> all;
   for (const SizeRow& row : kSizes) {
-    all.push_back(searched_number<M>(
+    all.push_back(number_response<M>(
         {row.name, row.unit, row.stored, row.meaning},
         [which = row.which](const auto& machine) { return size_of(machine, which); }));
   }

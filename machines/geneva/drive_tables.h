@@ -59,8 +59,8 @@ template <template <class> class M>
 std::vector<MechanismResponse> drive_curves() {
   std::vector<MechanismResponse> all;
   for (DriveRow& row : drive_rows()) {
-    all.push_back(turn_response<M>(std::move(row.about), row.which, [](const auto& drive) {
-      return [drive](DriveCurve which, std::size_t section, const auto& phi) {
+    all.push_back(turn_response<M>(std::move(row.about), [which = row.which](const auto& drive) {
+      return [which, drive](std::size_t section, const auto& phi) {
         return drive_curve(drive, which, section, phi);
       };
     }));

@@ -59,7 +59,7 @@ std::vector<MechanismResponse> drive_responses() {
   const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, optim::Shape::Linear}};
   std::vector<MechanismResponse> all;
   const auto add = [&](Quantity which, ResponseAbout about) {
-    all.push_back(searched_number<M>(
+    all.push_back(number_response<M>(
         std::move(about), [which](const auto& drive) { return quantity(drive.drive(), which); }));
   };
   using Q = Quantity;
@@ -81,7 +81,7 @@ std::vector<MechanismResponse> rooms() {
   std::vector<MechanismResponse> all;
   const auto add = [&](Room which, const char* name, const char* meaning) {
     all.push_back(
-        searched_number<PlanarGenevaDrive>({name, "mm", "m", meaning}, [which](const auto& drive) {
+        number_response<PlanarGenevaDrive>({name, "mm", "m", meaning}, [which](const auto& drive) {
           switch (which) {
             case Room::CrankRadius:
               return drive.crank_radius();

@@ -16,8 +16,9 @@ namespace camlaw::problems {
 inline constexpr std::array<const char*, 5> kPlaceNames{"s", "v", "a", "j", "x"};
 inline constexpr std::size_t kOfPlace = kPlaceNames.size();
 
-/// How many other inputs a response's formula has.
-std::size_t others_of(const MechanismResponse& response);
+/// The other inputs of a response's formula: the angle over a turn, the motion and its place, or
+/// the inner numbers.
+std::vector<std::string> other_names(const MechanismResponse& response);
 
 /// Records a formula with all parameters as inputs, in which the others follow.
 Formula whole_formula(const Write& write, std::size_t parameters, std::size_t others);

@@ -72,10 +72,9 @@ X at_angle(const Machine& drive, Quantity wanted, const X& phi) {
 enum class Rack { Printed, Meshing };
 
 MechanismResponse rack_curve(Rack rack, Quantity which, ResponseAbout about) {
-  return turn_response<SignatureFeeder>(std::move(about), which, [rack](const auto& drive) {
-    return
-        [used = rack == Rack::Meshing ? drive.meshing() : drive](
-            Quantity wanted, std::size_t, const auto& phi) { return at_angle(used, wanted, phi); };
+  return turn_response<SignatureFeeder>(std::move(about), [rack, which](const auto& drive) {
+    return [which, used = rack == Rack::Meshing ? drive.meshing() : drive](
+               std::size_t, const auto& phi) { return at_angle(used, which, phi); };
   });
 }
 
