@@ -129,6 +129,23 @@ std::vector<std::size_t> used_parameters(const Write& write, std::size_t paramet
   return used_arguments({{whole_formula(write, parameters, others), parameters, {}}});
 }
 
+std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
+                                     const IsPossible& is_possible) {
+  std::vector<Recorded> records;
+  for (const Write& write : writes) {
+    records.push_back(recorded_for(binding, write, 0, is_possible));
+  }
+  return records;
+}
+
+std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters) {
+  std::vector<Recorded> records;
+  for (const Write& write : writes) {
+    records.push_back({whole_formula(write, parameters, 0), parameters, {}});
+  }
+  return used_arguments(records);
+}
+
 MechanismResponse recorded_number(MechanismResponse response, const Parameters& parameters) {
   std::vector<std::size_t> uses =
       used_parameters(response.write, parameters.size(), response.inner.size());

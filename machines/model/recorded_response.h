@@ -33,6 +33,13 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
                                          std::size_t others);
 
+/// Records several formulas without other inputs for what varies of a binding.
+std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
+                                     const IsPossible& is_possible);
+
+/// The parameters that any of them depends on, increasing.
+std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters);
+
 /// The shape of a formula in what varies of a binding, by rules: of a curve at every place.
 optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
                          const std::vector<MechanismParameter>& parameters);

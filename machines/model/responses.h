@@ -46,31 +46,6 @@ namespace detail {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether f, a function of one number, depends on it where it has a value: what is not a number
-/// comes through, or f has a derivative at x.
-template <class F>
-bool depends(const F& f, double x) {
-  Dual moving(x);
-  moving.v[0] = 1;
-  const Dual here = f(moving);
-  return std::isfinite(here.a) && (std::isnan(f(Dual(kNaN)).a) || here.v[0] != 0);
-}
-
-/// Parameters that f(machine) -> Dual depends on.
-template <template <class> class M, class F>
-std::vector<std::size_t> used_parameters(const F& f) {
-  const auto& parameters = MachineTraits<M>::parameters();
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto machine = typical_machine<M>({i});
-    const auto of_one = [&](const Dual& x) {
-      return f(machine.template at<Dual>(std::span(&x, 1)));
-    };
-    if (depends(of_one, typical_value(parameters[i]))) result.push_back(i);
-  }
-  return result;
-}
-
 /// From s, v, a, j, and x if it is there.
 template <class T>
 PlaceOf<T> as_place(std::span<const T> u) {

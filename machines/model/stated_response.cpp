@@ -335,7 +335,7 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
              is_turn             ? 1 + turn.breaks.size()
              : resolved.is_curve ? kOfPlace
                                  : response.inner.size());
-  if (is_turn) return recorded_turn(std::move(response), std::move(turn), parameters);
+  if (is_turn) return recorded_turn(std::move(response), std::move(turn), parameters, true);
   return resolved.is_curve ? recorded_curve(std::move(response), parameters, *cycle)
                            : recorded_number(std::move(response), parameters);
 }

@@ -54,6 +54,7 @@ class TurnRow final : public optim::Kernel {
 
   /// Where no break may pass the place.
   optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    if (!parts_->has_ranges) return Kernel::range(box);
     const std::vector<Interval> over = machines_in(box);
     const double angle = place_.angle * kDegree;
     for (const Recorded& meet : parts_->breaks) {
@@ -231,7 +232,8 @@ TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossibl
 }  // namespace
 
 MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
-                                const std::vector<MechanismParameter>& parameters) {
+                                const std::vector<MechanismParameter>& parameters,
+                                bool has_ranges) {
   using Numbers = std::span<const Expression>;
   response.along = "deg";
   response.write = [turn](Numbers all, Numbers angle) {
@@ -249,8 +251,9 @@ MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
   }
   response.curve = [=, domain = response.domain, is_possible = response.is_possible](
                        const Binding& binding, optim::Shape shape) {
-    return std::make_shared<TurnCurve>(turn_parts(turn, domain, is_possible, moving, binding),
-                                       binding, shape);
+    TurnParts parts = turn_parts(turn, domain, is_possible, moving, binding);
+    parts.has_ranges = has_ranges;
+    return std::make_shared<TurnCurve>(std::move(parts), binding, shape);
   };
   response.turn = std::make_shared<const ShaftTurn>(std::move(turn));
   return response;

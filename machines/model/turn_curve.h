@@ -13,9 +13,11 @@
 namespace camlaw::problems {
 
 /// Completes a curve over the turn; of its domain, where it has one, the other inputs are those of
-/// ShaftTurn::sided.
+/// ShaftTurn::sided. With `has_ranges` its rows know their ranges over boxes of designs: from them
+/// a bound of the optimum follows, which takes seconds where the formula is long.
 MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
-                                const std::vector<MechanismParameter>& parameters);
+                                const std::vector<MechanismParameter>& parameters,
+                                bool has_ranges = false);
 
 /// What a curve over the turn is made of, for what varies of a binding.
 struct TurnParts {
@@ -32,6 +34,7 @@ struct TurnParts {
   std::vector<Joint> joints;
   /// Of the machine's arguments: where sections meet, rad.
   std::vector<Recorded> breaks;
+  bool has_ranges;
 
   std::vector<double> breaks_at(std::span<const double> arguments) const;
 };
