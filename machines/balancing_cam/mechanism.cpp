@@ -69,183 +69,180 @@ namespace {
 
 using optim::Part;
 
-enum class Quantity {
-  StoredEnergy,
-  Displacement,
-  Travel,
-  SpringForce,
-  RollerForce,
-  BalancingTorque,
-  Residual,
-  Touching,
-  ResidualShare,
-  TouchingShare,
-  PressureAngle,
-  PitchCurvature,
-  Undercut,
-  ContactStress,
-  ProfileX,
-  ProfileY
-};
-
-template <class Turn, class X>
-X cam_quantity(const Turn& turn, Quantity which, std::size_t section, const X& phi) {
-  const auto motion = turn.roller(section, phi);
-  const auto cam = turn.machine().cam();
-  if (which == Quantity::PressureAngle) return cam.pressure_angle(motion);
-  const auto pitch = cam.pitch_curve(motion);
-  if (which == Quantity::ProfileX || which == Quantity::ProfileY) {
-    const auto [x, y] = turned_back(pitch.inside(cam.roller_radius), phi);
-    return which == Quantity::ProfileX ? x : y;
-  }
-  const X k = pitch.curvature();
-  if (which == Quantity::PitchCurvature) return k;
-  if (which == Quantity::Undercut) return cam.roller().undercut(k);
-  return cam.roller().stress(
-      turn.roller_force(turn.displacement(section, phi)) * pitch.speed() / pitch.y, k);
+/// A curve from formula(turn, section, angle).
+template <template <class> class M, class F>
+MechanismResponse curve(ResponseAbout about, F formula) {
+  return turn_response<M>(std::move(about), [formula](const auto& machine) {
+    return [formula, turn = BalancedTurn(machine)](std::size_t section, const auto& phi) {
+      return formula(turn, section, phi);
+    };
+  });
 }
 
-template <class Turn, class X>
-X quantity(const Turn& turn, Quantity which, std::size_t section, const X& phi) {
-  switch (which) {
-    case Quantity::StoredEnergy:
-      return turn.surplus().range * turn.stored(section, phi).s;
-    case Quantity::Displacement:
-      return turn.displacement(section, phi).s;
-    case Quantity::Travel:
-      return turn.roller(section, phi).s;
-    case Quantity::SpringForce:
-      return turn.spring_force(turn.displacement(section, phi));
-    case Quantity::RollerForce:
-      return turn.roller_force(turn.displacement(section, phi));
-    case Quantity::BalancingTorque:
-      return turn.balancing_torque(turn.displacement(section, phi));
-    case Quantity::Residual:
-      return turn.residual_torque(section, phi);
-    case Quantity::Touching:
-      return turn.touching_torque(section, phi);
-    case Quantity::ResidualShare:
-      return turn.residual_torque(section, phi) / turn.peak_torque();
-    case Quantity::TouchingShare:
-      return turn.touching_torque(section, phi) / turn.peak_torque();
-    default:
-      return cam_quantity(turn, which, section, phi);
-  }
+/// One of the cam, from formula(cam, pitch, turn, section, angle).
+template <template <class> class M, class F>
+MechanismResponse cam_curve(ResponseAbout about, F formula) {
+  return curve<M>(std::move(about),
+                  [formula](const auto& turn, std::size_t section, const auto& phi) {
+                    const auto cam = turn.machine().cam();
+                    const auto pitch = cam.pitch_curve(turn.roller(section, phi));
+                    return formula(cam, pitch, turn, section, phi);
+                  });
 }
 
-struct Row {
-  Quantity which;
-  const char *name, *unit, *stored, *meaning;
+constexpr auto residual_torque = [](const auto& turn, std::size_t section, const auto& phi) {
+  return turn.residual_torque(section, phi);
+};
+constexpr auto touching_torque = [](const auto& turn, std::size_t section, const auto& phi) {
+  return turn.touching_torque(section, phi);
 };
 
-constexpr Row kRows[] = {
-    {Quantity::StoredEnergy, "stored_energy", "J", "J", "energy in the springs above the least"},
-    {Quantity::Displacement, "balancing_displacement", "1", "1",
-     "displacement of the stack's end over its stroke, equation 7"},
-    {Quantity::Travel, "roller_displacement", "mm", "m", "displacement of each roller"},
-    {Quantity::SpringForce, "spring_force", "N", "N",
-     "force of the stack by its own characteristic"},
-    {Quantity::RollerForce, "roller_force", "N", "N",
-     "force along a roller's path, if it were always on the cam; below 0 it leaves the cam"},
-    {Quantity::BalancingTorque, "balancing_torque", "N m", "N m",
-     "what the rollers ask of the driver, were they always on the cam"},
-    {Quantity::Residual, "residual_torque", "N m", "N m", "what the balanced driver sees"},
-    {Quantity::Touching, "touching_torque", "N m", "N m",
-     "the same, were the rollers always on the cam"},
-    {Quantity::ResidualShare, "residual_share", "1", "1",
-     "residual torque over the greatest before balancing: its peak is 1 / K"},
-    {Quantity::TouchingShare, "touching_share", "1", "1",
-     "the same, were the rollers always on the cam"},
-    {Quantity::PressureAngle, "pressure_angle", "deg", "rad",
-     "between the normal and the path of the roller"},
-    {Quantity::PitchCurvature, "pitch_curvature", "1/mm", "1/m",
-     "curvature of the pitch curve, positive where convex"},
-    {Quantity::Undercut, "undercut", "1", "1",
-     "share of the pitch curve's radius that the roller takes; at 1 the profile is undercut"},
-    {Quantity::ContactStress, "contact_stress", "MPa", "Pa",
-     "greatest Hertz pressure, were the roller always on the cam"},
-    {Quantity::ProfileX, "profile_x", "mm", "m", "the profile in the cam, along its zero line"},
-    {Quantity::ProfileY, "profile_y", "mm", "m", "the profile in the cam, across its zero line"}};
-
+/// A torque over the greatest before balancing.
+template <template <class> class M, class F>
+MechanismResponse share(const char* name, const char* meaning, F torque) {
+  return curve<M>({name, "1", "1", meaning},
+                  [torque](const auto& turn, std::size_t section, const auto& phi) {
+                    return torque(turn, section, phi) / turn.peak_torque();
+                  });
+}
 template <template <class> class M>
-MechanismResponse curve(const Row& row) {
-  return turn_response<M>(
-      {row.name, row.unit, row.stored, row.meaning}, row.which, [](const auto& machine) {
-        return
-            [turn = BalancedTurn(machine)](Quantity which, std::size_t section, const auto& phi) {
-              return quantity(turn, which, section, phi);
-            };
-      });
+MechanismResponse residual_share() {
+  return share<M>("residual_share",
+                  "residual torque over the greatest before balancing: its peak is 1 / K",
+                  residual_torque);
+}
+template <template <class> class M>
+MechanismResponse touching_share() {
+  return share<M>("touching_share", "the same, were the rollers always on the cam",
+                  touching_torque);
 }
 
 template <template <class> class M>
-std::vector<MechanismResponse> curves() {
-  std::vector<MechanismResponse> all = drive_curves<M>();
-  for (const Row& row : kRows) all.push_back(curve<M>(row));
-  return all;
+std::vector<MechanismResponse> turn_curves() {
+  using At = std::size_t;
+  return {
+      curve<M>({"stored_energy", "J", "J", "energy in the springs above the least"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.surplus().range * turn.stored(section, phi).s;
+               }),
+      curve<M>({"balancing_displacement", "1", "1",
+                "displacement of the stack's end over its stroke, equation 7"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.displacement(section, phi).s;
+               }),
+      curve<M>({"roller_displacement", "mm", "m", "displacement of each roller"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.roller(section, phi).s;
+               }),
+      curve<M>({"spring_force", "N", "N", "force of the stack by its own characteristic"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.spring_force(turn.displacement(section, phi));
+               }),
+      curve<M>({"roller_force", "N", "N",
+                "force along a roller's path, if it were always on the cam; below 0 it leaves the "
+                "cam"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.roller_force(turn.displacement(section, phi));
+               }),
+      curve<M>({"balancing_torque", "N m", "N m",
+                "what the rollers ask of the driver, were they always on the cam"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.balancing_torque(turn.displacement(section, phi));
+               }),
+      curve<M>({"residual_torque", "N m", "N m", "what the balanced driver sees"}, residual_torque),
+      curve<M>({"touching_torque", "N m", "N m", "the same, were the rollers always on the cam"},
+               touching_torque),
+      residual_share<M>(),
+      touching_share<M>(),
+      curve<M>({"pressure_angle", "deg", "rad", "between the normal and the path of the roller"},
+               [](const auto& turn, At section, const auto& phi) {
+                 return turn.machine().cam().pressure_angle(turn.roller(section, phi));
+               }),
+      cam_curve<M>(
+          {"pitch_curvature", "1/mm", "1/m", "curvature of the pitch curve, positive where convex"},
+          [](const auto&, const auto& pitch, const auto&, At, const auto&) {
+            return pitch.curvature();
+          }),
+      cam_curve<M>({"undercut", "1", "1",
+                    "share of the pitch curve's radius that the roller takes; at 1 the profile is "
+                    "undercut"},
+                   [](const auto& cam, const auto& pitch, const auto&, At, const auto&) {
+                     return cam.roller().undercut(pitch.curvature());
+                   }),
+      cam_curve<M>(
+          {"contact_stress", "MPa", "Pa",
+           "greatest Hertz pressure, were the roller always on the cam"},
+          [](const auto& cam, const auto& pitch, const auto& turn, At section, const auto& phi) {
+            const auto force = turn.roller_force(turn.displacement(section, phi));
+            return cam.roller().stress(force * pitch.speed() / pitch.y, pitch.curvature());
+          }),
+      cam_curve<M>({"profile_x", "mm", "m", "the profile in the cam, along its zero line"},
+                   [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+                     return turned_back(pitch.inside(cam.roller_radius), phi).first;
+                   }),
+      cam_curve<M>({"profile_y", "mm", "m", "the profile in the cam, across its zero line"},
+                   [](const auto& cam, const auto& pitch, const auto&, At, const auto& phi) {
+                     return turned_back(pitch.inside(cam.roller_radius), phi).second;
+                   })};
 }
 
-enum class Size { Mean, Range, Ideal, Stroke, Deflection, Flattening, Needed, Stress, Tension };
-
-/// A number of a machine, for the surplus work that its cam is cut for.
-template <class Machine>
-auto size_of(const Machine& machine, Size which) {
-  if (which == Size::Mean) return machine.mean_torque();
-  const auto surplus = surplus_of(machine.designed());
-  if (which == Size::Range) return surplus.range;
-  if (which == Size::Ideal) return surplus.peak_torque / machine.mean_torque();
-  if (which == Size::Stroke) return machine.stroke(surplus.range);
-  if (which == Size::Needed) return machine.springs_needed(surplus.range);
-  const auto deflection = machine.deflection(surplus.range);
-  if (which == Size::Flattening) return deflection / machine.cone_height;
-  if (which == Size::Stress) return -machine.spring().stress_upper_inner(deflection);
-  if (which == Size::Tension) return machine.spring().stress_lower_outer(deflection);
-  return deflection;
+/// A number from formula(machine, surplus), for the surplus work that its cam is cut for.
+template <template <class> class M, class F>
+MechanismResponse number(ResponseAbout about, F formula) {
+  return number_response<M>(std::move(about), [formula](const auto& machine) {
+    return formula(machine, surplus_of(machine.designed()));
+  });
 }
-
-struct SizeRow {
-  Size which;
-  const char *name, *unit, *stored, *meaning;
-};
-
-constexpr SizeRow kSizes[] = {
-    {Size::Mean, "mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
-    {Size::Range, "surplus_range", "J", "J",
-     "work that the springs store and return, at the speed the cam is cut for"},
-    {Size::Ideal, "ideal_balance", "1", "1",
-     "greatest over mean torque at the speed the cam is cut for: K of an ideal balance"},
-    {Size::Stroke, "spring_stroke", "mm", "m", "working stroke of the stack"},
-    {Size::Deflection, "spring_deflection", "mm", "m", "greatest deflection of each spring"},
-    {Size::Flattening, "flattening", "1", "1",
-     "greatest deflection of a spring over the one to flat; catalogues allow 0.75"},
-    {Size::Needed, "springs_needed", "1", "1",
-     "packets in a row for a greatest deflection of 0.75 h_0, equation 10, not rounded"},
-    {Size::Stress, "spring_stress", "MPa", "Pa",
-     "compression at the inner upper edge of a spring, the greatest"},
-    {Size::Tension, "spring_tension", "MPa", "Pa",
-     "greatest tension at the outer lower edge of a spring"}};
 
 template <template <class> class M>
 std::vector<MechanismResponse> numbers() {
-  std::vector<MechanismResponse> all;
-  for (const SizeRow& row : kSizes) {
-    all.push_back(searched_number<M>(
-        {row.name, row.unit, row.stored, row.meaning},
-        [which = row.which](const auto& machine) { return size_of(machine, which); }));
-  }
-  return all;
+  return {
+      number<M>({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
+                [](const auto& machine, const auto&) { return machine.mean_torque(); }),
+      number<M>({"surplus_range", "J", "J",
+                 "work that the springs store and return, at the speed the cam is cut for"},
+                [](const auto&, const auto& surplus) { return surplus.range; }),
+      number<M>(
+          {"ideal_balance", "1", "1",
+           "greatest over mean torque at the speed the cam is cut for: K of an ideal balance"},
+          [](const auto& machine, const auto& surplus) {
+            return surplus.peak_torque / machine.mean_torque();
+          }),
+      number<M>(
+          {"spring_stroke", "mm", "m", "working stroke of the stack"},
+          [](const auto& machine, const auto& surplus) { return machine.stroke(surplus.range); }),
+      number<M>({"spring_deflection", "mm", "m", "greatest deflection of each spring"},
+                [](const auto& machine, const auto& surplus) {
+                  return machine.deflection(surplus.range);
+                }),
+      number<M>({"flattening", "1", "1",
+                 "greatest deflection of a spring over the one to flat; catalogues allow 0.75"},
+                [](const auto& machine, const auto& surplus) {
+                  return machine.deflection(surplus.range) / machine.cone_height;
+                }),
+      number<M>(
+          {"springs_needed", "1", "1",
+           "packets in a row for a greatest deflection of 0.75 h_0, equation 10, not rounded"},
+          [](const auto& machine, const auto& surplus) {
+            return machine.springs_needed(surplus.range);
+          }),
+      number<M>({"spring_stress", "MPa", "Pa",
+                 "compression at the inner upper edge of a spring, the greatest"},
+                [](const auto& machine, const auto& surplus) {
+                  return -machine.spring().stress_upper_inner(machine.deflection(surplus.range));
+                }),
+      number<M>(
+          {"spring_tension", "MPa", "Pa", "greatest tension at the outer lower edge of a spring"},
+          [](const auto& machine, const auto& surplus) {
+            return machine.spring().stress_lower_outer(machine.deflection(surplus.range));
+          })};
 }
 
 /// K = greatest torque before balancing over the greatest after.
 template <template <class> class M>
-MechanismResponse balance(const char* name, const char* meaning, Quantity share) {
-  const auto row = std::find_if(std::begin(kRows), std::end(kRows),
-                                [&](const Row& r) { return r.which == share; });
-  return peak_number<M>({name, "1", "1", meaning}, curve<M>(*row), Part::Magnitude,
-                        [](const auto&, const auto& peak) {
-                          using T = std::decay_t<decltype(peak)>;
-                          return number<T>(1) / peak;
-                        });
+MechanismResponse balance(const char* name, const char* meaning, const MechanismResponse& share) {
+  return peak_number<M>({name, "1", "1", meaning}, share, Part::Magnitude,
+                        [](const auto&, const auto& peak) { return Expression(1.0) / peak; });
 }
 
 template <template <class> class M>
@@ -253,10 +250,11 @@ Mechanism balancing_cam(const char* name, const char* title) {
   std::vector<MechanismResponse> responses = numbers<M>();
   responses.push_back(balance<M>("balancing_coefficient",
                                  "greatest torque before balancing over the greatest after, K",
-                                 Quantity::ResidualShare));
+                                 residual_share<M>()));
   responses.push_back(balance<M>("touching_coefficient", "K, were the rollers always on the cam",
-                                 Quantity::TouchingShare));
-  append(responses, curves<M>());
+                                 touching_share<M>()));
+  append(responses, drive_curves<M>());
+  append(responses, turn_curves<M>());
   return {.name = name,
           .title = title,
           .source =

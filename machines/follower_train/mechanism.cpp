@@ -37,18 +37,19 @@ enum class Residual { Displacement, Velocity, Amplitude, Acceleration };
 
 /// What is left when the rise is over.
 MechanismResponse residual(Residual which, ResponseAbout about) {
+  // The train's two numbers, and what turns parts of the stroke into the residual.
+  const auto parts = [which]<class T>(const ElasticFollower<T>& f) {
+    T scale = f.stroke;
+    if (which == Residual::Velocity) scale = f.stroke / f.rise_time();
+    if (which == Residual::Acceleration) scale = f.stiffness / f.mass * f.stroke;
+    return std::array<T, 3>{f.period_ratio(), f.damping_ratio, scale};
+  };
   return law_number<ElasticFollower>(
-      std::move(about), [which](const auto& follower, const auto& law) {
-        const auto train = follower.train();
-        const auto time = follower.rise_time();
-        if (which == Residual::Amplitude || which == Residual::Acceleration) {
-          const auto amplitude = follower.stroke * train.amplitude(train.after(law));
-          if (which == Residual::Amplitude) return amplitude;
-          return follower.stiffness / follower.mass * amplitude;
-        }
-        const auto state = train.after(law);
-        return which == Residual::Displacement ? follower.stroke * state.z
-                                               : follower.stroke / time * state.rate;
+      std::move(about), parts, [which]<class T>(std::span<const T> part, const Law<T>& law) -> T {
+        const FollowerTrain<T> train{part[0], part[1]};
+        const TrainState<T> state = train.after(law);
+        if (which == Residual::Displacement) return part[2] * state.z;
+        return part[2] * (which == Residual::Velocity ? state.rate : train.amplitude(state));
       });
 }
 
@@ -77,14 +78,12 @@ MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
   MechanismResponse response = detail::described<ElasticFollower>(std::move(about));
   response.along = "1";
   response.sees_law = true;
-  response.uses = detail::used_parameters<ElasticFollower>([&](const ElasticFollower<Dual>& f) {
-    const Dual train = f.period_ratio() + f.damping_ratio;
-    if (which == TrainQuantity::Amplification) return train;
-    return which == TrainQuantity::MassAcceleration ? train + f.stroke + f.rise_time()
-                                                    : train + f.stroke;
-  });
-  response.curve = [which, factor](const Binding& binding, optim::Shape shape) {
-    return std::make_shared<TrainCurve>(which, factor, binding, shape);
+  const std::vector<Write> parts = train_parts(which);
+  response.uses = used_by_any(parts, MachineTraits<ElasticFollower>::parameters().size());
+  response.curve = [=, is_possible = response.is_possible](const Binding& binding,
+                                                           optim::Shape shape) {
+    return std::make_shared<TrainCurve>(which, recorded_parts(binding, parts, is_possible), factor,
+                                        binding, shape);
   };
   return response;
 }

@@ -12,12 +12,10 @@
 namespace camlaw::problems {
 namespace {
 
-/// From parts of the stroke, by x, to SI units.
+/// The factor to SI units with what the law decides of it.
 template <class T>
-T scale_of(TrainQuantity which, const ElasticFollower<T>& machine, const Law<T>& law) {
-  if (which == TrainQuantity::Amplification) return number<T>(1) / peaks(law).max_acceleration();
-  if (which != TrainQuantity::MassAcceleration) return machine.stroke;
-  return machine.stroke / (machine.rise_time() * machine.rise_time());
+T scale_of(TrainQuantity which, const T& scale, const Law<T>& law) {
+  return which == TrainQuantity::Amplification ? scale / peaks(law).max_acceleration() : scale;
 }
 
 /// s, v, a, j of a law at a break's side.
@@ -56,15 +54,16 @@ std::array<T, 3> quantity_at(TrainQuantity which, const FollowerTrain<T>& train,
 /// The train for one design.
 class TrainTrace final : public optim::Trace {
  public:
-  TrainTrace(TrainQuantity which, ElasticFollower<double> machine, Law<double> law,
-             ElasticFollower<Interval> enclosing, Law<Interval> enclosing_law, double factor)
+  /// The parts are those of train_parts.
+  TrainTrace(TrainQuantity which, const std::vector<double>& parts, Law<double> law,
+             const std::vector<Interval>& enclosing, Law<Interval> enclosing_law, double factor)
       : which_(which),
-        machine_(machine),
+        train_{parts[0], parts[1]},
         law_(std::move(law)),
-        enclosing_(enclosing),
+        enclosing_{enclosing[0], enclosing[1]},
         enclosing_law_(std::move(enclosing_law)),
-        scale_(factor * scale_of(which, machine, law_)),
-        enclosing_scale_(Interval(factor) * scale_of(which, enclosing, enclosing_law_)) {
+        scale_(factor * scale_of(which, parts[2], law_)),
+        enclosing_scale_(Interval(factor) * scale_of(which, enclosing[2], enclosing_law_)) {
     bound_second_derivative();
   }
 
@@ -75,8 +74,7 @@ class TrainTrace final : public optim::Trace {
   }
 
   std::array<double, 3> at(optim::Place place) const override {
-    const auto train = machine_.train();
-    auto f = train_quantity(which_, train, motion_at(law_, place), train.at(law_, place.angle));
+    auto f = train_quantity(which_, train_, motion_at(law_, place), train_.at(law_, place.angle));
     for (double& derivative : f) derivative *= scale_;
     return f;
   }
@@ -85,9 +83,8 @@ class TrainTrace final : public optim::Trace {
   optim::Bounds enclose(double from, double to) const override {
     const double middle = std::midpoint(from, to);
     const double radius = std::max(step_up(to - middle), step_up(middle - from));
-    const auto train = enclosing_.train();
-    const auto f = train_quantity(which_, train, motion_at(enclosing_law_, {middle}),
-                                  train.at(enclosing_law_, middle));
+    const auto f = train_quantity(which_, enclosing_, motion_at(enclosing_law_, {middle}),
+                                  enclosing_.at(enclosing_law_, middle));
     const Interval h(-radius, radius), square(0, step_up(radius * radius));
     const Interval range =
         enclosing_scale_ * (f[0] + f[1] * h + Interval(0.5) * square * second_derivative_);
@@ -114,7 +111,7 @@ class TrainTrace final : public optim::Trace {
         }
       }
     }
-    const auto train = enclosing_.train();
+    const FollowerTrain<Interval>& train = enclosing_;
     const Interval W = Interval(2.0) * pi<Interval>() * train.period_ratio, one(1.0);
     const Interval damped = W * sqrt(one - train.damping_ratio * train.damping_ratio);
     const double peak = magnitude(motion[2]);
@@ -124,9 +121,9 @@ class TrainTrace final : public optim::Trace {
   }
 
   TrainQuantity which_;
-  ElasticFollower<double> machine_;
+  FollowerTrain<double> train_;
   Law<double> law_;
-  ElasticFollower<Interval> enclosing_;
+  FollowerTrain<Interval> enclosing_;
   Law<Interval> enclosing_law_;
   double scale_;
   Interval enclosing_scale_, second_derivative_;
@@ -144,9 +141,18 @@ class NoTrace final : public optim::Trace {
 
 }  // namespace
 
-TrainCurve::TrainCurve(TrainQuantity which, const UnitFactor& factor, const Binding& binding,
-                       optim::Shape shape)
-    : which_(which), factor_(factor), binding_(binding), shape_(shape) {}
+std::vector<Write> train_parts(TrainQuantity which) {
+  return machine_parts<ElasticFollower>([which]<class T>(const ElasticFollower<T>& f) {
+    T scale = f.stroke;
+    if (which == TrainQuantity::Amplification) scale = number<T>(1);
+    if (which == TrainQuantity::MassAcceleration) scale = scale / (f.rise_time() * f.rise_time());
+    return std::array<T, 3>{f.period_ratio(), f.damping_ratio, scale};
+  });
+}
+
+TrainCurve::TrainCurve(TrainQuantity which, std::vector<Recorded> parts, const UnitFactor& factor,
+                       const Binding& binding, optim::Shape shape)
+    : which_(which), parts_(std::move(parts)), factor_(factor), binding_(binding), shape_(shape) {}
 
 optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
   constexpr double kBeside = 1e-14;
@@ -168,29 +174,34 @@ std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design
 }
 
 optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order) const {
-  const auto formula = [which = which_, place, order](const auto& machine, const auto& law) {
-    return scale_of(which, machine, law) * quantity_at(which, machine.train(), law, place)[order];
+  const auto formula = [which = which_, place, order]<class T>(std::span<const T> part,
+                                                               const Law<T>& law) -> T {
+    const FollowerTrain<T> train{part[0], part[1]};
+    return scale_of(which, part[2], law) * quantity_at(which, train, law, place)[order];
   };
-  std::vector<std::size_t> variables = binding_.variables;
-  for (const LawVariable& v : binding_.law->variables()) variables.push_back(v.variable);
-  return function_of(
-      variables,
-      detail::kernel_of(detail::law_formula<ElasticFollower>(binding_, factor_, formula)), shape_);
+  return function_of(detail::law_number_variables(binding_),
+                     detail::kernel_of(detail::law_formula(binding_, parts_, factor_, formula)),
+                     shape_);
 }
 
 std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
   std::vector<double> u;
   for (const std::size_t variable : binding_.variables) u.push_back(x[variable]);
-  const BoundMachine<ElasticFollower> bound(binding_);
-  const std::vector<Interval> enclosing(u.begin(), u.end());
-  const auto machine = bound.at<double>(std::span<const double>(u));
+  const std::vector<Interval> exact(u.begin(), u.end());
+  std::vector<double> parts;
+  std::vector<Interval> enclosing;
+  bool possible = true;
+  for (const Recorded& record : parts_) {
+    parts.push_back(record(std::span<const double>(u)));
+    enclosing.push_back(record(std::span<const Interval>(exact)));
+    possible = is_possible_at(record.is_possible, std::span<const double>(u));
+  }
   try {
     const Member member = binding_.law->member_at(x);
     const auto law = member.law<double>();
-    if (!machine.is_possible() || !law.is_data()) return std::make_unique<NoTrace>();
-    return std::make_unique<TrainTrace>(which_, machine, law,
-                                        bound.at<Interval>(std::span<const Interval>(enclosing)),
-                                        member.law<Interval>(), factor_.as<double>());
+    if (!possible || !law.is_data()) return std::make_unique<NoTrace>();
+    return std::make_unique<TrainTrace>(which_, parts, law, enclosing, member.law<Interval>(),
+                                        factor_.as<double>());
   } catch (const std::invalid_argument&) {
     return std::make_unique<NoTrace>();
   }

@@ -28,12 +28,16 @@ std::array<T, 3> train_quantity(TrainQuantity which, const FollowerTrain<T>& tra
           -(damping * third + square * second)};
 }
 
+/// What of the machine matters to a curve: tau, zeta, and the factor from parts of the stroke, by
+/// x, to SI units, as far as the law does not decide it.
+std::vector<Write> train_parts(TrainQuantity which);
+
 /// A curve of the train over x, 0 to 1.
 class TrainCurve final : public optim::Curve {
  public:
-  /// `factor`: from parts of the stroke to the listed unit.
-  TrainCurve(TrainQuantity which, const UnitFactor& factor, const Binding& binding,
-             optim::Shape shape);
+  /// `parts` are those of train_parts, `factor` leads from SI to the listed unit.
+  TrainCurve(TrainQuantity which, std::vector<Recorded> parts, const UnitFactor& factor,
+             const Binding& binding, optim::Shape shape);
 
   optim::Function at(optim::Place place) const override { return derivative_at(place, 0); }
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
@@ -49,6 +53,7 @@ class TrainCurve final : public optim::Curve {
   optim::Function derivative_at(optim::Place place, std::size_t order) const;
 
   TrainQuantity which_;
+  std::vector<Recorded> parts_;  ///< train_parts
   UnitFactor factor_;
   Binding binding_;
   optim::Shape shape_;

@@ -11,25 +11,4 @@ std::vector<MechanismParameter> drive_parameters() {
            1e-6, 1e9}};
 }
 
-std::vector<DriveRow> drive_rows() {
-  using S = optim::Shape;
-  const std::vector<ShapeStatement> speed{{{"speed"}, S::Linear}};
-  const std::vector<ShapeStatement> square{{{"speed"}, S::Quasilinear}};
-  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, S::Linear},
-                                          {{"speed"}, S::Quasilinear}};
-  using C = DriveCurve;
-  return {
-      {C::Angle, {"wheel_angle", "deg", "rad", "angle of the wheel from the middle of its step"}},
-      {C::Velocity, {"wheel_velocity", "rad/s", "rad/s", "angular velocity of the wheel", speed}},
-      {C::Acceleration,
-       {"wheel_acceleration", "rad/s2", "rad/s2", "angular acceleration of the wheel", square}},
-      {C::WheelTorque,
-       {"wheel_torque", "N m", "N m", "inertia and friction at the wheel while it moves", loads}},
-      {C::DriveTorque, {"drive_torque", "N m", "N m", "torque on the driver", loads}},
-      {C::SurplusTorque,
-       {"surplus_torque", "N m", "N m", "torque on the driver less its mean", loads}},
-      {C::SurplusWork,
-       {"surplus_work", "J", "J", "integral of the surplus torque from the engagement on", loads}}};
-}
-
 }  // namespace camlaw::problems

@@ -12,60 +12,52 @@ namespace camlaw::problems {
 /// Slots, speed, inertia and friction: the fields of GenevaDrive, in that order.
 std::vector<MechanismParameter> drive_parameters();
 
-enum class DriveCurve {
-  Angle,
-  Velocity,
-  Acceleration,
-  WheelTorque,
-  DriveTorque,
-  SurplusTorque,
-  SurplusWork
-};
-
-struct DriveRow {
-  DriveCurve which;
-  ResponseAbout about;
-};
-/// Names, units and shapes of the curves.
-std::vector<DriveRow> drive_rows();
-
-/// A curve of a machine with the members of GenevaDrive.
-template <class Drive, class X>
-X drive_curve(const Drive& drive, DriveCurve which, std::size_t section, const X& phi) {
-  const bool moves = drive.moves(section);
-  const auto beta = drive.wheel(moves, phi);
-  const auto omega = drive.angular_speed;
-  switch (which) {
-    case DriveCurve::Angle:
-      return beta.angle;
-    case DriveCurve::Velocity:
-      return omega * beta.ratio;
-    case DriveCurve::Acceleration:
-      return omega * omega * beta.second;
-    case DriveCurve::WheelTorque:
-      return moves ? drive.wheel_torque(beta) : number<X>(0);
-    case DriveCurve::DriveTorque:
-      return drive.torque(beta);
-    case DriveCurve::SurplusTorque:
-      return drive.torque(beta) - drive.mean_torque();
-    case DriveCurve::SurplusWork:
-      break;
-  }
-  return drive.surplus_work(beta, phi);
-}
-
-/// All of them for such a machine M.
+/// The curves of a machine M with the members of GenevaDrive.
 template <template <class> class M>
 std::vector<MechanismResponse> drive_curves() {
-  std::vector<MechanismResponse> all;
-  for (DriveRow& row : drive_rows()) {
-    all.push_back(turn_response<M>(std::move(row.about), row.which, [](const auto& drive) {
-      return [drive](DriveCurve which, std::size_t section, const auto& phi) {
-        return drive_curve(drive, which, section, phi);
+  using S = optim::Shape;
+  const std::vector<ShapeStatement> speed{{{"speed"}, S::Linear}};
+  const std::vector<ShapeStatement> square{{{"speed"}, S::Quasilinear}};
+  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, S::Linear},
+                                          {{"speed"}, S::Quasilinear}};
+  // From formula(drive, the wheel's motion, whether it moves, angle).
+  const auto curve = [](ResponseAbout about, auto formula) {
+    return turn_response<M>(std::move(about), [formula](const auto& drive) {
+      return [formula, drive](std::size_t section, const auto& phi) {
+        const bool moves = drive.moves(section);
+        return formula(drive, drive.wheel(moves, phi), moves, phi);
       };
-    }));
-  }
-  return all;
+    });
+  };
+  return {
+      curve({"wheel_angle", "deg", "rad", "angle of the wheel from the middle of its step"},
+            [](const auto&, const auto& beta, bool, const auto&) { return beta.angle; }),
+      curve({"wheel_velocity", "rad/s", "rad/s", "angular velocity of the wheel", speed},
+            [](const auto& drive, const auto& beta, bool, const auto&) {
+              return drive.angular_speed * beta.ratio;
+            }),
+      curve({"wheel_acceleration", "rad/s2", "rad/s2", "angular acceleration of the wheel", square},
+            [](const auto& drive, const auto& beta, bool, const auto&) {
+              return drive.angular_speed * drive.angular_speed * beta.second;
+            }),
+      curve(
+          {"wheel_torque", "N m", "N m", "inertia and friction at the wheel while it moves", loads},
+          []<class X>(const auto& drive, const auto& beta, bool moves, const X&) {
+            return moves ? drive.wheel_torque(beta) : number<X>(0);
+          }),
+      curve({"drive_torque", "N m", "N m", "torque on the driver", loads},
+            [](const auto& drive, const auto& beta, bool, const auto&) {
+              return drive.torque(beta);
+            }),
+      curve({"surplus_torque", "N m", "N m", "torque on the driver less its mean", loads},
+            [](const auto& drive, const auto& beta, bool, const auto&) {
+              return drive.torque(beta) - drive.mean_torque();
+            }),
+      curve({"surplus_work", "J", "J", "integral of the surplus torque from the engagement on",
+             loads},
+            [](const auto& drive, const auto& beta, bool, const auto& phi) {
+              return drive.surplus_work(beta, phi);
+            })};
 }
 
 }  // namespace camlaw::problems

@@ -64,10 +64,6 @@ struct GenevaDrive {
     return number<T>(0.5) * inertia_torque() * (beta.ratio * beta.ratio) +
            friction * (beta.angle + pi<T>() / slots) - mean_torque() * phi;
   }
-  /// The same drive in plain numbers.
-  GenevaDrive<double, Wheel> plain() const {
-    return {value_of(slots), value_of(angular_speed), value_of(inertia), value_of(friction)};
-  }
 
  private:
   T inertia_torque() const { return inertia * angular_speed * angular_speed; }

@@ -42,70 +42,44 @@ namespace {
 
 using optim::Part;
 
-enum class Quantity { Engagement, MeanTorque, SurplusRange, GreatestTorque, IdealBalance };
-
-template <class Drive>
-auto quantity(const Drive& drive, Quantity which) {
-  if (which == Quantity::Engagement) return drive.engagement();
-  if (which == Quantity::MeanTorque) return drive.mean_torque();
-  const auto surplus = surplus_of(drive);
-  if (which == Quantity::SurplusRange) return surplus.range;
-  if (which == Quantity::GreatestTorque) return surplus.peak_torque;
-  return surplus.peak_torque / drive.mean_torque();
-}
-
 template <template <class> class M>
 std::vector<MechanismResponse> drive_responses() {
-  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, optim::Shape::Linear}};
-  std::vector<MechanismResponse> all;
-  const auto add = [&](Quantity which, ResponseAbout about) {
-    all.push_back(searched_number<M>(
-        std::move(about), [which](const auto& drive) { return quantity(drive.drive(), which); }));
+  const auto number = [](ResponseAbout about, auto formula) {
+    return number_response<M>(std::move(about), formula);
   };
-  using Q = Quantity;
-  add(Q::Engagement, {"engagement", "deg", "rad", "angle of the driver while the wheel moves"});
-  add(Q::MeanTorque,
-      {"mean_torque", "N m", "N m", "mean torque on the driver over its turn", loads});
-  add(Q::SurplusRange,
-      {"surplus_range", "J", "J", "what a flywheel or a balancing cam has to store"});
-  add(Q::GreatestTorque, {"greatest_drive_torque", "N m", "N m", "greatest torque on the driver"});
-  add(Q::IdealBalance,
-      {"ideal_balance", "1", "1", "greatest over mean torque: K of an ideal balance"});
+  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, optim::Shape::Linear}};
+  std::vector<MechanismResponse> all{
+      number({"engagement", "deg", "rad", "angle of the driver while the wheel moves"},
+             [](const auto& drive) { return drive.engagement(); }),
+      number({"mean_torque", "N m", "N m", "mean torque on the driver over its turn", loads},
+             [](const auto& drive) { return drive.mean_torque(); }),
+      number({"surplus_range", "J", "J", "what a flywheel or a balancing cam has to store"},
+             [](const auto& drive) { return surplus_of(drive).range; }),
+      number({"greatest_drive_torque", "N m", "N m", "greatest torque on the driver"},
+             [](const auto& drive) { return surplus_of(drive).peak_torque; }),
+      number(
+          {"ideal_balance", "1", "1", "greatest over mean torque: K of an ideal balance"},
+          [](const auto& drive) { return surplus_of(drive).peak_torque / drive.mean_torque(); })};
   append(all, drive_curves<M>());
   return all;
 }
 
-enum class Room { CrankRadius, WheelRadius, DriverShaft, WheelShaft, Web };
-
 std::vector<MechanismResponse> rooms() {
-  std::vector<MechanismResponse> all;
-  const auto add = [&](Room which, const char* name, const char* meaning) {
-    all.push_back(
-        searched_number<PlanarGenevaDrive>({name, "mm", "m", meaning}, [which](const auto& drive) {
-          switch (which) {
-            case Room::CrankRadius:
-              return drive.crank_radius();
-            case Room::WheelRadius:
-              return drive.wheel_radius();
-            case Room::DriverShaft:
-              return drive.driver_shaft_room();
-            case Room::Web:
-              return drive.web();
-            case Room::WheelShaft:
-              break;
-          }
-          return drive.wheel_shaft_room();
-        }));
+  const auto room = [](const char* name, const char* meaning, auto formula) {
+    return number_response<PlanarGenevaDrive>({name, "mm", "m", meaning}, formula);
   };
-  add(Room::CrankRadius, "crank_radius", "radius of the pin's circle");
-  add(Room::WheelRadius, "wheel_radius", "radius of the wheel where the pin enters");
-  add(Room::DriverShaft, "driver_shaft_room",
-      "greatest diameter of a driver's shaft that passes the wheel; a thicker one locks it");
-  add(Room::WheelShaft, "wheel_shaft_room",
-      "greatest diameter of the wheel's shaft inside the slots");
-  add(Room::Web, "web",
-      "least thickness of the wheel between two slots; below 0 neighbouring slots meet");
-  return all;
+  return {
+      room("crank_radius", "radius of the pin's circle",
+           [](const auto& drive) { return drive.crank_radius(); }),
+      room("wheel_radius", "radius of the wheel where the pin enters",
+           [](const auto& drive) { return drive.wheel_radius(); }),
+      room("driver_shaft_room",
+           "greatest diameter of a driver's shaft that passes the wheel; a thicker one locks it",
+           [](const auto& drive) { return drive.driver_shaft_room(); }),
+      room("wheel_shaft_room", "greatest diameter of the wheel's shaft inside the slots",
+           [](const auto& drive) { return drive.wheel_shaft_room(); }),
+      room("web", "least thickness of the wheel between two slots; below 0 neighbouring slots meet",
+           [](const auto& drive) { return drive.web(); })};
 }
 
 std::vector<NamedPeak> peaks() {

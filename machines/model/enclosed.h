@@ -17,6 +17,15 @@ inline Interval both(const Interval& a, const Interval& b) {
   return result;
 }
 
+/// What is known of a value that exists where a condition is 0 or above.
+template <std::size_t N>
+Series<Interval, N> known_where(const Interval& condition, Series<Interval, N> value) {
+  constexpr double kRounding = 1e-12;
+  if (condition.lower() >= -kRounding * magnitude(condition)) return value;
+  for (Interval& c : value.c) c = Interval::whole();
+  return value;
+}
+
 /// Bounds of a function f over a stretch (docs/theory.md, "Enclosing a stretch"): from its series
 /// over the whole stretch, its values at the two ends where it is monotone, else from
 /// f(c) + f'(c) h + h^2 f'' / 2, all h within the radius of the middle c.

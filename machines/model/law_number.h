@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <stdexcept>
 
-#include "kinematics/laws/catalogue.h"
 #include "machines/model/affine_kernel.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
@@ -11,25 +11,19 @@
 /// Numbers of a mechanism that its law, or program, decides as a whole.
 namespace camlaw::problems {
 
-/// formula(machine, law) -> T of a machine M<T> and a Law<T>. NaN where the values make no law, and
-/// where the formula throws std::invalid_argument.
-template <template <class> class M, class F>
-MechanismResponse law_number(ResponseAbout about, F formula);
+/// formula(numbers, law) -> T of a Law<T> and of what matters of a machine M<T>, the numbers that
+/// parts(machine) -> std::array<T, N> has. NaN where the values make no law, and where the formula
+/// throws std::invalid_argument.
+template <template <class> class M, class Parts, class F>
+MechanismResponse law_number(ResponseAbout about, Parts parts, F formula);
+
+/// The numbers of a machine as formulas of its parameters.
+template <template <class> class M, class Parts>
+std::vector<Write> machine_parts(Parts parts);
 
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
-
-/// formula(machine, law), no number where it throws.
-template <class Machine, class L, class F>
-auto number_of_law(const F& formula, const Machine& machine, const L& law)
-    -> std::decay_t<decltype(formula(machine, law))> {
-  try {
-    return formula(machine, law);
-  } catch (const std::invalid_argument&) {
-    return number<std::decay_t<decltype(formula(machine, law))>>(kNaN);
-  }
-}
 
 /// The arguments of a law number at a binding's own values.
 inline std::vector<double> own_values(const Binding& binding) {
@@ -43,20 +37,24 @@ inline std::vector<double> own_values(const Binding& binding) {
   return values;
 }
 
-template <template <class> class M, class F>
-auto law_formula(const Binding& binding, const UnitFactor& factor, const F& formula) {
-  return
-      [machine = BoundMachine<M>(binding), law = binding.law, arguments = binding.parameters.size(),
-       factor, formula]<class T>(std::span<const T> u) -> T {
-        const M<T> here = machine.template at<T>(u.first(arguments));
-        if (!is_possible(here)) return number<T>(kNaN);
-        try {
-          const Law<T> moving = law->template law_of<T>(u.subspan(arguments));
-          return factor.template as<T>() * number_of_law(formula, here, moving);
-        } catch (const std::invalid_argument&) {  // these values make no law
-          return number<T>(kNaN);
-        }
-      };
+/// formula(numbers, law) as a function of a binding's arguments, the machine's and then the law's.
+template <class F>
+auto law_formula(const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
+                 const F& formula) {
+  return [parts = std::move(parts), law = binding.law, arguments = binding.parameters.size(),
+          factor, formula]<class T>(std::span<const T> u) -> T {
+    const auto machine = u.first(arguments);
+    const bool possible = parts.empty() || is_possible_at(parts[0].is_possible, machine);
+    if (!possible) return number<T>(kNaN);
+    std::vector<T> numbers;
+    for (const Recorded& part : parts) numbers.push_back(part.formula(machine));
+    try {
+      const Law<T> moving = law->template law_of<T>(u.subspan(arguments));
+      return factor.template as<T>() * formula(std::span<const T>(numbers), moving);
+    } catch (const std::invalid_argument&) {  // these values make no law
+      return number<T>(kNaN);
+    }
+  };
 }
 
 /// The design variables behind a law number's arguments: the machine's, then the law's.
@@ -68,11 +66,12 @@ inline std::vector<std::size_t> law_number_variables(const Binding& binding) {
 
 /// In these arguments; where it is linear in the law and nothing else varies, with slopes worked
 /// out once.
-template <template <class> class M, class F>
+template <class F>
 std::shared_ptr<const optim::Kernel> law_number_kernel(const Binding& binding,
+                                                       std::vector<Recorded> parts,
                                                        const UnitFactor& factor, const F& formula,
                                                        optim::Shape shape) {
-  auto kernel = kernel_of(law_formula<M>(binding, factor, formula));
+  auto kernel = kernel_of(law_formula(binding, std::move(parts), factor, formula));
   const bool law_alone = binding.parameters.empty() && !binding.law->variables().empty();
   if (shape != optim::Shape::Linear || !law_alone) return kernel;
   return std::make_shared<AffineKernel>(std::move(kernel), own_values(binding));
@@ -80,17 +79,30 @@ std::shared_ptr<const optim::Kernel> law_number_kernel(const Binding& binding,
 
 }  // namespace detail
 
-template <template <class> class M, class F>
-MechanismResponse law_number(ResponseAbout about, F formula) {
+template <template <class> class M, class Parts>
+std::vector<Write> machine_parts(Parts parts) {
+  using Numbers = std::span<const Expression>;
+  std::vector<Write> writes;
+  for (std::size_t k = 0; k < std::tuple_size_v<decltype(parts(M<Expression>()))>; ++k) {
+    writes.push_back([parts, k](Numbers parameters, Numbers) {
+      return parts(detail::machine_of<M>(parameters))[k];
+    });
+  }
+  return writes;
+}
+
+template <template <class> class M, class Parts, class F>
+MechanismResponse law_number(ResponseAbout about, Parts parts, F formula) {
   const UnitFactor factor(about.stored, about.unit);
   MechanismResponse response = detail::described<M>(std::move(about));
   response.sees_law = true;
-  const Law<Dual> some = find_law("poly-3-4-5").law<Dual>();
-  response.uses = detail::used_parameters<M>(
-      [&](const M<Dual>& machine) { return detail::number_of_law(formula, machine, some); });
-  response.number = [=](const Binding& binding, optim::Shape shape) {
-    return function_of(detail::law_number_variables(binding),
-                       detail::law_number_kernel<M>(binding, factor, formula, shape), shape);
+  const std::vector<Write> writes = machine_parts<M>(parts);
+  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  response.number = [=, is_possible = response.is_possible](const Binding& binding,
+                                                            optim::Shape shape) {
+    auto kernel = detail::law_number_kernel(binding, recorded_parts(binding, writes, is_possible),
+                                            factor, formula, shape);
+    return function_of(detail::law_number_variables(binding), std::move(kernel), shape);
   };
   return response;
 }

@@ -74,6 +74,15 @@ using IsPossible = std::function<bool(std::span<const double>)>;
 using Write = std::function<Expression(std::span<const Expression> parameters,
                                        std::span<const Expression> others)>;
 
+/// What makes a curve over the turn of a shaft that no law moves.
+struct ShaftTurn {
+  /// Where the sections meet in which it is smooth, rad, increasing; they have no other inputs.
+  std::vector<Write> breaks;
+  /// The formula. The other inputs are the angle, rad, and for each break a number that is below 0
+  /// before it and 0 or above from it on.
+  Write sided;
+};
+
 struct MechanismResponse {
   std::string name;
   std::string unit;  ///< listed
@@ -88,12 +97,14 @@ struct MechanismResponse {
   std::shared_ptr<const Cycle> cycle = {};  ///< of a curve that follows the law
   bool sees_law = false;                    ///< whether the law, or the program, matters to it
   std::vector<ValidityLimit> defined_while = {};  ///< where it is a number
-  /// The formula in its listed unit. The other inputs are for a curve s, v, a, j and x, for a
-  /// number the inner numbers. None where the response is not a formula.
+  /// The formula in its listed unit. The other inputs are for a curve s, v, a, j and x, for one
+  /// over a turn the angle, for a number the inner numbers. None where the response is not a
+  /// formula.
   Write write = {};
   /// An expression that is 0 or above where the formula has a value, where that is not said by
   /// defined_while.
   Write domain = {};
+  std::shared_ptr<const ShaftTurn> turn = {};  ///< of a curve that no law moves
   std::vector<InnerNumber> inner = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.

@@ -8,6 +8,7 @@
 
 #include "machines/model/arguments.h"
 #include "machines/model/composed_number.h"
+#include "machines/model/enclosed.h"
 #include "machines/model/mechanism_curve.h"
 #include "machines/model/shape_rules.h"
 #include "numerics/formula/expression.h"
@@ -74,16 +75,12 @@ class InterpretedCurve final : public RecordedCurveFormula {
  private:
   template <std::size_t N>
   Series<Interval, N> where_known(const PlaceSeries<Interval, N>& place,
-                                  Series<Interval, N> value) const {
-    constexpr double kRounding = 1e-12;
+                                  const Series<Interval, N>& value) const {
     if (!domain_) return value;
     const auto& m = place.motion;
     const std::array<Interval, kOfPlace> inputs{m.s.c[0], m.v.c[0], m.a.c[0], m.j.c[0],
                                                 place.x.c[0]};
-    const Interval condition = (*domain_)(std::span<const Interval>(inputs));
-    if (condition.lower() >= -kRounding * magnitude(condition)) return value;
-    for (Interval& c : value.c) c = Interval::whole();
-    return value;
+    return known_where((*domain_)(std::span<const Interval>(inputs)), value);
   }
 
   FormulaAlong<double> formula_;
@@ -113,8 +110,12 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
   return {std::move(formula), arguments, std::move(possible)};
 }
 
-std::size_t others_of(const MechanismResponse& response) {
-  return response.curve ? kOfPlace : response.inner.size();
+std::vector<std::string> other_names(const MechanismResponse& response) {
+  if (response.turn) return {"angle"};
+  if (response.curve) return {kPlaceNames.begin(), kPlaceNames.end()};
+  std::vector<std::string> names;
+  for (const InnerNumber& inner : response.inner) names.push_back(inner.name);
+  return names;
 }
 
 Formula whole_formula(const Write& write, std::size_t parameters, std::size_t others) {
@@ -126,6 +127,23 @@ Formula whole_formula(const Write& write, std::size_t parameters, std::size_t ot
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
                                          std::size_t others) {
   return used_arguments({{whole_formula(write, parameters, others), parameters, {}}});
+}
+
+std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
+                                     const IsPossible& is_possible) {
+  std::vector<Recorded> records;
+  for (const Write& write : writes) {
+    records.push_back(recorded_for(binding, write, 0, is_possible));
+  }
+  return records;
+}
+
+std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters) {
+  std::vector<Recorded> records;
+  for (const Write& write : writes) {
+    records.push_back({whole_formula(write, parameters, 0), parameters, {}});
+  }
+  return used_arguments(records);
 }
 
 MechanismResponse recorded_number(MechanismResponse response, const Parameters& parameters) {
@@ -150,7 +168,16 @@ MechanismResponse recorded_number(MechanismResponse response, const Parameters& 
 optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
                          const Parameters& parameters) {
   std::vector<RuledInput> inputs = ruled_arguments(binding, parameters);
-  if (response.curve) {
+  Write write = response.write;
+  if (response.turn) {
+    // At a place the section stays, but where its ends move.
+    write = response.turn->sided;
+    inputs.push_back({Varies::Not, Interval(0, 7)});
+    for (const Write& meet : response.turn->breaks) {
+      const bool moves = !recorded_for(binding, meet, 0, {}).formula.uses().empty();
+      inputs.push_back({moves ? Varies::Otherwise : Varies::Not, Interval::whole()});
+    }
+  } else if (response.curve) {
     const Varies motion = binding.law->variables().empty() ? Varies::Not
                           : binding.law->is_linear()       ? Varies::Linearly
                                                            : Varies::Otherwise;
@@ -160,8 +187,8 @@ optim::Shape ruled_shape(const MechanismResponse& response, const Binding& bindi
   } else {
     inputs.insert(inputs.end(), response.inner.size(), {Varies::Otherwise, Interval::whole()});
   }
-  return shape_by_rules(recorded_for(binding, response.write, others_of(response), {}).formula,
-                        inputs);
+  const std::size_t others = inputs.size() - binding.parameters.size();
+  return shape_by_rules(recorded_for(binding, write, others, {}).formula, inputs);
 }
 
 MechanismResponse recorded_curve(MechanismResponse response, const Parameters& parameters,

@@ -16,8 +16,9 @@ namespace camlaw::problems {
 inline constexpr std::array<const char*, 5> kPlaceNames{"s", "v", "a", "j", "x"};
 inline constexpr std::size_t kOfPlace = kPlaceNames.size();
 
-/// How many other inputs a response's formula has.
-std::size_t others_of(const MechanismResponse& response);
+/// The other inputs of a response's formula: the angle over a turn, the motion and its place, or
+/// the inner numbers.
+std::vector<std::string> other_names(const MechanismResponse& response);
 
 /// Records a formula with all parameters as inputs, in which the others follow.
 Formula whole_formula(const Write& write, std::size_t parameters, std::size_t others);
@@ -31,6 +32,13 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
 /// The parameters that a formula depends on, of as many as there are, increasing.
 std::vector<std::size_t> used_parameters(const Write& write, std::size_t parameters,
                                          std::size_t others);
+
+/// Records several formulas without other inputs for what varies of a binding.
+std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<Write>& writes,
+                                     const IsPossible& is_possible);
+
+/// The parameters that any of them depends on, increasing.
+std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters);
 
 /// The shape of a formula in what varies of a binding, by rules: of a curve at every place.
 optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,

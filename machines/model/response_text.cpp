@@ -20,28 +20,23 @@ bool scales_by(const std::vector<Step>& steps, const Step& step, double factor) 
          steps[step.a].value == factor;
 }
 
-/// What an input of the response's record is called.
-std::string input_name(const Mechanism& mechanism, const MechanismResponse& response,
-                       std::size_t input) {
-  const std::size_t parameters = mechanism.parameters.size();
-  if (input < parameters) return mechanism.parameters[input].name;
-  return response.curve ? kPlaceNames[input - parameters] : response.inner[input - parameters].name;
-}
-
 }  // namespace
 
 std::string formula_text(const Mechanism& mechanism, const MechanismResponse& response) {
   if (!response.write) {
     throw std::invalid_argument(
-        fmt::format("{}: {} is not one formula: it is searched for or integrated over the cycle",
-                    mechanism.name, response.name));
+        fmt::format("{}: {} is not one formula: it is integrated over the cycle", mechanism.name,
+                    response.name));
   }
   const std::size_t parameters = mechanism.parameters.size();
-  const Formula formula = whole_formula(response.write, parameters, others_of(response));
+  const std::vector<std::string> others = other_names(response);
+  const Formula formula = whole_formula(response.write, parameters, others.size());
   const auto& steps = formula.steps();
   // A parameter in the units of the SI is its number in listed units times their size.
   const NameOfStep name_of = [&](const Step& step) -> std::optional<std::string> {
-    if (step.operation == Operation::Input) return input_name(mechanism, response, step.a);
+    if (step.operation == Operation::Input) {
+      return step.a < parameters ? mechanism.parameters[step.a].name : others[step.a - parameters];
+    }
     const bool may_be = step.operation == Operation::Multiply &&
                         steps[step.b].operation == Operation::Input && steps[step.b].a < parameters;
     if (!may_be) return {};

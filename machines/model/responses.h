@@ -30,11 +30,6 @@ struct ResponseAbout {
 template <template <class> class M, class F>
 MechanismResponse number_response(ResponseAbout about, F formula);
 
-/// The same for a formula that branches on values, for example to search for a root. It is compiled
-/// in every scalar, and its dependences are found by trial.
-template <template <class> class M, class F>
-MechanismResponse searched_number(ResponseAbout about, F formula);
-
 /// A curve: formula(machine)(motion) -> X or formula(machine)(motion, x) -> X. The first call, with
 /// an M<T>, works out what the machine contributes; it returns a callable that takes the follower's
 /// motion along x, a Motion<X>, where X is T or a Taylor series over T, and, if it wants, x itself.
@@ -50,31 +45,6 @@ MechanismResponse curve_response(ResponseAbout about, const Cycle& cycle, F form
 namespace detail {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// Whether f, a function of one number, depends on it where it has a value: what is not a number
-/// comes through, or f has a derivative at x.
-template <class F>
-bool depends(const F& f, double x) {
-  Dual moving(x);
-  moving.v[0] = 1;
-  const Dual here = f(moving);
-  return std::isfinite(here.a) && (std::isnan(f(Dual(kNaN)).a) || here.v[0] != 0);
-}
-
-/// Parameters that f(machine) -> Dual depends on.
-template <template <class> class M, class F>
-std::vector<std::size_t> used_parameters(const F& f) {
-  const auto& parameters = MachineTraits<M>::parameters();
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto machine = typical_machine<M>({i});
-    const auto of_one = [&](const Dual& x) {
-      return f(machine.template at<Dual>(std::span(&x, 1)));
-    };
-    if (depends(of_one, typical_value(parameters[i]))) result.push_back(i);
-  }
-  return result;
-}
 
 /// From s, v, a, j, and x if it is there.
 template <class T>
@@ -149,26 +119,6 @@ MechanismResponse number_response(ResponseAbout about, F formula) {
     return factor.as<Expression>() * formula(detail::machine_of<M>(parameters));
   };
   return recorded_number(std::move(response), MachineTraits<M>::parameters());
-}
-
-template <template <class> class M, class F>
-MechanismResponse searched_number(ResponseAbout about, F formula) {
-  const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described<M>(std::move(about));
-  response.uses = detail::used_parameters<M>(formula);
-  response.number = [formula, factor](const Binding& binding, optim::Shape shape) {
-    const BoundMachine<M> machine(binding);
-    const auto of_arguments = [=]<class T>(std::span<const T> u) -> T {
-      const M<T> here = machine.template at<T>(u);
-      return is_possible(here) ? factor.template as<T>() * formula(here) : number<T>(detail::kNaN);
-    };
-    using Own = std::decay_t<decltype(of_arguments)>;
-    return function_of(
-        binding.variables,
-        std::make_shared<optim::AutomaticKernel<Own, Interval, Series<Interval, 2>>>(of_arguments),
-        shape);
-  };
-  return response;
 }
 
 template <template <class> class M, class F>

@@ -124,6 +124,12 @@ Curvature least(const Curvature& a, const Curvature& b) {
   return mirrored(greatest(mirrored(a), mirrored(b)));
 }
 
+/// Of one or the other.
+Curvature common(const Curvature& a, const Curvature& b) {
+  return {a.convex && b.convex, a.concave && b.concave, a.quasiconvex && b.quasiconvex,
+          a.quasiconcave && b.quasiconcave};
+}
+
 Shape shape_of(const Curvature& a) {
   if (a.is_linear()) return Shape::Linear;
   if (a.quasiconvex && a.quasiconcave) return Shape::Quasilinear;
@@ -166,6 +172,8 @@ class Rules {
       case Operation::Power:
         return a.is_positive() || (is_integer_exponent(value_of(ruled_[step.b].range)) &&
                                    value_of(ruled_[step.b].range) >= 0);
+      case Operation::Root:
+        return false;
       case Operation::Tan:  // over a pole it is not bounded
         return std::isfinite(magnitude(tan(a.range)));
       default:
@@ -184,15 +192,17 @@ class Rules {
     }
     if (step.operation == Operation::Pi) return {kLinear, true, pi<Interval>()};
     const Ruled &a = ruled_[step.a], &b = ruled_[step.b], &c = ruled_[step.c];
-    Interval range = operate<Interval>(step.operation, a.range, b.range, c.range);
+    Interval range = step.operation == Operation::Unknown
+                         ? boost::numeric::hull(a.range, b.range)
+                         : operate<Interval>(step.operation, a.range, b.range, c.range);
     if (boost::numeric::empty(range)) range = Interval::whole();
     const std::size_t used = operands(step.operation);
     const bool is_constant =
         a.is_constant && (used < 2 || b.is_constant) && (used < 3 || c.is_constant);
-    return {is_constant ? kLinear : curvature(step, a, b), is_constant, range};
+    return {is_constant ? kLinear : curvature(step, a, b, c), is_constant, range};
   }
 
-  Curvature curvature(const Step& step, const Ruled& a, const Ruled& b) const {
+  Curvature curvature(const Step& step, const Ruled& a, const Ruled& b, const Ruled& c) const {
     switch (step.operation) {
       case Operation::Add:
         return sum(a, b);
@@ -222,6 +232,8 @@ class Rules {
         return greatest(a, b);
       case Operation::Lesser:
         return least(a, b);
+      case Operation::BySide:
+        return a.is_constant ? common(b, c) : Curvature{};
       default:
         return {};
     }

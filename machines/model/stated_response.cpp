@@ -10,6 +10,7 @@
 
 #include "machines/model/inner_numbers.h"
 #include "machines/model/recorded_response.h"
+#include "machines/model/turn_curve.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
 #include "numerics/text/names.h"
@@ -28,10 +29,10 @@ bool is_place(const std::string& name) { return index_at_place(name) == kX || na
 
 /// What a name of the formula is.
 struct Meaning {
-  enum class Kind { Other, Angle, Parameter, Formula } kind;
+  enum class Kind { Other, X, Angle, Parameter, Formula } kind;
   std::size_t index = 0;                               ///< of Other inputs, of Parameter
   Write write = {};                                    ///< of Formula
-  std::optional<std::vector<std::size_t>> inner = {};  ///< of Formula: where its inner numbers are
+  std::optional<std::vector<std::size_t>> inner = {};  ///< of a number: where its inner ones are
   UnitFactor to_si{"1", "1"};
   Dimension dimension = {};
 };
@@ -72,7 +73,8 @@ Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
                       mechanism.name, name));
     }
   }
-  if (name != "angle") return {Meaning::Kind::Other, index_at_place(name)};
+  if (is_motion(name)) return {Meaning::Kind::Other, index_at_place(name)};
+  if (name != "angle") return {Meaning::Kind::X};
   if (cycle_of(mechanism).unit != "deg") {
     throw std::invalid_argument(fmt::format(
         "the curves of {} run over x, the law's abscissa from 0 to 1, not over an angle",
@@ -117,7 +119,7 @@ Meaning response_meaning(const ResponseName& found, Resolved& resolved) {
   }
   resolved.is_curve = resolved.is_curve || response.curve;
   Meaning meaning = in_si(Meaning::Kind::Formula, response.unit);
-  meaning.write = response.write;
+  meaning.write = response.turn ? response.turn->sided : response.write;
   if (!response.curve) {
     meaning.inner.emplace();
     for (const InnerNumber& inner : response.inner) {
@@ -155,7 +157,8 @@ Resolved resolve(const Mechanism& mechanism, const FormulaTree& formula) {
                                           resolved.inner.front().name));
     }
   }
-  resolved.sees_law = resolved.sees_law || resolved.is_curve;
+  const bool has_motion = resolved.is_curve && mechanism.moved_by != MovedBy::Nothing;
+  resolved.sees_law = resolved.sees_law || has_motion;
   return resolved;
 }
 
@@ -164,6 +167,14 @@ Expression angle_at(const Cycle& cycle, const Expression& x) {
   const double begin = cycle.stretches.front().begin, end = cycle.stretches.back().end;
   const Expression to_rad = ScalarTraits<Expression>::pi() / Expression(180.0);
   return (Expression(begin) + Expression(end - begin) * x) * to_rad;
+}
+
+/// Where the sections of a mechanism's turn meet: the same ones for all its curves.
+std::vector<Write> breaks_of(const Mechanism& mechanism) {
+  for (const MechanismResponse& response : mechanism.responses) {
+    if (response.turn) return response.turn->breaks;
+  }
+  return {};
 }
 
 /// Refuses a formula that measures something else than its unit.
@@ -189,7 +200,8 @@ void check_size(const Write& write, std::size_t parameters, std::size_t others) 
 /// others hold is written once, so that formulas of formulas take no longer than all of them.
 class Writer {
  public:
-  Writer(StatedResponse stated, Meanings meanings, Cycle cycle)
+  /// `cycle` is that of a law; without one curves run over a turn.
+  Writer(StatedResponse stated, Meanings meanings, std::optional<Cycle> cycle)
       : stated_(std::move(stated)),
         meanings_(std::move(meanings)),
         cycle_(std::move(cycle)),
@@ -256,8 +268,10 @@ class Writer {
       case Meaning::Kind::Formula:
         return meaning.inner ? meaning.write(parameters, chosen(others, *meaning.inner))
                              : meaning.write(parameters, others);
+      case Meaning::Kind::X:
+        return cycle_ ? others[kX] : others[0] / (Expression(2.0) * ScalarTraits<Expression>::pi());
       case Meaning::Kind::Angle:
-        return angle_at(cycle_, others[kX]);
+        return cycle_ ? angle_at(*cycle_, others[kX]) : others[0];
       case Meaning::Kind::Other:
         break;
     }
@@ -266,7 +280,7 @@ class Writer {
 
   StatedResponse stated_;
   Meanings meanings_;
-  Cycle cycle_;
+  std::optional<Cycle> cycle_;
   SiUnit si_;
   UnitFactor from_si_;
 };
@@ -295,7 +309,8 @@ std::vector<std::string> names_held(const FormulaTree& formula,
 
 MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse stated) {
   Resolved resolved = resolve(mechanism, stated.formula);
-  const Cycle cycle = cycle_of(mechanism);
+  std::optional<Cycle> cycle;
+  if (mechanism.moved_by != MovedBy::Nothing) cycle = cycle_of(mechanism);
   MechanismResponse response{.name = stated.name, .unit = stated.unit, .meaning = stated.meaning};
   response.sees_law = resolved.sees_law;
   response.defined_while = std::move(resolved.defined_while);
@@ -314,9 +329,14 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
     return domain.least();
   };
   const auto& parameters = mechanism.parameters;
+  const bool is_turn = resolved.is_curve && !cycle;
+  ShaftTurn turn{is_turn ? breaks_of(mechanism) : std::vector<Write>(), response.write};
   check_size(response.write, parameters.size(),
-             resolved.is_curve ? kOfPlace : response.inner.size());
-  return resolved.is_curve ? recorded_curve(std::move(response), parameters, cycle)
+             is_turn             ? 1 + turn.breaks.size()
+             : resolved.is_curve ? kOfPlace
+                                 : response.inner.size());
+  if (is_turn) return recorded_turn(std::move(response), std::move(turn), parameters, true);
+  return resolved.is_curve ? recorded_curve(std::move(response), parameters, *cycle)
                            : recorded_number(std::move(response), parameters);
 }
 

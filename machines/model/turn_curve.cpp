@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "machines/model/arguments.h"
@@ -17,17 +18,15 @@ constexpr double kTurn = 360;
 double degrees(double angle) { return angle / kDegree; }
 
 /// Degrees turned into radians differ from a break in the last places.
-bool stands_at(double angle, double meet) {
-  constexpr double kBeside = 1e-13;
-  return std::abs(angle - meet) <= kBeside;
-}
+constexpr double kBeside = 1e-13;
+bool stands_at(double angle, double meet) { return std::abs(angle - meet) <= kBeside; }
 
 /// pi / 180, enclosed.
 Interval degree() { return pi<Interval>() / Interval(180.0); }
 
 /// The section of a place for arguments of the machine.
 std::size_t section_in(const TurnParts& parts, std::span<const double> u, optim::Place place) {
-  return parts.sections.size() > 1 ? section_of(parts.breaks(u), place) : 0;
+  return parts.sections.size() > 1 ? section_of(parts.breaks_at(u), place) : 0;
 }
 
 /// A section's formula at one place: the angle is worked in. A design that moves a break over the
@@ -53,9 +52,33 @@ class TurnRow final : public optim::Kernel {
     return result;
   }
 
+  /// Where no break may pass the place.
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
+    if (!parts_->has_ranges) return Kernel::range(box);
+    const std::vector<Interval> over = machines_in(box);
+    const double angle = place_.angle * kDegree;
+    for (const Recorded& meet : parts_->breaks) {
+      const Interval places = meet.formula(std::span<const Interval>(over));
+      const bool is_apart = places.lower() > angle || places.upper() < angle;
+      if (!is_apart && width(places) > kBeside) return Kernel::range(box);
+    }
+    std::vector<double> middle;
+    for (const Interval& x : over) middle.push_back(value_of(x));
+    std::vector<optim::Bounds> arguments(box.begin(), box.end());
+    arguments.push_back({angle, angle});
+    optim::BoxRange result = section(middle).range(arguments);
+    result.slopes.pop_back();
+    return result;
+  }
+
  private:
+  static std::vector<Interval> machines_in(std::span<const optim::Bounds> box) {
+    std::vector<Interval> result;
+    for (const optim::Bounds& x : box) result.emplace_back(x.lower, x.upper);
+    return result;
+  }
   const optim::Kernel& section(std::span<const double> u) const {
-    return *parts_->sections[section_in(*parts_, u, place_)];
+    return *parts_->kernels[section_in(*parts_, u, place_)];
   }
   std::vector<double> with_angle(std::span<const double> u) const {
     std::vector<double> result(u.begin(), u.end());
@@ -67,11 +90,34 @@ class TurnRow final : public optim::Kernel {
   optim::Place place_;
 };
 
+/// A formula of the machine and the angle, with the machine of one design worked in.
+template <class T>
+FormulaAlong<T> along(const Recorded& recorded, std::span<const double> arguments) {
+  const std::vector<T> machine(arguments.begin(), arguments.end());
+  return {recorded.formula, std::span<const T>(machine)};
+}
+
+template <class T, std::size_t N>
+Series<T, N> at_angle(const FormulaAlong<T>& formula, const Series<T, N>& angle) {
+  return formula(std::span<const Series<T, N>>(&angle, 1));
+}
+
 class TurnTrace final : public optim::Trace {
  public:
-  explicit TurnTrace(std::unique_ptr<const TurnFormula> formula)
-      : formula_(std::move(formula)), meets_(formula_->breaks()) {
-    for (const Interval& meet : meets_) breaks_.push_back(value_of(meet));
+  TurnTrace(std::shared_ptr<const TurnParts> parts, std::vector<double> arguments)
+      : parts_(std::move(parts)),
+        arguments_(std::move(arguments)),
+        plain_(parts_->sections.size()),
+        enclosing_(parts_->sections.size()),
+        domains_(parts_->domains.size()) {
+    const std::span<const double> u(arguments_);
+    is_possible_ = is_possible_at(parts_->sections[0].is_possible, u);
+    if (!is_possible_) return;
+    const std::vector<Interval> exact(u.begin(), u.end());
+    for (const Recorded& meet : parts_->breaks) {
+      meets_.push_back(meet.formula(std::span<const Interval>(exact)));
+    }
+    breaks_ = parts_->breaks_at(u);
   }
 
   std::vector<double> breaks() const override {
@@ -84,12 +130,16 @@ class TurnTrace final : public optim::Trace {
   }
 
   std::array<double, 3> at(optim::Place place) const override {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (!is_possible_) return {kNaN, kNaN, kNaN};
     const auto angle = Series<double, 3>::variable(place.angle * kDegree, kDegree);
-    const auto f = formula_->at(section_of(breaks_, place), angle);
+    const std::size_t section = section_of(breaks_, place);
+    const auto f = at_angle(made(plain_, parts_->sections, section), angle);
     return {f.c[0], f.c[1], 2 * f.c[2]};
   }
 
   optim::Bounds enclose(double from, double to) const override {
+    if (!is_possible_) return {-optim::kInfinity, optim::kInfinity};
     const std::size_t section = section_of(breaks_, {std::midpoint(from, to)});
     Interval over = Interval(from, to) * degree();
     if (section > 0 && from <= degrees(breaks_[section - 1])) {
@@ -102,22 +152,119 @@ class TurnTrace final : public optim::Trace {
     const double radius =
         std::max(step_up(over.upper() - middle.lower()), step_up(middle.upper() - over.lower()));
     const auto value = [&](double angle) {
-      return formula_->at(section, Series<Interval, 1>(Interval(angle))).c[0];
+      return enclosed_at(section, Series<Interval, 1>(Interval(angle))).c[0];
     };
     const Interval one(1.0);
     return enclosed(
-        formula_->at(section, Series<Interval, 3>::variable(over, one)), radius,
+        enclosed_at(section, Series<Interval, 3>::variable(over, one)), radius,
         [&] { return value(over.lower()); }, [&] { return value(over.upper()); },
-        [&] { return formula_->at(section, Series<Interval, 2>::variable(middle, one)); });
+        [&] { return enclosed_at(section, Series<Interval, 2>::variable(middle, one)); });
   }
 
  private:
-  std::unique_ptr<const TurnFormula> formula_;
+  template <class T>
+  using Made = std::vector<std::optional<FormulaAlong<T>>>;
+
+  /// A section's formula, made when it is first asked for.
+  template <class T>
+  const FormulaAlong<T>& made(Made<T>& formulas, const std::vector<Recorded>& records,
+                              std::size_t section) const {
+    auto& formula = formulas[section];
+    if (!formula) formula.emplace(along<T>(records[section], arguments_));
+    return *formula;
+  }
+
+  template <std::size_t N>
+  Series<Interval, N> enclosed_at(std::size_t section, const Series<Interval, N>& angle) const {
+    const auto value = at_angle(made(enclosing_, parts_->sections, section), angle);
+    if (domains_.empty()) return value;
+    const auto& domain = made(domains_, parts_->domains, section);
+    return known_where(domain(std::span<const Interval>(&angle.c[0], 1)), value);
+  }
+
+  std::shared_ptr<const TurnParts> parts_;
+  std::vector<double> arguments_;
+  bool is_possible_ = true;
   std::vector<Interval> meets_;
   std::vector<double> breaks_;  ///< rad
+  mutable Made<double> plain_;
+  mutable Made<Interval> enclosing_, domains_;
 };
 
+/// A formula in one section: it lies behind the breaks before it.
+Write in_section(const Write& sided, std::size_t breaks, std::size_t section,
+                 const Write& at = {}) {
+  return [=](std::span<const Expression> parameters, std::span<const Expression> angle) {
+    std::vector<Expression> place{at ? at(parameters, {}) : angle[0]};
+    for (std::size_t k = 0; k < breaks; ++k) place.emplace_back(k < section ? 1.0 : -1.0);
+    return sided(parameters, place);
+  };
+}
+
+/// `moving` has for each break the parameters that move it, where it matters.
+TurnParts turn_parts(const ShaftTurn& turn, const Write& domain, const IsPossible& is_possible,
+                     const std::vector<std::vector<std::size_t>>& moving, const Binding& binding) {
+  TurnParts parts;
+  const std::size_t breaks = turn.breaks.size();
+  for (std::size_t section = 0; section <= breaks; ++section) {
+    const Write own = in_section(turn.sided, breaks, section);
+    parts.sections.push_back(recorded_for(binding, own, 1, is_possible));
+    parts.kernels.push_back(recorded_kernel(parts.sections.back()));
+    if (!domain) continue;
+    parts.domains.push_back(recorded_for(binding, in_section(domain, breaks, section), 1, {}));
+  }
+  for (std::size_t k = 0; k < breaks; ++k) {
+    parts.breaks.push_back(recorded_for(binding, turn.breaks[k], 0, is_possible));
+    parts.joints.emplace_back();
+    const bool moves = std::any_of(
+        binding.parameters.begin(), binding.parameters.end(),
+        [&](std::size_t p) { return std::binary_search(moving[k].begin(), moving[k].end(), p); });
+    if (!moves) continue;
+    const auto kernel_in = [&](std::size_t section) {
+      const Write own = in_section(turn.sided, breaks, section, turn.breaks[k]);
+      return recorded_kernel(recorded_for(binding, own, 0, is_possible));
+    };
+    parts.joints.back() = {kernel_in(k), kernel_in(k + 1)};
+  }
+  return parts;
+}
+
 }  // namespace
+
+MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
+                                const std::vector<MechanismParameter>& parameters,
+                                bool has_ranges) {
+  using Numbers = std::span<const Expression>;
+  response.along = "deg";
+  response.write = [turn](Numbers all, Numbers angle) {
+    std::vector<Expression> place{angle[0]};
+    for (const Write& meet : turn.breaks) place.push_back(angle[0] - meet(all, {}));
+    return turn.sided(all, place);
+  };
+  response.uses = used_parameters(response.write, parameters.size(), 1);
+  const Formula sided = whole_formula(turn.sided, parameters.size(), 1 + turn.breaks.size());
+  std::vector<std::vector<std::size_t>> moving;
+  for (std::size_t k = 0; k < turn.breaks.size(); ++k) {
+    const bool matters = sided.depends_on(parameters.size() + 1 + k);
+    moving.push_back(matters ? used_parameters(turn.breaks[k], parameters.size(), 0)
+                             : std::vector<std::size_t>());
+  }
+  response.curve = [=, domain = response.domain, is_possible = response.is_possible](
+                       const Binding& binding, optim::Shape shape) {
+    TurnParts parts = turn_parts(turn, domain, is_possible, moving, binding);
+    parts.has_ranges = has_ranges;
+    return std::make_shared<TurnCurve>(std::move(parts), binding, shape);
+  };
+  response.turn = std::make_shared<const ShaftTurn>(std::move(turn));
+  return response;
+}
+
+std::vector<double> TurnParts::breaks_at(std::span<const double> arguments) const {
+  std::vector<double> result;
+  const bool possible = is_possible_at(sections[0].is_possible, arguments);
+  for (const Recorded& meet : breaks) result.push_back(possible ? meet.formula(arguments) : 0.0);
+  return result;
+}
 
 std::size_t section_of(const std::vector<double>& breaks, optim::Place place) {
   const double angle = place.angle * kDegree;
@@ -148,7 +295,7 @@ bool TurnCurve::breaks_move() const {
 
 optim::Place TurnCurve::tied(optim::Place place, optim::Design x) const {
   if (!breaks_move()) return place;
-  const std::vector<double> breaks = parts_->breaks(arguments(x));
+  const std::vector<double> breaks = parts_->breaks_at(arguments(x));
   for (std::size_t k = 0; k < breaks.size(); ++k) {
     const bool stands = parts_->joints[k].left && stands_at(place.angle * kDegree, breaks[k]);
     if (stands) place.joint = static_cast<int>(k);
@@ -172,7 +319,7 @@ std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design 
   const std::size_t last = u.size();
   u.push_back(place.angle * kDegree);
   std::vector<double> g(u.size()), h(optim::packed_size(u.size()));
-  parts_->sections[section]->hessian(u, g, h);
+  parts_->kernels[section]->hessian(u, g, h);
   std::vector<double> result(x.size(), 0.0);
   for (std::size_t k = 0; k < last; ++k) {
     result[variables_[k]] += h[optim::packed(last, k)] * kDegree;
@@ -181,7 +328,7 @@ std::vector<double> TurnCurve::slope_gradient(optim::Place place, optim::Design 
 }
 
 std::unique_ptr<optim::Trace> TurnCurve::trace(optim::Design x) const {
-  return std::make_unique<TurnTrace>(parts_->formula(arguments(x)));
+  return std::make_unique<TurnTrace>(parts_, arguments(x));
 }
 
 }  // namespace camlaw::problems

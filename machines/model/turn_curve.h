@@ -1,47 +1,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "machines/model/mechanism.h"
-#include "numerics/scalar/series.h"
+#include "machines/model/recorded_response.h"
 #include "optim/problem/curve.h"
 
-/// Curves of mechanisms that no law moves: formulas in the angle of a shaft that turns evenly.
+/// Curves of mechanisms that no law moves: formulas in the angle of a shaft that turns evenly,
+/// which has sections in which they are smooth.
 namespace camlaw::problems {
 
-/// A curve's formula with the machine of one design worked in, in every scalar that a trace needs.
-/// The turn has sections in which the formula is smooth; angles in rad, 0 to 2 pi.
-class TurnFormula {
- public:
-  template <class T, std::size_t N>
-  using Angle = Series<T, N>;
+/// Completes a curve over the turn; of its domain, where it has one, the other inputs are those of
+/// ShaftTurn::sided. With `has_ranges` its rows know their ranges over boxes of designs: from them
+/// a bound of the optimum follows, which takes seconds where the formula is long.
+MechanismResponse recorded_turn(MechanismResponse response, ShaftTurn turn,
+                                const std::vector<MechanismParameter>& parameters,
+                                bool has_ranges = false);
 
-  virtual ~TurnFormula() = default;
-  /// Where sections meet, increasing, each between 0 and 2 pi.
-  virtual std::vector<Interval> breaks() const = 0;
-  virtual Series<double, 3> at(std::size_t section, const Angle<double, 3>& angle) const = 0;
-  virtual Series<Interval, 1> at(std::size_t section, const Angle<Interval, 1>& angle) const = 0;
-  virtual Series<Interval, 2> at(std::size_t section, const Angle<Interval, 2>& angle) const = 0;
-  virtual Series<Interval, 3> at(std::size_t section, const Angle<Interval, 3>& angle) const = 0;
-};
-
-/// What a curve over the turn is made of.
+/// What a curve over the turn is made of, for what varies of a binding.
 struct TurnParts {
-  /// Of the machine's arguments and the angle: the kernel of a section.
-  std::vector<std::shared_ptr<const optim::Kernel>> sections;
+  /// The formula of a section, of the machine's arguments and the angle, rad.
+  std::vector<Recorded> sections;
+  std::vector<std::shared_ptr<const optim::Kernel>> kernels;  ///< of the sections
+  /// Where a section has a value, if that is known.
+  std::vector<Recorded> domains;
   /// Of the machine's arguments: the kernels of the two sections at each of their breaks, wherever
   /// it moves; empty where that does not matter.
   struct Joint {
     std::shared_ptr<const optim::Kernel> left, right;
   };
   std::vector<Joint> joints;
-  /// Where sections meet, rad, for given arguments of the machine.
-  std::function<std::vector<double>(std::span<const double>)> breaks;
-  /// The formula for given arguments of the machine.
-  std::function<std::unique_ptr<const TurnFormula>(std::span<const double>)> formula;
+  /// Of the machine's arguments: where sections meet, rad.
+  std::vector<Recorded> breaks;
+  bool has_ranges;
+
+  std::vector<double> breaks_at(std::span<const double> arguments) const;
 };
 
 /// The section of a place, in deg, between breaks in rad; where two meet, the earlier one from the

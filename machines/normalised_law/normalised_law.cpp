@@ -60,18 +60,25 @@ std::vector<MechanismResponse> curves() {
           law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
 }
 
+/// The kernel of a plain number, formula(numbers, law), of what parts(followers) says of them.
+template <class Parts, class F>
+std::shared_ptr<const optim::Kernel> kernel_in(const Binding& binding, Parts parts, F formula,
+                                               Shape shape) {
+  return detail::law_number_kernel(binding,
+                                   recorded_parts(binding, machine_parts<Followers>(parts), {}),
+                                   UnitFactor("1", "1"), formula, shape);
+}
+
 /// A response with a kernel of its own over laws that are linear in what varies, where it is
 /// convex: special(binding, general), `general` the kernel of the formula.
-template <class F, class Special>
-MechanismResponse convex_number(ResponseAbout about, F formula, Special special) {
+template <class Parts, class F, class Special>
+MechanismResponse convex_number(ResponseAbout about, Parts parts, F formula, Special special) {
   about.shapes = {{{"law"}, Shape::Convex}};
-  MechanismResponse response = law_number<Followers>(about, formula);
+  MechanismResponse response = law_number<Followers>(about, parts, formula);
   response.number = [=, general = response.number](const Binding& binding, Shape shape) {
     if (shape != Shape::Convex) return general(binding, shape);
     return function_of(detail::law_number_variables(binding),
-                       special(binding, detail::law_number_kernel<Followers>(
-                                            binding, UnitFactor("1", "1"), formula, shape)),
-                       shape);
+                       special(binding, kernel_in(binding, parts, formula, shape)), shape);
   };
   return response;
 }
@@ -79,7 +86,7 @@ MechanismResponse convex_number(ResponseAbout about, F formula, Special special)
 /// A mean square; over a law that is linear in what varies a quadratic form.
 MechanismResponse mean_square_of(const char* name, const char* meaning, int order) {
   return convex_number(
-      {name, "1", "1", meaning},
+      {name, "1", "1", meaning}, []<class T>(const Followers<T>&) { return std::array<T, 0>{}; },
       [order](const auto&, const auto& law) { return mean_square(law, order); },
       [order](const Binding& binding, auto general) {
         return mean_square_kernel(binding.law, order, std::move(general));
@@ -136,16 +143,15 @@ T residual_part(const Law<T>& law, const T& period_ratio, Part part) {
   return result;
 }
 
-/// The period ratio of a follower, counted from 0.
-template <class T>
-const T& ratio_of(const Followers<T>& followers, int which) {
-  return which == 0 ? followers.first : which == 1 ? followers.second : followers.third;
+/// What matters of a follower, counted from 0: its period ratio.
+auto ratio_of(int which) {
+  return [which]<class T>(const Followers<T>& f) {
+    return std::array<T, 1>{which == 0 ? f.first : which == 1 ? f.second : f.third};
+  };
 }
 
-auto part_formula(Part part, int which) {
-  return [part, which](const auto& followers, const auto& law) {
-    return residual_part(law, ratio_of(followers, which), part);
-  };
+auto part_formula(Part part) {
+  return [part](const auto& ratio, const auto& law) { return residual_part(law, ratio[0], part); };
 }
 
 std::string numbered(const std::string& name, int which) {
@@ -160,7 +166,7 @@ MechanismResponse residual_part(const char* name, Part part, int which) {
        fmt::format("{} part of the vibration left at {}", part == Part::Cosine ? "cosine" : "sine",
                    numbered("period_ratio", which)),
        {{{"law"}, Shape::Linear}}},
-      part_formula(part, which));
+      ratio_of(which), part_formula(part));
 }
 
 /// The size of both parts; over a law that is linear in what varies the norm of two linear numbers.
@@ -168,14 +174,13 @@ MechanismResponse residual_amplitude(int which) {
   return convex_number(
       {numbered("residual_amplitude", which), "1", "1",
        "amplitude of the vibration left, undamped, in parts of the stroke"},
-      [which](const auto& followers, const auto& law) {
-        using T = std::decay_t<decltype(followers.first)>;
-        const T& ratio = ratio_of(followers, which);
-        const FollowerTrain<T> train{ratio, number<T>(0)};
+      ratio_of(which),
+      []<class T>(std::span<const T> ratio, const Law<T>& law) {
+        const FollowerTrain<T> train{ratio[0], number<T>(0)};
         const T result = train.amplitude(train.after(law));
         if constexpr (std::is_same_v<T, Interval>) {
-          const T c = residual_part(law, ratio, Part::Cosine);
-          const T s = residual_part(law, ratio, Part::Sine);
+          const T c = residual_part(law, ratio[0], Part::Cosine);
+          const T s = residual_part(law, ratio[0], Part::Sine);
           return both(result, sqrt(boost::numeric::square(c) + boost::numeric::square(s)));
         } else {
           return result;
@@ -183,8 +188,7 @@ MechanismResponse residual_amplitude(int which) {
       },
       [which](const Binding& binding, auto general) -> std::shared_ptr<const optim::Kernel> {
         const auto part = [&](Part p) {
-          return detail::law_number_kernel<Followers>(binding, UnitFactor("1", "1"),
-                                                      part_formula(p, which), Shape::Linear);
+          return kernel_in(binding, ratio_of(which), part_formula(p), Shape::Linear);
         };
         return std::make_shared<NormKernel>(part(Part::Cosine), part(Part::Sine),
                                             std::move(general));

@@ -34,118 +34,82 @@ namespace {
 using optim::Part;
 using S = optim::Shape;
 
-enum class Quantity {
-  GuideLength,
-  GuideAngle,
-  Travel,
-  Drum,
-  Ratio,
-  RatioSlope,
-  Velocity,
-  Acceleration
-};
-
-template <class Machine, class X>
-X at_angle(const Machine& drive, Quantity wanted, const X& phi) {
-  switch (wanted) {
-    case Quantity::GuideLength:
-      return drive.guide_length(phi).value;
-    case Quantity::GuideAngle:
-      return drive.guide_angle(phi).value;
-    case Quantity::Travel:
-      return drive.rack_travel(phi).value;
-    case Quantity::Drum:
-      return drive.drum_angle(phi).value;
-    case Quantity::Ratio:
-      return drive.drum_angle(phi).first;
-    case Quantity::RatioSlope:
-      return drive.drum_angle(phi).second;
-    case Quantity::Velocity:
-      return drive.drum_velocity(phi);
-    case Quantity::Acceleration:
-      break;
-  }
-  return drive.drum_acceleration(phi);
-}
-
-/// Of the drive as printed, or of the same with e = r_p.
-enum class Rack { Printed, Meshing };
-
-MechanismResponse rack_curve(Rack rack, Quantity which, ResponseAbout about) {
-  return turn_response<SignatureFeeder>(std::move(about), which, [rack](const auto& drive) {
-    return
-        [used = rack == Rack::Meshing ? drive.meshing() : drive](
-            Quantity wanted, std::size_t, const auto& phi) { return at_angle(used, wanted, phi); };
+/// A curve from formula(drive, angle), of the drive as printed.
+template <class F>
+MechanismResponse curve(ResponseAbout about, F formula) {
+  return turn_response<SignatureFeeder>(std::move(about), [formula](const auto& drive) {
+    return [formula, drive](std::size_t, const auto& phi) { return formula(drive, phi); };
   });
 }
 
-MechanismResponse curve(Quantity which, ResponseAbout about) {
-  return rack_curve(Rack::Printed, which, std::move(about));
-}
-
-MechanismResponse meshing(Quantity which, ResponseAbout about) {
-  return rack_curve(Rack::Meshing, which, std::move(about));
-}
-
-enum class Size { DrumSwing, GuideSwing, LeastLength, GreatestLength };
-
-MechanismResponse number(Size which, ResponseAbout about) {
-  return number_response<SignatureFeeder>(std::move(about), [which](const auto& drive) {
-    switch (which) {
-      case Size::DrumSwing:
-        return drive.drum_swing();
-      case Size::GuideSwing:
-        return drive.guide_swing();
-      case Size::LeastLength:
-        return drive.least_guide_length();
-      case Size::GreatestLength:
-        break;
-    }
-    return drive.greatest_guide_length();
+/// The same of the drive with e = r_p.
+template <class F>
+MechanismResponse meshing(ResponseAbout about, F formula) {
+  return curve(std::move(about), [formula](const auto& drive, const auto& phi) {
+    return formula(drive.meshing(), phi);
   });
+}
+
+template <class F>
+MechanismResponse number(ResponseAbout about, F formula) {
+  return number_response<SignatureFeeder>(std::move(about), formula);
 }
 
 std::vector<MechanismResponse> numbers() {
-  return {number(Size::DrumSwing, {"drum_swing",
-                                   "deg",
-                                   "rad",
-                                   "swing of the cylinder between its reversals",
-                                   {{{"crank_radius"}, S::Linear},
-                                    {{"crank_radius", "pinion_radius"}, S::Quasilinear}}}),
-          number(Size::GuideSwing, {"guide_swing", "deg", "rad", "swing of the guide"}),
-          number(Size::LeastLength, {"least_guide_length", "mm", "m",
-                                     "least distance of the crank pin along the guide"}),
-          number(Size::GreatestLength, {"greatest_guide_length", "mm", "m",
-                                        "greatest distance of the crank pin along the guide"})};
+  return {
+      number({"drum_swing",
+              "deg",
+              "rad",
+              "swing of the cylinder between its reversals",
+              {{{"crank_radius"}, S::Linear}, {{"crank_radius", "pinion_radius"}, S::Quasilinear}}},
+             [](const auto& drive) { return drive.drum_swing(); }),
+      number({"guide_swing", "deg", "rad", "swing of the guide"},
+             [](const auto& drive) { return drive.guide_swing(); }),
+      number({"least_guide_length", "mm", "m", "least distance of the crank pin along the guide"},
+             [](const auto& drive) { return drive.least_guide_length(); }),
+      number({"greatest_guide_length", "mm", "m",
+              "greatest distance of the crank pin along the guide"},
+             [](const auto& drive) { return drive.greatest_guide_length(); })};
 }
 
 std::vector<MechanismResponse> curves() {
-  using Q = Quantity;
   const std::vector<ShapeStatement> linear{{{"speed"}, S::Linear}};
   const std::vector<ShapeStatement> monotone{{{"speed"}, S::Quasilinear}};
+  const auto travel = [](const auto& drive, const auto& phi) {
+    return drive.rack_travel(phi).value;
+  };
+  const auto drum = [](const auto& drive, const auto& phi) { return drive.drum_angle(phi).value; };
+  const auto velocity = [](const auto& drive, const auto& phi) { return drive.drum_velocity(phi); };
+  const auto acceleration = [](const auto& drive, const auto& phi) {
+    return drive.drum_acceleration(phi);
+  };
   return {
-      curve(Q::GuideLength,
-            {"guide_length", "mm", "m", "distance of the crank pin along the guide"}),
-      curve(Q::GuideAngle,
-            {"guide_angle", "deg", "rad", "angle of the guide from its extreme position"}),
-      curve(Q::Travel, {"rack_travel", "mm", "m", "travel of the rack over the pinion"}),
-      curve(Q::Drum, {"drum_angle", "deg", "rad", "angle of the cylinder"}),
-      curve(Q::Ratio,
-            {"drum_ratio", "1", "1", "angular velocity of the cylinder over the crank's"}),
-      curve(Q::RatioSlope, {"drum_ratio_slope", "1", "1",
-                            "second derivative of the cylinder's angle by the crank's"}),
-      curve(Q::Velocity,
-            {"drum_velocity", "rad/s", "rad/s", "angular velocity of the cylinder", linear}),
-      curve(Q::Acceleration, {"drum_acceleration", "rad/s2", "rad/s2",
-                              "angular acceleration of the cylinder", monotone}),
-      meshing(Q::Travel, {"meshing_rack_travel", "mm", "m",
-                          "travel of a rack that meshes with a pinion on the guide's centre"}),
-      meshing(Q::Drum,
-              {"meshing_drum_angle", "deg", "rad", "angle of the cylinder with that rack"}),
-      meshing(Q::Velocity, {"meshing_drum_velocity", "rad/s", "rad/s",
-                            "angular velocity of the cylinder with that rack", linear}),
-      meshing(Q::Acceleration, {"meshing_drum_acceleration", "rad/s2", "rad/s2",
-                                "angular acceleration of the cylinder with that rack", monotone})};
+      curve({"guide_length", "mm", "m", "distance of the crank pin along the guide"},
+            [](const auto& drive, const auto& phi) { return drive.guide_length(phi).value; }),
+      curve({"guide_angle", "deg", "rad", "angle of the guide from its extreme position"},
+            [](const auto& drive, const auto& phi) { return drive.guide_angle(phi).value; }),
+      curve({"rack_travel", "mm", "m", "travel of the rack over the pinion"}, travel),
+      curve({"drum_angle", "deg", "rad", "angle of the cylinder"}, drum),
+      curve({"drum_ratio", "1", "1", "angular velocity of the cylinder over the crank's"},
+            [](const auto& drive, const auto& phi) { return drive.drum_angle(phi).first; }),
+      curve({"drum_ratio_slope", "1", "1",
+             "second derivative of the cylinder's angle by the crank's"},
+            [](const auto& drive, const auto& phi) { return drive.drum_angle(phi).second; }),
+      curve({"drum_velocity", "rad/s", "rad/s", "angular velocity of the cylinder", linear},
+            velocity),
+      curve({"drum_acceleration", "rad/s2", "rad/s2", "angular acceleration of the cylinder",
+             monotone},
+            acceleration),
+      meshing({"meshing_rack_travel", "mm", "m",
+               "travel of a rack that meshes with a pinion on the guide's centre"},
+              travel),
+      meshing({"meshing_drum_angle", "deg", "rad", "angle of the cylinder with that rack"}, drum),
+      meshing({"meshing_drum_velocity", "rad/s", "rad/s",
+               "angular velocity of the cylinder with that rack", linear},
+              velocity),
+      meshing({"meshing_drum_acceleration", "rad/s2", "rad/s2",
+               "angular acceleration of the cylinder with that rack", monotone},
+              acceleration)};
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/formula/expression.h"
 
+#include <stdexcept>
+
 namespace camlaw {
 namespace {
 
@@ -54,6 +56,7 @@ Expression lesser_of(const Expression& a, const Expression& b) {
   return written(Operation::Lesser, a, b);
 }
 Expression by_side(const Expression& force, const Expression& pushing, const Expression& pulling) {
+  if (const int side = force.constant_side()) return side < 0 ? pulling : pushing;
   return Expression::of({.operation = Operation::BySide,
                          .a = force.step(),
                          .b = pushing.step(),
@@ -67,6 +70,25 @@ Expression where_positive(const Expression& condition, const Expression& x) {
 }
 Expression unless_zero(const Expression& force, const Expression& x) {
   return written(Operation::UnlessZero, force, x);
+}
+
+Expression root_of(const Expression& low, const Expression& high,
+                   const std::function<Expression(const Expression&)>& f,
+                   const std::function<Expression(const Expression&)>& level) {
+  thread_local std::uint32_t depth = 0;  // roots within roots have unknowns of their own
+  struct Deeper {
+    Deeper() { ++depth; }
+    ~Deeper() { --depth; }
+  };
+  constexpr std::uint32_t kDeepest = 2;
+  if (depth == kDeepest)
+    throw std::invalid_argument("roots stand within one another more than 2 deep");
+  const Expression unknown = Expression::of(
+      {.operation = Operation::Unknown, .a = low.step(), .b = high.step(), .c = depth});
+  const Deeper deeper;
+  const Expression zero = f(unknown), its = level(unknown);
+  return Expression::of(
+      {.operation = Operation::Root, .a = unknown.step(), .b = zero.step(), .c = its.step()});
 }
 
 Expression ScalarTraits<Expression>::pi() { return Expression::of({.operation = Operation::Pi}); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "numerics/formula/formula.h"
 #include "numerics/scalar/scalar.h"
@@ -26,6 +27,8 @@ class Expression {
   bool is_finite_constant() const;
   /// Whether it is this plain number, whatever the inputs are.
   bool is(double c) const;
+  /// Of a constant 1 where it is 0 or above and -1 where it is below; 0 of what is neither.
+  int constant_side() const;
 
   /// The result of a step that is written into the formula being recorded.
   static Expression of(const Step& step);
@@ -58,6 +61,10 @@ Expression by_side(const Expression& force, const Expression& pushing, const Exp
 Expression along(const Expression& direction, const Expression& x);
 Expression where_positive(const Expression& condition, const Expression& x);
 Expression unless_zero(const Expression& force, const Expression& x);
+/// numerics/scalar/root.h. A level that is a constant has the first of several roots.
+Expression root_of(const Expression& low, const Expression& high,
+                   const std::function<Expression(const Expression&)>& f,
+                   const std::function<Expression(const Expression&)>& level);
 
 template <>
 struct ScalarTraits<Expression> {

@@ -7,6 +7,7 @@
 
 #include "numerics/formula/expression.h"
 #include "numerics/formula/operations.h"
+#include "numerics/formula/roots.h"
 #include "numerics/formula/steps.h"
 
 namespace camlaw {
@@ -15,7 +16,8 @@ struct Formula::Data {
   std::size_t inputs = 0;
   std::vector<Step> steps;  ///< the last one is the value
   std::vector<std::size_t> uses;
-  std::vector<std::uint32_t> varying;  ///< the steps that an input reaches
+  FormulaRoots roots;
+  std::vector<std::uint32_t> varying;  ///< the steps that an input reaches, without those in roots
   /// Results of the steps that no input reaches.
   std::vector<double> plain;
   std::vector<Dual> dual;
@@ -72,12 +74,12 @@ std::vector<Step> needed(const Recorder& all, std::uint32_t value) {
 
 /// The results of the other steps, at these first inputs; 0 in place of those that are reached.
 template <class T>
-std::vector<T> still_results(const std::vector<Step>& steps, const std::vector<bool>& reached,
-                             std::span<const T> first) {
+std::vector<T> still_results(const std::vector<Step>& steps, const FormulaRoots& roots,
+                             const std::vector<bool>& reached, std::span<const T> first) {
   std::vector<T> results(steps.size(), number<T>(0));
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  for (std::uint32_t i = 0; i < steps.size(); ++i) {
     const Step& step = steps[i];
-    if (reached[i]) continue;
+    if (reached[i] || roots.has_inside(i)) continue;
     if (step.operation == Operation::Input) {
       results[i] = first[step.a];
     } else if (step.operation == Operation::Constant) {
@@ -86,6 +88,8 @@ std::vector<T> still_results(const std::vector<Step>& steps, const std::vector<b
       } else {
         results[i] = number<T>(step.value);
       }
+    } else if (step.operation == Operation::Root) {
+      results[i] = roots.solve(i, results.data());
     } else {
       results[i] = operate<T>(step.operation, results[step.a], results[step.b], results[step.c]);
     }
@@ -111,6 +115,12 @@ bool Expression::is_finite_constant() const {
   return step.operation == Operation::Constant && std::isfinite(step.value);
 }
 
+int Expression::constant_side() const {
+  const Step& step = recorder().at(step_);
+  if (step.operation != Operation::Constant) return 0;
+  return step.lower >= 0 ? 1 : step.upper < 0 ? -1 : 0;
+}
+
 bool Expression::is(double c) const {
   const Step& step = recorder().at(step_);
   return step.operation == Operation::Constant && step.lower == c && step.upper == c;
@@ -131,6 +141,7 @@ Formula Formula::record(std::size_t inputs,
     if (step.operation == Operation::Input) data->uses.push_back(step.a);
   }
   std::sort(data->uses.begin(), data->uses.end());
+  data->roots = FormulaRoots(data->steps);
   data->work_out_constants();
   return Formula(std::move(data));
 }
@@ -138,6 +149,7 @@ Formula Formula::record(std::size_t inputs,
 std::size_t Formula::inputs() const { return data_->inputs; }
 const std::vector<Step>& Formula::steps() const { return data_->steps; }
 const std::vector<std::size_t>& Formula::uses() const { return data_->uses; }
+const FormulaRoots& Formula::roots() const { return data_->roots; }
 bool Formula::depends_on(std::size_t input) const {
   return std::binary_search(uses().begin(), uses().end(), input);
 }
@@ -145,10 +157,10 @@ bool Formula::depends_on(std::size_t input) const {
 void Formula::Data::work_out_constants() {
   const std::vector<bool> varies = reached_from(0, steps);
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
-    if (varies[i]) varying.push_back(i);
+    if (varies[i] && !roots.has_inside(i)) varying.push_back(i);
   }
-  plain = still_results<double>(steps, varies, {});
-  enclosed = still_results<Interval>(steps, varies, {});
+  plain = still_results<double>(steps, roots, varies, {});
+  enclosed = still_results<Interval>(steps, roots, varies, {});
   dual = std::vector<Dual>(plain.begin(), plain.end());
 }
 
@@ -174,9 +186,13 @@ T Formula::operator()(std::span<const T> u) const {
   data_->start(r);
   for (const std::uint32_t i : data_->varying) {
     const Step& step = steps()[i];
-    r[i] = step.operation == Operation::Input
-               ? u[step.a]
-               : operate<T>(step.operation, r[step.a], r[step.b], r[step.c]);
+    if (step.operation == Operation::Input) {
+      r[i] = u[step.a];
+    } else if (step.operation == Operation::Root) {
+      r[i] = data_->roots.solve(i, r);
+    } else {
+      r[i] = operate<T>(step.operation, r[step.a], r[step.b], r[step.c]);
+    }
   }
   return r[steps().size() - 1];
 }
@@ -191,12 +207,13 @@ template Series<Interval, 2> Formula::operator()(std::span<const Series<Interval
 // ---------------------------------------------------------------------------------------------
 
 template <class T>
-FormulaAlong<T>::FormulaAlong(const Formula& formula, std::span<const T> first) {
+FormulaAlong<T>::FormulaAlong(const Formula& formula, std::span<const T> first)
+    : formula_(formula) {
   const auto& steps = formula.steps();
-  const std::vector<bool> moves = reached_from(first.size(), steps);
-  still_ = still_results(steps, moves, first);
+  const std::vector<bool>& moves = moves_ = reached_from(first.size(), steps);
+  still_ = still_results(steps, formula.roots(), moves, first);
   for (std::uint32_t i = 0; i < steps.size(); ++i) {
-    if (!moves[i]) continue;
+    if (!moves[i] || formula.roots().has_inside(i)) continue;
     const Step& step = steps[i];
     Moving moving{step.operation, {step.a, step.b, step.c}, {}, true, i};
     if (step.operation == Operation::Input) {
@@ -216,9 +233,13 @@ T FormulaAlong<T>::operator()(std::span<const T> others) const {
   results = still_;
   T* r = results.data();
   for (const Moving& m : moving_) {
-    r[m.result] = m.operation == Operation::Input
-                      ? others[m.from[0]]
-                      : operate<T>(m.operation, r[m.from[0]], r[m.from[1]], r[m.from[2]]);
+    if (m.operation == Operation::Input) {
+      r[m.result] = others[m.from[0]];
+    } else if (m.operation == Operation::Root) {
+      r[m.result] = formula_.roots().solve(m.result, r);
+    } else {
+      r[m.result] = operate<T>(m.operation, r[m.from[0]], r[m.from[1]], r[m.from[2]]);
+    }
   }
   return results.back();
 }
@@ -238,6 +259,11 @@ Series<T, N> FormulaAlong<T>::operator()(std::span<const Series<T, N>> others) c
     };
     if (m.operation == Operation::Input) {
       r[m.result] = others[a];
+    } else if (m.operation == Operation::Root) {
+      formula_.roots().for_each_operand(m.result, [&](std::uint32_t i) {
+        if (!moves_[i]) r[i] = X(still_[i]);
+      });
+      r[m.result] = formula_.roots().solve(m.result, r);
     } else if (m.all_move) {
       r[m.result] = operate<X>(m.operation, r[a], r[b], r[c]);
     } else if (is_arithmetic(m.operation)) {

@@ -14,6 +14,7 @@
 namespace camlaw {
 
 class Expression;
+class FormulaRoots;
 
 /// What a step does with the results of earlier ones.
 enum class Operation : std::uint8_t {
@@ -41,11 +42,14 @@ enum class Operation : std::uint8_t {
   Along,          ///< along(a, b)
   WherePositive,  ///< where_positive(a, b)
   UnlessZero,     ///< unless_zero(a, b)
+  Unknown,        ///< a place between a and b that the root with the number c tries
+  Root,           ///< the root of b in the unknown a; of several the one where c is highest
 };
 
 struct Step {
   Operation operation;
-  std::uint32_t a = 0, b = 0, c = 0;       ///< earlier steps; of an input its number
+  /// Earlier steps. Of an input a is its number, of an unknown c.
+  std::uint32_t a = 0, b = 0, c = 0;
   double value = 0, lower = 0, upper = 0;  ///< of a constant, and what it is proved to lie between
   friend bool operator==(const Step&, const Step&) = default;
 };
@@ -63,6 +67,7 @@ class Formula {
   /// The inputs that the value depends on, increasing.
   const std::vector<std::size_t>& uses() const;
   bool depends_on(std::size_t input) const;
+  const FormulaRoots& roots() const;
 
   /// The value at u, which has a number for each input that the value depends on; in double, Dual,
   /// Dual2, Interval, or Series of Interval with 1 or 2 terms.
@@ -98,6 +103,8 @@ class FormulaAlong {
     std::uint32_t result;
   };
 
+  Formula formula_;
+  std::vector<bool> moves_;
   std::vector<T> still_;  ///< results of the other steps
   std::vector<Moving> moving_;
 };

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "numerics/formula/roots.h"
 #include "numerics/formula/steps.h"
 
 namespace camlaw {
@@ -58,14 +59,14 @@ const char* function_name(Operation operation) {
 class Writer {
  public:
   Writer(const Formula& formula, const NameOfStep& name_of)
-      : steps_(formula.steps()), name_of_(name_of), uses_(steps_.size()) {}
+      : steps_(formula.steps()), roots_(formula.roots()), name_of_(name_of), uses_(steps_.size()) {}
 
   FormulaLines operator()(std::uint32_t value) {
     count_uses(value);
     FormulaLines result;
     for (std::uint32_t i = 0; i < value; ++i) {
       const bool is_named = uses_[i] > 1 && operands(steps_[i].operation) > 0 && !name(i);
-      if (!is_named) continue;
+      if (!is_named || roots_.has_inside(i)) continue;  // an unknown has a name in its root alone
       std::string text = written(i).text;
       names_[i] = fmt::format("t{}", names_.size() + 1);
       result.lines.push_back({names_[i], std::move(text)});
@@ -115,6 +116,16 @@ class Writer {
     return {fmt::format("{} {} {}", inside(step.a, left), sign, inside(step.b, right)), own};
   }
 
+  Text root(const Step& step) const {
+    const Step& unknown = steps_[step.a];
+    std::string text =
+        fmt::format("root({}, {}, {}, {}", inside(step.a, kWhole), inside(unknown.a, kSum),
+                    inside(unknown.b, kSum), inside(step.b, kSum));
+    const bool has_level = steps_[step.c].operation != Operation::Constant;
+    if (has_level) text += ", " + inside(step.c, kSum);
+    return {text + ")", kWhole};
+  }
+
   Text written(std::uint32_t i) const {
     const Step& step = steps_[i];
     if (const auto [base, exponent] = power_of(i); exponent > 1) {
@@ -127,6 +138,10 @@ class Writer {
         return {fmt::format("{}", step.value), step.value < 0 ? kSign : kWhole};
       case Operation::Pi:
         return {"pi", kWhole};
+      case Operation::Unknown:
+        return {fmt::format("y{}", step.c + 1), kWhole};
+      case Operation::Root:
+        return root(step);
       case Operation::Add:
         return pair(step, "+", kSum, kProduct, kSum);
       case Operation::Subtract:
@@ -151,6 +166,7 @@ class Writer {
   }
 
   const std::vector<Step>& steps_;
+  const FormulaRoots& roots_;
   const NameOfStep& name_of_;
   std::vector<int> uses_;
   std::map<std::uint32_t, std::string> names_;

@@ -254,14 +254,23 @@ class Reader {
   int depth_ = 0;
 };
 
-void collect_names(const FormulaTree& tree, std::vector<FormulaTree>& names) {
+/// `unknown` has the names that roots give to what they look for.
+void collect_names(const FormulaTree& tree, std::vector<std::string>& unknown,
+                   std::vector<FormulaTree>& names) {
   if (tree.kind == Kind::Name) {
-    const bool is_known = std::any_of(names.begin(), names.end(), [&](const FormulaTree& known) {
-      return known.full_name() == tree.full_name();
-    });
+    const std::string name = tree.full_name();
+    const bool is_known = std::find(unknown.begin(), unknown.end(), name) != unknown.end() ||
+                          std::any_of(names.begin(), names.end(), [&](const FormulaTree& known) {
+                            return known.full_name() == name;
+                          });
     if (!is_known) names.push_back(tree);
   }
-  for (const FormulaTree& part : tree.parts) collect_names(part, names);
+  const bool is_root = tree.is_root();
+  for (std::size_t i = is_root ? 1 : 0; i < tree.parts.size(); ++i) {
+    if (is_root && i == 3) unknown.push_back(tree.parts[0].full_name());
+    collect_names(tree.parts[i], unknown, names);
+  }
+  if (is_root && tree.parts.size() > 3) unknown.pop_back();
 }
 
 }  // namespace
@@ -274,7 +283,8 @@ FormulaTree parse_formula(std::string_view text) { return Reader(text).formula()
 
 std::vector<FormulaTree> names_in(const FormulaTree& tree) {
   std::vector<FormulaTree> names;
-  collect_names(tree, names);
+  std::vector<std::string> unknown;
+  collect_names(tree, unknown, names);
   return names;
 }
 

@@ -34,6 +34,11 @@ struct FormulaTree {
 
   /// "peak force": a name with its word.
   std::string full_name() const { return part.empty() ? text : part + " " + text; }
+  /// Whether it is root(NAME, ...), which gives a name to what it looks for.
+  bool is_root() const {
+    return kind == Kind::Function && text == "root" && !parts.empty() &&
+           parts[0].kind == Kind::Name;
+  }
 };
 
 /// Refuses a formula for what is written at a character, counted from 0. Throws
@@ -44,7 +49,8 @@ struct FormulaTree {
 /// it is nested deeper than 64 levels or has more than 2000 parts.
 FormulaTree parse_formula(std::string_view text);
 
-/// The names of a formula, each once, in the order in which they are written.
+/// The names of a formula, each once, in the order in which they are written, without those that
+/// its roots give.
 std::vector<FormulaTree> names_in(const FormulaTree& tree);
 
 }  // namespace camlaw

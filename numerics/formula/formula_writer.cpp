@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "numerics/formula/unit_factor.h"
 #include "numerics/text/names.h"
@@ -185,7 +186,7 @@ constexpr PlainFunction kPlainFunctions[] = {
 /// Functions of quantities of any kind.
 constexpr const char* kOtherFunctions[] = {"sqrt",        "abs",   "sign",   "min",
                                            "max",         "atan2", "select", "where_positive",
-                                           "unless_zero", "along"};
+                                           "unless_zero", "along", "root"};
 
 void check_count(const FormulaTree& tree, std::size_t wanted) {
   const std::size_t given = tree.parts.size();
@@ -232,12 +233,45 @@ WrittenQuantity decision(const FormulaTree& tree, const Quantities& of) {
   return {value, x.dimension, x.is_zero};
 }
 
+/// root(NAME, low, high, f) or root(NAME, low, high, f, level), with the name in f and level alone.
+WrittenQuantity written_root(const FormulaTree& tree, const FindQuantity& find) {
+  const std::size_t given = tree.parts.size();
+  if (!tree.is_root() || given < 4 || given > 5) {
+    refuse_formula(
+        tree.at,
+        "root takes a name for what is looked for, the two ends that it lies between, "
+        "what is 0 there and, where that may be so at several places, what is highest at "
+        "the one that is meant");
+  }
+  const WrittenQuantity low = write_formula(tree.parts[1], find);
+  const WrittenQuantity high = write_formula(tree.parts[2], find);
+  check_alike(tree, "root looks between", low, high);
+  const Dimension dimension = low.is_zero ? high.dimension : low.dimension;
+  // What it tries is no part of what the formula's value depends on, and conditions are no numbers.
+  std::vector<Expression>* const outer = std::exchange(conditions, nullptr);
+  const auto part = [&](std::size_t i) {
+    return [&, i](const Expression& unknown) {
+      if (i == given) return Expression(0.0);
+      return write_formula(tree.parts[i],
+                           [&](const FormulaTree& name) {
+                             const bool is_unknown = name.full_name() == tree.parts[0].full_name();
+                             return is_unknown ? WrittenQuantity{unknown, dimension} : find(name);
+                           })
+          .value;
+    };
+  };
+  const Expression value = root_of(low.value, high.value, part(3), part(4));
+  conditions = outer;
+  return {value, dimension};
+}
+
 WrittenQuantity written_function(const FormulaTree& tree, const FindQuantity& find) {
   const std::string& name = tree.text;
   const auto known = formula_functions();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
     at_place(tree, [&] { refuse_name("no function is called", name, known); });
   }
+  if (name == "root") return written_root(tree, find);
   Quantities arguments;
   for (const FormulaTree& part : tree.parts) arguments.push_back(write_formula(part, find));
   if (name == "min" || name == "max") return extreme(tree, arguments);

@@ -100,6 +100,8 @@ T operate(Operation operation, const T& a, const T& b, const T& c) {
       return pi<T>();
     case Operation::Input:
     case Operation::Constant:
+    case Operation::Unknown:
+    case Operation::Root:
       break;
   }
   return a;

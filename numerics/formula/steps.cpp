@@ -30,8 +30,10 @@ std::size_t operands(Operation operation) {
     case Operation::Along:
     case Operation::WherePositive:
     case Operation::UnlessZero:
+    case Operation::Unknown:
       return 2;
     case Operation::BySide:
+    case Operation::Root:
       return 3;
     default:
       return 1;

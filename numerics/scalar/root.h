@@ -39,10 +39,32 @@ double root_between(const F& f, double low, double high) {
   return (low + high) / 2;
 }
 
+/// The root between low and high of f, which is continuous there; of several the one where level is
+/// highest, the first of equals. The signs of f at the ends of equal cells tell where roots are:
+/// two in one cell are not seen. NaN where there is none. f(x), level(x) -> double.
+template <class F, class Level>
+double root_of(double low, double high, const F& f, const Level& level) {
+  constexpr int kCells = 96;
+  double root = std::numeric_limits<double>::quiet_NaN(), highest = root;
+  const auto take = [&](double x) {
+    const double its = level(x);
+    if (std::isnan(root) || its > highest) root = x, highest = its;
+  };
+  double at = low, here = f(low);
+  if (here == 0) take(low);
+  for (int i = 1; i <= kCells; ++i) {
+    const double next = i == kCells ? high : low + (high - low) * i / kCells, there = f(next);
+    if ((here < 0 && there >= 0) || (here > 0 && there <= 0)) take(root_between(f, at, next));
+    at = next, here = there;
+  }
+  return root;
+}
+
 /// A root of f near x0, which is one in plain numbers, in the scalar of f: with the derivatives by
-/// whatever f depends on (two Newton steps carry the first two orders), or, for intervals, a range
-/// that holds it, by the interval Newton step; NaN where none is found, and for series of
-/// intervals. f(X) -> X and its slope.
+/// whatever f depends on (two Newton steps with the slope at x0 carry the first two orders), or,
+/// for intervals, a range that holds it, by the interval Newton step; NaN where none is found, and
+/// for series of intervals. f(X) -> X; the slope is asked at the double x0, for intervals over a
+/// range.
 template <class T, class F, class Slope>
 T root_near(double x0, const F& f, const Slope& slope) {
   if constexpr (std::is_same_v<T, double>) {
@@ -52,7 +74,7 @@ T root_near(double x0, const F& f, const Slope& slope) {
     for (double radius = 1e-15 * (1 + std::abs(x0)); radius < 1e-6; radius *= 8) {
       const Interval range = middle + Interval(-radius, radius);
       const Interval rate = slope(range);
-      if (rate.lower() <= 0 && rate.upper() >= 0) break;
+      if (!(rate.lower() > 0 || rate.upper() < 0)) break;
       const Interval newton = middle - f(middle) / rate;
       if (newton.lower() >= range.lower() && newton.upper() <= range.upper()) return newton;
     }
@@ -60,8 +82,9 @@ T root_near(double x0, const F& f, const Slope& slope) {
   } else if constexpr (is_interval_series<T>) {
     return number<T>(std::numeric_limits<double>::quiet_NaN());
   } else {
+    const T rate = number<T>(slope(x0));
     T x = number<T>(x0);
-    for (int step = 0; step < 2; ++step) x = x - f(x) / slope(x);
+    for (int step = 0; step < 2; ++step) x = x - f(x) / rate;
     return x;
   }
 }

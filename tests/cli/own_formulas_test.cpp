@@ -85,8 +85,13 @@ TEST_CASE("a response's formula is printed", "[program][formula]") {
   CHECK_THAT(failed({"mechanisms", "--formula", "rate"}, 2), Contains("name the mechanism"));
   CHECK_THAT(failed({"mechanisms", "helical-spring", "--formula", "wire_diameter"}, 2),
              Contains("is a parameter"));
-  CHECK_THAT(failed({"mechanisms", "geneva", "--formula", "wheel_acceleration"}, 2),
+  CHECK_THAT(failed({"mechanisms", "follower-train", "--formula", "deviation"}, 2),
              Contains("is not one formula"));
+  // A curve over the turn in its sections, and a number that holds roots.
+  CHECK_THAT(done({"mechanisms", "geneva", "--formula", "wheel_velocity"}),
+             Contains("wheel_velocity = select(angle - 2 * t2, speed * 0, speed * "));
+  CHECK_THAT(done({"mechanisms", "geneva", "--formula", "greatest_drive_torque"}),
+             Contains("root(y1, 0, "));
 }
 
 TEST_CASE("a formula that is wrong is one line with its place", "[program][formula]") {

@@ -16,7 +16,7 @@ namespace camlaw::problems {
 namespace {
 
 Formula record_of(const Mechanism& mechanism, const MechanismResponse& response) {
-  return whole_formula(response.write, mechanism.parameters.size(), others_of(response));
+  return whole_formula(response.write, mechanism.parameters.size(), other_names(response).size());
 }
 
 void for_each_formula(const std::function<void(const Mechanism&, const MechanismResponse&)>& look) {
@@ -36,18 +36,16 @@ void for_each_formula(const std::function<void(const Mechanism&, const Mechanism
 std::vector<std::string> units_of(const Mechanism& mechanism, const MechanismResponse& response) {
   std::vector<std::string> units;
   for (const MechanismParameter& p : mechanism.parameters) units.push_back(p.unit);
-  if (response.curve) units.insert(units.end(), kOfPlace, "1");
-  for (const InnerNumber& inner : response.inner) {
-    units.push_back(inner.unit);
-  }
+  for (const InnerNumber& inner : response.inner) units.push_back(inner.unit);
+  if (response.curve) units.insert(units.end(), other_names(response).size(), "1");
   return units;
 }
 
 std::vector<std::string> names_of(const Mechanism& mechanism, const MechanismResponse& response) {
-  std::vector<std::string> names;
-  for (const MechanismParameter& p : mechanism.parameters) names.push_back(p.name);
-  if (response.curve) names.insert(names.end(), kPlaceNames.begin(), kPlaceNames.end());
-  for (const InnerNumber& inner : response.inner) names.push_back(inner.name);
+  std::vector<std::string> names = other_names(response);
+  for (std::size_t i = mechanism.parameters.size(); i-- > 0;) {
+    names.insert(names.begin(), mechanism.parameters[i].name);
+  }
   return names;
 }
 
@@ -86,7 +84,7 @@ std::vector<double> some_inputs(const Mechanism& mechanism, const MechanismRespo
   for (const MechanismParameter& p : mechanism.parameters) {
     u.push_back(p.default_value * about(random));
   }
-  for (std::size_t i = 0; i < others_of(response); ++i) {
+  for (std::size_t i = 0; i < other_names(response).size(); ++i) {
     u.push_back(response.curve ? motion(random) : 10 * about(random));
   }
   return u;

@@ -54,6 +54,10 @@ Measured measured(const std::vector<Step>& steps, const Step& step, const Measur
     case Operation::Greater:
     case Operation::Lesser:
       return alike("compares", a, b);
+    case Operation::Unknown:
+      return alike("looks for a root between", a, b);
+    case Operation::Root:
+      return a;
     case Operation::BySide:
       return alike("chooses between", b, c);
     case Operation::Along:

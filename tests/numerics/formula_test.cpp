@@ -4,6 +4,7 @@
 #include <random>
 
 #include "machines/cams/roller_cam.h"
+#include "numerics/formula/blocks/formula_blocks.h"
 #include "numerics/formula/expression.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
@@ -171,6 +172,124 @@ TEST_CASE("constants are told apart by their bits", "[formula]") {
     return number<Expression>(0) * number<Expression>(INFINITY);
   });
   CHECK(std::isnan(infinite(std::span<const double>())));
+}
+
+namespace {
+
+const auto kNoLevel = [](const Expression&) { return Expression(0.0); };
+
+/// Kepler's equation, E - e sin E = M, in e and M.
+Formula kepler() {
+  return recorded(2, [](std::span<const Expression> u) {
+    return root_of(
+        Expression(0.0), Expression(4.0),
+        [&](const Expression& x) { return x - u[0] * sin(x) - u[1]; }, kNoLevel);
+  });
+}
+
+double missed(double e, double m, double x) { return x - e * std::sin(x) - m; }
+
+}  // namespace
+
+TEST_CASE("a root of a record is one, with its derivatives of two orders", "[formula][root]") {
+  const Formula root = kepler();
+  CHECK(root.uses() == std::vector<std::size_t>{0, 1});
+  for (const double e : {0.1, 0.5, 0.9}) {
+    for (const double m : {0.2, 1.0, 2.9}) {
+      const double x = at(root, std::vector<double>{e, m});
+      CHECK(missed(e, m, x) == Approx(0).margin(1e-15));
+      // E_e = sin E / q, E_M = 1 / q with q = 1 - e cos E; the rest by deriving these again.
+      const double s = std::sin(x), c = std::cos(x), q = 1 - e * c, q3 = q * q * q;
+      std::vector<Dual2> u{Dual2(Dual(e)), Dual2(Dual(m))};
+      for (int k = 0; k < 2; ++k) {
+        u[static_cast<std::size_t>(k)].a.v[k] = 1;
+        u[static_cast<std::size_t>(k)].v[k] = Dual(1.0);
+      }
+      const Dual2 exact = at(root, u);
+      CHECK(exact.v[0].a == Approx(s / q).epsilon(1e-13));
+      CHECK(exact.v[1].a == Approx(1 / q).epsilon(1e-13));
+      CHECK(exact.v[1].v[1] == Approx(-e * s / q3).epsilon(1e-12));
+      CHECK(exact.v[0].v[1] == Approx((c * q - s * e * s) / q3).epsilon(1e-12));
+      CHECK(exact.v[0].v[0] == Approx((2 * s * c * q - e * s * s * s) / q3).epsilon(1e-12));
+    }
+  }
+  CHECK(at(root, std::vector<double>{0.5, 0}) == 0);  // at an end
+  CHECK(std::isnan(at(root, std::vector<double>{0.5, 9})));
+}
+
+TEST_CASE("an interval of a root holds it for every one of its numbers", "[formula][root]") {
+  const Formula root = kepler();
+  const Interval point = at(root, std::vector<Interval>{Interval(0.5), Interval(1.0)});
+  CHECK(missed(0.5, 1, point.lower()) <= 0);
+  CHECK(missed(0.5, 1, point.upper()) >= 0);
+  CHECK(point.upper() - point.lower() < 1e-14);
+  for (const double wide : {1e-9, 1e-2}) {
+    const std::vector<Interval> box{Interval(0.5 - wide, 0.5 + wide),
+                                    Interval(1.0 - wide, 1.0 + wide)};
+    const Interval over = at(root, box);
+    for (const double e : {0.5 - wide, 0.5, 0.5 + wide}) {
+      for (const double m : {1.0 - wide, 1.0, 1.0 + wide}) {
+        const double x = at(root, std::vector<double>{e, m});
+        CHECK((over.lower() <= x && x <= over.upper()));
+      }
+    }
+    if (wide < 1e-6) {
+      CHECK(over.upper() - over.lower() < 8 * wide);
+    } else {
+      CHECK((over.lower() == 0 && over.upper() == 4));  // it cannot be followed that far
+    }
+  }
+}
+
+TEST_CASE("of several roots the one where the level is highest counts", "[formula][root]") {
+  const auto place = [](double sign) {
+    const Formula formula = recorded(1, [&](std::span<const Expression> u) {
+      return root_of(
+          Expression(0.0), Expression(10.0), [&](const Expression& x) { return sin(x * u[0]); },
+          [&](const Expression& x) { return Expression(sign) * x; });
+    });
+    return at(formula, std::vector<double>{2});
+  };
+  CHECK(place(1) == Approx(3 * std::acos(-1.0)).epsilon(1e-15));
+  CHECK(place(-1) == 0);
+}
+
+TEST_CASE("roots stand within roots, and move along a record", "[formula][root]") {
+  // y^2 = u and x y(x) = v with y^2 = x: x = v^(2/3). The inner root depends on the outer place.
+  const Formula formula = recorded(2, [](std::span<const Expression> u) {
+    const auto root = [](const Expression& square) {
+      return root_of(
+          Expression(0.0), Expression(5.0), [&](const Expression& y) { return y * y - square; },
+          kNoLevel);
+    };
+    return u[0] * root_of(
+                      Expression(0.1), Expression(4.0),
+                      [&](const Expression& x) { return x * root(x) - u[1]; }, kNoLevel);
+  });
+  const double v = 1.7, x = std::pow(v, 2.0 / 3);
+  CHECK(at(formula, std::vector<double>{3, v}) == Approx(3 * x).epsilon(1e-14));
+  std::vector<Dual> u{Dual(3.0), Dual(v)};
+  u[1].v[0] = 1;
+  CHECK(at(formula, u).v[0] == Approx(2 * x / v).epsilon(1e-12));
+  const Interval over = at(formula, std::vector<Interval>{Interval(3.0), Interval(v)});
+  CHECK((over.lower() <= 3 * x && 3 * x <= over.upper()));
+
+  const std::vector<double> first{3};
+  const FormulaAlong<double> along(formula, first);
+  std::vector<Series<double, 3>> moving{Series<double, 3>::variable(v, 1)};
+  const auto series = along(std::span<const Series<double, 3>>(moving));
+  CHECK(series.c[0] == Approx(3 * x).epsilon(1e-14));
+  CHECK(series.c[1] == Approx(2 * x / v).epsilon(1e-12));
+  CHECK(series.c[2] == Approx(-x / (3 * v * v)).epsilon(1e-11));
+
+  const std::vector<double> places{0.5, v, 3};
+  std::vector<double> values(3);
+  const std::vector<std::span<const double>> others{places};
+  const std::vector<std::span<double>> rows{values};
+  FormulaBlocks({&formula, 1}, 1)(first, others, rows);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(values[i] == at(formula, std::vector<double>{3, places[i]}));
+  }
 }
 
 TEST_CASE("without a record there is no expression", "[formula]") {

@@ -95,12 +95,17 @@ TEST_CASE("formulas are read as people read them", "[formula]") {
   check("pi", std::numbers::pi);
   check("select(q, 1, 2) + select(p, 10, 20)", 12);
   check("along(q, p) + where_positive(p, 1) + unless_zero(q, 2)", 2.6);
+  check("root(z, 0, 3, z^2 - 2)", std::sqrt(2.0));
+  check("root(z, 0 m, 5 m, z^2 - x * (2 m)) / (1 m)", std::sqrt(1.4));
+  check("root(z, 0, 10, sin(z), z) + root(z, 1, 10, sin(z))", 4 * std::numbers::pi);
+  check("root(p, 0, 3, p - root(z, 0, 3, z - 0.5 * p) - 0.3)", 0.6);
 }
 
 TEST_CASE("a part of a formula that has no value leaves the whole without one", "[formula]") {
-  for (const char* text : {"sqrt(q)", "min(1, sqrt(q))", "max(sqrt(q), 1)", "sign(log(q))", "q^0.5",
-                           "where_positive(q, 1)", "select(log(q), 1, 1)", "0 * log(q)",
-                           "unless_zero(sqrt(q), 5)", "sqrt(q)^0", "1^sqrt(q)"}) {
+  for (const char* text :
+       {"sqrt(q)", "min(1, sqrt(q))", "max(sqrt(q), 1)", "sign(log(q))", "q^0.5",
+        "where_positive(q, 1)", "select(log(q), 1, 1)", "0 * log(q)", "unless_zero(sqrt(q), 5)",
+        "sqrt(q)^0", "1^sqrt(q)", "root(z, 0, 3, z^2 + 1)", "root(z, 0, 3, z - sqrt(q))"}) {
     INFO(text);
     CHECK(std::isnan(value_of_text(text)));
   }
@@ -121,6 +126,12 @@ TEST_CASE("what is wrong with a formula is said with its place", "[formula]") {
       {"sin(1, 2)", "at character 1: sin takes 1 argument; 2 are given"},
       {"select(1)", "select takes 3 arguments, with commas between them; 1 is given"},
       {"min(1)", "min compares two arguments or more"},
+      {"root(z, 0, 1)", "at character 1: root takes a name for what is looked for, the two ends"},
+      {"root(1, 0, 1, p)", "at character 1: root takes a name for what is looked for"},
+      {"root(z, 0, x, z - p)", "'-' subtracts a length (m) and a plain number"},
+      {"root(z, p, x, z)", "root looks between a plain number and a length (m)"},
+      {"root(z, 0, 1, z) + z", "unknown: z"},
+      {"root(a, 0, 1, root(b, 0, 1, root(c, 0, 1, c - a - b)))", "more than 2 deep"},
       {"", "the formula is empty"},
       {"  ", "the formula is empty"},
       {"1 +", "at character 4: the formula ends where a number, a name or '(' is wanted"},
@@ -227,7 +238,9 @@ TEST_CASE("a formula is printed as it can be read again", "[formula]") {
   };
   for (const char* text : {"p - (q - 1) - -p", "p / (q / 2) / (p * q)", "-(p + q)^2", "(-p)^3",
                            "2^-p", "sqrt(p) * (p + q) / max(p, q)", "p * p * p + (p + q) * (p + q)",
-                           "-p * -q", "p^(-2)", "select(p, q, -q)", "(p / q) * (q / p) * 3"}) {
+                           "-p * -q", "p^(-2)", "select(p, q, -q)", "(p / q) * (q / p) * 3",
+                           "root(z, p, 3, z^2 - (p - q)) + root(z, 0, 9, sin(z) * p, (p - q) * z)",
+                           "root(z, 0, 3, z - root(y, 0, 3, y - z / 2 - p))"}) {
     INFO(text);
     const Formula formula = recorded(text);
     const auto last = static_cast<std::uint32_t>(formula.steps().size() - 1);

@@ -28,8 +28,7 @@ TEST_CASE("a root carries two orders of derivatives", "[root]") {
   a.a.v[0] = 1;
   const double x = std::cbrt(2.0);
   const Dual2 root = root_near<Dual2>(
-      x, [&](const Dual2& y) { return y * y * y - a; },
-      [&](const Dual2& y) { return number<Dual2>(3) * y * y; });
+      x, [&](const Dual2& y) { return y * y * y - a; }, [](double y) { return 3 * y * y; });
   CHECK(root.a.a == Approx(x).epsilon(1e-15));
   CHECK(root.v[0].a == Approx(1 / (3 * x * x)).epsilon(1e-13));
   CHECK(root.v[0].v[0] == Approx(-2 / (9 * std::pow(x, 5))).epsilon(1e-13));

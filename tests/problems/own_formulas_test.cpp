@@ -158,6 +158,54 @@ unit = "N"
         Approx(2 * (force.highest - force.lowest) + force.highest / 2).epsilon(1e-12));
 }
 
+TEST_CASE("formulas hold curves over a shaft's turn, and what those search for",
+          "[formula][problems]") {
+  const ProblemStatement problem = read(R"toml(
+mechanism = "balancing-cam"
+[constants]
+lift_off = "15 deg"
+[responses.own]
+formula = "residual_torque / mean_torque - 1 + surplus_range / surplus_range"
+[responses.place]
+formula = "angle / (1 deg) / 360 - x + select(angle - lift_off, 0, 1)"
+[responses.even]
+formula = "peak own"
+)toml");
+  const EvaluatedResponse torque = evaluated(problem, "residual_torque");
+  const EvaluatedResponse own = evaluated(problem, "own");
+  const double mean = evaluated(problem, "mean_torque").value;
+  // The torque jumps at the lift-off, where it is greatest: the formula has the same sections.
+  CHECK(own.highest == Approx(torque.highest / mean).epsilon(1e-12));
+  CHECK(own.highest_at == torque.highest_at);
+  CHECK(own.proved);
+  CHECK(evaluated(problem, "even").value == Approx(own.highest).epsilon(1e-12));
+  for (const optim::Response& curve : curves_of(problem)) {
+    if (curve.name != "place") continue;
+    CHECK(curve.curve().trace({})->at({10})[0] == Approx(1));
+    CHECK(curve.curve().trace({})->at({200})[0] == Approx(0).margin(1e-14));
+  }
+}
+
+TEST_CASE("a formula looks for the root of a condition", "[formula][problems]") {
+  // The angle at which a rod of length l over a crank of radius r stands square to it.
+  const ProblemStatement problem = read(R"toml([machine]
+[machine.parameters.r]
+unit = "mm"
+default = 30
+lower = 1
+[machine.parameters.l]
+unit = "mm"
+default = 90
+lower = 1
+[responses.square]
+formula = "root(y, 0, 90 deg, l * cos(y) - r * sin(y))"
+unit = "deg"
+)toml");
+  const double angle = std::atan2(90, 30);
+  CHECK(evaluated(problem, "square").value ==
+        Approx(angle * 180 / std::numbers::pi).epsilon(1e-13));
+}
+
 TEST_CASE("the angle of a formula is that of the whole cycle", "[formula][problems]") {
   const ProblemStatement problem = read(fmt::format(R"toml(
 mechanism = "die-press"

@@ -106,6 +106,7 @@ FormulaBlocks::FormulaBlocks(std::span<const Formula> formulas, std::size_t firs
     inputs = std::max(inputs, formula.inputs());
   }
   steps_ = all.steps();
+  roots_ = FormulaRoots(steps_);
   used_.resize(inputs - first);
   const std::vector<bool> varies = reached_from(0, steps_), moves = reached_from(first, steps_);
   constants_.resize(steps_.size());
@@ -113,7 +114,10 @@ FormulaBlocks::FormulaBlocks(std::span<const Formula> formulas, std::size_t firs
     const Step& step = steps_[i];
     if (moves[i]) {
       if (step.operation == Operation::Input) used_[step.a - first] = true;
-    } else if (varies[i]) {
+      if (step.operation == Operation::Root) each_.assign(formulas.begin(), formulas.end());
+    } else if (roots_.has_inside(i)) {
+      continue;
+    } else if (varies[i] || step.operation == Operation::Root) {
       design_.push_back(i);
     } else {
       constants_[i] = step.operation == Operation::Constant
@@ -122,18 +126,39 @@ FormulaBlocks::FormulaBlocks(std::span<const Formula> formulas, std::size_t firs
                                             constants_[step.c]);
     }
   }
-  program_ = block_program(steps_, values, first, inputs - first);
+  program_.values = values.size();
+  program_.inputs = inputs - first;
+  if (each_.empty()) program_ = block_program(steps_, values, first, inputs - first);
 }
 
 std::vector<double> FormulaBlocks::still_at(std::span<const double> first) const {
   std::vector<double> r = constants_;
   for (const std::uint32_t i : design_) {
     const Step& step = steps_[i];
-    r[i] = step.operation == Operation::Input
-               ? first[step.a]
-               : operate<double>(step.operation, r[step.a], r[step.b], r[step.c]);
+    if (step.operation == Operation::Input) {
+      r[i] = first[step.a];
+    } else if (step.operation == Operation::Root) {
+      r[i] = roots_.solve(i, r.data());
+    } else {
+      r[i] = operate<double>(step.operation, r[step.a], r[step.b], r[step.c]);
+    }
   }
   return r;
+}
+
+void FormulaBlocks::run_each(std::span<const double> first,
+                             std::span<const std::span<const double>> others,
+                             std::span<const std::span<double>> values) const {
+  std::vector<double> point(others.size());
+  for (std::size_t k = 0; k < each_.size(); ++k) {
+    const FormulaAlong<double> formula(each_[k], first);
+    for (std::size_t i = 0; i < values[k].size(); ++i) {
+      for (std::size_t n = 0; n < point.size(); ++n) {
+        point[n] = others[n].empty() ? 0 : others[n][i];
+      }
+      values[k][i] = formula(std::span<const double>(point));
+    }
+  }
 }
 
 void FormulaBlocks::check(std::size_t first, std::span<const std::span<const double>> others,
@@ -157,6 +182,7 @@ void FormulaBlocks::run(const BlockKernels& kernels, std::span<const double> fir
                         std::span<const std::span<double>> values) const {
   if (values.empty()) return;
   check(first.size(), others, values);
+  if (!each_.empty()) return run_each(first, others, values);
   const std::vector<double> still = still_at(first);
   const BlockSteps steps{program_.steps.data(), program_.steps.size(), &operate<double>};
   Rows rows(program_, still, others, values);

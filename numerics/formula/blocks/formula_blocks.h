@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numerics/formula/blocks/block_program.h"
-#include "numerics/formula/formula.h"
+#include "numerics/formula/roots.h"
 
 namespace camlaw {
 
@@ -33,15 +33,20 @@ class FormulaBlocks {
            std::span<const std::span<const double>> others,
            std::span<const std::span<double>> values) const;
 
+  /// None where a root moves: such formulas are evaluated point by point.
   const BlockProgram& program() const { return program_; }
 
  private:
   void check(std::size_t first, std::span<const std::span<const double>> others,
              std::span<const std::span<double>> values) const;
   std::vector<double> still_at(std::span<const double> first) const;
+  void run_each(std::span<const double> first, std::span<const std::span<const double>> others,
+                std::span<const std::span<double>> values) const;
 
   std::size_t first_;
-  std::vector<Step> steps_;            ///< of all formulas
+  std::vector<Formula> each_;  ///< where a root moves
+  std::vector<Step> steps_;    ///< of all formulas
+  FormulaRoots roots_;
   std::vector<double> constants_;      ///< results of the steps that no input reaches
   std::vector<std::uint32_t> design_;  ///< steps that the first inputs alone reach
   std::vector<bool> used_;             ///< which of the others any formula uses
