@@ -16,6 +16,9 @@ namespace camlaw::problems {
 /// Parameters that the file fixes, by NamedParameter::name; they may not vary as well.
 using FixedNames = std::set<std::string>;
 
+/// A text that does nothing to a terminal and is one line.
+const std::string& printable_text(const Entry& entry);
+
 /// Refuses an entry with a value that the parameter does not accept.
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
 
@@ -34,6 +37,8 @@ void read_variables(const Entry& file, ProblemStatement& problem, const FixedNam
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
 void read_objectives(const Entry& file, ProblemStatement& problem);
 void read_constraints(const Entry& file, ProblemStatement& problem);
+/// Its inputs of the mechanism's checks; where it requires these, they are limits.
+void read_buildable(const Entry& file, ProblemStatement& problem);
 void read_solver(const Entry& file, ProblemStatement& problem);
 
 }  // namespace camlaw::problems
