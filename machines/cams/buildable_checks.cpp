@@ -116,7 +116,8 @@ Checks face_checks() {
 
 Checks conjugate_checks() {
   Checks all;
-  for (const std::string of : {"", "second_"}) {
+  for (const char* const which : {"", "second_"}) {
+    const std::string of = which;
     all.push_back(undercut(of));
     add(all, hollows(of, of + "undercut"));
     all.push_back(wall_of(of));
@@ -160,6 +161,15 @@ Checks pivot_checks() {
 Checks roller_stress_checks() {
   return {stress("stress", "contact_stress", "undercut", Closure::Force),
           stress("groove_stress", "groove_stress", "undercut", Closure::Form)};
+}
+
+Checks arm_checks() {
+  return {{.name = "arm",
+           .fault = "the arm runs into the cam",
+           .response = "arm_clearance",
+           .is_upper = false,
+           .bound = half_the_arm,
+           .needs = {"arm_width"}}};
 }
 
 Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", Closure::Any)}; }

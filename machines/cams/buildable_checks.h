@@ -27,6 +27,8 @@ Checks force_closure_checks(const FollowerWords& words);
 Checks wall_checks();
 /// The pivot of an arm outside the circle that the cam turns in.
 Checks pivot_checks();
+/// The arm of a roller beside the cam.
+Checks arm_checks();
 /// The stress where the cam is touched.
 Checks stress_checks();
 /// The same where there may be a groove: there on the flank that bears.

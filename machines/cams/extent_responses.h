@@ -17,7 +17,7 @@ X extent(const Cam& cam, Extent which, const FollowerMotion<X>& f) {
   }
   const X distance = profile_of(cam, f).distance();
   if (which == Extent::BoreGap) return distance - cam.bore_radius;
-  if constexpr (requires { cam.pivot_distance; }) {
+  if constexpr (requires { cam.pivot_distance; }) {  // (M42)
     if (which == Extent::PivotGap) return -distance + cam.pivot_distance;
   }
   return distance;

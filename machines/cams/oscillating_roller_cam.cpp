@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/arm_clearance.h"
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
@@ -65,6 +66,7 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
   append(responses, drawn_responses<M>(true));
   append(responses, blank_responses<M>());
   append(responses, extent_responses<M>());
+  responses.push_back(arm_clearance_response<M>());
   return checked({.name = name,
                   .title = title,
                   .source = "docs/theory.md, Cams",
@@ -76,7 +78,7 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
                   .moved_by = MovedBy::Program,
                   .form = form},
                  {roller_checks(), force_closure_checks(kOscillating), wall_checks(),
-                  pivot_checks(), roller_stress_checks()});
+                  pivot_checks(), arm_checks(), roller_stress_checks()});
 }
 
 }  // namespace

@@ -117,9 +117,10 @@ void judge(BuildableAnswer& answer) {
   }
 }
 
-/// What a check says that waits for one that does not hold.
+/// What was judged and waits for a check that does not hold says nothing.
 void await(std::vector<BuildableAnswer>& answers) {
   for (BuildableAnswer& answer : answers) {
+    if (!answer.limit.of_check) continue;
     for (const BuildableAnswer& first : answers) {
       if (first.check->name != answer.check->after || first.built == Built::Holds) continue;
       answer.built = Built::NotChecked;
