@@ -140,32 +140,26 @@ class Sight {
 
   /// The least that samples lead to; not a number where the machine is not possible.
   Meeting least() const {
-    constexpr int kSamples = 240, kStarts = 6;
-    const std::vector<std::array<double, 2>> touched = samples(contact_, kSamples);
-    const std::vector<std::array<double, 2>> arms = samples(centre_, kSamples);
-    const auto angle = [](int i) { return kTurn * (i + 0.5) / kSamples; };
-    std::vector<Meeting> all;
-    for (int i = 0; i < kSamples; ++i) {
-      Meeting best{0, 0, optim::kInfinity};
-      for (int k = 0; k < kSamples; ++k) {
-        const double gap = gap_at(touched[static_cast<std::size_t>(k)],
-                                  arms[static_cast<std::size_t>(i)], angle(i), angle(k));
-        if (std::isnan(gap)) return {};
-        if (gap < best.gap) best = {angle(i), angle(k), gap};
-      }
-      all.push_back(best);
+    constexpr int kSamples = 180;
+    constexpr std::size_t kStarts = 4;
+    const std::vector<Meeting> all = nearest_samples(kSamples);
+    std::vector<Meeting> starts;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (std::isnan(all[i].gap)) return {};
+      const Meeting& before = all[(i + all.size() - 1) % all.size()];
+      const Meeting& after = all[(i + 1) % all.size()];
+      if (all[i].gap <= before.gap && all[i].gap <= after.gap) starts.push_back(all[i]);
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Meeting& a, const Meeting& b) { return a.gap < b.gap; });
-    Meeting least = all.front();
-    int tried = 0;
-    for (const Meeting& start : all) {
-      const double apart = std::abs(start.arm_at - all.front().arm_at);
-      if (tried > 0 && apart < kTurn / 36) continue;  // it leads to the same place
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Meeting& x, const Meeting& y) { return x.gap < y.gap; });
+    starts.resize(std::min(starts.size(), kStarts));
+    Meeting least = starts.front();
+    for (const Meeting& start : starts) {
       const Meeting found = descended(start, kTurn / kSamples);
       if (found.gap < least.gap) least = found;
-      if (++tried == kStarts) break;
     }
+    constexpr double kNone = 1e-7;  // mm: what the steps leave where the arm meets the profile
+    if (least.gap < kNone) least.gap = 0;
     return least;
   }
 
@@ -213,9 +207,28 @@ class Sight {
   }
 
  private:
-  static std::vector<std::array<double, 2>> samples(const PointTrace& trace, int count) {
-    std::vector<std::array<double, 2>> result;
-    for (int i = 0; i < count; ++i) result.push_back(trace.at(kTurn * (i + 0.5) / count));
+  /// For evenly spread places of the arm the nearest of as many points of the profile.
+  std::vector<Meeting> nearest_samples(int count) const {
+    const auto angle = [count](int i) { return kTurn * (i + 0.5) / count; };
+    std::vector<std::array<double, 2>> touched, turns;
+    for (int i = 0; i < count; ++i) {
+      touched.push_back(contact_.at(angle(i)));
+      const double turned = gap_.turn * kDegree * kTurn * i / count;
+      turns.push_back({std::cos(turned), std::sin(turned)});
+    }
+    std::vector<Meeting> result;
+    for (int i = 0; i < count; ++i) {
+      const std::array<double, 2> arm = centre_.at(angle(i));
+      Meeting best{angle(i), angle(i), std::nan("")};
+      for (int k = 0; k < count; ++k) {
+        const auto [x, y] = touched[static_cast<std::size_t>(k)];
+        const auto [c, s] = turns[static_cast<std::size_t>((i - k + count) % count)];
+        const double gap = distance_from_arm(x * c - y * s, x * s + y * c, arm[0], arm[1], pivot_);
+        if (!(gap >= best.gap)) best = {angle(i), angle(k), gap};
+        if (std::isnan(gap)) break;
+      }
+      result.push_back(best);
+    }
     return result;
   }
   double gap_at(const std::array<double, 2>& touched, const std::array<double, 2>& centre,
@@ -226,7 +239,7 @@ class Sight {
   }
   /// By steps along both angles and both diagonals, halved where none leads lower.
   Meeting descended(Meeting here, double step) const {
-    constexpr double kLeast = 1e-9;
+    constexpr double kLeast = 1e-8;
     constexpr std::array<std::array<int, 2>, 8> kWays{
         {{1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
     while (step > kLeast) {
@@ -274,6 +287,26 @@ class Sight {
   Gap gap_;
 };
 
+/// Second derivatives by the two angles. A place moves in the directions in which the clearance
+/// bends; where it is level, as while both rest, it may stay.
+class Level {
+ public:
+  explicit Level(const Eigen::Matrix2d& bends) : solver_(bends) {}
+
+  Eigen::Vector2d solved(const Eigen::Vector2d& right) const {
+    Eigen::Vector2d result = Eigen::Vector2d::Zero();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      const double bend = solver_.eigenvalues()[k];
+      const auto way = solver_.eigenvectors().col(k);
+      if (bend > 1e-9 * solver_.eigenvalues()[1]) result += way * (way.dot(right) / bend);
+    }
+    return result;
+  }
+
+ private:
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver_;
+};
+
 class ClearanceKernel final : public optim::Kernel {
  public:
   ClearanceKernel(const ArmAndProfile& of, const Binding& binding)
@@ -310,6 +343,13 @@ class ClearanceKernel final : public optim::Kernel {
   }
 
  private:
+  /// By the design, then by the angles of the arm and of the point touched.
+  struct Derivatives {
+    Eigen::VectorXd first;
+    Eigen::MatrixXd second;
+  };
+  Derivatives derived(std::span<const double> u, const Meeting& at) const;
+
   double pivot(std::span<const double> u) const {
     return pivot_variable_ ? u[*pivot_variable_] : pivot_;
   }
@@ -325,16 +365,15 @@ class ClearanceKernel final : public optim::Kernel {
   std::optional<std::size_t> pivot_variable_;
 };
 
-double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
-                                std::span<double> h) const {
-  const std::size_t n = u.size();
-  const Meeting at = sight(u).least();
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(kNumbers, static_cast<Eigen::Index>(n + 2));
+ClearanceKernel::Derivatives ClearanceKernel::derived(std::span<const double> u,
+                                                      const Meeting& at) const {
+  const auto n = static_cast<Eigen::Index>(u.size());
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(kNumbers, n + 2);
   std::array<Eigen::MatrixXd, 4> bends;
   std::array<double, kNumbers> z{0, 0, 0, 0, pivot(u), at.arm_at, at.touched_at};
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
     const bool touched = k < CentreX;
-    const auto own = static_cast<Eigen::Index>(n + (touched ? 1 : 0));
+    const Eigen::Index own = n + (touched ? 1 : 0), row = static_cast<Eigen::Index>(k);
     const Place place{touched ? at.touched_at : at.arm_at};
     const std::array<double, 3> along = curves_[k]->trace(u)->at(place);
     const Function f = curves_[k]->at(curves_[k]->tied(place, u));
@@ -342,30 +381,28 @@ double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
     std::vector<double> slope(inputs.size()), second(packed_size(inputs.size()));
     f.hessian(u, slope, second);
     const std::vector<double> moved = curves_[k]->slope_gradient(place, u);
-    Eigen::MatrixXd& bend = bends[k];
-    bend = Eigen::MatrixXd::Zero(slopes.cols(), slopes.cols());
-    const auto row = static_cast<Eigen::Index>(k);
+    Eigen::MatrixXd& bend = bends[k] = Eigen::MatrixXd::Zero(n + 2, n + 2);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      slopes(row, static_cast<Eigen::Index>(inputs[i])) = slope[i];
+      const auto a = static_cast<Eigen::Index>(inputs[i]);
+      slopes(row, a) = slope[i];
       for (std::size_t j = 0; j <= i; ++j) {
-        const auto a = static_cast<Eigen::Index>(inputs[i]);
         const auto b = static_cast<Eigen::Index>(inputs[j]);
         bend(a, b) = bend(b, a) = second[packed(i, j)];
       }
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto a = static_cast<Eigen::Index>(i);
-      bend(a, own) = bend(own, a) = moved.empty() ? std::nan("") : moved[i];
+    for (Eigen::Index i = 0; i < n; ++i) {
+      bend(i, own) = bend(own, i) =
+          moved.empty() ? std::nan("") : moved[static_cast<std::size_t>(i)];
     }
     slopes(row, own) = along[1];
     bend(own, own) = along[2];
     z[k] = along[0];
   }
   if (pivot_variable_) slopes(Pivot, static_cast<Eigen::Index>(*pivot_variable_)) = 1;
-  slopes(ArmAt, static_cast<Eigen::Index>(n)) = 1;
-  slopes(TouchedAt, static_cast<Eigen::Index>(n + 1)) = 1;
+  slopes(ArmAt, n) = 1;
+  slopes(TouchedAt, n + 1) = 1;
   std::vector<double> own(kNumbers), second(packed_size(kNumbers));
-  const double result = of_gap_->hessian(z, own, second);
+  of_gap_->hessian(z, own, second);
   Eigen::MatrixXd outer(kNumbers, kNumbers);
   for (std::size_t i = 0; i < kNumbers; ++i) {
     for (std::size_t k = 0; k < kNumbers; ++k) {
@@ -373,30 +410,45 @@ double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
           second[packed(std::max(i, k), std::min(i, k))];
     }
   }
-  Eigen::MatrixXd whole = slopes.transpose() * outer * slopes;
-  for (std::size_t k = 0; k < 4; ++k) whole += own[k] * bends[k];
-  const Eigen::VectorXd first =
-      slopes.transpose() * Eigen::Map<const Eigen::VectorXd>(own.data(), kNumbers);
-  const auto size = static_cast<Eigen::Index>(n);
-  // A place moves along the directions in which the clearance bends; where it is level, as while
-  // both rest, it may stay.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(
-      Eigen::Matrix2d(whole.bottomRightCorner<2, 2>()));
-  Eigen::MatrixXd reduced = whole.topLeftCorner(size, size);
-  for (Eigen::Index k = 0; k < 2; ++k) {
-    const double bend = solver.eigenvalues()[k];
-    if (!(bend > 1e-9 * solver.eigenvalues()[1])) continue;
-    const Eigen::VectorXd coupled = whole.topRightCorner(size, 2) * solver.eigenvectors().col(k);
-    reduced -= coupled * coupled.transpose() / bend;
+  Derivatives result;
+  result.second = slopes.transpose() * outer * slopes;
+  for (std::size_t k = 0; k < curves_.size(); ++k) result.second += own[k] * bends[k];
+  result.first = slopes.transpose() * Eigen::Map<const Eigen::VectorXd>(own.data(), kNumbers);
+  return result;
+}
+
+double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
+                                std::span<double> h) const {
+  constexpr int kSteps = 3;
+  constexpr double kNear = 1e-2;  // deg: farther no step of Newton's is meant to lead
+  const auto n = static_cast<Eigen::Index>(u.size());
+  Meeting at = sight(u).least();
+  std::fill(g.begin(), g.end(), at.gap > 0 ? 0 : at.gap);  // 0 where the arm runs through the cam
+  std::fill(h.begin(), h.end(), g.empty() ? 0 : g.front());
+  if (!(at.gap > 0)) return at.gap;
+  Derivatives d = derived(u, at);
+  for (int step = 0; step < kSteps; ++step) {
+    const Level places(d.second.bottomRightCorner<2, 2>());
+    const Eigen::Vector2d by = places.solved(d.first.tail<2>());
+    if (!(by.norm() < kNear)) break;
+    at.arm_at = whole_turn(at.arm_at - by[0]);
+    at.touched_at = whole_turn(at.touched_at - by[1]);
+    d = derived(u, at);
   }
-  for (std::size_t i = 0; i < n; ++i) {
+  const Level places(d.second.bottomRightCorner<2, 2>());
+  Eigen::MatrixXd reduced = d.second.topLeftCorner(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d moved = places.solved(d.second.row(i).tail<2>().transpose());
+    reduced.row(i) -= (d.second.topRightCorner(n, 2) * moved).transpose();
+  }
+  for (std::size_t i = 0; i < u.size(); ++i) {
     const auto a = static_cast<Eigen::Index>(i);
-    g[i] = first[a];
+    g[i] = d.first[a];
     for (std::size_t k = 0; k <= i; ++k) {
       h[packed(i, k)] = reduced(a, static_cast<Eigen::Index>(k));
     }
   }
-  return result;
+  return at.gap;
 }
 
 /// One list of parameters and another, increasing.

@@ -126,7 +126,7 @@ inline std::vector<MechanismResponse> follower_responses_of(
       "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam",
       {});
   add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
-      "how far the spring is deflected from where it bears no load", linear({"spring_preload"}));
+      "how far the spring is deflected from where it bears no load", {});
   return all;
 }
 

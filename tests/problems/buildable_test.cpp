@@ -213,6 +213,123 @@ TEST_CASE("the pivot of an arm is outside the cam by a hair", "[buildable]") {
   });
 }
 
+namespace {
+
+/// An arm of 80 mm, its pivot 90 mm from the centre, on a prime circle of 44 mm that it all but
+/// rests on.
+std::string still_arm(const char* mechanism, const std::string& rest) {
+  return resting(mechanism,
+                 "[constants]\nbase_radius = 35\nroller_radius = 9\narm_length = 80\n"
+                 "pivot_distance = 90\nswing = 1e-6\n" +
+                     rest);
+}
+
+/// From the centre to the line between roller and pivot, as the height of their triangle.
+double height_over_arm(double l, double d, double prime) {
+  const double half = (l + d + prime) / 2;
+  return 2 * std::sqrt(half * (half - l) * (half - d) * (half - prime)) / l;
+}
+
+struct Point {
+  double x, y;
+};
+Point turned(Point p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {p.x * c - p.y * s, p.x * s + p.y * c};
+}
+
+/// A trailing arm (turn 1) or a leading one (-1) over a cycloidal rise and return of 90 deg each
+/// with rests of 90 deg between, written down once more.
+struct Arm {
+  double l, d, r_b, r_r, swing, turn;
+
+  double displacement(double phi) const {
+    const double x = phi / (pi / 2), whole = std::floor(x);
+    const double part = x - whole, s = part - std::sin(2 * pi * part) / (2 * pi);
+    const int quarter = static_cast<int>(whole) % 4;
+    return quarter == 0 ? s : quarter == 1 ? 1 : quarter == 2 ? 1 - s : 0;
+  }
+  Point centre(double phi) const {
+    const double prime = r_b + r_r;
+    const double lowest = std::acos((l * l + d * d - prime * prime) / (2 * l * d));
+    const double psi = lowest + swing * displacement(phi);
+    return {d - l * std::cos(psi), l * std::sin(psi)};
+  }
+  /// On the cam.
+  Point pitch(double phi) const { return turned(centre(phi), -turn * phi); }
+  /// The point of the profile that is touched at phi, on the cam.
+  Point touched(double phi) const {
+    constexpr double kStep = 1e-5;
+    const Point a = pitch(phi - kStep + 2 * pi), b = pitch(phi + kStep), here = pitch(phi);
+    const double tx = b.x - a.x, ty = b.y - a.y, length = std::hypot(tx, ty);
+    // Of the two points beside the pitch curve that which is nearer to the centre.
+    const Point one{here.x + r_r * ty / length, here.y - r_r * tx / length};
+    const Point other{here.x - r_r * ty / length, here.y + r_r * tx / length};
+    return std::hypot(one.x, one.y) < std::hypot(other.x, other.y) ? one : other;
+  }
+  double clearance(int samples) const {
+    std::vector<Point> profile;
+    for (int k = 0; k < samples; ++k) profile.push_back(touched(2 * pi * (k + 0.5) / samples));
+    double least = 1e9;
+    for (int i = 0; i < samples; ++i) {
+      const double phi = 2 * pi * (i + 0.5) / samples;
+      const Point c = centre(phi);
+      const double ax = d - c.x, ay = -c.y, square = ax * ax + ay * ay;
+      for (const Point& on_cam : profile) {
+        const Point p = turned(on_cam, turn * phi);
+        const double t = std::clamp(((p.x - c.x) * ax + (p.y - c.y) * ay) / square, 0.0, 1.0);
+        least = std::min(least, std::hypot(p.x - c.x - t * ax, p.y - c.y - t * ay));
+      }
+    }
+    return least;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the arm is beside a cam that is a circle by the height of a triangle", "[buildable]") {
+  const double clearance = height_over_arm(80, 90, 44) - 35;
+  REQUIRE((clearance > 1 && clearance < 9));
+  for (const char* arm : {"disc-cam-oscillating-roller", "disc-cam-leading-roller"}) {
+    CHECK(value_of(still_arm(arm, ""), "arm_clearance") == Approx(clearance).epsilon(1e-6));
+    const auto wide = [&](double share) {
+      return answer_of(
+                 still_arm(arm, "[buildable]\n" + number("arm_width", 2 * clearance * share, "mm")),
+                 "arm")
+          .built;
+    };
+    CHECK(wide(1 + kHair) == Built::Fails);
+    CHECK(wide(1 - 5e-3) == Built::Holds);  // the proof is as fine as 0.2 %
+  }
+}
+
+TEST_CASE("the arm's clearance is what dense samples of both places find", "[buildable]") {
+  for (const double turn : {1.0, -1.0}) {
+    for (const double swing : {12.0, 20.0, 28.0}) {
+      const Arm arm{85, 100, 35, 12, swing * pi / 180, turn};
+      const std::string text =
+          resting(turn > 0 ? "disc-cam-oscillating-roller" : "disc-cam-leading-roller",
+                  fmt::format("[constants]\nbase_radius = 35\nroller_radius = 12\narm_length = 85\n"
+                              "pivot_distance = 100\nswing = {}\n",
+                              swing));
+      const double sampled = arm.clearance(1440);
+      INFO(turn << " " << swing << ": " << sampled);
+      const double found = value_of(text, "arm_clearance");
+      CHECK(found <= sampled + 1e-6);
+      CHECK(found == Approx(sampled).margin(2e-3));
+    }
+  }
+}
+
+TEST_CASE("an arm that runs through its cam has no clearance", "[buildable]") {
+  const std::string cam = resting("disc-cam-oscillating-roller",
+                                  "[constants]\nbase_radius = 35\nroller_radius = 6\n"
+                                  "arm_length = 95\npivot_distance = 70\nswing = 25\n"
+                                  "[buildable]\narm_width = 2\n");
+  CHECK(value_of(cam, "arm_clearance") == Approx(0).margin(1e-6));
+  CHECK(answer_of(cam, "arm").built == Built::Fails);
+}
+
 TEST_CASE("contact is kept at the stated speed by a hair", "[buildable]") {
   // F = F_0 + c h / 2 + (m w^2 - c) (h / 2) cos phi is least at half a turn.
   const double m = 1.5, c = 4e3, preload = 70, h = 0.03;
