@@ -444,6 +444,19 @@ TEST_CASE("required checks are limits of the search", "[buildable]") {
   CHECK(wide.found.x[0] == Approx(50).epsilon(1e-6));
 }
 
+TEST_CASE("the smallest cam that can be built is held by its wall", "[buildable]") {
+  const optim::Optimum found = optim::optimise(
+      BoundProblem(read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/smallest_buildable.toml"))
+          .space());
+  // The base circle leaves a quarter of the bore's 20 mm, and the largest roller turns in the
+  // least.
+  const double l = 80, d = 95, prime = 25 + 20;
+  const double psi = std::acos((l * l + d * d - prime * prime) / (2 * l * d)) + 22 * pi / 180;
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(found.found.assessment.objective.value ==
+        Approx(std::sqrt(l * l + d * d - 2 * l * d * std::cos(psi)) - 20).epsilon(1e-7));
+}
+
 TEST_CASE("what is limited as tightly already is not limited again", "[buildable]") {
   const std::string limits =
       "[[constraints]]\nresponse = 'peak_undercut'\nupper = 0.8\n[[constraints]]\n"
