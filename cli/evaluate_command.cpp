@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
+#include "output/answers/buildable_output.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/law_json.h"
@@ -132,6 +133,7 @@ Document evaluation_document(const ProblemStatement& statement,
   document.fact("responses", responses_json(responses));
   if (moved) add_segments(statement.laws.front(), document);
   add_limits(limits, statement, document);
+  document.add(buildable_document(problems::buildability(statement)));
   const Warnings warnings = warnings_of(statement);
   document.say(warnings_text(warnings));
   document.fact("warnings", warnings);

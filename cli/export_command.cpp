@@ -12,6 +12,7 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "optim/verdict/verdict.h"
+#include "output/answers/buildable_output.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/export_output.h"
 #include "output/document/printing.h"
@@ -173,6 +174,11 @@ int run_export(const ExportOptions& options) {
              .settings = options.settings,
              .accuracy = accuracy_of(options, format),
              .notes = notes_on(design, options.settings)};
+  const problems::Buildability built = problems::buildability(design.statement);
+  if (std::string words = failure_text(built); !words.empty()) e.notes.push_back(std::move(words));
+  if (std::string words = buildable_words(built); !words.empty()) {
+    e.notes.push_back(std::move(words));
+  }
   for (std::string& words : review.words()) e.notes.push_back(std::move(words));
   if (!review.is_believed()) design.verdict.reset();  // it is not to be told as one
   const std::string text = content(options, format, e);

@@ -52,6 +52,58 @@ std::string accepted_too(const Mechanism& mechanism, const char* pattern) {
   return earlier.empty() ? "" : fmt::format(fmt::runtime(pattern), earlier);
 }
 
+/// What a check needs that a problem must state: "speed and one of spring_rate, load".
+std::string needs_of(const problems::BuildableCheck& check) {
+  std::vector<std::string> needs = check.needs;
+  if (!check.one_of.empty())
+    needs.push_back(fmt::format("one of {}", fmt::join(check.one_of, ", ")));
+  if (!check.input.empty()) {
+    needs.push_back(fmt::format("{}, else {}", check.input, check.standard));
+  }
+  return fmt::format("{}", fmt::join(needs, "; "));
+}
+
+/// What fails where a check fails, by its response.
+std::string asked_by(const problems::BuildableCheck& check) {
+  return fmt::format("{} from {}", check.response, check.is_upper ? "above" : "below");
+}
+
+void print_checks(const Mechanism& mechanism) {
+  if (mechanism.checks.empty()) return;
+  Table table{
+      .columns = {words("check"), words("limits"), words("needs"), words("where it fails")}};
+  for (const auto& check : mechanism.checks) {
+    table.add({check.name, asked_by(check), needs_of(check), check.fault});
+  }
+  print_text("\n" + text_of(table));
+  if (mechanism.inputs.empty()) return;
+  Table inputs{.columns = {words("of [buildable]"), words("unit"), words("meaning")}};
+  for (const auto& input : mechanism.inputs) inputs.add({input.name, input.unit, input.meaning});
+  print_text("\n" + text_of(inputs));
+}
+
+Json checks_json(const Mechanism& mechanism) {
+  Json checks = Json::array();
+  for (const auto& check : mechanism.checks) {
+    checks.push_back({{"name", check.name},
+                      {"response", check.response},
+                      {"side", check.is_upper ? "upper" : "lower"},
+                      {"needs", check.needs},
+                      {"one_of", check.one_of},
+                      {"input", check.input.empty() ? Json(nullptr) : Json(check.input)},
+                      {"fault", check.fault}});
+  }
+  return checks;
+}
+
+Json inputs_json(const Mechanism& mechanism) {
+  Json inputs = Json::array();
+  for (const auto& input : mechanism.inputs) {
+    inputs.push_back({{"name", input.name}, {"unit", input.unit}, {"meaning", input.meaning}});
+  }
+  return inputs;
+}
+
 void print_mechanism(const Mechanism& mechanism) {
   say("{}: {}\nsource {}; moved by {}{}\n\n", mechanism.name, mechanism.title, mechanism.source,
       words_of(mechanism.moved_by),
@@ -73,6 +125,7 @@ void print_mechanism(const Mechanism& mechanism) {
     responses.add({p.name, fmt::format("{} {}", part_of(p.part), p.curve), "", p.meaning});
   }
   print_text(text_of(responses));
+  print_checks(mechanism);
 }
 
 Json mechanism_json(const Mechanism& mechanism) {
@@ -106,11 +159,16 @@ Json mechanism_json(const Mechanism& mechanism) {
                          : mechanism.moved_by == MovedBy::Program ? "program"
                                                                   : "nothing";
   const std::string earlier{problems::earlier_name(mechanism)};
-  return {
-      {"name", mechanism.name},   {"earlier_name", earlier.empty() ? Json(nullptr) : Json(earlier)},
-      {"title", mechanism.title}, {"source", mechanism.source},
-      {"moved_by", moved_by},     {"parameters", parameters},
-      {"responses", responses},   {"peaks", peaks}};
+  return {{"name", mechanism.name},
+          {"earlier_name", earlier.empty() ? Json(nullptr) : Json(earlier)},
+          {"title", mechanism.title},
+          {"source", mechanism.source},
+          {"moved_by", moved_by},
+          {"parameters", parameters},
+          {"responses", responses},
+          {"peaks", peaks},
+          {"checks", checks_json(mechanism)},
+          {"inputs", inputs_json(mechanism)}};
 }
 
 void print_all() {
@@ -144,6 +202,11 @@ void print_markdown(const Mechanism& mechanism) {
   }
   for (const auto& p : mechanism.peaks) {
     say("| `{}` | {} `{}` | | {} |\n", p.name, part_of(p.part), p.curve, markdown_cell(p.meaning));
+  }
+  if (mechanism.checks.empty()) return;
+  say("\n| check | limits | needs | where it fails |\n|---|---|---|---|\n");
+  for (const auto& check : mechanism.checks) {
+    say("| `{}` | {} | {} | {} |\n", check.name, asked_by(check), needs_of(check), check.fault);
   }
 }
 

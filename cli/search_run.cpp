@@ -194,7 +194,10 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     Answer answer{bound, space, optimum, search.solver, search.seed};
     // The doubts of a large problem take time of their own.
     const bool late = search.time_limit && clock.spent() >= *search.time_limit;
-    if (!late || !is_large(bound.statement())) answer.warnings = warnings_of(answer);
+    if (!late || !is_large(bound.statement())) {
+      answer.warnings = warnings_of(answer);
+      answer.built = buildability_of(answer);
+    }
     // Printed first: the search is not lost where a file cannot be written after all.
     const std::string json = show(command, answer, rest_of(search, optimum), options.json);
     if (options.out) {

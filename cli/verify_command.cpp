@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "output/answers/buildable_output.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/law_json.h"
 #include "output/answers/limit_text.h"
@@ -46,6 +47,7 @@ std::string verdict_text(const ReadDesign& read, const VerifiedDesign& verified)
                         limit.name, words.value, with_unit(words.bound, limit.unit),
                         limit.proved ? "" : "  (not proved)");
   }
+  text += text_of(buildable_document(problems::buildability(read.statement)));
   text += warnings_text(warnings_of(read.statement)) + "\n";
   text += record_text(problems::record_notes(read, short_version()));
   for (const std::string& what : verified.not_judged) text += fmt::format("not judged: {}\n", what);
@@ -64,6 +66,7 @@ Json verdict_json(const ReadDesign& read, const VerifiedDesign& verified) {
           {"verdict", to_string(found.verdict)},
           {"reason", found.reason},
           {"warnings", warnings_of(read.statement)},
+          {"buildable", buildable_json(problems::buildability(read.statement))},
           {"global", found.global ? Json(*found.global) : Json(nullptr)},
           {"best_possible", found.best_possible ? to_json(*found.best_possible) : Json(nullptr)},
           {"objective", to_json(found.objective.value)},

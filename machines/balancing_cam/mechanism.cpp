@@ -2,6 +2,7 @@
 #include "machines/balancing_cam/mechanism.h"
 
 #include "machines/balancing_cam/balancing_cam.h"
+#include "machines/cams/buildable_checks.h"
 #include "machines/geneva/drive_tables.h"
 #include "machines/model/append.h"
 #include "machines/model/peak_number.h"
@@ -255,26 +256,28 @@ Mechanism balancing_cam(const char* name, const char* title) {
                                  touching_share<M>()));
   append(responses, drive_curves<M>());
   append(responses, turn_curves<M>());
-  return {.name = name,
-          .title = title,
-          .source =
-              "K. V. Tir, A. S. Glavatskii, A. I. Petruk, The balancing of the surplus forces of "
-              "the main conveyors' drive of the book-processing units, Polihrafiia i vydavnycha "
-              "sprava, UDC 621.835",
-          .parameters = MachineTraits<M>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {{"peak_residual_torque", "residual_torque", Part::Magnitude,
-                     "greatest torque after balancing"},
-                    {"peak_drive_torque", "drive_torque", Part::Magnitude,
-                     "greatest torque before balancing"},
-                    {"least_roller_force", "roller_force", Part::Lowest,
-                     "least force on a roller; above 0 it stays on the cam"},
-                    {"peak_pressure_angle", "pressure_angle", Part::Magnitude,
-                     "greatest pressure angle"},
-                    {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
-          .moved_by = MovedBy::Nothing,
-          .validity = {{"flattening", 1}},
-          .form = Form::BalancingCam};
+  return checked(
+      {.name = name,
+       .title = title,
+       .source =
+           "K. V. Tir, A. S. Glavatskii, A. I. Petruk, The balancing of the surplus forces of "
+           "the main conveyors' drive of the book-processing units, Polihrafiia i vydavnycha "
+           "sprava, UDC 621.835",
+       .parameters = MachineTraits<M>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {{"peak_residual_torque", "residual_torque", Part::Magnitude,
+                  "greatest torque after balancing"},
+                 {"peak_drive_torque", "drive_torque", Part::Magnitude,
+                  "greatest torque before balancing"},
+                 {"least_roller_force", "roller_force", Part::Lowest,
+                  "least force on a roller; above 0 it stays on the cam"},
+                 {"peak_pressure_angle", "pressure_angle", Part::Magnitude,
+                  "greatest pressure angle"},
+                 {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
+       .moved_by = MovedBy::Nothing,
+       .validity = {{"flattening", 1}},
+       .form = Form::BalancingCam},
+      {undercut_checks(), stress_checks()});
 }
 
 }  // namespace

@@ -56,6 +56,12 @@ struct FollowerLoad {
     const X holding = static_force(y);
     return where_positive(holding, X(-(mass * y.dds) / holding));
   }
+  /// (M40) How far the spring is deflected from where it bears no load: F_0 / c + s. NaN where
+  /// there is no spring.
+  template <class X>
+  X spring_deflection(const FollowerMotion<X>& y) const {
+    return y.s + where_positive(spring_rate, T(spring_preload / spring_rate));
+  }
   /// (M3) Torque on the cam's shaft without friction: M = F s', from M omega = F s' omega.
   template <class X>
   X torque(const FollowerMotion<X>& y) const {
@@ -69,6 +75,11 @@ struct CamPoint {
   X x, y, x1, y1;
 
   std::pair<X, X> place() const { return {x, y}; }
+  /// (M41) Distance from the cam's centre.
+  X distance() const {
+    using std::sqrt;
+    return sqrt(x * x + y * y);
+  }
   /// (M34) What the curve sweeps per radian: the area dA = cross(p1, p) / 2 and its polar moment
   /// dI = |p|^2 cross(p1, p) / 4, positive for a curve that runs clockwise round the centre.
   X area_rate() const { return number<X>(0.5) * (x1 * y - y1 * x); }

@@ -56,9 +56,13 @@ Parameters contact_parameters() {
       {"poisson_ratio", "nu", "1", "1", "Poisson's ratio of cam and roller", 0.3, 0, 0.5}};
 }
 
+Parameters bore_parameter() {
+  return {{"bore_radius", "r_0", "mm", "m", "radius of the cam's bore", 10, 0, 1e5}};
+}
+
 Parameters blank_parameters() {
-  return {{"density", "rho", "kg/m3", "kg/m3", "density of the cam", 7850, 1, 1e5},
-          {"bore_radius", "r_0", "mm", "m", "radius of the cam's bore", 10, 0, 1e5}};
+  return joined({{{"density", "rho", "kg/m3", "kg/m3", "density of the cam", 7850, 1, 1e5}},
+                 bore_parameter()});
 }
 
 Parameters guide_parameters() {
@@ -119,6 +123,20 @@ NamedPeak least_torque() {
 NamedPeak peak_force() {
   return {"peak_force", "follower_force", Part::Magnitude,
           "greatest force along the follower's path"};
+}
+
+NamedPeak outer_radius() {
+  return {"outer_radius", "centre_distance", Part::Highest,
+          "radius of the circle that the cam turns in"};
+}
+
+NamedPeak least_wall() {
+  return {"wall", "bore_gap", Part::Lowest, "least wall between profile and bore"};
+}
+
+NamedPeak pivot_clearance() {
+  return {"pivot_clearance", "pivot_gap", Part::Lowest,
+          "what the circle that the cam turns in leaves to the axis of the arm's pivot"};
 }
 
 }  // namespace camlaw::problems

@@ -23,6 +23,7 @@ Parameters oscillating_load(double rate, double preload);
 /// Width and material of the contact.
 Parameters contact_parameters();
 Parameters cutter_parameter();
+Parameters bore_parameter();
 /// Density of the cam, radius of its bore.
 Parameters blank_parameters();
 /// Friction and sizes of the guide of a sliding follower.
@@ -40,5 +41,8 @@ NamedPeak peak_groove_stress();
 NamedPeak least_force();
 NamedPeak least_torque();
 NamedPeak peak_force();
+NamedPeak outer_radius();
+NamedPeak least_wall();
+NamedPeak pivot_clearance();
 
 }  // namespace camlaw::problems

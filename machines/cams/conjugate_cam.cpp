@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/conjugate_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
@@ -27,7 +28,8 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::face_width,
                                      &ConjugateCam<T>::youngs_modulus,
                                      &ConjugateCam<T>::poisson_ratio,
-                                     &ConjugateCam<T>::cutter_radius};
+                                     &ConjugateCam<T>::cutter_radius,
+                                     &ConjugateCam<T>::bore_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -41,7 +43,8 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               speed_parameter(),
               sliding_load(0, 0),
               contact_parameters(),
-              cutter_parameter()});
+              cutter_parameter(),
+              bore_parameter()});
   return all;
 }
 
@@ -119,6 +122,7 @@ std::vector<MechanismResponse> conjugate_responses() {
   append(all, drawn_responses<ConjugateCam>(false));
   all.push_back(second_profile(DrawnCurve::SecondX, "second_profile_x"));
   all.push_back(second_profile(DrawnCurve::SecondY, "second_profile_y"));
+  append(all, extent_responses<ConjugateCam>());
   all.push_back(number_response<ConjugateCam>(
       {"second_base_radius", "mm", "m",
        "radius of the second cam's profile at displacement 1, its least for programs up to there"},
@@ -127,22 +131,27 @@ std::vector<MechanismResponse> conjugate_responses() {
 }
 
 NamedPeak of_second(NamedPeak peak) {
-  return {peak.name.replace(0, std::string("peak").size(), "peak_second"), "second_" + peak.curve,
-          peak.part, peak.meaning + " of the second cam"};
+  const bool is_peak = peak.name.starts_with("peak");
+  return {is_peak ? peak.name.replace(0, std::string("peak").size(), "peak_second")
+                  : "second_" + peak.name,
+          "second_" + peak.curve, peak.part, peak.meaning + " of the second cam"};
 }
 
 }  // namespace
 
 Mechanism conjugate_cam_mechanism() {
-  return {.name = "disc-cam-conjugate",
-          .title = "pair of conjugate disc cams that move a carriage with two rollers",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<ConjugateCam>::parameters(),
-          .responses = conjugate_responses(),
-          .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle()), peak_undercut(),
-                    of_second(peak_undercut()), peak_force(), peak_torque(), peak_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::DiscConjugate};
+  return checked(
+      {.name = "disc-cam-conjugate",
+       .title = "pair of conjugate disc cams that move a carriage with two rollers",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<ConjugateCam>::parameters(),
+       .responses = conjugate_responses(),
+       .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle()), peak_undercut(),
+                 of_second(peak_undercut()), peak_force(), peak_torque(), peak_stress(),
+                 outer_radius(), of_second(outer_radius()), least_wall(), of_second(least_wall())},
+       .moved_by = MovedBy::Program,
+       .form = Form::DiscConjugate},
+      {conjugate_checks()});
 }
 
 }  // namespace camlaw::problems

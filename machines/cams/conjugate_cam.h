@@ -30,6 +30,7 @@ struct ConjugateCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
+  T bore_radius = number<T>(0.010);               ///< r_0, m, of either cam
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }

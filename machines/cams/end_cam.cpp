@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/end_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
@@ -39,15 +40,17 @@ Mechanism end_cam_mechanism() {
   append(responses, roller_responses<EndCam>({{{"law", "radius"}, S::Quasilinear},
                                               {{"stroke", "radius"}, S::Quasilinear}}));
   append(responses, drawn_responses<EndCam>(true));
-  return {.name = "end-cam",
-          .title = "end or barrel cam with a roller that moves along its axis",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<EndCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
-                    peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::EndRoller};
+  return checked(
+      {.name = "end-cam",
+       .title = "end or barrel cam with a roller that moves along its axis",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<EndCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(), peak_torque(),
+                 peak_stress(), peak_outer_undercut(), peak_groove_stress()},
+       .moved_by = MovedBy::Program,
+       .form = Form::EndRoller},
+      {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
 }
 
 }  // namespace camlaw::problems

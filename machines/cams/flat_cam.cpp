@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/flat_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/model/append.h"
@@ -56,21 +57,25 @@ Mechanism flat_cam_mechanism() {
   append(responses, face_contact_responses<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
-  return {.name = "disc-cam-flat",
-          .title = "disc cam with a translating flat-faced follower",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<FlatCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
-                     "least radius of curvature of the profile"},
-                    {"face_half_width", "contact_offset", Part::Magnitude,
-                     "how far the face must reach"},
-                    least_force(),
-                    peak_force(),
-                    peak_torque(),
-                    peak_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::DiscFlat};
+  append(responses, extent_responses<FlatCam>());
+  return checked({.name = "disc-cam-flat",
+                  .title = "disc cam with a translating flat-faced follower",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<FlatCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                             "least radius of curvature of the profile"},
+                            {"face_half_width", "contact_offset", Part::Magnitude,
+                             "how far the face must reach"},
+                            least_force(),
+                            peak_force(),
+                            peak_torque(),
+                            peak_stress(),
+                            outer_radius(),
+                            least_wall()},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::DiscFlat},
+                 {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks()});
 }
 
 }  // namespace camlaw::problems

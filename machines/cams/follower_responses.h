@@ -21,6 +21,7 @@ enum class FollowerCurve {
   DynamicTorque,
   Power,
   InertiaShare,
+  SpringDeflection,
   LiftRatio
 };
 
@@ -58,6 +59,8 @@ X follower_curve(const Cam& cam, FollowerCurve which, const FollowerMotion<X>& f
       return omega * drive_torque(cam, f);
     case FollowerCurve::InertiaShare:
       return omega * omega * cam.follower().lift_ratio(f);
+    case FollowerCurve::SpringDeflection:
+      return cam.follower().spring_deflection(f);
     case FollowerCurve::LiftRatio:
       break;
   }
@@ -122,6 +125,8 @@ inline std::vector<MechanismResponse> follower_responses_of(
   add(C::InertiaShare, "inertia_share", "1", "1",
       "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam",
       {});
+  add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
+      "how far the spring is deflected from where it bears no load", {});
   return all;
 }
 

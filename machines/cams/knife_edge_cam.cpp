@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/knife_edge_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/model/append.h"
 
@@ -84,21 +85,25 @@ Mechanism knife_edge_cam_mechanism() {
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
-  return {.name = "disc-cam-knife-edge",
-          .title = "disc cam with a translating knife-edged follower",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(),
-                    {"sharpest_curvature", "profile_curvature", Part::Highest,
-                     "greatest curvature of the profile"},
-                    {"least_curvature", "profile_curvature", Part::Lowest,
-                     "least curvature of the profile; above 0 it is convex all round"},
-                    least_force(),
-                    peak_force(),
-                    peak_torque()},
-          .moved_by = MovedBy::Program,
-          .form = Form::DiscKnifeEdge};
+  append(responses, extent_responses<KnifeEdgeCam>());
+  return checked({.name = "disc-cam-knife-edge",
+                  .title = "disc cam with a translating knife-edged follower",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<KnifeEdgeCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(),
+                            {"sharpest_curvature", "profile_curvature", Part::Highest,
+                             "greatest curvature of the profile"},
+                            {"least_curvature", "profile_curvature", Part::Lowest,
+                             "least curvature of the profile; above 0 it is convex all round"},
+                            least_force(),
+                            peak_force(),
+                            peak_torque(),
+                            outer_radius(),
+                            least_wall()},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::DiscKnifeEdge},
+                 {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/linear_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
@@ -64,22 +65,23 @@ Mechanism linear_cam_mechanism() {
   append(responses, roller_responses<LinearCam>({{{"law", "travel"}, S::Quasilinear},
                                                  {{"stroke", "travel"}, S::Quasilinear}}));
   append(responses, drawn_responses<LinearCam>(true));
-  return {.name = "linear-cam",
-          .title = "cam plate that slides under a translating roller follower",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<LinearCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(),
-                    peak_undercut(),
-                    least_force(),
-                    peak_force(),
-                    {"peak_plate_force", "plate_force", optim::Part::Magnitude,
-                     "greatest force that moves the plate"},
-                    peak_stress(),
-                    peak_outer_undercut(),
-                    peak_groove_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::Plate};
+  return checked({.name = "linear-cam",
+                  .title = "cam plate that slides under a translating roller follower",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<LinearCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(),
+                            peak_undercut(),
+                            least_force(),
+                            peak_force(),
+                            {"peak_plate_force", "plate_force", optim::Part::Magnitude,
+                             "greatest force that moves the plate"},
+                            peak_stress(),
+                            peak_outer_undercut(),
+                            peak_groove_stress()},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::Plate},
+                 {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/oscillating_end_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
@@ -46,15 +47,16 @@ Mechanism oscillating_end_cam_mechanism() {
   append(responses, roller_responses<OscillatingEndCam>(
                         {{{"radius"}, S::Quasilinear}, {{"arm_length"}, S::Quasilinear}}));
   append(responses, drawn_responses<OscillatingEndCam>(true));
-  return {.name = "end-cam-oscillating",
-          .title = "end or barrel cam with an oscillating roller arm",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<OscillatingEndCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
-                    least_torque(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::EndArm};
+  return checked({.name = "end-cam-oscillating",
+                  .title = "end or barrel cam with an oscillating roller arm",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<OscillatingEndCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                            least_torque(), peak_outer_undercut(), peak_groove_stress()},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::EndArm},
+                 {roller_checks(), force_closure_checks(kOscillating), roller_stress_checks()});
 }
 
 }  // namespace camlaw::problems

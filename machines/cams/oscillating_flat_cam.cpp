@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/oscillating_flat_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/model/append.h"
@@ -67,22 +68,28 @@ Mechanism oscillating_flat_cam_mechanism() {
   append(responses, face_contact_responses<OscillatingFlatCam>());
   append(responses, drawn_responses<OscillatingFlatCam>(false));
   append(responses, blank_responses<OscillatingFlatCam>());
-  return {.name = "disc-cam-oscillating-flat",
-          .title = "disc cam with an oscillating flat-faced follower",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
-                     "least radius of curvature of the profile"},
-                    {"longest_lever", "contact_lever", Part::Highest,
-                     "how far from the pivot the face must reach"},
-                    {"shortest_lever", "contact_lever", Part::Lowest,
-                     "how near to the pivot the face must begin"},
-                    peak_torque(),
-                    peak_stress(),
-                    least_torque()},
-          .moved_by = MovedBy::Program,
-          .form = Form::DiscFlatArm};
+  append(responses, extent_responses<OscillatingFlatCam>());
+  return checked({.name = "disc-cam-oscillating-flat",
+                  .title = "disc cam with an oscillating flat-faced follower",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                             "least radius of curvature of the profile"},
+                            {"longest_lever", "contact_lever", Part::Highest,
+                             "how far from the pivot the face must reach"},
+                            {"shortest_lever", "contact_lever", Part::Lowest,
+                             "how near to the pivot the face must begin"},
+                            peak_torque(),
+                            peak_stress(),
+                            least_torque(),
+                            outer_radius(),
+                            least_wall(),
+                            pivot_clearance()},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::DiscFlatArm},
+                 {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
+                  stress_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "machines/cams/arm_clearance.h"
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/leading_roller_cam.h"
 #include "machines/cams/roller_responses.h"
@@ -63,15 +65,20 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
   append(responses, roller_responses<M>({}));
   append(responses, drawn_responses<M>(true));
   append(responses, blank_responses<M>());
-  return {.name = name,
-          .title = title,
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<M>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
-                    least_torque(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program,
-          .form = form};
+  append(responses, extent_responses<M>());
+  responses.push_back(arm_clearance_response<M>());
+  return checked({.name = name,
+                  .title = title,
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<M>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                            least_torque(), peak_outer_undercut(), peak_groove_stress(),
+                            outer_radius(), least_wall(), pivot_clearance()},
+                  .moved_by = MovedBy::Program,
+                  .form = form},
+                 {roller_checks(), force_closure_checks(kOscillating), wall_checks(),
+                  pivot_checks(), arm_checks(), roller_stress_checks()});
 }
 
 }  // namespace

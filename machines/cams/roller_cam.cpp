@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/roller_cam.h"
 
+#include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
-#include "machines/cams/drawn_responses.h"
+#include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
@@ -40,15 +41,19 @@ Mechanism roller_cam_mechanism() {
                                                  {{"roller_radius"}, S::Quasilinear}}));
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
-  return {.name = "disc-cam-roller",
-          .title = "disc cam with a translating roller follower",
-          .source = "docs/theory.md, Cams",
-          .parameters = MachineTraits<RollerCam>::parameters(),
-          .responses = std::move(responses),
-          .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
-                    peak_torque(), peak_stress(), peak_outer_undercut(), peak_groove_stress()},
-          .moved_by = MovedBy::Program,
-          .form = Form::DiscRoller};
+  append(responses, extent_responses<RollerCam>());
+  return checked(
+      {.name = "disc-cam-roller",
+       .title = "disc cam with a translating roller follower",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<RollerCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(), peak_torque(),
+                 peak_stress(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
+                 least_wall()},
+       .moved_by = MovedBy::Program,
+       .form = Form::DiscRoller},
+      {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "machines/model/buildable.h"
 #include "optim/problem/problem.h"
 
 namespace camlaw {
@@ -159,6 +160,8 @@ struct Mechanism {
   std::shared_ptr<const Cycle> cycle = {};  ///< of the curves of a machine that a file states
   std::vector<ValidityLimit> validity = {};
   Form form = Form::Other;
+  std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run
+  std::vector<BuildableInput> inputs = {};  ///< of these checks
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/answers/buildable_output.h"
 #include "output/document/formatting.h"
 #include "problems/law_files/pieces_json.h"
 
@@ -131,8 +132,13 @@ Json export_json(const Exported& e) {
     const Member member = statement.laws.front().listed();
     law = problems::law_file(member.law(), member.label(), provenance(e));
   }
-  return {{"format", kFormat},    {"title", statement.title},    {"provenance", provenance(e)},
-          {"notes", e.notes},     {"curves", std::move(curves)}, {"motion", motion_json(e)},
+  return {{"format", kFormat},
+          {"title", statement.title},
+          {"provenance", provenance(e)},
+          {"notes", e.notes},
+          {"curves", std::move(curves)},
+          {"motion", motion_json(e)},
+          {"buildable", buildable_json(problems::buildability(statement))},
           {"law", std::move(law)}};
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/answers/warnings.h"
@@ -15,7 +16,11 @@ FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const optim::Front& fou
     : study(of),
       front(found),
       ruler(problems::front_ruler(of.bound().statement())),
-      warnings(warnings_of(*this)) {}
+      warnings(warnings_of(*this)) {
+  for (const FrontPoint& point : front.points) {
+    built.push_back(problems::buildability(study.design(point)));
+  }
+}
 
 FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredFront& stored)
     : FrontAnswer(of, stored.front) {
@@ -61,6 +66,11 @@ std::string FrontAnswer::family(const FrontPoint& point) const {
   }
   const std::string its_law = law(point);
   return its_law.substr(0, its_law.find(' '));
+}
+
+std::size_t FrontAnswer::failing() const {
+  return static_cast<std::size_t>(
+      std::count_if(built.begin(), built.end(), [](const auto& b) { return b.fails(); }));
 }
 
 std::vector<optim::Costs> FrontAnswer::costs() const { return optim::costs_of(front.points); }

@@ -6,6 +6,7 @@
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
 #include "problems/fronts/stored_front.h"
+#include "problems/statement/buildable.h"
 
 namespace camlaw::cli {
 
@@ -14,9 +15,10 @@ struct FrontAnswer {
   const problems::FrontStudy& study;
   const optim::Front& front;
   std::optional<problems::FrontRuler> ruler;
-  std::vector<std::string> warnings;       ///< what stands beside the verdicts, warnings_of(*this)
-  std::vector<optim::RecordFault> faults;  ///< of the record that it was read from
-  std::vector<std::string> notes;          ///< what is to be said of that record
+  std::vector<std::string> warnings;  ///< what stands beside the verdicts, warnings_of(*this)
+  std::vector<problems::Buildability> built;  ///< of each point
+  std::vector<optim::RecordFault> faults;     ///< of the record that it was read from
+  std::vector<std::string> notes;             ///< what is to be said of that record
   problems::Resuming resuming = problems::Resuming::NoRecord;
 
   FrontAnswer(const problems::FrontStudy& study, const optim::Front& front);
@@ -31,6 +33,8 @@ struct FrontAnswer {
   /// Its family's name; of programs, where there are several, "program 2".
   std::string family(const optim::FrontPoint& point) const;
   std::vector<optim::Costs> costs() const;
+  /// How many of its points cannot be built.
+  std::size_t failing() const;
   /// A cost as the objective's value.
   double value(std::size_t objective, double cost) const;
 };

@@ -101,8 +101,10 @@ std::string unfinished_text(problems::Resuming resuming) {
 std::string work_text(const FrontAnswer& answer) {
   const Front& front = answer.front;
   std::string text =
-      fmt::format("{} of {} points certified; {} searches, {} evaluations\n", front.certified(),
-                  front.points.size(), front.tasks, front.evaluations);
+      fmt::format("{} of {} points certified{}; {} searches, {} evaluations\n", front.certified(),
+                  front.points.size(),
+                  answer.failing() > 0 ? fmt::format(", {} cannot be built", answer.failing()) : "",
+                  front.tasks, front.evaluations);
   if (front.parts > 1) {
     text += fmt::format("{} combinations{}\n", front.parts,
                         front.empty_parts > 0
@@ -197,6 +199,7 @@ void add_knee(const FrontAnswer& answer, Document& document) {
 void add_work(const FrontAnswer& answer, Document& document) {
   const Front& front = answer.front;
   document.say(work_text(answer));
+  document.add(front_buildable(answer));
   document.fact("complete", front.complete);
   document.fact("finished", !front.stopped);
   document.fact("largest_gap", front.largest_gap);

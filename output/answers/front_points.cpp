@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "output/answers/buildable_output.h"
 #include "output/answers/front_output.h"
 #include "output/answers/front_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
+#include "output/document/printing.h"
 
 namespace camlaw::cli {
 namespace {
@@ -84,10 +86,10 @@ std::vector<Column> point_columns(const FrontAnswer& answer) {
     columns.push_back(numbers(title).only_in_text());
   }
   const bool laws = !answer.front.points.empty() && !answer.law(answer.front.points[0]).empty();
-  columns.insert(columns.end(),
-                 {data("objectives"), data("variables"), words("verdict", "verdict"),
-                  laws ? words("law", "law") : data("law"), data("reason"), data("global"),
-                  data("slopes"), data("limits"), data("lambda"), data("solver"), names("design")});
+  columns.insert(columns.end(), {data("objectives"), data("variables"), words("verdict", "verdict"),
+                                 laws ? words("law", "law") : data("law"), data("reason"),
+                                 data("global"), data("slopes"), data("limits"), data("buildable"),
+                                 data("lambda"), data("solver"), names("design")});
   return columns;
 }
 
@@ -110,6 +112,7 @@ std::vector<Cell> point_cells(const FrontAnswer& answer, std::size_t k) {
        datum(point.is_global),
        datum(slopes_json(answer, point)),
        datum(json_of(limits_table(answer, point))),
+       datum(buildable_json(answer.built[k])),
        datum(answer.ruler ? to_json(answer.ruler->limit_index(point.objectives)) : Json(nullptr)),
        datum(point.solver),
        design_text(values)});
@@ -128,8 +131,10 @@ Document point_document(const FrontAnswer& answer, std::size_t k) {
   const FrontPoint& point = answer.front.points[k];
   const Warnings warnings = warnings_of(answer.study.design(point));
   Document document;
-  document.say(fmt::format("point {}: {}\n{}: {}\n", k + 1, values_text(answer, point.costs),
-                           verdict_words(point), point.reason));
+  const Headline line = headline(verdict_words(point), answer.built[k]);
+  document.say(fmt::format("point {}: {}\n{}{}{}\n", k + 1, values_text(answer, point.costs),
+                           line.spoilt ? shaded(line.text, Shade::Unsure) : line.text,
+                           line.spoilt ? "\n" : ": ", point.reason));
   document.take_facts(json_of(points_table(answer, {k})).front());
   document.fact("point", k);
   document.say(warnings_text(warnings));
@@ -153,6 +158,7 @@ Document point_document(const FrontAnswer& answer, std::size_t k) {
                              first.name,
                              first.unit == "1" ? "" : fmt::format(", in {},", first.unit)));
   }
+  document.add(buildable_document(answer.built[k]));
   document.add(next_document(answer, k));
   return document;
 }

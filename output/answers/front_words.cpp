@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "output/document/formatting.h"
+#include "output/document/printing.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 
@@ -23,6 +27,81 @@ std::string values_text(const FrontAnswer& answer, const std::vector<double>& co
                                 with_its_unit(answer, i, answer.value(i, costs[i]))));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string points_text(const std::vector<std::size_t>& points) {
+  constexpr std::size_t kNamed = 6;
+  if (points.size() == 1) return fmt::format("point {}", points.front() + 1);
+  if (points.size() > kNamed) {
+    return fmt::format("{} points, the first of them {}", points.size(), points.front() + 1);
+  }
+  std::vector<std::string> numbers;
+  for (const std::size_t k : points) numbers.push_back(fmt::format("{}", k + 1));
+  return "points " + problems::listed(numbers);
+}
+
+namespace {
+
+/// What came of one check at all points.
+struct CheckedPoints {
+  std::vector<std::size_t> points[3];                ///< by Built
+  const problems::BuildableAnswer* first = nullptr;  ///< that fails, else that was not checked
+
+  const std::vector<std::size_t>& at(problems::Built built) const {
+    return points[static_cast<std::size_t>(built)];
+  }
+};
+
+/// By the checks' names, in their order.
+std::vector<std::pair<std::string, CheckedPoints>> checked_points(const FrontAnswer& answer) {
+  std::vector<std::pair<std::string, CheckedPoints>> all;
+  for (std::size_t k = 0; k < answer.built.size(); ++k) {
+    for (const problems::BuildableAnswer& found : answer.built[k].checks) {
+      const std::string& name = found.check->name;
+      auto at =
+          std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.first == name; });
+      if (at == all.end()) at = all.insert(at, {name, {}});
+      CheckedPoints& checked = at->second;
+      const bool fails = found.built == problems::Built::Fails;
+      const bool first = checked.at(found.built).empty();
+      checked.points[static_cast<std::size_t>(found.built)].push_back(k);
+      if (!first || found.built == problems::Built::Holds) continue;
+      if (fails || checked.first == nullptr) checked.first = &found;
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Document front_buildable(const FrontAnswer& answer) {
+  using problems::Built;
+  Document document;
+  Json checks = Json::array();
+  std::string lines;
+  const auto all = checked_points(answer);
+  for (const auto& [name, checked] : all) {
+    const auto& fails = checked.at(Built::Fails);
+    const auto& open = checked.at(Built::NotChecked);
+    if (!fails.empty()) {
+      lines += fmt::format("{}: at {} {}: {}{}\n", shaded("cannot be built", Shade::Unsure),
+                           points_text(fails), checked.first->check->fault,
+                           fails.size() > 1 ? "at the first " : "", failure_text(*checked.first));
+    } else if (!open.empty()) {
+      lines += fmt::format("not checked at {}: {}: {}\n",
+                           open.size() == answer.built.size() ? "any point" : points_text(open),
+                           name, checked.first->why);
+    }
+    checks.push_back({{"check", name},
+                      {"holds", checked.at(Built::Holds).size()},
+                      {"fails", fails.size()},
+                      {"not_checked", open.size()}});
+  }
+  document.say(lines);
+  document.fact("buildable", all.empty() ? Json(nullptr)
+                                         : Json{{"points_that_fail", answer.failing()},
+                                                {"checks", std::move(checks)}});
+  return document;
 }
 
 Document next_document(const FrontAnswer& answer, std::size_t k) {

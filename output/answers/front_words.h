@@ -18,4 +18,10 @@ std::string values_text(const FrontAnswer& answer, const std::vector<double>& co
 /// What a tenth better of each of two objectives costs of the other.
 Document next_document(const FrontAnswer& answer, std::size_t point);
 
+/// "point 3", "points 1, 2 and 5", of many "17 points, the first of them 3".
+std::string points_text(const std::vector<std::size_t>& points);
+
+/// Which of its points cannot be built, and what was checked of none of them.
+Document front_buildable(const FrontAnswer& answer);
+
 }  // namespace camlaw::cli

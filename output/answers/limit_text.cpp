@@ -11,8 +11,9 @@
 namespace camlaw::cli {
 
 std::string place_text(double place, const problems::ResponseName& curve) {
+  constexpr double kNone = 1e-6;  // what rounding leaves of the cycle's beginning
   const std::string unit = curve.response != nullptr ? curve.response->along : "";
-  return with_unit(fmt::format("{:.4g}", place + 0.0), unit);
+  return with_unit(fmt::format("{:.4g}", std::abs(place) < kNone ? 0 : place), unit);
 }
 
 LimitText limit_text(const optim::LimitReport& report,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
@@ -22,12 +23,11 @@ using optim::Assessment;
 using optim::LimitReport;
 using optim::VariableReport;
 
-std::string shaded_verdict(optim::Verdict verdict) {
-  const bool good = verdict == optim::Verdict::Certified;
+std::string shaded_headline(optim::Verdict verdict, const problems::Buildability& built) {
+  const Headline line = headline(std::string(to_string(verdict)), built);
+  const bool good = verdict == optim::Verdict::Certified && !line.spoilt;
   const bool bad = verdict == optim::Verdict::Infeasible || verdict == optim::Verdict::Failed;
-  return shaded(std::string(to_string(verdict)), good  ? Shade::Good
-                                                 : bad ? Shade::Bad
-                                                       : Shade::Unsure);
+  return shaded(line.text, good ? Shade::Good : bad ? Shade::Bad : Shade::Unsure);
 }
 
 const Assessment& assessment(const Answer& answer) { return answer.optimum.found.assessment; }
@@ -203,6 +203,12 @@ std::optional<Member> Answer::law() const {
   }
 }
 
+problems::Buildability buildability_of(const Answer& answer) {
+  const optim::Optimum& optimum = answer.optimum;
+  if (!optim::is_feasible(optimum.found.assessment)) return {};
+  return problems::buildability(answer.bound.at(optimum.options, optimum.found.x));
+}
+
 std::vector<LimitReport> Answer::limits() const {
   return problems::as_stated(bound.statement(), optimum.found.assessment.limits);
 }
@@ -286,7 +292,8 @@ Document answer_document(const Answer& answer) {
   document.fact("program", short_version());
   if (!title.empty()) document.say(title + "\n");
   document.fact("title", title);
-  document.say(fmt::format("{}: {}\n", shaded_verdict(a.verdict), a.reason));
+  const std::string shown = shaded_headline(a.verdict, answer.built);
+  document.say(fmt::format("{}{}{}\n", shown, answer.built.fails() ? "\n" : ": ", a.reason));
   document.fact("status", optim::to_string(answer.optimum.found.status));
   document.fact("verdict", optim::to_string(a.verdict));
   document.fact("reason", a.reason);
@@ -296,6 +303,7 @@ Document answer_document(const Answer& answer) {
   add_design(answer, document);
   if (!a.limits.empty()) document.say("\n");
   document.add(priced_limits(answer));
+  document.add(buildable_document(answer.built));
   add_conditions(answer, document);
   add_search(answer, document);
   document.fact("law", law ? Json(law->name()) : Json(nullptr));

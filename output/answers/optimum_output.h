@@ -12,6 +12,7 @@
 #include "output/figure/chart.h"
 #include "problems/law_files/json_text.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/buildable.h"
 
 /// The answer to a problem file, for people, for programs and as a picture.
 namespace camlaw::cli {
@@ -24,6 +25,7 @@ struct Answer {
   std::string asked;  ///< the solver asked for, or "auto"
   std::uint64_t seed;
   std::vector<std::string> warnings = {};  ///< what stands beside the verdict, warnings_of(*this)
+  problems::Buildability built = {};       ///< of the design, buildability_of(*this)
 
   /// Option or variable by name, with units: the design.
   std::vector<DesignValue> values() const;
@@ -32,6 +34,9 @@ struct Answer {
   /// The limits, turned as they were stated.
   std::vector<optim::LimitReport> limits() const;
 };
+
+/// Of an answer with a design that meets its limits; else no checks.
+problems::Buildability buildability_of(const Answer& answer);
 
 Document answer_document(const Answer& answer);
 

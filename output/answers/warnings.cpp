@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "output/answers/front_words.h"
 #include "output/document/printing.h"
 #include "problems/statement/cautions.h"
 #include "problems/statement/doubtful_limits.h"
@@ -17,18 +18,6 @@ void add_cautions(const problems::ProblemStatement& design, Warnings& warnings) 
   for (const problems::Caution& caution : problems::cautions(design)) {
     warnings.push_back(caution.text());
   }
-}
-
-/// "point 3", "points 1, 2 and 5", of many "17 points, the first of them 3".
-std::string points_text(const std::vector<std::size_t>& points) {
-  constexpr std::size_t kNamed = 6;
-  if (points.size() == 1) return fmt::format("point {}", points.front() + 1);
-  if (points.size() > kNamed) {
-    return fmt::format("{} points, the first of them {}", points.size(), points.front() + 1);
-  }
-  std::vector<std::string> numbers;
-  for (const std::size_t k : points) numbers.push_back(fmt::format("{}", k + 1));
-  return "points " + problems::listed(numbers);
 }
 
 }  // namespace

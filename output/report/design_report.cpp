@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/buildable_output.h"
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
@@ -31,9 +32,12 @@ struct Review {
   std::optional<problems::HeldProblem> held;
   std::optional<optim::Assessment> assessment;  ///< of a problem with one objective
   std::vector<optim::LimitReport> limits;
+  problems::Buildability built;
 
   explicit Review(const problems::ReadDesign& read)
-      : evaluated(problems::evaluate(read.statement)), held(problems::held_problem(read)) {
+      : evaluated(problems::evaluate(read.statement)),
+        held(problems::held_problem(read)),
+        built(problems::buildability(read.statement)) {
     const ProblemStatement& design = read.statement;
     if (held && design.objectives.size() == 1) assessment = problems::judged(*held);
     limits =
@@ -76,7 +80,11 @@ std::string reasons(const Review& review) {
 /// The badge: what this page finds itself, or the words of the search where they agree with it.
 std::string verdict_badge(const std::optional<std::string>& said, const Review& review) {
   using optim::Verdict;
-  if (review.is_certified()) return badge("good", to_string(Verdict::Certified));
+  const auto good = [&](const std::string& verdict) {
+    const Headline line = headline(verdict, review.built);
+    return badge(line.spoilt ? "unsure" : "good", line.text);
+  };
+  if (review.is_certified()) return good(std::string(to_string(Verdict::Certified)));
   const bool meets = review.met() == review.limits.size();
   if (!meets) {
     const bool agrees = said == to_string(Verdict::Infeasible);
@@ -84,10 +92,11 @@ std::string verdict_badge(const std::optional<std::string>& said, const Review& 
   }
   // Among its choices the search compared designs; among what varies evenly this page looks itself.
   const bool optimal = said == to_string(Verdict::Certified) && review.is_optimal();
-  if (optimal) return badge("good", *said);
+  if (optimal) return good(*said);
   const bool agrees = said == to_string(Verdict::Feasible) ||
                       (said == to_string(Verdict::Certified) && !review.held);
-  return badge("plain", agrees ? *said : "meets its limits");
+  const Headline line = headline(agrees ? *said : "meets its limits", review.built);
+  return badge(line.spoilt ? "unsure" : "plain", line.text);
 }
 
 /// The verdict of the search; of one that found no design with what cannot be met.
@@ -141,6 +150,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   page.sections = {
       problem_section(reported.read.problem), values_section(design),
       limits_section(design, review.limits, review.is_optimal(), reported.read.blamed)};
+  if (!review.built.checks.empty()) page.sections.push_back(buildable_section(review.built));
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));
     page.sections.push_back({"curves", "Over the cycle", plots_html(figure, words)});

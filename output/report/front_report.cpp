@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "output/answers/front_output.h"
+#include "output/answers/front_words.h"
 #include "output/answers/warnings.h"
 #include "output/document/formatting.h"
 #include "output/figure/chart_svg.h"
@@ -55,7 +56,10 @@ std::string lead(const FrontAnswer& answer) {
   const bool all = front.certified() == front.points.size();
   const std::string certified =
       fmt::format("{} of {} points certified", front.certified(), front.points.size());
-  std::string badges = badge(all ? "good" : "plain", certified);
+  std::string badges = badge(all && answer.failing() == 0 ? "good" : "plain", certified);
+  if (answer.failing() > 0) {
+    badges += badge("unsure", fmt::format("{} cannot be built", answer.failing()));
+  }
   if (front.stopped) {
     badges += badge("bad", "not finished");
   } else if (!front.complete) {
@@ -65,7 +69,9 @@ std::string lead(const FrontAnswer& answer) {
   for (const std::string& note : answer.notes) {
     notes += fmt::format("<p>{} {}</p>\n", badge("bad", "record"), escaped(note));
   }
+  const std::string built = text_of(front_buildable(answer));
   return fmt::format("<p>{}</p>\n", badges) + notes + warnings_html(answer.warnings) +
+         (built.empty() ? "" : preformatted(built)) +
          paragraph(fmt::format("{}.", fmt::join(ranges, "; ")));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/limits.h"
+#include "output/answers/buildable_output.h"
 #include "output/answers/limit_text.h"
 #include "output/document/formatting.h"
 #include "output/report/html.h"
@@ -168,6 +169,11 @@ ReportSection limits_section(const ProblemStatement& design,
   if (!blamed.empty()) notes += " Blamed: the search found that it cannot be met, or not together.";
   if (priced) notes += " Price: what the objective gains per unit by which the bound is eased.";
   return {"limits", "Limits", html_of(table) + paragraph(notes)};
+}
+
+ReportSection buildable_section(const problems::Buildability& found) {
+  return {"buildable", "Can it be built?",
+          html_of(buildable_table(found)) + paragraph(buildable_words(found) + ".")};
 }
 
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated) {

@@ -6,6 +6,7 @@
 #include "optim/verdict/verdict.h"
 #include "output/report/page.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/buildable.h"
 
 /// Sections that say what was asked and how a design answers it.
 namespace camlaw::cli {
@@ -22,6 +23,9 @@ ReportSection values_section(const problems::ProblemStatement& design);
 ReportSection limits_section(const problems::ProblemStatement& design,
                              const std::vector<optim::LimitReport>& limits, bool priced,
                              const std::vector<std::string>& blamed);
+
+/// Each check of whether the machine can be built.
+ReportSection buildable_section(const problems::Buildability& found);
 
 /// What the mechanism's numbers and peaks are.
 ReportSection numbers_section(const std::vector<problems::EvaluatedResponse>& evaluated);

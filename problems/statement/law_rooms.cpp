@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kinematics/laws/build.h"
+#include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
 #include "problems/statement/parameters.h"
 

@@ -41,6 +41,7 @@ void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::
                double value) {
   if (!parameter.of_law) {
     problem.constants[parameter.parameter] = value;
+    problem.stated.insert(parameter.parameter);
     return;
   }
   for (Member& law : problem.laws) {

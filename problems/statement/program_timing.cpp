@@ -100,6 +100,7 @@ void set_speed(const Entry& cycle, double speed, std::size_t parameter, ProblemS
                               range_text(known.low, known.high, known.unit)));
   }
   problem.constants[parameter] = speed;
+  problem.stated.insert(parameter);
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file,
-             {"format", "title", "mechanism", "machine", "responses", "constants", "law", "free",
-              "program", "variables", "objective", "objectives", "constraints", "solver"});
+  check_keys(file, {"format", "title", "mechanism", "machine", "responses", "constants", "law",
+                    "free", "program", "variables", "objective", "objectives", "constraints",
+                    "buildable", "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });
@@ -41,6 +41,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   check_laws_at_start(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);
+  read_buildable(file, problem);
   limit_to_laws(problem);
   read_solver(file, problem);
   return problem;

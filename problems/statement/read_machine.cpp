@@ -34,7 +34,8 @@ std::string known_mechanisms() {
   return names;
 }
 
-/// Refuses what would do things to a terminal or break a line.
+}  // namespace
+
 const std::string& printable_text(const Entry& entry) {
   text_of(entry);
   for (std::size_t i = 0; i < entry.text.size(); ++i) {
@@ -46,6 +47,8 @@ const std::string& printable_text(const Entry& entry) {
   }
   return entry.text;
 }
+
+namespace {
 
 /// The text of a table's entry; empty where there is none.
 std::string text_or_none(const Entry& table, const char* key) {

@@ -18,6 +18,8 @@ using FixedNames = std::set<std::string>;
 
 /// The folder of the problem file, from which paths in it count; empty: the one worked in.
 std::string folder_of(const Entry& entry);
+/// A text that does nothing to a terminal and is one line.
+const std::string& printable_text(const Entry& entry);
 
 /// Refuses an entry with a value that the parameter does not accept.
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
@@ -56,6 +58,8 @@ void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
 void read_window(const Entry& table, const ProblemStatement& problem, ResponseName& response);
 void read_objectives(const Entry& file, ProblemStatement& problem);
 void read_constraints(const Entry& file, ProblemStatement& problem);
+/// Its inputs of the mechanism's checks; where it requires these, they are limits.
+void read_buildable(const Entry& file, ProblemStatement& problem);
 void read_solver(const Entry& file, ProblemStatement& problem);
 
 }  // namespace camlaw::problems

@@ -6,6 +6,7 @@
 
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "problems/statement/buildable.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
@@ -73,8 +74,14 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
     throw std::invalid_argument(
         fmt::format("'{}' sets nothing; write name=value, such as stroke=30 mm", assignment));
   }
-  const NamedParameter parameter = find_parameter(problem, name);
   const std::string_view text = trimmed(assignment.substr(equals + 1));
+  if (const BuildableInput* input = find_input(*problem.mechanism, name)) {
+    const std::string& stated = input->name;
+    problem.buildable.inputs[stated] =
+        accepted_input(*input, parse_quantity(text, input->unit, input->unit, stated));
+    return;
+  }
+  const NamedParameter parameter = find_parameter(problem, name);
   if (parameter.list && !parameter.element) {
     set_list(problem, parameter, text);
   } else {
@@ -88,6 +95,7 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
   for (const std::string& assignment : assignments) assign(changed, assignment);
   check_laws(changed);  // values that are possible together only come together
+  limit_to_checks(changed);
   limit_to_laws(changed);
   changed.settings.insert(changed.settings.end(), assignments.begin(), assignments.end());
   problem = std::move(changed);

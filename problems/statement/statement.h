@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,14 @@ struct ConstraintStatement {
   /// Of a limit that the file does not state, but a law has (Room): the response, which is none of
   /// the mechanism's.
   std::shared_ptr<const MechanismResponse> of_law = {};
+  bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
+};
+
+/// What a problem says of whether its machine can be built.
+struct BuildableStatement {
+  bool require = false;  ///< the checks that can be made are limits
+  std::map<std::string, double, std::less<>> inputs = {};  ///< of checks, in their listed units
+  std::string material = {};  ///< what allowable_pressure is of, and who says so
 };
 
 /// How to solve, where the file says so.
@@ -87,6 +96,7 @@ struct ProblemStatement {
   std::string title;
   std::shared_ptr<const Mechanism> mechanism;  ///< one of the registry's, or the file's own
   std::vector<double> constants;               ///< of every mechanism parameter, in its listed unit
+  std::set<std::size_t> stated = {};           ///< of them, those that are not left to defaults
   /// One, or a list to choose from; all different. A variable of laws may be missing in some.
   std::vector<Member> laws;
   bool chooses_law() const { return laws.size() > 1; }
@@ -96,6 +106,7 @@ struct ProblemStatement {
   std::vector<ObjectiveStatement> objectives;
   std::vector<ConstraintStatement> constraints;
   SolverStatement solver;
+  BuildableStatement buildable = {};
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
   std::string text = {};    ///< as it was read
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words

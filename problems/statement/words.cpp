@@ -182,6 +182,19 @@ std::string limits_text(const ConstraintStatement& c) {
   return c.lower ? "at least " + with_unit(*c.lower, unit) : "at most " + with_unit(*c.upper, unit);
 }
 
+/// The numbers of checks of whether it can be built; those that are required are among the limits.
+std::string buildable_sentence(const ProblemStatement& problem) {
+  std::vector<std::string> parts;
+  for (const BuildableInput& input : problem.mechanism->inputs) {
+    const auto stated = problem.buildable.inputs.find(input.name);
+    if (stated == problem.buildable.inputs.end()) continue;
+    parts.push_back(input.name + " = " + with_unit(stated->second, input.unit));
+  }
+  const std::string& material = problem.buildable.material;
+  if (!material.empty()) parts.push_back("material = " + material);
+  return parts.empty() ? "" : fmt::format("To be built it has {}.\n", listed(parts));
+}
+
 std::string constraint_sentence(const ConstraintStatement& c) {
   const bool curve = c.response.response != nullptr && c.response.response->curve;
   const bool everywhere = curve && c.response.part == optim::Part::Value && !c.response.window;
@@ -229,7 +242,7 @@ std::string in_words(const ProblemStatement& problem) {
   }
   words += objectives_sentence(problem.objectives);
   for (const ConstraintStatement& c : problem.constraints) words += constraint_sentence(c);
-  return words + solver_sentence(problem.solver);
+  return words + buildable_sentence(problem) + solver_sentence(problem.solver);
 }
 
 }  // namespace camlaw::problems

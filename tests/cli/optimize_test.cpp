@@ -244,21 +244,54 @@ TEST_CASE("what a cam does not bear stands beside every verdict", "[program]") {
       "[program]\nsegments = [{name = 'rise', angle = 60, law = 'modified-sine'},"
       "{name = 'back', law = 'cycloidal'}]\n"
       "[variables.base_radius]\nlower = '20 mm'\nupper = '60 mm'\nstart = '20 mm'\n";
-  const auto undercut = Contains("caution: the profile is undercut: undercut reaches 1.131 at");
   const std::string path = written(folder, cam + "[objective]\nminimize = 'base_radius'\n");
-  CHECK_THAT(done({"evaluate", path}), undercut);
-  CHECK_THAT(done({"optimize", path, "--out", folder / "out"}), undercut);
+  CHECK_THAT(done({"evaluate", path}), Contains("buildable: 0 checks hold, 1 fails, 6 are not") &&
+                                           Contains("FAILS") &&
+                                           Contains("the profile is undercut"));
+  const auto amber = Contains(
+      "certified optimum of the limits stated; cannot be built: undercut 1.131 at 52.5 deg\n");
+  CHECK_THAT(done({"optimize", path, "--out", folder / "out"}), amber);
   const std::string result = folder / "out" + "/result.json";
-  CHECK(ParsedJson::parse(read(result))["warnings"].size() > 0);
-  CHECK_THAT(done({"verify", result}), undercut);
+  const ParsedJson answer = ParsedJson::parse(read(result));
+  CHECK(answer["verdict"] == "certified optimum");
+  const ParsedJson& built = answer["buildable"];
+  CHECK((built["fails"] == 1 && built["holds"] == 0 && built["not_checked"] == 6));
+  CHECK_THAT(built["summary"].get<std::string>(), Contains("cannot be built: undercut 1.131 at"));
+  CHECK((built["checks"][0]["check"] == "undercut" && built["checks"][0]["answer"] == "fails"));
+  CHECK(built["checks"][0]["value"].get<double>() == Approx(1.131).epsilon(1e-3));
+  CHECK(built["checks"][1]["remark"] == "no cutter_radius stated");
+  CHECK_THAT(done({"verify", result}), Contains("1 fails") && Contains("the claim holds"));
   done({"report", result, "-o", folder / "page.html"});
-  CHECK_THAT(read(folder / "page.html"), Contains("badge unsure") && Contains("is undercut"));
+  CHECK_THAT(read(folder / "page.html"), Contains("badge unsure") && Contains("cannot be built") &&
+                                             Contains("Can it be built?"));
+  CHECK_THAT(done({"export", result, "--out", folder / "cam.dxf"}), Contains("cannot be built"));
   const std::string several =
       written(folder, cam +
                           "[[objectives]]\nminimize = 'base_radius'\n"
                           "[[objectives]]\nminimize = 'peak_pressure_angle'\n");
   CHECK_THAT(done({"pareto", several, "--points", "5"}),
-             Contains("caution: at point") && Contains("the profile is undercut: "));
+             Contains("cannot be built: at point") && Contains("the profile is undercut"));
+  const ParsedJson front = json_of({"pareto", several, "--points", "5", "--json"});
+  CHECK(front["buildable"]["points_that_fail"].get<int>() > 0);
+  CHECK(front["points"][0]["buildable"]["checks"][0]["check"] == "undercut");
+}
+
+TEST_CASE("checks that are required are limits, and decide the exit status", "[program]") {
+  const Folder folder;
+  const std::string cam =
+      "mechanism = 'disc-cam-roller'\n[constants]\nroller_radius = '40 mm'\n"
+      "[program]\nsegments = [{name = 'rise', angle = 60, law = 'modified-sine'},"
+      "{name = 'back', law = 'cycloidal'}]\n[objective]\nminimize = 'base_radius'\n"
+      "[buildable]\nrequire = true\n[variables.base_radius]\nlower = '20 mm'\n";
+  const std::string narrow = written(folder, cam + "upper = '21 mm'\n");
+  CHECK_THAT(run({"optimize", narrow}).out, Contains("undercut"));
+  CHECK(run({"optimize", narrow}).status == 3);
+  const std::string wide = written(folder, cam + "upper = '60 mm'\n");
+  const ParsedJson answer = json_of({"optimize", wide, "--json"});
+  CHECK(answer["verdict"] == "certified optimum");
+  CHECK(answer["constraints"][0]["name"] == "undercut");
+  CHECK((answer["buildable"]["required"] == true && answer["buildable"]["fails"] == 0));
+  CHECK_THAT(done({"check", wide}), Contains("Such that undercut is at most"));
 }
 
 TEST_CASE("a limit with a wrong unit is named by check and beside the verdict", "[program]") {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "problems/statement/cautions.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -35,54 +32,7 @@ std::vector<std::string> doubts(const std::string& text) {
   return doubtful_limits(BoundProblem(read_problem(text, "f.toml"), true));
 }
 
-const std::string kSound =
-    "[constants]\nbase_radius = '80 mm'\nspeed = '60 rpm'\nspring_preload = '200 N'\n";
-
 }  // namespace
-
-TEST_CASE("a sound cam has no cautions", "[cautions]") {
-  for (const char* mechanism : {"disc-cam-roller", "disc-cam-flat"}) {
-    CHECK(said(cam(mechanism, kSound)).empty());
-  }
-  CHECK(said("mechanism = 'spine-cutter'\n[law]\nname = 'cosine'\n").empty());
-}
-
-TEST_CASE("what a cam does not bear is said, whatever its limits", "[cautions]") {
-  struct Case {
-    std::string mechanism, constants, part;
-  };
-  const std::vector<Case> cases = {
-      {"disc-cam-roller", "base_radius = '15 mm'\nroller_radius = '60 mm'\n",
-       "the profile is undercut: undercut reaches "},
-      {"disc-cam-flat", "base_radius = '5 mm'\n", "the profile is undercut: profile_radius falls"},
-      {"disc-cam-roller", "speed = '3000 rpm'\n", "the follower leaves the cam: contact is lost"},
-      {"disc-cam-roller", "base_radius = '10 mm'\nbore_radius = '10 mm'\n",
-       "the bore takes the whole base circle: base_radius is 10 mm and bore_radius 10 mm"},
-      {"disc-cam-conjugate", "base_radius = '25 mm'\nroller_radius = '45 mm'\n",
-       "the profile is undercut: second_undercut"},
-      {"disc-cam-roller", "cutter_radius = '500 mm'\n", "the tool does not fit a hollow"},
-  };
-  for (const Case& c : cases) {
-    INFO(c.constants);
-    const auto all = said(cam(c.mechanism, "[constants]\n" + c.constants));
-    CHECK(std::any_of(all.begin(), all.end(),
-                      [&](const auto& text) { return text.find(c.part) != std::string::npos; }));
-  }
-}
-
-TEST_CASE("the speed at which contact is lost is where its caution begins", "[cautions]") {
-  const std::string sound = "[constants]\nbase_radius = '80 mm'\nspring_preload = '200 N'\n";
-  double lost = 0;
-  for (const auto& r : evaluate(read_problem(cam("disc-cam-roller", sound), "f.toml"))) {
-    if (r.name == "contact_loss_speed") lost = r.value;
-  }
-  REQUIRE(lost > 100);
-  const auto at = [&](double speed) {
-    return said(cam("disc-cam-roller", sound + fmt::format("speed = '{:.12g} rpm'\n", speed)));
-  };
-  CHECK(at(lost * (1 - 1e-6)).empty());
-  CHECK(at(lost * (1 + 1e-6)).size() == 1);
-}
 
 TEST_CASE("a law whose jerk counts and whose acceleration jumps at its ends is named",
           "[cautions]") {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/drawn_responses.h"
+
+namespace camlaw::problems {
+
+/// What the cam leaves to the middle line of a roller's arm, from two places of the cycle: where
+/// the arm stands, and where the point of the profile is touched (docs/theory.md, "What a cam
+/// leaves room for").
+struct ArmAndProfile {
+  /// Curves in mm, as the frame sees them: the point that the roller touches, the roller's centre.
+  MechanismResponse contact_x, contact_y, centre_x, centre_y;
+  std::size_t pivot_distance;  ///< a parameter, in mm
+  double turn;                 ///< 1, or -1 of a cam that turns the other way
+};
+
+/// Completes a number.
+MechanismResponse arm_clearance(MechanismResponse response, ArmAndProfile of);
+
+/// Of a machine M with pitch_curve() and a pivot_distance.
+template <template <class> class M>
+MechanismResponse arm_clearance_response() {
+  enum class Seen { ContactX, ContactY, CentreX, CentreY };
+  const auto seen = [](Seen which, const char* name) {
+    return listed_curve<M>({name, "mm", "m", ""}, turn_of_the_cam(), which,
+                           [](const auto& cam, Seen wanted, const auto& motion) {
+                             const auto f = cam.over_angle(motion);
+                             if (wanted == Seen::ContactX) return profile_of(cam, f).x;
+                             if (wanted == Seen::ContactY) return profile_of(cam, f).y;
+                             const auto w = cam.pitch_curve(f);
+                             return wanted == Seen::CentreX ? w.x : w.y;
+                           });
+  };
+  constexpr bool turns_back = requires(const M<double>& cam, const CamPoint<double>& p) {
+    cam.placed(p, 0.0);
+  };
+  const auto& all = MachineTraits<M>::parameters();
+  const auto pivot = std::find_if(all.begin(), all.end(),
+                                  [](const auto& p) { return p.name == "pivot_distance"; });
+  ArmAndProfile of{seen(Seen::ContactX, "contact_x"),
+                   seen(Seen::ContactY, "contact_y"),
+                   seen(Seen::CentreX, "centre_x"),
+                   seen(Seen::CentreY, "centre_y"),
+                   static_cast<std::size_t>(pivot - all.begin()),
+                   turns_back ? -1.0 : 1.0};
+  return arm_clearance(
+      detail::described<M>({"arm_clearance", "mm", "mm",
+                            "least distance of the profile from the middle line of the arm, "
+                            "between roller and pivot; 0 where the arm runs through the cam"}),
+      std::move(of));
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "machines/cams/buildable_checks.h"
+
+#include <algorithm>
+
+namespace camlaw::problems {
+namespace {
+
+/// Every input that a check of a cam has.
+const std::vector<BuildableInput>& known_inputs() {
+  static const std::vector<BuildableInput> all{
+      {"wheel_radius", "mm", "radius of the grinding wheel"},
+      {"wall", "mm", "least wall between profile and bore, else a quarter of bore_radius"},
+      {"arm_width", "mm", "width of the arm, and of its eye round the pivot"},
+      {"free_length", "mm", "length of the spring without load"},
+      {"solid_length", "mm", "length of the spring with all its coils closed"},
+      {"solid_angle", "deg", "deflection at which the spring of the arm is solid"},
+      {"allowable_pressure", "MPa", "greatest Hertz pressure that the material bears"}};
+  return all;
+}
+
+/// Just below 1, where the cusp begins, so that a cusp itself fails beyond every tolerance.
+double below_cusp(const StatedNumber&) { return 1 - 1e-5; }
+/// Just above a cusp, in mm.
+double above_cusp(const StatedNumber&) { return 1e-3; }
+double nothing(const StatedNumber&) { return 0; }
+double whole(const StatedNumber&) { return 1; }
+double round_the_wheel(const StatedNumber& stated) { return -1 / *stated("wheel_radius"); }
+double wall(const StatedNumber& stated) {
+  const auto own = stated("wall");
+  return own ? *own : *stated("bore_radius") / 4;
+}
+double half_the_arm(const StatedNumber& stated) { return stated("arm_width").value_or(0) / 2; }
+double until_solid(const StatedNumber& stated) {
+  return *stated("free_length") - *stated("solid_length");
+}
+double solid_angle(const StatedNumber& stated) { return *stated("solid_angle"); }
+double allowable_pressure(const StatedNumber& stated) { return *stated("allowable_pressure"); }
+
+BuildableCheck undercut(const std::string& of, Closure closure = Closure::Any) {
+  return {.name = of + "undercut",
+          .fault = "the profile is undercut",
+          .response = of + "undercut",
+          .is_upper = true,
+          .bound = below_cusp,
+          .closure = closure};
+}
+
+/// Hollows of a profile; where it is undercut, what a tool would do there says nothing.
+Checks hollows(const std::string& of, const std::string& after) {
+  return {{.name = of + "hollow",
+           .fault = "the tool does not fit a hollow of the profile",
+           .response = of + "tool_fit",
+           .is_upper = true,
+           .bound = whole,
+           .needs = {"cutter_radius"},
+           .after = after},
+          {.name = of + "hollow_of_the_wheel",
+           .fault = "the grinding wheel does not fit a hollow of the profile",
+           .response = of + "profile_curvature",
+           .is_upper = false,
+           .bound = round_the_wheel,
+           .needs = {"wheel_radius"},
+           .after = after}};
+}
+
+BuildableCheck wall_of(const std::string& of) {
+  return {.name = of + "wall",
+          .fault = "the wall round the bore is too thin",
+          .response = of + "wall",
+          .is_upper = false,
+          .bound = wall,
+          .needs = {"bore_radius"},
+          .input = "wall",
+          .standard = "a quarter of bore_radius"};
+}
+
+BuildableCheck stress(const char* name, const char* response, const char* after, Closure closure) {
+  return {.name = name,
+          .fault = "the contact is pressed more than the material bears",
+          .response = response,
+          .is_upper = true,
+          .bound = allowable_pressure,
+          .needs = {"allowable_pressure"},
+          .closure = closure,
+          .after = after};
+}
+
+void add(Checks& all, const Checks& more) { all.insert(all.end(), more.begin(), more.end()); }
+
+/// Whether a check has an input, needed or in place of a standard.
+bool has_input(const BuildableCheck& check, const std::string& name) {
+  return check.input == name ||
+         std::find(check.needs.begin(), check.needs.end(), name) != check.needs.end();
+}
+
+}  // namespace
+
+Checks undercut_checks() { return {undercut("")}; }
+
+Checks hollow_checks() { return hollows("", ""); }
+
+Checks roller_checks() {
+  Checks all{undercut(""), undercut("outer_", Closure::Form)};
+  add(all, hollows("", "undercut"));
+  return all;
+}
+
+Checks face_checks() {
+  return {{.name = "undercut",
+           .fault = "the profile is undercut",
+           .response = "profile_radius",
+           .is_upper = false,
+           .bound = above_cusp}};
+}
+
+Checks conjugate_checks() {
+  Checks all;
+  for (const char* const which : {"", "second_"}) {
+    const std::string of = which;
+    all.push_back(undercut(of));
+    add(all, hollows(of, of + "undercut"));
+    all.push_back(wall_of(of));
+  }
+  add(all, stress_checks());
+  return all;
+}
+
+Checks force_closure_checks(const FollowerWords& words) {
+  const bool slides = words.stroke == kSliding.stroke;
+  BuildableCheck spring{.name = "spring",
+                        .fault = "the spring is solid",
+                        .response = "spring_deflection",
+                        .is_upper = true,
+                        .bound = slides ? until_solid : solid_angle};
+  spring.needs = slides ? std::vector<std::string>{"spring_rate", "free_length", "solid_length"}
+                        : std::vector<std::string>{"spring_rate", "solid_angle"};
+  return {{.name = "contact",
+           .fault = "the follower leaves the cam",
+           .response = words.force_name,
+           .is_upper = false,
+           .bound = nothing,
+           .needs = {"speed"},
+           .one_of = {"spring_rate", "spring_preload", "load"},
+           .closure = Closure::Force},
+          spring};
+}
+
+Checks wall_checks() { return {wall_of("")}; }
+
+Checks pivot_checks() {
+  return {{.name = "pivot",
+           .fault = "the cam runs through the pivot of its arm",
+           .response = "pivot_clearance",
+           .is_upper = false,
+           .bound = half_the_arm,
+           .input = "arm_width",
+           .standard = "the axis of the pivot alone"}};
+}
+
+Checks roller_stress_checks() {
+  return {stress("stress", "contact_stress", "undercut", Closure::Force),
+          stress("groove_stress", "groove_stress", "undercut", Closure::Form)};
+}
+
+Checks arm_checks() {
+  return {{.name = "arm",
+           .fault = "the arm runs into the cam",
+           .response = "arm_clearance",
+           .is_upper = false,
+           .bound = half_the_arm,
+           .needs = {"arm_width"}}};
+}
+
+Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", Closure::Any)}; }
+
+Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks) {
+  for (const Checks& some : checks) add(mechanism.checks, some);
+  for (const BuildableInput& input : known_inputs()) {
+    const bool asked = std::any_of(mechanism.checks.begin(), mechanism.checks.end(),
+                                   [&](const auto& check) { return has_input(check, input.name); });
+    if (asked) mechanism.inputs.push_back(input);
+  }
+  return mechanism;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/buildable.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part;
+
+const std::vector<MechanismParameter>& parameters_of(const ProblemStatement& problem) {
+  return problem.mechanism->parameters;
+}
+
+/// A parameter of the machine by its name; how many there are where it has none.
+std::size_t parameter_named(const ProblemStatement& problem, std::string_view name) {
+  const auto& all = parameters_of(problem);
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == name; }) -
+      all.begin());
+}
+
+/// What the problem states by that name, of the machine or for its checks.
+std::optional<double> stated_number(const ProblemStatement& problem, std::string_view name) {
+  const auto input = problem.buildable.inputs.find(name);
+  if (input != problem.buildable.inputs.end()) return input->second;
+  const std::size_t i = parameter_named(problem, name);
+  return problem.stated.contains(i) ? std::optional(problem.constants[i]) : std::nullopt;
+}
+
+double bound_of(const BuildableCheck& check, const ProblemStatement& problem) {
+  return check.bound([&](std::string_view name) { return stated_number(problem, name); });
+}
+
+/// What is sought and limited by the problem itself, not by its checks.
+bool asks_for(const ProblemStatement& problem, const MechanismResponse* response) {
+  const auto& wanted = problem.objectives;
+  const auto& limits = problem.constraints;
+  return std::any_of(wanted.begin(), wanted.end(),
+                     [&](const auto& o) { return o.response.response == response; }) ||
+         std::any_of(limits.begin(), limits.end(),
+                     [&](const auto& c) { return !c.of_check && c.response.response == response; });
+}
+
+/// Whether the roller runs in a groove, so that the cam has an outer flank: only the problem knows,
+/// which then asks for what grooves alone have.
+Closure closure_of(const ProblemStatement& problem) {
+  for (const BuildableCheck& check : problem.mechanism->checks) {
+    if (check.closure != Closure::Form) continue;
+    if (asks_for(problem, find_response(*problem.mechanism, check.response).response)) {
+      return Closure::Form;
+    }
+  }
+  return Closure::Force;
+}
+
+/// Of a problem's mechanism those that are made for its follower.
+std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
+  const Closure closure = closure_of(problem);
+  std::vector<const BuildableCheck*> result;
+  for (const BuildableCheck& check : problem.mechanism->checks) {
+    if (check.closure == Closure::Any || check.closure == closure) result.push_back(&check);
+  }
+  return result;
+}
+
+/// "no speed stated", "no speed and no spring_rate, spring_preload or load stated"; empty where
+/// nothing is missing.
+std::string missing(const BuildableCheck& check, const ProblemStatement& problem) {
+  const auto is_stated = [&](const auto& name) { return stated_number(problem, name).has_value(); };
+  std::vector<std::string> parts;
+  for (const std::string& name : check.needs) {
+    if (!is_stated(name)) parts.push_back("no " + name);
+  }
+  const auto& some = check.one_of;
+  if (!some.empty() && std::none_of(some.begin(), some.end(), is_stated)) {
+    parts.push_back(
+        fmt::format("no {} or {}", fmt::join(some.begin(), some.end() - 1, ", "), some.back()));
+  }
+  return parts.empty() ? "" : listed(parts) + " stated";
+}
+
+ConstraintStatement limit_of(const BuildableCheck& check, const ProblemStatement& problem) {
+  ConstraintStatement limit;
+  limit.response = find_response(*problem.mechanism, check.response);
+  (check.is_upper ? limit.upper : limit.lower) = bound_of(check, problem);
+  limit.of_check = true;
+  return limit;
+}
+
+std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
+  const auto& needs = check.needs;
+  const bool pressed = std::find(needs.begin(), needs.end(), "allowable_pressure") != needs.end();
+  if (pressed) return problem.buildable.material;
+  return problem.buildable.inputs.contains(check.input) ? "" : check.standard;
+}
+
+/// Whether intervals prove it, where it is a number.
+void judge(BuildableAnswer& answer) {
+  const optim::LimitReport& report = answer.report;
+  if (std::isnan(report.margin)) {
+    answer.why = fmt::format("{} is not a number there", report.name);
+  } else if (!report.met) {
+    answer.built = Built::Fails;
+  } else if (report.proved) {
+    answer.built = Built::Holds;
+  } else {
+    answer.why = "it holds wherever it was looked, which is not proved";
+  }
+}
+
+/// What was judged and waits for a check that does not hold says nothing.
+void await(std::vector<BuildableAnswer>& answers) {
+  for (BuildableAnswer& answer : answers) {
+    if (!answer.limit.of_check) continue;
+    for (const BuildableAnswer& first : answers) {
+      if (first.check->name != answer.check->after || first.built == Built::Holds) continue;
+      answer.built = Built::NotChecked;
+      answer.why = fmt::format("{} {}", first.check->name,
+                               first.built == Built::Fails ? "fails" : "is not checked");
+    }
+  }
+}
+
+/// How the design stands to the limits of these answers that have none missing.
+std::vector<optim::LimitReport> reports_of(const ProblemStatement& design,
+                                           const std::vector<BuildableAnswer>& answers) {
+  ProblemStatement asked = design;
+  asked.constraints.clear();
+  for (const BuildableAnswer& answer : answers) {
+    if (answer.why.empty()) asked.constraints.push_back(answer.limit);
+  }
+  return standing(asked);
+}
+
+/// Whether a limit keeps a response as a check wants it.
+bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted) {
+  if (c.response.response != wanted.response.response) return false;
+  const Part part = c.response.part;
+  if (wanted.upper) return c.upper && *c.upper <= *wanted.upper && part != Part::Lowest;
+  return c.lower && *c.lower >= *wanted.lower && (part == Part::Value || part == Part::Lowest);
+}
+
+void add_limit(ConstraintStatement limit, ProblemStatement& problem) {
+  const auto& all = problem.constraints;
+  const bool kept =
+      std::any_of(all.begin(), all.end(), [&](const auto& c) { return is_as_tight(c, limit); });
+  if (!kept) problem.constraints.push_back(std::move(limit));
+}
+
+/// Refuses a bound that would be another at another design: limits have numbers.
+void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
+  for (const VariableStatement& v : problem.variables) {
+    if (v.of_law || v.lower == v.upper) continue;
+    ProblemStatement other = problem;
+    other.constants[v.parameter] = v.lower;
+    const double low = bound_of(check, other);
+    other.constants[v.parameter] = v.upper;
+    if (low == bound_of(check, other)) continue;
+    throw std::invalid_argument(
+        fmt::format("{} varies, and with it what {} is held to, {}; state {}", v.name, check.name,
+                    check.standard, check.input));
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Built built) {
+  switch (built) {
+    case Built::Holds:
+      return "holds";
+    case Built::Fails:
+      return "fails";
+    case Built::NotChecked:
+      break;
+  }
+  return "not checked";
+}
+
+int Buildability::count(Built built) const {
+  return static_cast<int>(
+      std::count_if(checks.begin(), checks.end(), [&](const auto& a) { return a.built == built; }));
+}
+
+Buildability buildability(const ProblemStatement& design) {
+  Buildability result{{}, design.buildable.require};
+  if (design.laws.empty()) return result;
+  for (const BuildableCheck* check : checks_for(design)) {
+    BuildableAnswer answer{check, Built::NotChecked, missing(*check, design)};
+    if (answer.why.empty()) answer.limit = limit_of(*check, design);
+    if (answer.why.empty()) answer.note = note_of(*check, design);
+    result.checks.push_back(std::move(answer));
+  }
+  const std::vector<optim::LimitReport> reports = reports_of(design, result.checks);
+  std::size_t next = 0;
+  for (BuildableAnswer& answer : result.checks) {
+    if (!answer.why.empty()) continue;
+    answer.report = reports[next++];
+    answer.report.name = answer.limit.response.name;
+    judge(answer);
+  }
+  await(result.checks);
+  return result;
+}
+
+std::string failure_text(const BuildableAnswer& answer) {
+  const optim::LimitReport& report = answer.report;
+  constexpr double kNone = 1e-6;  // what rounding leaves of the cycle's beginning
+  const std::string& along = answer.limit.response.response->along;
+  std::string place;
+  if (report.worst_angle) {
+    const double at = std::abs(*report.worst_angle) < kNone ? 0 : *report.worst_angle;
+    place = fmt::format(" at {:.4g}{}", at, along == "1" ? "" : " " + along);
+  }
+  return fmt::format("{} {:.4g}{}{}", report.name, report.value,
+                     report.unit == "1" ? "" : " " + report.unit, place);
+}
+
+std::string failure_text(const Buildability& found) {
+  std::vector<std::string> parts;
+  for (const BuildableAnswer& answer : found.checks) {
+    if (answer.built == Built::Fails) parts.push_back(failure_text(answer));
+  }
+  return parts.empty() ? "" : fmt::format("cannot be built: {}", fmt::join(parts, ", "));
+}
+
+const BuildableInput* find_input(const Mechanism& mechanism, std::string_view name) {
+  const auto& all = mechanism.inputs;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& input) { return input.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+double accepted_input(const BuildableInput& input, double value) {
+  if (value > 0) return value;
+  throw std::invalid_argument(
+      fmt::format("{} is {}; it is above 0", input.name, with_unit(value, input.unit)));
+}
+
+void limit_to_checks(ProblemStatement& problem) {
+  std::erase_if(problem.constraints, [](const ConstraintStatement& c) { return c.of_check; });
+  if (!problem.buildable.require) return;
+  for (const BuildableCheck* check : checks_for(problem)) {
+    if (!missing(*check, problem).empty()) continue;
+    check_stays(*check, problem);
+    const ConstraintStatement limit = limit_of(*check, problem);
+    add_limit(limit, problem);
+    for (const ValidityLimit& valid : limit.response.response->defined_while) {
+      ConstraintStatement more;
+      more.response = find_response(*problem.mechanism, valid.response);
+      if (std::isfinite(valid.lower)) more.lower = valid.lower;
+      if (std::isfinite(valid.upper)) more.upper = valid.upper;
+      more.of_check = true;
+      add_limit(more, problem);
+    }
+  }
+}
+
+}  // namespace camlaw::problems
