@@ -184,7 +184,13 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   const optim::ProblemSpace space = bound.space();
   auto search = search_options(stated, bound.statement().solver);
   const std::filesystem::path out = options.out.value_or("");
-  const auto possible = possible_files(out, command.files);
+  std::vector<std::string> names = command.files;
+  if (command.more_files) {
+    for (std::string& name : command.more_files(bound.statement())) {
+      names.push_back(std::move(name));
+    }
+  }
+  const auto possible = possible_files(out, names);
   if (options.out) check_writable(possible);
   const Interruptible interruptible;
   search.stop = interruptible.flag();

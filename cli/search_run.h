@@ -30,6 +30,8 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
 /// A command that searches.
 struct SearchCommand {
   std::vector<std::string> files;  ///< all that --out may write, result.json first
+  /// The same, of this problem alone.
+  std::function<std::vector<std::string>(const problems::ProblemStatement&)> more_files = {};
   /// Throws std::invalid_argument for a problem that the command does not take.
   std::function<void(const problems::ProblemStatement&)> check;
   /// What takes a search of its own, after the answer's own text is out. `rest` says how to search,

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/search_run.h"
+#include "kinematics/program/segment_merits.h"
 #include "output/answers/rulers.h"
 #include "output/document/printing.h"
 #include "problems/law_files/law_file.h"
@@ -16,13 +17,13 @@ namespace camlaw::cli {
 namespace {
 
 void check_free(const problems::ProblemStatement& statement) {
+  if (statement.mechanism->moved_by == problems::MovedBy::Program) {
+    if (!free_segments(statement).empty()) return;
+    throw std::invalid_argument(statement.source +
+                                ": no segment's law is free; write law = \"free\" in a segment");
+  }
   const bool free = std::any_of(statement.laws.begin(), statement.laws.end(),
                                 [](const Member& law) { return bool(law.family->listed); });
-  if (statement.mechanism->moved_by == problems::MovedBy::Program) {
-    throw std::invalid_argument(statement.source +
-                                ": synthesize takes a [law]; free laws in a [program] are for "
-                                "'camlaw optimize'");
-  }
   if (free) return;
   throw std::invalid_argument(statement.source +
                               ": no law of the problem is free; write [law] name = \"free\"");
@@ -45,6 +46,10 @@ Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
   Document document;
   document.fact("rulers", Json(nullptr));
   try {
+    if (!free_segments(answer.bound.statement()).empty()) {
+      document.add("rulers", segment_rulers(answer));
+      return document;
+    }
     if (const auto measured = rulers(answer, rest)) {
       document.add("rulers", rulers_document(answer, *measured));
     }
@@ -54,13 +59,27 @@ Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
   return document;
 }
 
-/// The law's own file, as far as it can be read again.
-OutputFile law_json(const Answer& answer, const Member& law, const std::filesystem::path& out) {
+/// A law's own file, as far as it can be read again.
+OutputFile law_json(const Answer& answer, const Law<double>& law, const std::string& label,
+                    const std::filesystem::path& file) {
   const std::string& stated = answer.bound.statement().title;
-  const std::string title = stated.empty() ? law.label() : stated;
-  std::string text = problems::law_text(law.law(), title, provenance(answer).dump());
+  const std::string title = stated.empty() ? label : stated;
+  std::string text = problems::law_text(law, title, provenance(answer).dump());
   problems::check_law_text(text);
-  return {out / "law.json", std::move(text)};
+  return {file, std::move(text)};
+}
+
+/// The files of the laws that were free: of a motion program one for each such segment.
+std::vector<OutputFile> law_files(const Answer& answer, const Member& law,
+                                  const std::filesystem::path& out) {
+  const std::vector<std::string> free = free_segments(answer.bound.statement());
+  if (free.empty()) return {law_json(answer, law.law(), law.label(), out / "law.json")};
+  std::vector<OutputFile> files;
+  for (const SegmentMerits& segment : segment_merits(law)) {
+    if (std::find(free.begin(), free.end(), segment.name) == free.end() || !segment.law) continue;
+    files.push_back(law_json(answer, *segment.law, segment.name, out / (segment.name + ".json")));
+  }
+  return files;
 }
 
 std::vector<OutputFile> figures(const Answer& answer, const std::filesystem::path& out) {
@@ -68,10 +87,17 @@ std::vector<OutputFile> figures(const Answer& answer, const std::filesystem::pat
   const auto law = answer.law();
   if (!law) return files;
   try {
-    files.push_back(law_json(answer, *law, out));
+    for (OutputFile& file : law_files(answer, *law, out)) files.push_back(std::move(file));
   } catch (const std::invalid_argument& error) {
-    warn(fmt::format("law.json is not written: the law could not be read back: {}", error.what()));
+    warn(fmt::format("no law file is written: a law could not be read back: {}", error.what()));
   }
+  return files;
+}
+
+/// Beside the files that each problem may have: those of a motion program's free segments.
+std::vector<std::string> segment_files(const problems::ProblemStatement& statement) {
+  std::vector<std::string> files = free_segments(statement);
+  for (std::string& name : files) name += ".json";
   return files;
 }
 
@@ -81,14 +107,16 @@ Command synthesize_command() {
   const auto options = std::make_shared<SearchOptions>();
   const SearchCommand synthesize{
       .files = {"result.json", "law.csv", "law.svg", "cycle.svg", "law.json"},
+      .more_files = segment_files,
       .check = check_free,
       .measure = measure,
       .figures = figures};
   return {
       .name = "synthesize",
       .help = "Find the best law there is for a problem file",
-      .options = search_options(
-          *options, "result.json, law.json (the law's own file), law.csv, law.svg and cycle.svg"),
+      .options = search_options(*options,
+                                "result.json, law.json (the law's own file; of a motion program "
+                                "SEGMENT.json for each free one), law.csv, law.svg and cycle.svg"),
       .examples = {{"camlaw synthesize problems/free_law/least_acceleration_at_jerk.toml --out "
                     "results/free",
                     "the best law there is for a limit on jerk, measured, as a file"},

@@ -11,11 +11,11 @@
 #include <tuple>
 #include <utility>
 
-#include "numerics/tables/columns.h"
 #include "fitting/samples/condensed.h"
-#include "numerics/tables/turn.h"
 #include "machines/registry.h"
 #include "numerics/linear/statistics.h"
+#include "numerics/tables/columns.h"
+#include "numerics/tables/turn.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {

@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "fitting/cams/measured_refusal.h"
-#include "numerics/tables/turn.h"
 #include "kinematics/laws/spline.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

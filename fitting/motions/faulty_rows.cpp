@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "fitting/samples/lift_samples.h"
-#include "numerics/tables/turn.h"
 #include "numerics/linear/statistics.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "fitting/samples/condensed.h"
 #include "numerics/tables/assumed_units.h"
 #include "numerics/tables/columns.h"
-#include "fitting/samples/condensed.h"
 #include "numerics/tables/turn.h"
 
 namespace camlaw::problems {

@@ -9,8 +9,8 @@
 
 #include "fitting/motions/fault_words.h"
 #include "fitting/motions/law_ranking.h"
-#include "numerics/tables/turn.h"
 #include "numerics/linear/statistics.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numerics/tables/columns.h"
 #include "fitting/samples/condensed.h"
+#include "numerics/tables/columns.h"
 
 namespace camlaw::problems {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "numerics/tables/sample_table.h"
 #include "machines/model/mechanism.h"
+#include "numerics/tables/sample_table.h"
 
 /// Curves of a machine that were recorded over its cycle.
 namespace camlaw::problems {

@@ -21,7 +21,8 @@ Law<double> part_of(const Law<double>& law, const NamedSpan& span, double from, 
   // Of ends that were counted from shares the rounding is taken off.
   pieces.front().begin = 0;
   pieces.back().end = 1;
-  return Law<double>(std::move(pieces), {End::Motion, End::Motion});
+  const Law<double> part(std::move(pieces), {End::Motion, End::Motion});
+  return part.with_ends(natural_ends(part));
 }
 
 bool is_rest(const Law<double>& law, const NamedSpan& span) {
@@ -44,7 +45,8 @@ std::vector<SegmentMerits> segment_merits(const Member& member) {
     SegmentMerits merits{span.name, span.begin, span.end, from, to};
     if (!is_rest(law, span)) {
       const double stroke = from == to ? 1 : to - from;
-      const auto own = peaks(part_of(law, span, from, stroke));
+      merits.law = part_of(law, span, from, stroke);
+      const auto own = peaks(*merits.law);
       merits.max_velocity = own.max_velocity();
       merits.max_acceleration = own.max_acceleration();
       merits.max_jerk = own.max_jerk();

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kinematics/limits.h"
+#include "kinematics/program/segment_merits.h"
 
 namespace camlaw::cli {
 namespace {
@@ -134,13 +135,22 @@ std::string percent(double share) {
 
 }  // namespace
 
+namespace {
+
+/// What can be said of a law alone.
+Rulers measured(const Law<double>& law) {
+  const auto peak = peaks(law);
+  Rulers result{peak, limit_index(peak)};
+  result.least_acceleration = least_for(law, peak);
+  return result;
+}
+
+}  // namespace
+
 std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search) {
   const std::optional<Member> law = answer.law();
   if (!law) return {};
-  const Law<double> shape = law->law();
-  const auto peak = peaks(shape);
-  Rulers result{peak, limit_index(peak)};
-  result.least_acceleration = least_for(shape, peak);
+  Rulers result = measured(law->law());
   // What the free law has at its start it has everywhere.
   const auto& laws = answer.bound.statement().laws;
   const auto free = std::find_if(laws.begin(), laws.end(),
@@ -153,9 +163,10 @@ std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions&
 
 namespace {
 
-std::string rulers_text(const Answer& answer, const Rulers& r) {
+/// What a law is like, by itself.
+std::string merits_text(const std::string& what, const Rulers& r) {
   std::string text =
-      fmt::format("\nthe law\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n",
+      fmt::format("\n{}\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n", what,
                   r.peaks.max_velocity(), r.peaks.max_acceleration(),
                   std::isinf(r.peaks.max_jerk()) ? "infinite: acceleration jumps"
                                                  : fmt::format("{:.7g}", r.peaks.max_jerk()),
@@ -171,6 +182,11 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
                         *r.least_acceleration,
                         r.peaks.max_velocity() > 2 ? "a velocity of at most B" : "this B");
   }
+  return text;
+}
+
+std::string rulers_text(const Answer& answer, const Rulers& r) {
+  std::string text = merits_text("the law", r);
   const std::string among =
       fmt::format("{} laws of the catalogue{}{}", r.rivals,
                   r.reoptimised ? ", what else varies searched again for each" : "",
@@ -189,6 +205,15 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
                             r.best->objective >= own ? "more" : "less", among);
 }
 
+void add_merits(const Rulers& r, Document& document) {
+  document.fact("B", r.peaks.max_velocity());
+  document.fact("C", r.peaks.max_acceleration());
+  document.fact("D", r.peaks.max_jerk());
+  document.fact("Cm", r.peaks.max_dynamic_moment());
+  document.fact("lambda", r.lambda);
+  document.fact("least_C_for_B", r.least_acceleration);
+}
+
 }  // namespace
 
 Document rulers_document(const Answer& answer, const Rulers& r) {
@@ -196,18 +221,43 @@ Document rulers_document(const Answer& answer, const Rulers& r) {
   if (r.best) best = {{"law", r.best->law}, {"objective", to_json(r.best->objective)}};
   Document document;
   document.say(rulers_text(answer, r));
-  document.fact("B", r.peaks.max_velocity());
-  document.fact("C", r.peaks.max_acceleration());
-  document.fact("D", r.peaks.max_jerk());
-  document.fact("Cm", r.peaks.max_dynamic_moment());
-  document.fact("lambda", r.lambda);
-  document.fact("least_C_for_B", r.least_acceleration);
+  add_merits(r, document);
   document.fact("named_laws", r.rivals);
   document.fact("reoptimised", r.reoptimised);
   document.fact("choices_held", r.held);
   document.fact("finished", r.finished);
   document.fact("best_named", best);
   return document;
+}
+
+std::vector<std::string> free_segments(const ProblemStatement& statement) {
+  std::vector<std::string> names;
+  const Member& program = statement.laws.front();
+  if (!program.family->spans) return names;
+  for (const NamedSpan& span : program.family->spans(program.arguments)) {
+    const bool is_free = std::any_of(
+        statement.variables.begin(), statement.variables.end(),
+        [&](const auto& v) { return v.of_law && v.law_parameter == span.name + "_coefficients"; });
+    if (is_free) names.push_back(span.name);
+  }
+  return names;
+}
+
+Document segment_rulers(const Answer& answer) {
+  Document all;
+  const std::optional<Member> law = answer.law();
+  if (!law) return all;
+  const std::vector<std::string> free = free_segments(answer.bound.statement());
+  for (const SegmentMerits& segment : segment_merits(*law)) {
+    const bool is_free = std::find(free.begin(), free.end(), segment.name) != free.end();
+    if (!is_free || !segment.law) continue;
+    const Rulers own = measured(*segment.law);
+    Document document;
+    document.say(merits_text("segment " + segment.name, own));
+    add_merits(own, document);
+    all.add(segment.name, std::move(document));
+  }
+  return all;
 }
 
 }  // namespace camlaw::cli

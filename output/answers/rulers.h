@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kinematics/peaks.h"
 #include "output/answers/optimum_output.h"
@@ -39,5 +40,12 @@ struct Rulers {
 std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search);
 
 Document rulers_document(const Answer& answer, const Rulers& rulers);
+
+/// The segments of an answer's motion program whose laws are free, each measured as a law of its
+/// own. Named laws are not tried in their place.
+Document segment_rulers(const Answer& answer);
+
+/// The names of the segments whose laws are free; none where no motion program moves the machine.
+std::vector<std::string> free_segments(const problems::ProblemStatement& statement);
 
 }  // namespace camlaw::cli

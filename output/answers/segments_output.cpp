@@ -26,9 +26,8 @@ void add_segments(const Member& law, Document& document) {
   };
   for (const SegmentMerits& m : all) {
     table.add({m.name, fmt::format("{:.5g}", kTurn * m.begin), fmt::format("{:.5g}", kTurn * m.end),
-               level(m.from), level(m.to),
-               merit(m.max_velocity), merit(m.max_acceleration), merit(m.max_jerk),
-               merit(m.max_dynamic_moment)});
+               level(m.from), level(m.to), merit(m.max_velocity), merit(m.max_acceleration),
+               merit(m.max_jerk), merit(m.max_dynamic_moment)});
     list.push_back({{"name", m.name},
                     {"begin", kTurn * m.begin},
                     {"end", kTurn * m.end},

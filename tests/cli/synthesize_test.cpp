@@ -70,6 +70,32 @@ TEST_CASE("synthesize takes free laws alone, and ends as optimize does", "[progr
   CHECK_THAT(failed({"synthesize", folder / "none.toml"}, 2), Contains("none.toml"));
 }
 
+TEST_CASE("synthesize measures the free segments of a motion program", "[program]") {
+  const Folder folder;
+  const std::string cam = written(
+      folder, "cam.toml",
+      "mechanism = \"disc-cam-roller\"\n[program]\nsegments = [{name = \"rise\", angle = 120, "
+      "law = \"free\"}, {name = \"high\", angle = 60}, {name = \"back\", angle = 120, law = "
+      "\"cycloidal\"}, {name = \"low\"}]\n[free]\ndegree = 3\nknots = 7\n[objective]\nminimize = "
+      "\"peak acceleration\"\nover = \"rise\"\n");
+  CHECK_THAT(done({"synthesize", cam, "--out", folder / "out"}),
+             Contains("segment rise") && !Contains("segment back") && Contains("lambda"));
+  const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
+  // Eight pieces of constant jerk: the best that they can is near the trapezium's 4.88, above 4.
+  const double C = result["rulers"]["rise"]["C"];
+  CHECK((C > 4 && C < 5.2));
+  const ParsedJson law = json_of({"law", folder / "out/rise.json", "--json"});
+  CHECK(law["C_max"].get<double>() == Approx(C).epsilon(1e-9));
+  const std::string none =
+      written(folder, "none.toml",
+              "mechanism = \"disc-cam-roller\"\n[program]\nsegments = [{name = \"rise\", angle = "
+              "180, law = \"cycloidal\"}, {name = \"back\", law = \"cycloidal\"}]\n"
+              "[variables.base_radius]\nlower = 20\nupper = 60\n[objective]\nminimize = "
+              "\"base_radius\"\n");
+  CHECK_THAT(failed({"synthesize", none}, 2),
+             Contains("none.toml: no segment's law is free; write law = \"free\" in a segment"));
+}
+
 TEST_CASE("Laws of one's own folder are listed and known by name", "[program]") {
   const Folder folder;
   const std::string file = written(folder, "small.toml", kProblem);

@@ -11,8 +11,8 @@
 
 #include "fitting/constants/constants_fit.h"
 #include "fitting/motions/recorded_motion.h"
-#include "numerics/tables/turn.h"
 #include "kinematics/laws/catalogue.h"
+#include "numerics/tables/turn.h"
 #include "tests/random_numbers.h"
 
 namespace camlaw::problems::false_trust_test {
