@@ -182,8 +182,9 @@ class Sight {
     const auto look = [&](double from, double to, double apart_from, double apart_to) {
       const double least = bound(from, to, apart_from, apart_to);
       ++looked;
-      if (std::isnan(least)) done = -optim::kInfinity;
-      if (least >= found - enough) {
+      if (std::isnan(least)) {  // there is no enclosure
+        done = -optim::kInfinity;
+      } else if (least >= found - enough) {
         done = std::min(done, least);
       } else {
         parts.push({from, to, apart_from, apart_to, least});
@@ -195,7 +196,7 @@ class Sight {
         look(breaks[i], breaks[i + 1], kTurn * k / 16, kTurn * (k + 1) / 16);
       }
     }
-    while (!parts.empty() && looked < kMostParts) {
+    while (!parts.empty() && looked < kMostParts && done > -optim::kInfinity) {
       const Part part = parts.top();
       parts.pop();
       const double middle = (part.from + part.to) / 2,
