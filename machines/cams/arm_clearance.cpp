@@ -22,15 +22,17 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTurn = 360;
 
 /// Distance of (x, y) from the line between the roller's centre (cx, cy) and the pivot (d, 0).
+/// Where the arm runs through the cam, depths count: a point beside that line on the other side
+/// than the cam's centre is at a distance below 0.
 template <class T>
-T distance_from_arm(const T& x, const T& y, const T& cx, const T& cy, const T& d) {
+T distance_from_arm(const T& x, const T& y, const T& cx, const T& cy, const T& d, bool depths) {
   using std::sqrt;
   const T ax = d - cx, ay = -cy, px = x - cx, py = y - cy, length = ax * ax + ay * ay;
   const double along = value_of(px * ax + py * ay) / value_of(length);
   if (along <= 0) return sqrt(px * px + py * py);
   if (along >= 1) return sqrt((x - d) * (x - d) + y * y);
-  const T across = px * ay - py * ax;
-  return (value_of(across) < 0 ? T(-across) : across) / sqrt(length);
+  const T across = (px * ay - py * ax) / sqrt(length);
+  return value_of(across) < 0 && !depths ? T(-across) : across;
 }
 
 /// (M43) Of z: the point touched, the roller's centre, the pivot's distance, and the angles, deg,
@@ -39,6 +41,7 @@ enum Of { ContactX, ContactY, CentreX, CentreY, Pivot, ArmAt, TouchedAt, kNumber
 
 struct Gap {
   double turn;
+  bool depths;
 
   template <class T>
   T operator()(std::span<const T> z) const {
@@ -47,8 +50,8 @@ struct Gap {
     const T angle = number<T>(turn * kDegree) * (z[ArmAt] - z[TouchedAt]);
     const T c = cos(angle), s = sin(angle);
     return distance_from_arm(T(z[ContactX] * c - z[ContactY] * s),
-                             T(z[ContactX] * s + z[ContactY] * c), z[CentreX], z[CentreY],
-                             z[Pivot]);
+                             T(z[ContactX] * s + z[ContactY] * c), z[CentreX], z[CentreY], z[Pivot],
+                             depths);
   }
 };
 
@@ -57,7 +60,23 @@ double whole_turn(double angle) { return angle - kTurn * std::floor(angle / kTur
 /// The places of a clearance, deg.
 struct Meeting {
   double arm_at = 0, touched_at = 0, gap = std::nan("");
+  bool is_through = false;  ///< the arm runs through the cam: it is a depth
 };
+
+/// A place, and whether a break holds it: from there on the curve is another.
+struct HeldPlace {
+  Place place;
+  bool is_held = false;
+};
+
+HeldPlace held_place(double angle, const std::vector<double>& breaks) {
+  constexpr double kBeside = 1e-6;  // deg: what the steps of a search leave
+  for (const double at : breaks) {
+    if (std::abs(angle - at) > kBeside) continue;
+    return {{at, at > breaks.front() && (angle < at || at == breaks.back())}, true};
+  }
+  return {{angle}, false};
+}
 
 /// A disc that holds a point over a stretch.
 struct Disc {
@@ -136,35 +155,21 @@ class PointTrace {
 class Sight {
  public:
   Sight(PointTrace contact, PointTrace centre, double pivot, double turn)
-      : contact_(std::move(contact)), centre_(std::move(centre)), pivot_(pivot), gap_{turn} {}
+      : contact_(std::move(contact)), centre_(std::move(centre)), pivot_(pivot), turn_(turn) {}
 
-  /// The least that samples lead to; not a number where the machine is not possible.
+  /// The least that samples lead to, or the depth of an arm that meets the profile; not a number
+  /// where the machine is not possible.
   Meeting least() const {
-    constexpr int kSamples = 180;
-    constexpr std::size_t kStarts = 4;
-    const std::vector<Meeting> all = nearest_samples(kSamples);
-    std::vector<Meeting> starts;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (std::isnan(all[i].gap)) return {};
-      const Meeting& before = all[(i + all.size() - 1) % all.size()];
-      const Meeting& after = all[(i + 1) % all.size()];
-      if (all[i].gap <= before.gap && all[i].gap <= after.gap) starts.push_back(all[i]);
-    }
-    std::stable_sort(starts.begin(), starts.end(),
-                     [](const Meeting& x, const Meeting& y) { return x.gap < y.gap; });
-    starts.resize(std::min(starts.size(), kStarts));
-    Meeting least = starts.front();
-    for (const Meeting& start : starts) {
-      const Meeting found = descended(start, kTurn / kSamples);
-      if (found.gap < least.gap) least = found;
-    }
-    constexpr double kNone = 1e-7;  // mm: what the steps leave where the arm meets the profile
-    if (least.gap < kNone) least.gap = 0;
-    return least;
+    constexpr double kNone = 1e-7;  // mm: what the steps leave where the two meet
+    const Meeting beside = least(false);
+    if (!(beside.gap < kNone)) return beside;
+    Meeting through = least(true);
+    through.is_through = true;
+    return through;
   }
 
-  /// No arm comes nearer, by enclosures of parts of the two cycles. At most `enough` below what was
-  /// found, unless that takes too long.
+  /// No arm comes nearer, by enclosures of parts of the two cycles, of what was found above 0. At
+  /// most `enough` below that, unless it takes too long.
   double proved(double found, double enough) const {
     struct Part {
       double from, to, apart_from, apart_to, least;  ///< of the arm's angle; less that touched
@@ -177,8 +182,9 @@ class Sight {
     const auto look = [&](double from, double to, double apart_from, double apart_to) {
       const double least = bound(from, to, apart_from, apart_to);
       ++looked;
-      if (std::isnan(least)) done = -optim::kInfinity;
-      if (least >= found - enough) {
+      if (std::isnan(least)) {  // there is no enclosure
+        done = -optim::kInfinity;
+      } else if (least >= found - enough) {
         done = std::min(done, least);
       } else {
         parts.push({from, to, apart_from, apart_to, least});
@@ -190,7 +196,7 @@ class Sight {
         look(breaks[i], breaks[i + 1], kTurn * k / 16, kTurn * (k + 1) / 16);
       }
     }
-    while (!parts.empty() && looked < kMostParts) {
+    while (!parts.empty() && looked < kMostParts && done > -optim::kInfinity) {
       const Part part = parts.top();
       parts.pop();
       const double middle = (part.from + part.to) / 2,
@@ -207,13 +213,35 @@ class Sight {
   }
 
  private:
+  Meeting least(bool depths) const {
+    constexpr int kSamples = 180;
+    constexpr std::size_t kStarts = 4;
+    const std::vector<Meeting> all = nearest_samples(kSamples, depths);
+    std::vector<Meeting> starts;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (std::isnan(all[i].gap)) return {};
+      const Meeting& before = all[(i + all.size() - 1) % all.size()];
+      const Meeting& after = all[(i + 1) % all.size()];
+      if (all[i].gap <= before.gap && all[i].gap <= after.gap) starts.push_back(all[i]);
+    }
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Meeting& x, const Meeting& y) { return x.gap < y.gap; });
+    starts.resize(std::min(starts.size(), kStarts));
+    Meeting least = starts.front();
+    for (const Meeting& start : starts) {
+      const Meeting found = descended(start, kTurn / kSamples, depths);
+      if (found.gap < least.gap) least = found;
+    }
+    return least;
+  }
+
   /// For evenly spread places of the arm the nearest of as many points of the profile.
-  std::vector<Meeting> nearest_samples(int count) const {
+  std::vector<Meeting> nearest_samples(int count, bool depths) const {
     const auto angle = [count](int i) { return kTurn * (i + 0.5) / count; };
     std::vector<std::array<double, 2>> touched, turns;
     for (int i = 0; i < count; ++i) {
       touched.push_back(contact_.at(angle(i)));
-      const double turned = gap_.turn * kDegree * kTurn * i / count;
+      const double turned = turn_ * kDegree * kTurn * i / count;
       turns.push_back({std::cos(turned), std::sin(turned)});
     }
     std::vector<Meeting> result;
@@ -223,7 +251,8 @@ class Sight {
       for (int k = 0; k < count; ++k) {
         const auto [x, y] = touched[static_cast<std::size_t>(k)];
         const auto [c, s] = turns[static_cast<std::size_t>((i - k + count) % count)];
-        const double gap = distance_from_arm(x * c - y * s, x * s + y * c, arm[0], arm[1], pivot_);
+        const double gap =
+            distance_from_arm(x * c - y * s, x * s + y * c, arm[0], arm[1], pivot_, depths);
         if (!(gap >= best.gap)) best = {angle(i), angle(k), gap};
         if (std::isnan(gap)) break;
       }
@@ -232,13 +261,13 @@ class Sight {
     return result;
   }
   double gap_at(const std::array<double, 2>& touched, const std::array<double, 2>& centre,
-                double arm_at, double touched_at) const {
+                double arm_at, double touched_at, bool depths) const {
     const std::array<double, kNumbers> z{touched[0], touched[1], centre[0], centre[1],
                                          pivot_,     arm_at,     touched_at};
-    return gap_(std::span<const double>(z));
+    return Gap{turn_, depths}(std::span<const double>(z));
   }
   /// By steps along both angles and both diagonals, halved where none leads lower.
-  Meeting descended(Meeting here, double step) const {
+  Meeting descended(Meeting here, double step, bool depths) const {
     constexpr double kLeast = 1e-8;
     constexpr std::array<std::array<int, 2>, 8> kWays{
         {{1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}}};
@@ -247,7 +276,8 @@ class Sight {
       for (const auto& way : kWays) {
         const double arm_at = whole_turn(here.arm_at + step * way[0]);
         const double touched_at = whole_turn(here.touched_at + step * way[1]);
-        const double gap = gap_at(contact_.at(touched_at), centre_.at(arm_at), arm_at, touched_at);
+        const double gap =
+            gap_at(contact_.at(touched_at), centre_.at(arm_at), arm_at, touched_at, depths);
         if (!(gap < here.gap)) continue;
         here = {arm_at, touched_at, gap};
         lower = true;
@@ -277,14 +307,15 @@ class Sight {
   double bound(double from, double to, double apart_from, double apart_to) const {
     const Reach r = reach(from, to, apart_from, apart_to);
     const double apart = (apart_from + apart_to) / 2;
-    const double middle = gap_at({r.touched.x, r.touched.y}, {r.centre.x, r.centre.y}, apart, 0);
+    const double middle =
+        gap_at({r.touched.x, r.touched.y}, {r.centre.x, r.centre.y}, apart, 0, false);
     return middle - (r.touched.radius + r.centre.radius + r.turned) -
            1e-12 * (middle + r.touched.radius + pivot_);
   }
 
   PointTrace contact_, centre_;
   double pivot_;
-  Gap gap_;
+  double turn_;
 };
 
 /// Second derivatives by the two angles. A place moves in the directions in which the clearance
@@ -310,7 +341,9 @@ class Level {
 class ClearanceKernel final : public optim::Kernel {
  public:
   ClearanceKernel(const ArmAndProfile& of, const Binding& binding)
-      : of_gap_(detail::kernel_of(Gap{of.turn})), turn_(of.turn) {
+      : beside_(detail::kernel_of(Gap{of.turn, false})),
+        through_(detail::kernel_of(Gap{of.turn, true})),
+        turn_(of.turn) {
     const MechanismResponse* const seen[] = {&of.contact_x, &of.contact_y, &of.centre_x,
                                              &of.centre_y};
     for (std::size_t k = 0; k < curves_.size(); ++k) {
@@ -339,7 +372,8 @@ class ClearanceKernel final : public optim::Kernel {
     const double found = here.least().gap;
     if (std::isnan(found)) return {};
     const double enough = std::max(kLeast, kShare * found);
-    return {found <= enough ? 0 : here.proved(found, enough), found * (1 + 1e-12)};
+    if (found <= enough) return {-optim::kInfinity, found};  // how deep it is no part tells
+    return {here.proved(found, enough), found * (1 + 1e-12)};
   }
 
  private:
@@ -348,7 +382,8 @@ class ClearanceKernel final : public optim::Kernel {
     Eigen::VectorXd first;
     Eigen::MatrixXd second;
   };
-  Derivatives derived(std::span<const double> u, const Meeting& at) const;
+  using Places = std::array<HeldPlace, 2>;  // of the arm and of the point touched
+  Derivatives derived(std::span<const double> u, const Places& at, bool is_through) const;
 
   double pivot(std::span<const double> u) const {
     return pivot_variable_ ? u[*pivot_variable_] : pivot_;
@@ -359,22 +394,22 @@ class ClearanceKernel final : public optim::Kernel {
   }
 
   std::array<std::shared_ptr<const Curve>, 4> curves_;
-  std::shared_ptr<const optim::Kernel> of_gap_;
+  std::shared_ptr<const optim::Kernel> beside_, through_;
   double turn_;
   double pivot_ = 0;
   std::optional<std::size_t> pivot_variable_;
 };
 
-ClearanceKernel::Derivatives ClearanceKernel::derived(std::span<const double> u,
-                                                      const Meeting& at) const {
+ClearanceKernel::Derivatives ClearanceKernel::derived(std::span<const double> u, const Places& at,
+                                                      bool is_through) const {
   const auto n = static_cast<Eigen::Index>(u.size());
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(kNumbers, n + 2);
   std::array<Eigen::MatrixXd, 4> bends;
-  std::array<double, kNumbers> z{0, 0, 0, 0, pivot(u), at.arm_at, at.touched_at};
+  std::array<double, kNumbers> z{0, 0, 0, 0, pivot(u), at[0].place.angle, at[1].place.angle};
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const bool touched = k < CentreX;
     const Eigen::Index own = n + (touched ? 1 : 0), row = static_cast<Eigen::Index>(k);
-    const Place place{touched ? at.touched_at : at.arm_at};
+    const Place place = at[touched ? 1 : 0].place;
     const std::array<double, 3> along = curves_[k]->trace(u)->at(place);
     const Function f = curves_[k]->at(curves_[k]->tied(place, u));
     const std::vector<std::size_t>& inputs = f.inputs();
@@ -402,7 +437,7 @@ ClearanceKernel::Derivatives ClearanceKernel::derived(std::span<const double> u,
   slopes(ArmAt, n) = 1;
   slopes(TouchedAt, n + 1) = 1;
   std::vector<double> own(kNumbers), second(packed_size(kNumbers));
-  of_gap_->hessian(z, own, second);
+  (is_through ? through_ : beside_)->hessian(z, own, second);
   Eigen::MatrixXd outer(kNumbers, kNumbers);
   for (std::size_t i = 0; i < kNumbers; ++i) {
     for (std::size_t k = 0; k < kNumbers; ++k) {
@@ -422,20 +457,34 @@ double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
   constexpr int kSteps = 3;
   constexpr double kNear = 1e-2;  // deg: farther no step of Newton's is meant to lead
   const auto n = static_cast<Eigen::Index>(u.size());
-  Meeting at = sight(u).least();
-  std::fill(g.begin(), g.end(), at.gap > 0 ? 0 : at.gap);  // 0 where the arm runs through the cam
-  std::fill(h.begin(), h.end(), g.empty() ? 0 : g.front());
-  if (!(at.gap > 0)) return at.gap;
-  Derivatives d = derived(u, at);
-  for (int step = 0; step < kSteps; ++step) {
-    const Level places(d.second.bottomRightCorner<2, 2>());
-    const Eigen::Vector2d by = places.solved(d.first.tail<2>());
-    if (!(by.norm() < kNear)) break;
-    at.arm_at = whole_turn(at.arm_at - by[0]);
-    at.touched_at = whole_turn(at.touched_at - by[1]);
-    d = derived(u, at);
+  const Meeting found = sight(u).least();
+  if (std::isnan(found.gap)) {
+    std::fill(g.begin(), g.end(), found.gap);
+    std::fill(h.begin(), h.end(), found.gap);
+    return found.gap;
   }
-  const Level places(d.second.bottomRightCorner<2, 2>());
+  Places at{held_place(found.arm_at, curves_[CentreX]->trace(u)->breaks()),
+            held_place(found.touched_at, curves_[ContactX]->trace(u)->breaks())};
+  const auto level = [&](const Derivatives& d) {
+    Eigen::Matrix2d bends = d.second.bottomRightCorner<2, 2>();
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      if (!at[static_cast<std::size_t>(k)].is_held) continue;
+      bends.row(k).setZero();
+      bends.col(k).setZero();
+    }
+    return Level(bends);
+  };
+  Derivatives d = derived(u, at, found.is_through);
+  for (int step = 0; step < kSteps; ++step) {
+    const Eigen::Vector2d by = level(d).solved(d.first.tail<2>());
+    if (!(by.norm() < kNear)) break;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Place& place = at[k].place;
+      if (!at[k].is_held) place.angle = whole_turn(place.angle - by[static_cast<Eigen::Index>(k)]);
+    }
+    d = derived(u, at, found.is_through);
+  }
+  const Level places = level(d);
   Eigen::MatrixXd reduced = d.second.topLeftCorner(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Vector2d moved = places.solved(d.second.row(i).tail<2>().transpose());
@@ -448,7 +497,7 @@ double ClearanceKernel::hessian(std::span<const double> u, std::span<double> g,
       h[packed(i, k)] = reduced(a, static_cast<Eigen::Index>(k));
     }
   }
-  return at.gap;
+  return found.gap;
 }
 
 /// One list of parameters and another, increasing.

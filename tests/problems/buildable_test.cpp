@@ -316,17 +316,17 @@ TEST_CASE("the arm's clearance is what dense samples of both places find", "[bui
       INFO(turn << " " << swing << ": " << sampled);
       const double found = value_of(text, "arm_clearance");
       CHECK(found <= sampled + 1e-6);
-      CHECK(found == Approx(sampled).margin(2e-3));
+      CHECK(std::max(found, 0.0) == Approx(sampled).margin(2e-3));  // below 0 it runs through
     }
   }
 }
 
-TEST_CASE("an arm that runs through its cam has no clearance", "[buildable]") {
+TEST_CASE("an arm that runs through its cam has a clearance below 0", "[buildable]") {
   const std::string cam = resting("disc-cam-oscillating-roller",
                                   "[constants]\nbase_radius = 35\nroller_radius = 6\n"
                                   "arm_length = 95\npivot_distance = 70\nswing = 25\n"
                                   "[buildable]\narm_width = 2\n");
-  CHECK(value_of(cam, "arm_clearance") == Approx(0).margin(1e-6));
+  CHECK(value_of(cam, "arm_clearance") < -1);
   CHECK(answer_of(cam, "arm").built == Built::Fails);
 }
 
