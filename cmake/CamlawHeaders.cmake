@@ -34,7 +34,6 @@ set(CAMLAW_HEADERS
   optim/study/record.h
   optim/study/workers.h
   optim/verdict/assessment.h
-  machines/model/buildable.h
   machines/model/mechanism.h
   machines/registry.h
   machines/spine_cutter/spine_cutter.h

@@ -2,6 +2,7 @@
 #include "kinematics/program/layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "numerics/scalar/dual.h"
@@ -55,7 +56,8 @@ class SegmentParameters {
   Layout& layout_;
 };
 
-void add_joining(const ProgramSegment& segment, SegmentParameters& parameters,
+/// `is_last`: of those that join in a row. Where it ends its rates are its neighbour's, and stay.
+void add_joining(const ProgramSegment& segment, bool is_last, SegmentParameters& parameters,
                  SegmentPlaces& places) {
   if (!segment.points.empty()) {
     std::vector<double> levels, angles;
@@ -71,6 +73,7 @@ void add_joining(const ProgramSegment& segment, SegmentParameters& parameters,
     places.point_angles = parameters.add_angles(
         "_point_angles", angles, "cam angles of the points since the beginning of ", true);
   }
+  if (is_last) return;
   if (segment.velocity) {
     places.velocity =
         parameters.add_motion("_velocity", kMostRate, {*segment.velocity},
@@ -83,15 +86,44 @@ void add_joining(const ProgramSegment& segment, SegmentParameters& parameters,
   }
 }
 
-/// Whether displacement is linear in levels and rates together: it is not in a level and a law's
-/// coefficients, which are multiplied.
-bool is_linear(const std::vector<ProgramSegment>& segments) {
-  return std::none_of(segments.begin(), segments.end(), [](const ProgramSegment& segment) {
-    if (!segment.law) return false;
-    const auto& parameters = segment.law->family->parameters;
-    return std::any_of(parameters.begin(), parameters.end(),
-                       [](const Parameter& p) { return p.linear; });
-  });
+/// Whether a law stands still at one of its ends, as far as `matched` asks.
+bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
+  if (segment.rests) return true;
+  const Law<double> law = segment.reversed ? reversed(segment.law->law()) : segment.law->law();
+  const auto motion = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
+  constexpr double kRounding = 1e-9;
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(matched); ++k) {
+    if (std::abs(motion[k]) > kRounding) return false;
+  }
+  return true;
+}
+
+/// Whether segments meet whatever the levels and the rates are: those that join do, from what is
+/// before them on, and laws that stand still where they meet.
+bool meets_anyhow(const ProgramSegment& before, const ProgramSegment& after, Matched matched) {
+  if (joins(after)) return true;
+  if (!joins(before)) {
+    return stands_still(before, true, matched) && stands_still(after, false, matched);
+  }
+  return !before.velocity && !before.acceleration &&
+         (before.continuity == 4 || matched != Matched::Acceleration);
+}
+
+/// Whether displacement is linear in levels and rates together, at all values of them: it is not in
+/// a level and a law's coefficients, which are multiplied, and there is none where segments do not
+/// meet.
+bool is_linear(const StatedProgram& program) {
+  const auto& segments = program.segments;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const ProgramSegment& after = segments[(i + 1) % segments.size()];
+    if (!meets_anyhow(segments[i], after, program.matched)) return false;
+    if (!segments[i].law) continue;
+    const auto& parameters = segments[i].law->family->parameters;
+    const bool has_coefficients = std::any_of(parameters.begin(), parameters.end(),
+                                              [](const Parameter& p) { return p.linear; });
+    if (has_coefficients) return false;
+  }
+  return true;
 }
 
 /// What the angles leave for the last segment, of the cycle.
@@ -120,7 +152,7 @@ Layout lay_out(const StatedProgram& program) {
   const auto& segments = program.segments;
   const auto last_move = std::find_if(segments.rbegin(), segments.rend(),
                                       [](const ProgramSegment& s) { return !s.rests; });
-  const bool linear = is_linear(segments);
+  const bool linear = is_linear(program);
   Layout layout;
   for (const ProgramSegment& segment : segments) {
     SegmentPlaces places;
@@ -133,7 +165,11 @@ Layout lay_out(const StatedProgram& program) {
           "_to", kMostLevel, {segment.to},
           "displacement at the end of " + segment.name + " in parts of the stroke");
     }
-    if (joins(segment)) add_joining(segment, parameters, places);
+    if (joins(segment)) {
+      const ProgramSegment& next =
+          &segment == &segments.back() ? segments.front() : *(&segment + 1);
+      add_joining(segment, !joins(next), parameters, places);
+    }
     places.law = layout.parameters.size();
     if (segment.law) parameters.add_law();
     layout.segments.push_back(places);

@@ -44,6 +44,16 @@ void check_motion(const ProgramSegment& segment) {
                     "degree 5), not {}",
                     segment.name, segment.continuity));
   }
+  const bool states_acceleration =
+      segment.acceleration ||
+      std::any_of(segment.points.begin(), segment.points.end(),
+                  [](const ProgramPoint& point) { return point.acceleration.has_value(); });
+  if (states_acceleration && segment.continuity == 2) {
+    refuse_program(
+        fmt::format("'{}' is made of pieces of degree 3, of which no acceleration can be "
+                    "stated; continuity = 4 has pieces of degree 5",
+                    segment.name));
+  }
   double before = 0;
   for (std::size_t i = 0; i < segment.points.size(); ++i) {
     const double angle = segment.points[i].angle;

@@ -2,6 +2,7 @@
 #include "kinematics/program/segment_merits.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/peaks.h"
 #include "kinematics/transform.h"
@@ -44,7 +45,8 @@ std::vector<SegmentMerits> segment_merits(const Member& member) {
     const double from = law(span.begin).s, to = law(span.end, Side::Left).s;
     SegmentMerits merits{span.name, span.begin, span.end, from, to};
     if (!is_rest(law, span)) {
-      const double stroke = from == to ? 1 : to - from;
+      constexpr double kNone = 1e-9;  // of the stroke: what rounding leaves
+      const double stroke = std::abs(to - from) < kNone ? 1 : to - from;
       merits.law = part_of(law, span, from, stroke);
       const auto own = peaks(*merits.law);
       merits.max_velocity = own.max_velocity();

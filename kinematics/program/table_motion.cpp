@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kinematics/peaks.h"
@@ -54,19 +55,27 @@ Law<double> interpolated(std::span<const double> x, std::span<const double> s) {
   return Law<double>(std::move(before), {End::Motion, End::Motion});
 }
 
-/// A spline's pieces: polynomials about where each begins.
+/// A spline's pieces. Each meets its neighbours in what both read from one place, so that no
+/// rounding is left for a jump.
 Law<double> law_of(const optim::SmoothingSpline& spline) {
   const std::vector<double>& places = spline.basis().places();
+  std::vector<std::array<double, 3>> states;
+  for (const double x : places) states.push_back({spline(x), spline(x, 1), spline(x, 2)});
+  states.back() = states.front();
   std::vector<Piece<double>> pieces;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    Piece<double> piece{places[i], places[i + 1], places[i], {}, {}, {}};
-    double factorial = 1;
-    for (std::size_t k = 0; k <= kDegree; ++k) {
-      if (k > 1) factorial *= static_cast<double>(k);
-      piece.polynomial.push_back(spline(places[i], static_cast<int>(k)) / factorial);
+    const double share = places[i + 1] - places[i];
+    const auto conditions = [&](const std::array<double, 3>& state) {
+      return std::vector<double>{state[0], share * state[1], share * share * state[2]};
+    };
+    const Law<double> law =
+        boundary_polynomial<double>(conditions(states[i]), conditions(states[i + 1]));
+    for (auto& piece : detail::pieces_over(law, places[i], share, 0.0, 1.0)) {
+      piece.end = places[i + 1];
+      pieces.push_back(std::move(piece));
     }
-    pieces.push_back(std::move(piece));
   }
+  pieces.back().end = 1;
   return Law<double>(std::move(pieces), {End::Motion, End::Motion});
 }
 

@@ -51,7 +51,9 @@ class WindowTrace final : public Trace {
 Place WindowCurve::tied(Place place, Design x) const {
   if (is_fixed_) {
     const auto [from, to] = window_(x);
-    if (place.angle == from || place.angle == to) return place;
+    constexpr double kBeside = 1e-9;  // of the cycle: where an end is a break of the curve
+    const double near = kBeside * std::max(std::abs(from), std::abs(to));
+    if (std::abs(place.angle - from) <= near || std::abs(place.angle - to) <= near) return place;
   }
   return curve().tied(place, x);
 }

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "kinematics/program/segment_merits.h"
+#include "numerics/tables/turn.h"
 
 namespace camlaw::cli {
 
 void add_segments(const Member& law, Document& document) {
-  constexpr double kTurn = 360;  // deg
+  using problems::kTurnDegrees;
   const auto all = segment_merits(law);
   if (all.empty()) return;
   Table table{.columns = {words("segment"), numbers("from deg"), numbers("to deg"),
@@ -25,12 +26,13 @@ void add_segments(const Member& law, Document& document) {
     return value == 0 ? std::string() : fmt::format("{:.5g}", value);
   };
   for (const SegmentMerits& m : all) {
-    table.add({m.name, fmt::format("{:.5g}", kTurn * m.begin), fmt::format("{:.5g}", kTurn * m.end),
-               level(m.from), level(m.to), merit(m.max_velocity), merit(m.max_acceleration),
-               merit(m.max_jerk), merit(m.max_dynamic_moment)});
+    table.add({m.name, fmt::format("{:.5g}", kTurnDegrees * m.begin),
+               fmt::format("{:.5g}", kTurnDegrees * m.end), level(m.from), level(m.to),
+               merit(m.max_velocity), merit(m.max_acceleration), merit(m.max_jerk),
+               merit(m.max_dynamic_moment)});
     list.push_back({{"name", m.name},
-                    {"begin", kTurn * m.begin},
-                    {"end", kTurn * m.end},
+                    {"begin", kTurnDegrees * m.begin},
+                    {"end", kTurnDegrees * m.end},
                     {"from", m.from},
                     {"to", m.to},
                     {"max_velocity", to_json(m.max_velocity)},

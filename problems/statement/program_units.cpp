@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/tables/turn.h"
 #include "numerics/text/units.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/program_timing.h"
@@ -16,8 +17,6 @@ namespace camlaw::problems {
 namespace {
 
 using Kind = Entry::Kind;
-
-constexpr double kTurn = 360;  // deg
 
 /// The value of an entry in a unit, where it is of that kind.
 std::optional<double> value_in(const Entry& entry, const std::string& unit) {
@@ -71,15 +70,28 @@ double highest_level(const Entry& program, const std::string& unit) {
     }
     return quantity_of(entry, unit);
   };
-  double level = 0, highest = 0;
-  const auto go = [&](const Entry& table, double from) {
+  const auto end_of = [&](const Entry& table, double from) -> std::optional<double> {
     if (const Entry* by = find(table, "by")) return from + read(*by);
     if (const Entry* to = find(table, "to")) return read(*to);
-    return from;
+    return {};
   };
+  double level = 0, highest = 0;
   for (const Entry& segment : segment_tables(program)) {
-    for (const Entry& point : point_tables(segment)) highest = std::max(highest, go(point, level));
-    level = go(segment, level);
+    double before = level;
+    for (const Entry& point : point_tables(segment)) {
+      before = end_of(point, before).value_or(before);
+      highest = std::max(highest, before);
+    }
+    const std::optional<double> end = end_of(segment, level);
+    if (!end && find(segment, "law") != nullptr) {
+      if (level == 0) {
+        refuse(segment, fmt::format("it ends at the stroke, which is not stated: write to = \"20 "
+                                    "{}\", or state the stroke in [constants]",
+                                    unit));
+      }
+      level = 0;  // without `to` it goes back
+    }
+    level = end.value_or(level);
     highest = std::max(highest, level);
   }
   return highest;
@@ -158,7 +170,7 @@ double ProgramUnits::rate(const Entry& entry, Rate rate) const {
   const std::string by_angle =
       is_angle ? (rate == Rate::Velocity ? "1" : "1/deg") : unit + "/" + power_of("deg", rate);
   if (const auto value = value_in(entry, by_angle)) {
-    return *value * std::pow(kTurn, order) / size;
+    return *value * std::pow(kTurnDegrees, order) / size;
   }
   const char* exponent = rate == Rate::Velocity ? "" : "^2";
   refuse(entry, fmt::format("'{0}' is not {1}; accepted are \"0.3 {2}/s{3}\", \"0.3 {2}/deg{3}\", "
@@ -180,7 +192,8 @@ std::optional<double> ProgramUnits::angle(const Entry& table) const {
 
 ProgramUnits read_program_units(const Entry& file, const Entry& program,
                                 ProblemStatement& problem) {
-  ProgramUnits units{{}, {}, {}, read_timing(file, program, problem)};
+  ProgramUnits units;
+  units.timing = read_timing(file, program, problem);
   const std::optional<std::size_t> place = stroke_of(*problem.mechanism);
   if (!place) {
     units.why_none =
@@ -200,7 +213,9 @@ ProgramUnits read_program_units(const Entry& file, const Entry& program,
   const std::vector<const Entry*> all = level_entries(program);
   const auto physical =
       std::find_if(all.begin(), all.end(), [](const Entry* e) { return has_unit(*e); });
-  if (physical == all.end() || stated.fixed != nullptr) return units;
+  if (physical == all.end()) return units;
+  units.told_by_motion = place;
+  if (stated.fixed != nullptr) return units;
   units.stroke = highest_level(program, parameter.unit);
   set_stroke(**physical, *place, *units.stroke, problem);
   return units;

@@ -37,7 +37,9 @@ struct ProgramUnits {
   std::string unit;              ///< of displacement, "mm" or "deg"; empty: the machine lists none
   std::optional<double> stroke;  ///< in it
   std::string why_none;          ///< where there is no stroke: why, and what to write
-  std::optional<ProgramTiming> timing;
+  std::optional<ProgramTiming> timing = {};
+  /// The stroke's parameter, where displacements with units rest on it.
+  std::optional<std::size_t> told_by_motion = {};
 
   /// A displacement in parts of the stroke; a bare number is that already.
   double level(const Entry& entry) const;

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/program/program.h"
+#include "numerics/tables/turn.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/parameters.h"
@@ -16,7 +18,6 @@ namespace {
 
 using Kind = Entry::Kind;
 
-constexpr double kCycle = 360;  // deg
 constexpr std::size_t kMostSegments = 1000, kMostPoints = 200;
 constexpr const char* kJoining = "joining";
 
@@ -66,8 +67,11 @@ std::optional<double> read_level(const Entry& table, const ProgramUnits& units, 
   const Entry* by = find(table, "by");
   if (to != nullptr && by != nullptr) refuse(*by, "there is a to already; give one of the two");
   if (to != nullptr) return units.level(*to);
-  if (by != nullptr) return from + units.level(*by);
-  return {};
+  if (by == nullptr) return {};
+  // Steps that add up to nothing leave rounding.
+  constexpr double kRounding = 1e-12;
+  const double level = from + units.level(*by);
+  return std::abs(level) < kRounding ? 0 : level;
 }
 
 std::optional<double> read_rate(const Entry& table, const char* key, const ProgramUnits& units,
@@ -194,7 +198,7 @@ void add_tolerance(const Entry& entry, const ProgramUnits& units, const std::str
 void fill_last_angle(const Entry& list, std::vector<StatedSegment>& segments) {
   double sum = 0;
   for (StatedSegment& s : segments) {
-    if (&s == &segments.back() && s.segment.angle == 0) s.segment.angle = kCycle - sum;
+    if (&s == &segments.back() && s.segment.angle == 0) s.segment.angle = kTurnDegrees - sum;
     if (s.segment.angle == 0) {
       refuse(*s.entry, "angle is missing; the last segment alone may do without");
     }
@@ -252,6 +256,7 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   }
   const ProgramUnits units = read_program_units(file, program, problem);
   problem.timing = units.timing;
+  problem.told_by_motion = units.told_by_motion;
   const double advance = read_advance(program, units, *problem.mechanism);
   std::vector<StatedSegment> stated;
   double level = 0;
@@ -279,6 +284,9 @@ void read_tolerances(const Entry& file, ProblemStatement& problem) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const std::string name = segment_name(segments[i], i);
     if (const Entry* tolerance = find(segments[i], "tolerance")) {
+      if (find(segments[i], "law") == nullptr && !moves_without_law(segments[i])) {
+        refuse(*tolerance, "a rest stays where the segment before it ends; give it to that one");
+      }
       add_tolerance(*tolerance, units, name + "_to", problem);
     }
     const auto& points = point_tables(segments[i]);

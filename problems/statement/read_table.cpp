@@ -5,12 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <sstream>
 
 #include "kinematics/program/table_motion.h"
 #include "kinematics/shape.h"
 #include "numerics/scalar/dual.h"
 #include "numerics/tables/assumed_units.h"
 #include "numerics/tables/columns.h"
+#include "numerics/tables/line_source.h"
 #include "numerics/tables/sample_table.h"
 #include "numerics/tables/turn.h"
 #include "numerics/text/file_text.h"
@@ -32,14 +34,17 @@ struct TurnTable {
   std::string unit;  ///< of the lift; "1" where the table states none
 };
 
+/// In UTF-8, whatever it was written in: a result carries it.
 const std::string& table_text(const Entry& name, HeldFiles& files) {
   const std::string& path = text_of(name);
   const auto known = files.tables.find(path);
   if (known != files.tables.end()) return known->second;
-  const std::string text = located(name, [&] {
-    return file_text((std::filesystem::path(folder_of(name)) / path).string(), "table");
-  });
-  return files.tables.emplace(path, text).first->second;
+  std::istringstream raw(
+      file_text((std::filesystem::path(folder_of(name)) / path).string(), "table"));
+  LineSource lines(raw, path);
+  std::string text;
+  for (std::string line; lines.next(line);) text += line + "\n";
+  return files.tables.emplace(path, std::move(text)).first->second;
 }
 
 /// The angle and the lift of a table, whatever else it holds.
@@ -61,17 +66,27 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
   std::vector<double> x(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     x[i] = in_period(places[i], 0, kTurnDegrees) / kTurnDegrees;
+    if (x[i] >= 1) x[i] = 0;  // of an angle that rounding has left below 0
   }
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return x[a] < x[b]; });
   constexpr double kSamePlace = 1e-9;
-  TurnTable turn{{}, {}, lift.unit};
+  const double alike = 2 * resolution_of(table.columns[1]) * lift.factor;
+  const auto check_again = [&](std::size_t i, double known) {
+    if (std::abs(lift.values[i] - known) <= alike) return;
+    throw std::invalid_argument(fmt::format(
+        "at {:.6g} deg the lift is {} and {}; one turn of a motion that returns is wanted",
+        x[i] * kTurnDegrees, with_unit(known, lift.unit), with_unit(lift.values[i], lift.unit)));
+  };
   for (const std::size_t i : order) {
     // The beginning is often there twice, as 0 and as 360 deg.
-    const bool again = !turn.x.empty() && (x[i] - turn.x.back() < kSamePlace ||
-                                           turn.x.front() + 1 - x[i] < kSamePlace);
-    if (again) continue;
-    turn.x.push_back(x[i]);
-    turn.lift.push_back(lift.values[i]);
+    if (!turn.x.empty() && x[i] - turn.x.back() < kSamePlace) {
+      check_again(i, turn.lift.back());
+    } else if (!turn.x.empty() && turn.x.front() + 1 - x[i] < kSamePlace) {
+      check_again(i, turn.lift.front());
+    } else {
+      turn.x.push_back(x[i]);
+      turn.lift.push_back(lift.values[i]);
+    }
   }
   return turn;
 }
@@ -151,7 +166,7 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   const MechanismParameter& parameter = problem.mechanism->parameters[*place];
   problem.timing = read_timing(file, program, problem);
   const TurnTable turn = located(name, [&] {
-    const SampleTable table = parse_samples(table_text(name, problem.files), name.text);
+    const SampleTable table = parse_samples(table_text(name, problem.files), "the table");
     TurnTable rows = turn_of(lift_columns(table), parameter.unit);
     check_turn(rows);
     return rows;
@@ -159,14 +174,22 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   const auto [lowest, highest] = std::minmax_element(turn.lift.begin(), turn.lift.end());
   const double range = *highest - *lowest;
   if (!(range > 0)) refuse(name, "the lift is the same everywhere");
-  if (turn.unit != "1") {
-    const StatedParameter stated = stated_parameter(file, parameter);
-    const Entry* other = stated.fixed != nullptr ? stated.fixed : stated.varying;
+  const StatedParameter stated = stated_parameter(file, parameter);
+  const Entry* other = stated.fixed != nullptr ? stated.fixed : stated.varying;
+  if (turn.unit == "1") {
+    if (other == nullptr) {
+      refuse(name,
+             fmt::format("its lift has no unit: write one in its line of names, such as \"lift "
+                         "[{}]\", or state the {} in [constants]",
+                         parameter.unit, parameter.name));
+    }
+  } else {
     if (other != nullptr) {
       refuse(*other, fmt::format("the table's lift says what the {} is, {}; drop this entry",
                                  parameter.name, with_unit(range, parameter.unit)));
     }
     set_stroke(name, *place, range, problem);
+    problem.told_by_motion = place;
   }
   std::vector<double> s;
   for (const double lift : turn.lift) s.push_back((lift - *lowest) / range);

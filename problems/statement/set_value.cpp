@@ -39,6 +39,10 @@ double read_number(std::string_view text, const NamedParameter& parameter,
 void set_number(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
                 std::string_view text) {
   const std::string name = parameter.element_name(index);
+  if (!parameter.of_law && problem.told_by_motion == parameter.parameter) {
+    throw std::invalid_argument(
+        fmt::format("{}: the motion is stated in {}; change it in the file", name, parameter.unit));
+  }
   double value = read_number(text, parameter, name);
   if (const auto i = find_variable(problem, parameter, index)) {
     VariableStatement& variable = problem.variables[*i];

@@ -101,6 +101,8 @@ struct ProblemStatement {
   std::vector<Member> laws;
   bool chooses_law() const { return laws.size() > 1; }
   std::optional<ProgramTiming> timing;  ///< where a program speaks of time
+  /// The machine's stroke, where the motion is stated in its unit: it is not set beside it.
+  std::optional<std::size_t> told_by_motion = {};
   std::vector<VariableStatement> variables;
   /// One, or for a front two or more; `evaluate` does without.
   std::vector<ObjectiveStatement> objectives;
