@@ -10,7 +10,7 @@ namespace camlaw {
 /// A cam on the driver of a Geneva-driven conveyor that presses on a stack of disc springs and so
 /// stores and returns the surplus work of the drive (docs/theory.md, "Balancing cam").
 ///
-/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it. Source: K. V.
+/// Fields in SI units; T is double or Expression, X is T or a series over it. Source: K. V.
 /// Tir, A. S. Glavatskii, A. I. Petruk, "The balancing of the surplus forces of the main conveyors'
 /// drive of the book-processing units", Polihrafiia i vydavnycha sprava, UDC 621.835. It prints
 /// neither loads nor springs: those here are ours.

@@ -9,7 +9,7 @@
 namespace camlaw {
 
 /// A conveyor that a Geneva moves on by a slot in each turn of its driver. Fields in SI units; T is
-/// double, Dual or Interval, X is T or a series over it. phi is the driver's angle from the
+/// double or Expression, X is T or a series over it. phi is the driver's angle from the
 /// beginning of the engagement, 0 to 2 pi; the wheel moves up to 2 gamma, gamma half the
 /// engagement, and is locked from there on. Equations (Gn) are those of docs/theory.md, "Balancing
 /// cam".

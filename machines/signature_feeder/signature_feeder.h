@@ -11,7 +11,7 @@ namespace camlaw {
 /// The drive of the delivery cylinder of a reversing signature feeder: a crank moves the end of a
 /// rack that slides in a guide rocking about O2, and the rack turns the pinion on the cylinder.
 ///
-/// Fields in SI units; T is double, Dual or Interval, X is T or a series over it; phi is the
+/// Fields in SI units; T is double or Expression, X is T or a series over it; phi is the
 /// crank's angle, 0 where its pin is nearest to O2. Equations (Zn) are those of docs/theory.md,
 /// "Signature feeder"; source: O. V. Romanchenko, Z. M. Prystavskyi, "Synthesis of the
 /// coulisse-rack mechanism and determination of the kinematic characteristics of the delivery

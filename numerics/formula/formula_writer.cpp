@@ -247,7 +247,7 @@ WrittenQuantity written_root(const FormulaTree& tree, const FindQuantity& find) 
   const WrittenQuantity high = write_formula(tree.parts[2], find);
   check_alike(tree, "root looks between", low, high);
   const Dimension dimension = low.is_zero ? high.dimension : low.dimension;
-  // What it tries is no part of what the formula's value depends on, and conditions are no numbers.
+  // Conditions inside the root would hold at the places that it tries alone.
   std::vector<Expression>* const outer = std::exchange(conditions, nullptr);
   const auto part = [&](std::size_t i) {
     return [&, i](const Expression& unknown) {

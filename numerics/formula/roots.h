@@ -53,7 +53,8 @@ class FormulaRoots {
   template <class T>
   T run(const Root& root, const std::vector<Inside>& inside, std::uint32_t value, const T& x,
         T* results) const;
-  /// The place of a root in plain numbers: remembered, as many rows ask for that of one design.
+  /// The place of a root in plain numbers: remembered, as many rows ask for that of one design. The
+  /// size of the scalar that they come from tells which: roundings differ.
   double place(const Root& root, double* plain, std::size_t scalar) const;
 
   std::vector<bool> inside_;
