@@ -44,7 +44,7 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
   std::string result = "; ";
   const auto turning = [&](std::size_t i, bool at_begin) {
     const ProgramSegment& stated = program.segments[i];
-    if (!stated.law) return;
+    if (!stated.law || stated.shapes) return;
     const Law<double> law = stated.reversed ? reversed(stated.law->law()) : stated.law->law();
     const State round =
         turned_round(segments[i], law, at_begin, at_begin ? joint.right : joint.left);

@@ -25,7 +25,9 @@ struct StatedProgram {
   double advance = 0;
 };
 
-inline bool joins(const ProgramSegment& segment) { return !segment.rests && !segment.law; }
+inline bool joins(const ProgramSegment& segment) {
+  return !segment.rests && (!segment.law || segment.shapes);
+}
 
 /// Where the family's parameters hold what belongs to a segment.
 struct SegmentPlaces {

@@ -35,6 +35,20 @@ void check_motion(const ProgramSegment& segment) {
                     "for a segment that joins (law = \"joining\")",
                     segment.name, segment.rests ? "rests" : "moves by a law"));
   }
+  if (segment.shapes) {
+    const auto rests_at = [&](double end, Side side) {
+      const auto motion = segment.law->law().derivatives<3>(end, side);
+      constexpr double kRounding = 1e-9;
+      return std::abs(motion[1]) < kRounding && std::abs(motion[2]) < kRounding;
+    };
+    if (!segment.points.empty() || segment.continuity != 4 || !rests_at(0.0, Side::Right) ||
+        !rests_at(1.0, Side::Left)) {
+      refuse_program(
+          fmt::format("a law that shapes a joining segment, '{}', goes from rest to rest, "
+                      "and the segment passes no points",
+                      segment.name));
+    }
+  }
   if (segment.reversed && !segment.law) {
     refuse_program(fmt::format("'{}' has no law that could run backwards", segment.name));
   }
@@ -84,7 +98,7 @@ void check_segment(const ProgramSegment& segment, double level, std::set<std::st
     refuse_program(
         fmt::format("'{}' rests, but would go from {:g} to {:g}", segment.name, level, segment.to));
   }
-  if (segment.law && segment.to == level) {
+  if (segment.law && !segment.shapes && segment.to == level) {
     refuse_program(fmt::format("'{}' moves, but begins and ends at {:g}", segment.name, level));
   }
   check_motion(segment);
@@ -119,7 +133,8 @@ std::string name_of(const std::vector<ProgramSegment>& segments) {
 std::string motion_words(const ProgramSegment& segment) {
   std::string result;
   if (segment.law) {
-    result = " by " + segment.law->label() + (segment.reversed ? " backwards" : "");
+    result = (segment.shapes ? " joining by " : " by ") + segment.law->label() +
+             (segment.reversed ? " backwards" : "");
   } else {
     result = " joining";
     const std::size_t count = segment.points.size();

@@ -31,6 +31,9 @@ struct ProgramSegment {
   bool rests = false;
   std::optional<Member> law = {};  ///< none, and it does not rest: it joins
   bool reversed = false;           ///< the law runs backwards: it ends as the law begins
+  /// The segment joins, and its law, from rest to rest, shapes it: what sets the law apart from the
+  /// 3-4-5 polynomial is added.
+  bool shapes = false;
   std::vector<ProgramPoint> points = {};
   /// Where a segment that joins ends, in strokes per cycle and per cycle^2.
   std::optional<double> velocity = {}, acceleration = {};

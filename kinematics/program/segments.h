@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,8 @@ template <class T>
 struct Segment {
   T share;     ///< of the cycle
   T from, to;  ///< displacement at its ends, in parts of the stroke
-  /// How it moves; without one it rests, or joins what is before and after it.
+  /// How it moves. Without one it rests, or joins what is before and after it; of a segment that
+  /// joins a law says how it departs from the 3-4-5 polynomial.
   std::optional<Law<T>> law = {};
   bool joins = false;
   Smoothness smoothness = Smoothness::Snap;  ///< of a segment that joins
@@ -101,6 +103,28 @@ struct Run {
   }
 };
 
+/// A segment that joins by one polynomial, with its law less the 3-4-5 polynomial added.
+template <class T>
+std::vector<Piece<T>> shaped(const Piece<T>& joining, const Segment<T>& segment, const T& begin) {
+  const bool stays = value_of(segment.from) == value_of(segment.to);
+  const T zero = number<T>(0), size = stays ? number<T>(1) : segment.to - segment.from;
+  std::vector<T> rest = joining.polynomial;  // about the segment's beginning
+  const auto plain = pieces_over(poly_3_4_5<T>(), begin, segment.share, zero, size);
+  const std::vector<T>& polynomial = plain.front().polynomial;
+  rest.resize(std::max(rest.size(), polynomial.size()), zero);
+  for (std::size_t k = 0; k < polynomial.size(); ++k) rest[k] = rest[k] - polynomial[k];
+  std::vector<Piece<T>> pieces = pieces_over(*segment.law, begin, segment.share, zero, size);
+  for (Piece<T>& piece : pieces) {
+    std::vector<T> added = rest;
+    shift_polynomial(added, T(piece.origin - begin));
+    piece.polynomial.resize(std::max(piece.polynomial.size(), added.size()), zero);
+    for (std::size_t k = 0; k < added.size(); ++k) {
+      piece.polynomial[k] = piece.polynomial[k] + added[k];
+    }
+  }
+  return pieces;
+}
+
 /// All that is known of the motion at a place of a piece.
 template <class T>
 RunKnot<T> knot_at(const Piece<T>& piece, const T& place) {
@@ -155,7 +179,7 @@ Law<T> program_law(const std::vector<Segment<T>>& segments) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment<T>& segment = segments[i];
     begins.push_back(begin);
-    if (segment.law) {
+    if (segment.law && !segment.joins) {
       parts[i] = detail::pieces_over(*segment.law, begin, segment.share, segment.from, segment.to);
     } else if (!segment.joins) {
       parts[i] = {{begin, begin + segment.share, begin, {segment.from}, {}, {}}};
@@ -163,6 +187,10 @@ Law<T> program_law(const std::vector<Segment<T>>& segments) {
     begin = begin + segment.share;
   }
   detail::join(segments, begins, parts);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (!segments[i].joins || !segments[i].law) continue;
+    parts[i] = detail::shaped(parts[i].front(), segments[i], begins[i]);
+  }
   std::vector<Piece<T>> pieces;
   for (auto& part : parts) {
     for (auto& piece : part) pieces.push_back(std::move(piece));

@@ -127,12 +127,19 @@ void refuse_free_ends(const Entry& entry, const Entry* law) {
     const Entry* end = find(entry, key);
     if (end != nullptr && !free) refuse(*end, "it is for a segment whose law is \"free\"");
   }
+  const Entry* joining = find(entry, "joining");
+  const bool has_law = law != nullptr && law->text != kJoining;
+  if (joining != nullptr && !has_law) {
+    refuse(*joining,
+           "it is for a segment with a law, which then joins; without one write law = "
+           "\"joining\"");
+  }
 }
 
 StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t index, double level,
                            double top, const ProgramUnits& units, HeldFiles& files) {
   check_keys(entry, {"name", "angle", "time", "law", "to", "by", "reversed", "points", "velocity",
-                     "acceleration", "continuity", "tolerance", "begin", "end"});
+                     "acceleration", "continuity", "tolerance", "begin", "end", "joining"});
   StatedSegment result{&entry, {}, {}};
   ProgramSegment& segment = result.segment;
   segment.name = segment_name(entry, index);
@@ -140,6 +147,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   const Entry* law = find(entry, "law");
   segment.rests = law == nullptr && !moves_without_law(entry);
   segment.reversed = truth_of(entry, "reversed");
+  segment.shapes = truth_of(entry, "joining");
   const std::optional<double> to = read_level(entry, units, level);
   if (to && segment.rests) {
     refuse(entry, "a segment that goes somewhere needs a law, or law = \"joining\"");

@@ -77,6 +77,7 @@ TurnTable turn_of(const SampleTable& table, const std::string& unit) {
         "at {:.6g} deg the lift is {} and {}; one turn of a motion that returns is wanted",
         x[i] * kTurnDegrees, with_unit(known, lift.unit), with_unit(lift.values[i], lift.unit)));
   };
+  TurnTable turn{{}, {}, lift.unit};
   for (const std::size_t i : order) {
     // The beginning is often there twice, as 0 and as 360 deg.
     if (!turn.x.empty() && x[i] - turn.x.back() < kSamePlace) {

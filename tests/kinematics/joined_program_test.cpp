@@ -178,6 +178,38 @@ TEST_CASE("segments that join follow one another over the end of the cycle", "[p
   CHECK(at(law, 60, Side::Left)[2] == Approx(0).margin(1e-9));
 }
 
+TEST_CASE("a law shapes a segment that joins, and is itself between rests", "[program][joined]") {
+  ProgramSegment shaped = move("out", 60, 1, "modified-sine");
+  shaped.shapes = true;
+  const Law<double> law =
+      law_of({rest("low", 60, 0), joining("up", 40, 0.2),
+              move("feed", 100, 0.7, "constant-velocity"), shaped, joining("back", 100, 0)});
+  for (const double angle : {200.0, 260.0}) {
+    const auto left = at(law, angle, Side::Left), right = at(law, angle, Side::Right);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(left[k] == Approx(right[k]).margin(1e-8));
+  }
+  CHECK(at(law, 200, Side::Right)[1] == Approx(0.5 * 360 / 100).epsilon(1e-10));
+  // Not the polynomial that would join.
+  ProgramSegment plain = joining("out", 60, 1);
+  const Law<double> other =
+      law_of({rest("low", 60, 0), joining("up", 40, 0.2),
+              move("feed", 100, 0.7, "constant-velocity"), plain, joining("back", 100, 0)});
+  CHECK(std::abs(law(220.0 / 360).s - other(220.0 / 360).s) > 1e-4);
+  ProgramSegment between = move("up", 120, 1, "modified-sine");
+  between.shapes = true;
+  const Law<double> itself =
+      law_of({between, rest("high", 60, 1), move("down", 120, 0, "cycloidal"), rest("low", 60, 0)});
+  const Law<double> sine = find_law("modified-sine").law();
+  for (int i = 0; i <= 20; ++i) {
+    CHECK(itself(i / 60.0).s == Approx(sine(i / 20.0).s).margin(1e-13));
+    CHECK(itself(i / 60.0, Side::Left).a == Approx(9 * sine(i / 20.0, Side::Left).a).margin(1e-9));
+  }
+  between.law = find_law("rothbart-8");
+  CHECK_THAT(refusal({between, rest("high", 60, 1), move("down", 120, 0, "cycloidal"),
+                      rest("low", 60, 0)}),
+             Catch::Contains("goes from rest to rest"));
+}
+
 TEST_CASE("a law runs backwards as its mirror image", "[program][joined]") {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   for (const char* name : {"rothbart-8", "quick-return", "double-harmonic"}) {
@@ -271,6 +303,30 @@ TEST_CASE("derivatives by points and ends agree with differences", "[program][jo
   }
 }
 
+TEST_CASE("displacement is said to be linear only where every value makes a motion",
+          "[program][joined]") {
+  const auto is_linear = [](const std::vector<ProgramSegment>& segments, const char* name,
+                            Matched matched = Matched::Acceleration) {
+    const Member program = motion_program(segments, matched);
+    return program.family->parameters[program.family->parameter(name)].linear;
+  };
+  CHECK(is_linear(through_points(), "rise_points"));
+  CHECK(is_linear(through_points(2), "rise_points", Matched::Velocity));
+  CHECK(is_linear({move("up", 100, 1, "cycloidal"), move("on", 80, 0.5, "modified-sine"),
+                   joining("back", 180, 0)},
+                  "up_to"));
+  // The levels decide here whether the accelerations meet.
+  CHECK_FALSE(
+      is_linear({move("up", 120, 1, "rothbart-8"), move("down", 120, 0, "rothbart-8", true),
+                 move("up2", 60, 0.25, "rothbart-8"), move("down2", 60, 0, "rothbart-8", true)},
+                "up_to"));
+  // A rate before a rest is the rest's, and no parameter.
+  auto segments = through_points();
+  segments[0].velocity = 0.0;
+  const Member program = motion_program(segments, Matched::Acceleration);
+  CHECK_THROWS_WITH(program.family->parameter("rise_velocity"), Catch::Contains("no parameter"));
+}
+
 TEST_CASE("a motion through many points is enclosed closely", "[program][joined]") {
   Points points;
   for (int i = 1; i < 60; ++i) {
@@ -300,6 +356,9 @@ TEST_CASE("what cannot be of a segment is refused in words", "[program][joined]"
   segments = through_points();
   segments[0].continuity = 3;
   CHECK_THAT(refusal(segments), Catch::Contains("the continuity of 'rise' is 2"));
+  segments = through_points(2);
+  segments[0].points[0].acceleration = 3.0;
+  CHECK_THAT(refusal(segments), Catch::Contains("of which no acceleration can be stated"));
   segments = through_points();
   segments[0].reversed = true;
   CHECK_THAT(refusal(segments), Catch::Contains("'rise' has no law that could run backwards"));

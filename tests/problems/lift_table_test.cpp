@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
 #include <random>
 
+#include "kinematics/peaks.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/statement.h"
@@ -14,6 +20,7 @@
 namespace camlaw::problems::lift_table_test {
 
 using Catch::Contains, testing::complaint;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -101,6 +108,48 @@ TEST_CASE("a table is smoothed as it is stated, and says by how much", "[lift_ta
   CHECK(of_rough > most);
 }
 
+TEST_CASE("a smoothed table has no jumps, however many rows it has", "[lift_table]") {
+  for (const double step : {2.0, 0.5, 0.05}) {
+    INFO(step << " deg");
+    // Rests between the moves: there the spline's coefficients are nearly 0.
+    std::string table = "angle [deg];lift [mm]\n";
+    for (int i = 0; i < static_cast<int>(360 / step); ++i) {
+      const double angle = i * step, t = std::clamp((angle - 60) / 120, 0.0, 1.0),
+                   back = std::clamp((angle - 220) / 100, 0.0, 1.0);
+      const auto rise = [](double u) { return u * u * u * (10 - 15 * u + 6 * u * u); };
+      table += fmt::format("{};{:.3f}\n", angle, 28 * (rise(t) - rise(back)));
+    }
+    const auto peak = peaks(with_table(table).laws.front().law());
+    CHECK(std::isfinite(peak.max_jerk()));
+    // 28 mm in a third and in 100 deg of the turn: 5.77 (360 / 100)^2.
+    CHECK(peak.max_acceleration() == Approx(5.7735 * 12.96).epsilon(0.03));
+  }
+}
+
+TEST_CASE("a table is read as people have written it", "[lift_table]") {
+  const std::string good = table_of(program(), 1, 0, 9);
+  std::string shifted = good;
+  shifted.replace(shifted.find("\n0.000;"), 7, "\n-1e-15;");
+  const auto lift = [](const ProblemStatement& problem) {
+    return problem.laws.front().law()(0.3).s;
+  };
+  CHECK(lift(with_table(shifted)) == Approx(lift(with_table(good))).epsilon(1e-9));
+  CHECK(lift(with_table(good + "360.000;0.000000000\n")) ==
+        Approx(lift(with_table(good))).epsilon(1e-6));
+  // Latin-1 becomes UTF-8, which a result can carry.
+  const fs::path folder = fs::temp_directory_path() / fmt::format("camlaw_table_{}", getpid());
+  fs::create_directories(folder);
+  std::string latin = good;
+  latin.replace(latin.find("[deg]"), 5, "[\xb0]");
+  std::ofstream(folder / "lift.csv") << latin;
+  std::ofstream(folder / "cam.toml")
+      << "mechanism = 'disc-cam-roller'\n[program]\ntable = 'lift.csv'\n";
+  const ProblemStatement read = read_problem_file((folder / "cam.toml").string());
+  CHECK_THAT(read.files.tables.at("lift.csv"), Contains("[\xc2\xb0]"));
+  CHECK(lift(read) == Approx(lift(with_table(good))).epsilon(1e-9));
+  fs::remove_all(folder);
+}
+
 TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
   const std::string good = table_of(program(), 1, 0, 6);
   CHECK_THAT(complaint([&] { with_table(good, "", "[constants]\nstroke = 20\n"); }),
@@ -114,6 +163,21 @@ TEST_CASE("tables that are no motion are refused in words", "[lift_table]") {
   CHECK_THAT(complaint([&] { with_table(good, "smoothing = '90 mm'"); }),
              Contains("no spline is as far from the rows as that"));
   CHECK_THAT(complaint([&] { with_table(good, "segments = []"); }), Contains("segments"));
+  std::string rising = "angle [deg];lift [mm]\n", plain = "angle;lift\n";
+  for (int i = 0; i <= 36; ++i) {
+    rising += fmt::format("{};{}\n", 10 * i, i);
+    plain += fmt::format("{};{}\n", 10 * i, 10 + 5 * std::cos(std::numbers::pi * i / 18));
+  }
+  CHECK_THAT(complaint([&] { with_table(rising); }),
+             Contains("at 0 deg the lift is 0 mm and 36 mm; one turn of a motion that returns"));
+  CHECK_THAT(complaint([&] { with_table(plain); }),
+             Contains("its lift has no unit") && Contains("\"lift [mm]\""));
+  CHECK(complaint([&] { with_table(plain, "", "[constants]\nstroke = 20\n"); }) == "accepted");
+  CHECK_THAT(complaint([&] {
+               ProblemStatement table = with_table(good);
+               set_value(table, "stroke=44 mm");
+             }),
+             Contains("stroke: the motion is stated in mm"));
   CHECK_THAT(complaint([] {
                read_problem("mechanism = 'disc-cam-roller'\n[program]\ntable = 'none.csv'\n",
                             "f.toml");

@@ -113,6 +113,27 @@ TEST_CASE("the stroke that is stated is what displacements are parts of", "[phys
              Contains("the program has times, which need the time of a turn"));
 }
 
+TEST_CASE("the highest displacement is found along the whole program", "[physical_program]") {
+  const ProblemStatement chain = read(
+      "{name = 'a', angle = 150, to = '10 mm', law = 'joining', points = [{angle = 30, by = '5 "
+      "mm'}, {angle = 60, by = '5 mm'}, {angle = 90, by = '5 mm'}]}, {name = 'b', by = '-10 "
+      "mm', law = 'joining'}");
+  CHECK(constant_of(chain, "stroke") == Approx(15).epsilon(1e-14));
+  const ProblemStatement back = read(
+      "{name = 'a', angle = 100, to = '22 mm', law = 'MS'}, {name = 'b', angle = 100, law = "
+      "'MS'}, {name = 'c', angle = 80, by = '10 mm', law = 'MS'}, {name = 'd', law = 'MS'}");
+  CHECK(constant_of(back, "stroke") == Approx(22).epsilon(1e-14));
+  CHECK(back.laws.front().law()(280.0 / 360).s == Approx(10.0 / 22).epsilon(1e-12));
+  // Steps that add up to nothing but rounding.
+  CHECK(
+      refusal("{name = 'a', angle = 100, by = '0.1 mm', law = 'MS'}, {name = 'b', angle = 100, by "
+              "= '0.7 mm', law = 'MS'}, {name = 'c', angle = 80, by = '-0.8 mm', law = 'MS'}, "
+              "{name = 'low'}") == "accepted");
+  ProblemStatement set = back;
+  CHECK_THAT(complaint([&] { set_value(set, "stroke=44 mm"); }),
+             Contains("stroke: the motion is stated in mm; change it in the file"));
+}
+
 TEST_CASE("a tolerance of a point is a variable, and none of zero width", "[physical_program]") {
   const auto with = [](const std::string& tolerance) {
     return read(
@@ -132,6 +153,10 @@ TEST_CASE("a tolerance of a point is a variable, and none of zero width", "[phys
   CHECK(slack.variables[0].lower == Approx(5.8 / 20).epsilon(1e-13));
   CHECK(slack.variables[0].upper == Approx(6.2 / 20).epsilon(1e-13));
   CHECK_THAT(complaint([&] { with(", tolerance = '-1 mm'"); }), Contains("0 or above"));
+  CHECK_THAT(
+      refusal("{name = 'a', angle = 140, to = '20 mm', law = 'MS'}, {name = 'h', angle = 20, "
+              "tolerance = '1 mm'}, {name = 'c', to = 0, law = 'joining'}"),
+      Contains("a rest stays where the segment before it ends"));
   CHECK_THAT(refusal("{name = 'a', angle = 140, to = '20 mm', law = 'MS'}, {name = 'c', to = 0, "
                      "tolerance = '1 mm', law = 'joining'}"),
              Contains("its end has no tolerance"));
@@ -145,6 +170,17 @@ TEST_CASE("a free segment has ends of its own", "[physical_program]") {
   const Law<double> law = problem.laws.front().law();
   CHECK(std::abs(law.derivatives<3>(0.5, Side::Left)[2]) > 1);
   CHECK(law.derivatives<3>(0.0)[2] == Approx(0).margin(1e-10));
+  // A free segment that comes out of a constant velocity.
+  const ProblemStatement joins = read(
+      "{name = 'low', angle = 60}, {name = 'up', angle = 60, to = 0.2, law = 'joining'}, {name = "
+      "'feed', angle = 90, to = 0.6, law = 'constant-velocity'}, {name = 'out', angle = 60, to = "
+      "1, law = 'free', joining = true}, {name = 'back', to = 0, law = 'joining'}");
+  CHECK(joins.laws.front().law().derivatives<3>(210.0 / 360, Side::Right)[1] ==
+        Approx(0.4 * 4).epsilon(1e-10));
+  CHECK(joins.laws.front().law().derivatives<3>(210.0 / 360, Side::Right)[2] ==
+        Approx(0).margin(1e-8));
+  CHECK_THAT(refusal("{name = 'a', angle = 180, joining = true}, {name = 'b', law = 'MS'}"),
+             Contains("it is for a segment with a law"));
   CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS', end = 'U'}, {name = 'b', law = 'MS'}"),
              Contains("it is for a segment whose law is \"free\""));
 }
