@@ -226,6 +226,14 @@ void check_count(const Entry& list, const std::vector<StatedSegment>& stated) {
     refuse(list, fmt::format("the segments' laws make {:.6g} programs; at most {} are tried", count,
                              optim::kMostCombinations));
   }
+  constexpr double kMostInAll = 1e6;  // what takes a gigabyte
+  const auto segments = static_cast<double>(stated.size());
+  if (count * segments > kMostInAll) {
+    refuse(list,
+           fmt::format("the segments' laws make {:.6g} programs of {} segments; at most {:.6g} "
+                       "segments are held in all of them",
+                       count, stated.size(), kMostInAll));
+  }
 }
 
 /// Every combination of the segments' laws, the last segment's fastest.

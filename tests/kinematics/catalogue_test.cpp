@@ -54,6 +54,18 @@ TEMPLATE_TEST_CASE("Default arguments make every law in every scalar", "[catalog
   }
 }
 
+TEST_CASE("A law is found however the words of its name are parted", "[catalogue]") {
+  for (const char* name : {"modified sine", "Modified_Sine", "MODIFIED-SINE", "MS", "ms"}) {
+    CHECK(find_law(name).family->name == "modified-sine");
+  }
+  for (const char* name : {"3-4-5", "poly 3 4 5", "poly_3_4_5", "3-4-5 polynomial"}) {
+    CHECK(find_law(name).family->name == "poly-3-4-5");
+  }
+  CHECK(find_law("MT").family->name == "modified-trapezoid");
+  CHECK(find_law("Bestehorn").family->name == "cycloidal");
+  CHECK(find_law("modified sine crossover=0.4").arguments.scalar(0) == 0.4);
+}
+
 TEST_CASE("A law is found by its aliases in any case", "[catalogue]") {
   const std::pair<const char*, const char*> cases[] = {{"Cycloidal", "cycloidal"},
                                                        {"BESTEHORN-SINOIDE", "cycloidal"},

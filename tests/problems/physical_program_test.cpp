@@ -185,6 +185,25 @@ TEST_CASE("a free segment has ends of its own", "[physical_program]") {
              Contains("it is for a segment whose law is \"free\""));
 }
 
+TEST_CASE("the film feed's crossover is where both peaks of its torque are equal",
+          "[physical_program]") {
+  const BoundProblem bound(read_problem_file(CAMLAW_SOURCE_DIR "/problems/motions/film_feed.toml"));
+  const optim::Optimum best = optim::optimise(bound.space(), {});
+  // K C / (2 c) + P = K C / (2 (1 - c)) - P with K = J p / r over the feed's time squared, P = F r.
+  const double time = 200.0 / 360 * 60 / 150;
+  const double half = 0.004 * 0.038 / 0.03 / (time * time) * 4.888124 / 2, pull = 25 * 0.03;
+  const auto surplus = [&](double c) { return half / (1 - c) - half / c - 2 * pull; };
+  double low = 0.5, high = 0.999;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (surplus(middle) < 0 ? low : high) = middle;
+  }
+  CHECK(bound.statement().laws[best.options.front()].label().find("modified-trapezoid") !=
+        std::string::npos);
+  CHECK(best.found.x.front() == Approx(low).epsilon(1e-5));
+  CHECK(best.found.assessment.objective.value == Approx(half / low + pull).epsilon(1e-6));
+}
+
 TEST_CASE("a motion that advances is not for a cam", "[physical_program]") {
   CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b'}", "advance = 1\n"),
              Contains("the motion of disc-cam-roller returns to where it began"));
