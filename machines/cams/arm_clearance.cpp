@@ -164,6 +164,7 @@ class Sight {
     const Meeting beside = least(false);
     if (!(beside.gap < kNone)) return beside;
     Meeting through = least(true);
+    if (!(through.gap < beside.gap)) return beside;
     through.is_through = true;
     return through;
   }
@@ -209,7 +210,9 @@ class Sight {
         look(part.from, part.to, apart, part.apart_to);
       }
     }
-    return std::max(0.0, std::min({done, parts.empty() ? found : parts.top().least, found}));
+    // Of a distance 0 is the least there is, and says nothing of a depth.
+    const double least = std::min({done, parts.empty() ? found : parts.top().least, found});
+    return least > 0 ? least : -optim::kInfinity;
   }
 
  private:

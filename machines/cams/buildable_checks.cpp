@@ -47,13 +47,14 @@ BuildableCheck undercut(const std::string& of, Closure closure = Closure::Any) {
 }
 
 /// Hollows of a profile; where it is undercut, what a tool would do there says nothing.
-Checks hollows(const std::string& of, const std::string& after) {
+Checks hollows(const std::string& of, const std::string& after, Closure closure = Closure::Any) {
   return {{.name = of + "hollow",
            .fault = "the tool does not fit a hollow of the profile",
            .response = of + "tool_fit",
            .is_upper = true,
            .bound = whole,
            .needs = {"cutter_radius"},
+           .closure = closure,
            .after = after},
           {.name = of + "hollow_of_the_wheel",
            .fault = "the grinding wheel does not fit a hollow of the profile",
@@ -61,6 +62,7 @@ Checks hollows(const std::string& of, const std::string& after) {
            .is_upper = false,
            .bound = round_the_wheel,
            .needs = {"wheel_radius"},
+           .closure = closure,
            .after = after}};
 }
 
@@ -75,15 +77,38 @@ BuildableCheck wall_of(const std::string& of) {
           .standard = "a quarter of bore_radius"};
 }
 
+/// What must be stated of loads: a default is nobody's statement.
+std::vector<std::string> loads(Closure closure) {
+  std::vector<std::string> needs{"speed"};
+  if (closure != Closure::Form) needs.insert(needs.end(), {"spring_rate", "spring_preload"});
+  return needs;
+}
+/// One of these is what moves with the follower.
+std::vector<std::string> masses() { return {"mass", "inertia"}; }
+
 BuildableCheck stress(const char* name, const char* response, const char* after, Closure closure) {
-  return {.name = name,
-          .fault = "the contact is pressed more than the material bears",
-          .response = response,
-          .is_upper = true,
-          .bound = allowable_pressure,
-          .needs = {"allowable_pressure"},
-          .closure = closure,
-          .after = after};
+  BuildableCheck check{.name = name,
+                       .fault = "the contact is pressed more than the material bears",
+                       .response = response,
+                       .is_upper = true,
+                       .bound = allowable_pressure,
+                       .needs = loads(closure),
+                       .one_of = masses(),
+                       .closure = closure,
+                       .after = after};
+  check.needs.insert(check.needs.begin(), {"allowable_pressure", "face_width"});
+  return check;
+}
+
+/// Drops names that are neither a parameter of the mechanism nor an input.
+void keep_known(std::vector<std::string>& names, const Mechanism& mechanism) {
+  std::erase_if(names, [&](const std::string& name) {
+    const auto is_it = [&](const auto& known) { return known.name == name; };
+    const std::vector<MechanismParameter>& parameters = mechanism.parameters;
+    const std::vector<BuildableInput>& inputs = known_inputs();
+    return std::none_of(parameters.begin(), parameters.end(), is_it) &&
+           std::none_of(inputs.begin(), inputs.end(), is_it);
+  });
 }
 
 void add(Checks& all, const Checks& more) { all.insert(all.end(), more.begin(), more.end()); }
@@ -102,7 +127,8 @@ Checks hollow_checks() { return hollows("", ""); }
 
 Checks roller_checks() {
   Checks all{undercut(""), undercut("outer_", Closure::Form)};
-  add(all, hollows("", "undercut"));
+  // A groove is cut by a tool that goes inside it: hollows of one flank say nothing of that.
+  add(all, hollows("", "undercut", Closure::Force));
   return all;
 }
 
@@ -133,15 +159,19 @@ Checks force_closure_checks(const FollowerWords& words) {
                         .response = "spring_deflection",
                         .is_upper = true,
                         .bound = slides ? until_solid : solid_angle};
-  spring.needs = slides ? std::vector<std::string>{"spring_rate", "free_length", "solid_length"}
-                        : std::vector<std::string>{"spring_rate", "solid_angle"};
+  spring.needs = {"spring_rate", "spring_preload"};
+  if (slides) {
+    spring.needs.insert(spring.needs.end(), {"free_length", "solid_length"});
+  } else {
+    spring.needs.push_back("solid_angle");
+  }
   return {{.name = "contact",
            .fault = "the follower leaves the cam",
            .response = words.force_name,
            .is_upper = false,
            .bound = nothing,
-           .needs = {"speed"},
-           .one_of = {"spring_rate", "spring_preload", "load"},
+           .needs = loads(Closure::Force),
+           .one_of = masses(),
            .closure = Closure::Force},
           spring};
 }
@@ -155,7 +185,8 @@ Checks pivot_checks() {
            .is_upper = false,
            .bound = half_the_arm,
            .input = "arm_width",
-           .standard = "the axis of the pivot alone"}};
+           .standard = "the axis of the pivot alone",
+           .closure = Closure::Force}};
 }
 
 Checks roller_stress_checks() {
@@ -169,13 +200,22 @@ Checks arm_checks() {
            .response = "arm_clearance",
            .is_upper = false,
            .bound = half_the_arm,
-           .needs = {"arm_width"}}};
+           .needs = {"arm_width"},
+           .closure = Closure::Force}};
 }
 
 Checks stress_checks() { return {stress("stress", "contact_stress", "undercut", Closure::Any)}; }
 
 Mechanism checked(Mechanism mechanism, const std::vector<Checks>& checks) {
   for (const Checks& some : checks) add(mechanism.checks, some);
+  for (BuildableCheck& check : mechanism.checks) {
+    keep_known(check.needs, mechanism);
+    keep_known(check.one_of, mechanism);
+    if (check.one_of.size() == 1) {  // no choice
+      check.needs.push_back(check.one_of.front());
+      check.one_of.clear();
+    }
+  }
   for (const BuildableInput& input : known_inputs()) {
     const bool asked = std::any_of(mechanism.checks.begin(), mechanism.checks.end(),
                                    [&](const auto& check) { return has_input(check, input.name); });

@@ -127,7 +127,10 @@ double FormulaRoots::place(const Root& root, double* plain, std::size_t scalar) 
   const bool is_same =
       known.scalar == scalar && known.operands.size() == root.operands.size() &&
       std::equal(root.operands.begin(), root.operands.end(), known.operands.begin(),
-                 [&](std::uint32_t i, double value) { return plain[i] == value; }) &&
+                 [&](std::uint32_t i, double value) {
+                   return std::bit_cast<std::uint64_t>(plain[i]) ==
+                          std::bit_cast<std::uint64_t>(value);
+                 }) &&
       (known.text == root.text || *known.text == *root.text);
   if (is_same) return known.place;
   const double place = root_of(

@@ -99,8 +99,17 @@ T FormulaRoots::solve(std::uint32_t step, T* results) const {
       const Interval found = root_near<T>(x0, f, [&](const Interval& range) {
         return zero(Slopes::variable(range, Interval(1.0)), along.data()).c[1];
       });
+      // Newton's step holds the root beside x0. Over a box of machines another root may have the
+      // highest level in a part of it: then the ends alone are known.
+      constexpr double kOneMachine = 1e-8;
+      const bool is_one =
+          std::all_of(root.operands.begin(), root.operands.end(), [&](std::uint32_t i) {
+            const Interval& x = results[i];
+            return boost::numeric::width(x) <= kOneMachine * std::max(1.0, magnitude(x));
+          });
       const bool is_found = found.lower() <= found.upper();
-      return is_found ? found : boost::numeric::hull(results[root.low], results[root.high]);
+      return is_found && is_one ? found
+                                : boost::numeric::hull(results[root.low], results[root.high]);
     } else {
       auto along = in(Dual(0.0), [](const T& x) { return Dual(value_of(x)); });
       return root_near<T>(x0, f, [&](double at) {

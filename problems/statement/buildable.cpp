@@ -107,7 +107,7 @@ std::string note_of(const BuildableCheck& check, const ProblemStatement& problem
 void judge(BuildableAnswer& answer) {
   const optim::LimitReport& report = answer.report;
   if (std::isnan(report.margin)) {
-    answer.why = fmt::format("{} is not a number there", report.name);
+    answer.built = Built::Fails;  // there is no such profile, or no such contact
   } else if (!report.met) {
     answer.built = Built::Fails;
   } else if (report.proved) {
@@ -144,6 +144,7 @@ std::vector<optim::LimitReport> reports_of(const ProblemStatement& design,
 /// Whether a limit keeps a response as a check wants it.
 bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted) {
   if (c.response.response != wanted.response.response) return false;
+  if (c.response.window || c.tolerance) return false;
   const Part part = c.response.part;
   if (wanted.upper) return c.upper && *c.upper <= *wanted.upper && part != Part::Lowest;
   return c.lower && *c.lower >= *wanted.lower && (part == Part::Value || part == Part::Lowest);
@@ -220,6 +221,7 @@ std::string failure_text(const BuildableAnswer& answer) {
     const double at = std::abs(*report.worst_angle) < kNone ? 0 : *report.worst_angle;
     place = fmt::format(" at {:.4g}{}", at, along == "1" ? "" : " " + along);
   }
+  if (std::isnan(report.margin)) return report.name + " is not a number";
   return fmt::format("{} {:.4g}{}{}", report.name, report.value,
                      report.unit == "1" ? "" : " " + report.unit, place);
 }

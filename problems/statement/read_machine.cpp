@@ -95,7 +95,8 @@ void check_new(const Entry& table, const Mechanism& mechanism, const std::string
 std::string read_unit(const Entry& table) {
   const Entry* entry = find(table, "unit");
   if (entry == nullptr) return "1";
-  return located(*entry, [&] { return written_unit(text_of(*entry)).spelled; });
+  const std::string& text = text_of(*entry);
+  return located(*entry, [&] { return written_unit(text).spelled; });
 }
 
 double read_number(const Entry& table, const char* key, const std::string& unit,
@@ -126,9 +127,14 @@ MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) 
   parameter.low = read_number(table, "lower", parameter.unit, -kWidest);
   parameter.high = read_number(table, "upper", parameter.unit, kWidest);
   parameter.integer = reads_integer(table);
+  if (parameter.low > parameter.high) {
+    refuse(table, fmt::format("lower {} exceeds upper {}", with_unit(parameter.low, parameter.unit),
+                              with_unit(parameter.high, parameter.unit)));
+  }
   if (parameter.default_value < parameter.low || parameter.default_value > parameter.high) {
-    refuse(*value, fmt::format("{:g} {} is not within {:g} .. {:g}", parameter.default_value,
-                               parameter.unit, parameter.low, parameter.high));
+    refuse(*value,
+           fmt::format("{} is not within {}", with_unit(parameter.default_value, parameter.unit),
+                       range_text(parameter.low, parameter.high, parameter.unit)));
   }
   if (parameter.integer && parameter.default_value != std::floor(parameter.default_value)) {
     refuse(*value, fmt::format("{:g} is not an integer", parameter.default_value));

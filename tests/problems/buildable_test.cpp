@@ -379,10 +379,12 @@ TEST_CASE("what is not stated is not checked, and said", "[buildable]") {
   const std::vector<std::pair<const char*, const char*>> missing = {
       {"hollow", "no cutter_radius stated"},
       {"hollow_of_the_wheel", "no wheel_radius stated"},
-      {"contact", "no speed and no spring_rate, spring_preload or load stated"},
-      {"spring", "no spring_rate, no free_length and no solid_length stated"},
+      {"contact", "no speed, no spring_rate, no spring_preload and no mass stated"},
+      {"spring", "no spring_rate, no spring_preload, no free_length and no solid_length stated"},
       {"wall", "no bore_radius stated"},
-      {"stress", "no allowable_pressure stated"}};
+      {"stress",
+       "no allowable_pressure, no face_width, no speed, no spring_rate, no spring_preload and no "
+       "mass stated"}};
   for (const auto& [check, why] : missing) {
     const BuildableAnswer answer = answer_of(cam, check);
     CHECK(answer.built == Built::NotChecked);
@@ -457,16 +459,48 @@ TEST_CASE("the smallest cam that can be built is held by its wall", "[buildable]
         Approx(std::sqrt(l * l + d * d - 2 * l * d * std::cos(psi)) - 20).epsilon(1e-7));
 }
 
+const std::string kSprung =
+    "[constants]\nspeed = 100\nspring_rate = 6\nspring_preload = 60\nmass = 1\n";
+
 TEST_CASE("what is limited as tightly already is not limited again", "[buildable]") {
   const std::string limits =
       "[[constraints]]\nresponse = 'peak_undercut'\nupper = 0.8\n[[constraints]]\n"
       "response = 'follower_force'\nlower = 5\n";
-  const std::string cam =
-      resting("disc-cam-roller", "[constants]\nspeed = 100\nspring_rate = 6\n" + limits);
+  const std::string cam = resting("disc-cam-roller", kSprung + limits);
   CHECK(read_problem(cam + "[buildable]\nrequire = true\n", "f.toml").constraints.size() == 2);
-  const std::string loose =
-      resting("disc-cam-roller", "[constants]\nspeed = 100\nspring_rate = 6\n");
+  const std::string loose = resting("disc-cam-roller", kSprung);
   CHECK(read_problem(loose + "[buildable]\nrequire = true\n", "f.toml").constraints.size() == 2);
+  // A limit over a part of the cycle, or with a tolerance of its own, is not as tight.
+  for (const char* other : {"from = '10 deg'\nto = '90 deg'\n", "tolerance = 0.5\n"}) {
+    const std::string partly =
+        loose + "[[constraints]]\nresponse = 'undercut'\nupper = 0.8\n" + other;
+    CHECK(read_problem(partly + "[buildable]\nrequire = true\n", "f.toml").constraints.size() == 3);
+  }
+}
+
+TEST_CASE("a groove is not judged by its inner flank", "[buildable]") {
+  const std::string groove =
+      resting("disc-cam-oscillating-roller",
+              "[constants]\nbase_radius = 40\ncutter_radius = 14\n[[constraints]]\nresponse = "
+              "'outer_undercut'\nupper = 0.9\n[buildable]\narm_width = '10 mm'\n");
+  const Buildability found = buildability(read_problem(groove, "f.toml"));
+  for (const BuildableAnswer& answer : found.checks) {
+    INFO(answer.check->name);
+    CHECK(answer.check->name != "hollow");
+    CHECK(answer.check->name != "pivot");
+    CHECK(answer.check->name != "arm");
+  }
+}
+
+TEST_CASE("where there is no such profile it cannot be built", "[buildable]") {
+  // 1 + psi' passes 0: a quick return of an arm with a flat face, which no cam gives.
+  const std::string quick =
+      "mechanism = 'disc-cam-oscillating-flat'\n[constants]\nswing = 60\n[program]\nsegments = "
+      "[{name = 'up', angle = 200, law = 'cycloidal'}, {name = 'down', angle = 60, law = "
+      "'cycloidal'}, {name = 'low'}]\n";
+  const BuildableAnswer answer = answer_of(quick, "undercut");
+  CHECK(answer.built == Built::Fails);
+  CHECK_THAT(failure_text(answer), Contains("is not a number"));
 }
 
 TEST_CASE("a table [buildable] that means nothing is refused", "[buildable]") {

@@ -298,6 +298,9 @@ TEST_CASE("what is wrong with responses and machines of a file is said", "[formu
              Contains("machine.parameters.r: default is missing"));
   CHECK_THAT(refusal("[machine]\n[machine.parameters.r]\ndefault = 5\nupper = 4\n"),
              Contains("is not within"));
+  CHECK_THAT(refusal("[machine]\n[machine.parameters.r]\nunit = \"mm\"\ndefault = 5\nlower = 6\n"
+                     "upper = 4\n"),
+             Contains("machine.parameters.r: lower 6 mm exceeds upper 4 mm"));
   CHECK_THAT(refusal("[machine]\n[responses.own]\nformula = \"s + angle\"\n"),
              Contains("is moved by its geometry and has no law, so there is no s"));
   CHECK_THAT(refusal("[machine]\nmoved_by = \"law\"\n[responses.own]\nformula = \"angle\"\n" +
