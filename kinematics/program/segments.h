@@ -106,8 +106,7 @@ struct Run {
 /// A segment that joins by one polynomial, with its law less the 3-4-5 polynomial added.
 template <class T>
 std::vector<Piece<T>> shaped(const Piece<T>& joining, const Segment<T>& segment, const T& begin) {
-  const bool stays = value_of(segment.from) == value_of(segment.to);
-  const T zero = number<T>(0), size = stays ? number<T>(1) : segment.to - segment.from;
+  const T zero = number<T>(0), size = segment.to - segment.from;
   std::vector<T> rest = joining.polynomial;  // about the segment's beginning
   const auto plain = pieces_over(poly_3_4_5<T>(), begin, segment.share, zero, size);
   const std::vector<T>& polynomial = plain.front().polynomial;

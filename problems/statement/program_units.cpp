@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "numerics/tables/turn.h"
 #include "numerics/text/units.h"
@@ -29,6 +31,48 @@ std::optional<double> value_in(const Entry& entry, const std::string& unit) {
 
 std::string power_of(const std::string& unit, Rate rate) {
   return rate == Rate::Velocity ? unit : unit + "2";
+}
+
+/// A text with its words for deg and rad exchanged for one of them.
+std::string with_angles_in(std::string_view text, std::string_view angle) {
+  constexpr std::string_view kDegree = "\u00b0";
+  constexpr std::string_view kWords[] = {"deg", "degree", "degrees", "rad", "radian", "radians"};
+  std::string result;
+  while (!text.empty()) {
+    if (text.starts_with(kDegree)) {
+      result += angle;
+      text.remove_prefix(kDegree.size());
+      continue;
+    }
+    std::size_t length = 0;
+    while (length < text.size() && std::isalpha(static_cast<unsigned char>(text[length])) != 0) {
+      ++length;
+    }
+    const std::string_view word = text.substr(0, std::max<std::size_t>(length, 1));
+    const bool is_angle = std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+    result += is_angle ? angle : word;
+    text.remove_prefix(word.size());
+  }
+  return result;
+}
+
+/// A rate by the cam's angle, in `unit` per deg or deg^2. To the unit library angles are plain
+/// numbers, and mm/deg is a length: how often angles are there is told by what deg and rad make of
+/// the number.
+std::optional<double> value_by_angle(const Entry& entry, const std::string& unit, Rate rate) {
+  const int order = static_cast<int>(rate), above = unit == "deg" ? 1 : 0;
+  const std::string plain = above == 1 ? "1" : unit;
+  Entry in_deg = entry, in_rad = entry;
+  in_deg.text = with_angles_in(entry.text, "deg");
+  in_rad.text = with_angles_in(entry.text, "rad");
+  const auto value = value_in(entry, plain), deg = value_in(in_deg, plain),
+             rad = value_in(in_rad, plain);
+  if (!value || !deg || !rad) return {};
+  constexpr double kDeg = std::numbers::pi / 180;
+  const double expected = std::pow(kDeg, above - order);
+  constexpr double kRounding = 1e-9;
+  if (std::abs(*deg - expected * *rad) > kRounding * std::abs(*deg)) return {};
+  return *value * std::pow(kDeg, order - above);
 }
 
 /// Displacements that a program states.
@@ -166,10 +210,7 @@ double ProgramUnits::rate(const Entry& entry, Rate rate) const {
   if (const auto value = value_in(entry, power_of(unit + "/s", rate))) {
     return *value * std::pow(timing.value().turn(), order) / size;
   }
-  const bool is_angle = unit == "deg";
-  const std::string by_angle =
-      is_angle ? (rate == Rate::Velocity ? "1" : "1/deg") : unit + "/" + power_of("deg", rate);
-  if (const auto value = value_in(entry, by_angle)) {
+  if (const auto value = value_by_angle(entry, unit, rate)) {
     return *value * std::pow(kTurnDegrees, order) / size;
   }
   const char* exponent = rate == Rate::Velocity ? "" : "^2";

@@ -204,6 +204,13 @@ TEST_CASE("a law shapes a segment that joins, and is itself between rests", "[pr
     CHECK(itself(i / 60.0).s == Approx(sine(i / 20.0).s).margin(1e-13));
     CHECK(itself(i / 60.0, Side::Left).a == Approx(9 * sine(i / 20.0, Side::Left).a).margin(1e-9));
   }
+  // Of a segment that goes nowhere there is nothing to shape, as near it there is almost nothing.
+  ProgramSegment level = move("on", 60, 1, "modified-sine");
+  level.shapes = true;
+  const Law<double> flat = law_of({move("up", 120, 1, "cycloidal"), level,
+                                   move("down", 120, 0, "cycloidal"), rest("low", 60, 0)});
+  CHECK(flat(150.0 / 360).s == Approx(1).epsilon(1e-14));
+  CHECK(flat(140.0 / 360).a == Approx(0).margin(1e-12));
   between.law = find_law("rothbart-8");
   CHECK_THAT(refusal({between, rest("high", 60, 1), move("down", 120, 0, "cycloidal"),
                       rest("low", 60, 0)}),

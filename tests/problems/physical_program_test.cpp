@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "kinematics/peaks.h"
 #include "optim/search/optimise.h"
@@ -108,6 +109,25 @@ TEST_CASE("the stroke that is stated is what displacements are parts of", "[phys
   CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', velocity = '3 kg'}, {name = 'b', to "
                      "= 0, law = 'joining'}"),
              Contains("'3 kg' is not a velocity; accepted are \"0.3 mm/s\", \"0.3 mm/deg\""));
+  // Angles are plain numbers to the unit library; how often they are there is looked at.
+  for (const char* wrong : {"velocity = '3 mm'", "velocity = '3 mm/deg^2'",
+                            "acceleration = '3 mm/deg'", "acceleration = '3 mm/s'"}) {
+    INFO(wrong);
+    CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', " + std::string(wrong) +
+                           "}, {name = 'b', to = 0, law = 'joining'}",
+                       "cycle_time = '1 s'\n"),
+               Contains("is not a") && Contains("accepted are"));
+  }
+  const auto speed = [](const char* velocity) {
+    return read("{name = 'a', angle = 120, to = '10 mm', velocity = '" + std::string(velocity) +
+                "'}, {name = 'b', to = 0, law = 'joining'}")
+        .laws.front()
+        .law()
+        .derivatives<2>(1 / 3.0)[1];
+  };
+  CHECK(speed("0.05 mm/deg") == Approx(0.05 * 36).epsilon(1e-12));
+  CHECK(speed("0.005 cm/degree") == Approx(0.05 * 36).epsilon(1e-12));
+  CHECK(speed("2 mm/rad") == Approx(2 * 2 * std::numbers::pi / 10).epsilon(1e-12));
   CHECK_THAT(refusal("{name = 'a', angle = 120, to = '10 mm', velocity = '0.3 m/s'}, {name = 'b', "
                      "to = 0, law = 'joining'}"),
              Contains("the program has times, which need the time of a turn"));
