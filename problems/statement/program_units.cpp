@@ -61,18 +61,20 @@ std::string with_angles_in(std::string_view text, std::string_view angle) {
 /// the number.
 std::optional<double> value_by_angle(const Entry& entry, const std::string& unit, Rate rate) {
   const int order = static_cast<int>(rate), above = unit == "deg" ? 1 : 0;
-  const std::string plain = above == 1 ? "1" : unit;
+  const std::string by_angle = above == 0                   ? unit + "/" + power_of("deg", rate)
+                               : rate == Rate::Acceleration ? "1/deg"
+                                                            : "1";
   Entry in_deg = entry, in_rad = entry;
   in_deg.text = with_angles_in(entry.text, "deg");
   in_rad.text = with_angles_in(entry.text, "rad");
-  const auto value = value_in(entry, plain), deg = value_in(in_deg, plain),
-             rad = value_in(in_rad, plain);
+  const auto value = value_in(entry, by_angle), deg = value_in(in_deg, by_angle),
+             rad = value_in(in_rad, by_angle);
   if (!value || !deg || !rad) return {};
   constexpr double kDeg = std::numbers::pi / 180;
   const double expected = std::pow(kDeg, above - order);
   constexpr double kRounding = 1e-9;
   if (std::abs(*deg - expected * *rad) > kRounding * std::abs(*deg)) return {};
-  return *value * std::pow(kDeg, order - above);
+  return value;
 }
 
 /// Displacements that a program states.
