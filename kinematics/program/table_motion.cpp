@@ -102,8 +102,8 @@ optim::SmoothingSpline with_deviation(std::span<const double> x, std::span<const
   const auto at = [&](double power) { return smoothed(x, s, std::pow(10.0, power)); };
   if (deviation_of(at(low)) > wanted || deviation_of(at(high)) < wanted) {
     throw std::invalid_argument(
-        fmt::format("no spline is as far from the rows as that; the deviations that there are go "
-                    "from {:.3g} to {:.3g} of the stroke",
+        fmt::format("no smoothing spline is just as far from the rows; what there is goes from "
+                    "{:.3g} to {:.3g} of the table's range",
                     deviation_of(at(low)), deviation_of(at(high))));
   }
   constexpr int kHalvings = 40;

@@ -24,8 +24,9 @@ void check_no_parameter(const Entry& entry, const Mechanism& mechanism) {
 
 void read_input(const Entry& entry, ProblemStatement& problem) {
   const BuildableInput& input = *find_input(*problem.mechanism, entry.key);
+  const double value = quantity_of(entry, input.unit);
   problem.buildable.inputs[input.name] =
-      located(entry, [&] { return accepted_input(input, quantity_of(entry, input.unit)); });
+      located(entry, [&] { return accepted_input(input, value); });
 }
 
 }  // namespace

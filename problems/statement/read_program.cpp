@@ -51,6 +51,9 @@ std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, c
   if (law.kind == Kind::List) {
     if (law.items.empty()) refuse(law, "the list is empty; name at least one law");
     for (const Entry& item : law.items) {
+      if (item.kind == Kind::Text && item.text == kJoining) {
+        refuse(item, "joining is not among laws to choose from; write law = \"joining\" alone");
+      }
       laws.push_back(read_segment_law(file, segment, item, files));
     }
   } else {
@@ -105,6 +108,9 @@ void read_joining(const Entry& entry, const ProgramUnits& units, double level,
   segment.velocity = read_rate(entry, "velocity", units, Rate::Velocity);
   segment.acceleration = read_rate(entry, "acceleration", units, Rate::Acceleration);
   if (const Entry* continuity = find(entry, "continuity")) {
+    const Entry* law = find(entry, "law");
+    const bool has_law = law != nullptr && law->text != kJoining;
+    if (has_law) refuse(*continuity, "it is for a segment that joins; its law has its own");
     segment.continuity = static_cast<int>(whole_of(*continuity, 2, 4));
   }
 }

@@ -195,7 +195,9 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   std::vector<double> s;
   for (const double lift : turn.lift) s.push_back((lift - *lowest) / range);
   const TableSmoothing smoothing = read_smoothing(program, turn.unit, range);
-  const TableMotion motion = located(name, [&] { return table_motion(turn.x, s, smoothing); });
+  const Entry* stated_smoothing = find(program, "smoothing");
+  const TableMotion motion = located(stated_smoothing != nullptr ? *stated_smoothing : name,
+                                     [&] { return table_motion(turn.x, s, smoothing); });
   problem.laws = {member_of(motion.law, name.text,
                             words_of(name.text, turn.x.size(), motion, range, turn.unit))};
 }

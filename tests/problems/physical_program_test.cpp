@@ -224,6 +224,15 @@ TEST_CASE("the film feed's crossover is where both peaks of its torque are equal
   CHECK(best.found.assessment.objective.value == Approx(half / low + pull).epsilon(1e-6));
 }
 
+TEST_CASE("what belongs to other segments is refused", "[physical_program]") {
+  CHECK_THAT(
+      refusal("{name = 'a', angle = 180, law = ['joining', 'MS']}, {name = 'b', law = 'MS'}"),
+      Contains("joining is not among laws to choose from"));
+  CHECK_THAT(
+      refusal("{name = 'a', angle = 180, law = 'MS', continuity = 2}, {name = 'b', law = 'MS'}"),
+      Contains("its law has its own"));
+}
+
 TEST_CASE("a motion that advances is not for a cam", "[physical_program]") {
   CHECK_THAT(refusal("{name = 'a', angle = 180, law = 'MS'}, {name = 'b'}", "advance = 1\n"),
              Contains("the motion of disc-cam-roller returns to where it began"));
