@@ -14,6 +14,7 @@
 #include "optim/solvers/solver.h"
 #include "problems/law_files/json_text.h"
 #include "problems/law_files/pieces_json.h"
+#include "problems/statement/held_files.h"
 
 namespace camlaw::problems {
 namespace {
@@ -73,10 +74,22 @@ void check_laws(const std::string& its, const std::string& now) {
 }
 
 ProblemStatement read_and_set(const std::string& text, const std::string& source,
-                              const std::vector<std::string>& set) {
-  ProblemStatement statement = read_problem(text, source);
-  set_values(statement, set);
+                              const FrontSettings& settings) {
+  ProblemStatement statement = read_problem(text, source, settings.files);
+  set_values(statement, settings.set);
   return statement;
+}
+
+/// The files beside the problem; studies of problems without any, and of earlier programs, have
+/// none.
+HeldFiles files_of(const optim::StudySettings& settings) {
+  HeldFiles files;
+  const auto laws = settings.find("law_files"), tables = settings.find("tables");
+  if (laws != settings.end()) files.laws = laws_from_json(setting_of("law_files", laws->second));
+  if (tables != settings.end()) {
+    files.tables = tables_from_json(setting_of("tables", tables->second));
+  }
+  return files;
 }
 
 /// What was set beside the file; studies of earlier programs have none.
@@ -120,7 +133,7 @@ std::string_view to_string(optim::ParetoMethod method) {
 FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontSettings& settings)
     : text_(std::move(text)),
       source_(source),
-      bound_(read_and_set(text_, source, settings.set)),
+      bound_(read_and_set(text_, source, settings)),
       space_(bound_.front_space()) {
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
@@ -155,20 +168,28 @@ FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
-  return {points_of(find(settings, "points")), parse_method(find(settings, "method")),
-          set_of(settings)};
+  return {points_of(find(settings, "points")),
+          parse_method(find(settings, "method")),
+          set_of(settings),
+          {},
+          files_of(settings)};
 }
 
 optim::StudySettings FrontStudy::settings() const {
-  return {{"problem", text_},
-          {"source", std::filesystem::absolute(source_).lexically_normal().string()},
-          {"set", Json(bound_.statement().settings).dump()},
-          {"laws", laws_of_files(bound_.statement())},
-          {"points", fmt::format("{}", options_.points)},
-          {"method", std::string(to_string(options_.method))},
-          {"seed", fmt::format("{}", options_.seed)},
-          {"solver", options_.solve.solver},
-          {"versions", versions()}};
+  optim::StudySettings result{
+      {"problem", text_},
+      {"source", std::filesystem::absolute(source_).lexically_normal().string()},
+      {"set", Json(bound_.statement().settings).dump()},
+      {"laws", laws_of_files(bound_.statement())},
+      {"points", fmt::format("{}", options_.points)},
+      {"method", std::string(to_string(options_.method))},
+      {"seed", fmt::format("{}", options_.seed)},
+      {"solver", options_.solve.solver},
+      {"versions", versions()}};
+  const HeldFiles& files = bound_.statement().files;
+  if (!files.laws.empty()) result["law_files"] = laws_to_json(files.laws).dump();
+  if (!files.tables.empty()) result["tables"] = Json(files.tables).dump();
+  return result;
 }
 
 void FrontStudy::check_same(const optim::StudyRecord& record) const {

@@ -14,6 +14,7 @@ struct FrontSettings {
   optim::ParetoMethod method = optim::ParetoMethod::Automatic;
   std::vector<std::string> set = {};  ///< beside the file, as set_values takes it
   std::optional<bool> scouts = {};    ///< as ParetoOptions has it; of a record, whether it did
+  HeldFiles files = {};               ///< that need not be looked for, as a record keeps them
 };
 
 inline constexpr std::size_t kMostPoints = 100'000;

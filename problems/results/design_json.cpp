@@ -6,21 +6,9 @@
 #include <filesystem>
 
 #include "problems/law_files/json_text.h"
-#include "problems/law_files/pieces_json.h"
+#include "problems/statement/held_files.h"
 
 namespace camlaw::problems {
-namespace {
-
-Json laws_to_json(const std::map<std::string, Member>& files) {
-  Json result = Json::object();
-  for (const auto& [name, law] : files) {
-    result[name] = law_file(law.law(), law.family->formula, nullptr);
-  }
-  return result;
-}
-
-}  // namespace
-
 Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& options,
                      optim::Design x) {
   const ProblemStatement& problem = bound.statement();

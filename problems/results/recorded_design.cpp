@@ -12,6 +12,7 @@
 #include "problems/results/seal.h"
 #include "problems/results/stated_numbers.h"
 #include "problems/statement/choices.h"
+#include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -34,15 +35,8 @@ std::string text_of(const Json& record, const char* name) {
 }
 
 HeldFiles files_of(const Json& record) {
-  HeldFiles files;
-  for (const auto& [name, law] : key(record, "law_files", &Json::is_object, "object").items()) {
-    files.laws.emplace(name, read_law_text(law.dump(), name));
-  }
-  if (!record.contains("tables")) return files;
-  for (const auto& [name, table] : key(record, "tables", &Json::is_object, "object").items()) {
-    if (!table.is_string()) refuse("a table of its design is not text");
-    files.tables.emplace(name, table.get<std::string>());
-  }
+  HeldFiles files{laws_from_json(key(record, "law_files", &Json::is_object, "object"))};
+  if (record.contains("tables")) files.tables = tables_from_json(record["tables"]);
   return files;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // pareto and front, as a user runs them.
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <functional>
+#include <numbers>
 #include <thread>
 
 #include "problems/results/recorded_design.h"
@@ -639,6 +642,25 @@ TEST_CASE("a model that dies is one of the failures", "[program]") {
   for (const ParsedJson& failure : result["failures"]) {
     CHECK_THAT(failure["why"].get<std::string>(), Contains("killed by signal 9"));
   }
+}
+
+TEST_CASE("a study carries the table and the law that its problem names", "[program][lift_table]") {
+  const Folder folder;
+  std::string table = "angle [deg],lift [mm]\n";
+  for (int i = 0; i < 72; ++i) {
+    table += fmt::format("{},{:.4f}\n", 5 * i, 10 - 10 * std::cos(i * std::numbers::pi / 36));
+  }
+  const std::string lift = folder / "lift.csv", study = folder / "s.db";
+  std::ofstream(lift) << table;
+  const std::string file = folder / "front.toml";
+  std::ofstream(file) << "mechanism = \"disc-cam-roller\"\n[program]\ntable = \"lift.csv\"\n"
+                         "[variables.base_radius]\nlower = 20\nupper = 80\n[[objectives]]\n"
+                         "minimize = \"base_radius\"\n[[objectives]]\nminimize = \"peak "
+                         "pressure_angle\"\n";
+  const ParsedJson front = ParsedJson::parse(
+      done({"pareto", file, "--points", "3", "--workers", "2", "--db", study, "--json"}));
+  fs::remove(lift);
+  CHECK(ParsedJson::parse(done({"front", study, "--json"})).at("points") == front.at("points"));
 }
 
 }  // namespace camlaw::cli::pareto_test
