@@ -53,6 +53,7 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
   problems::FrontSettings settings;
   if (options.resume && study && fs::exists(*study)) {
     settings = problems::FrontStudy::settings_of(optim::StudyRecord::read(*study));
+    settings.files = {};  // those that there are, so that others than the study's are noticed
   }
   if (!options.settings.empty()) settings.set = options.settings;
   if (options.method) {

@@ -2,6 +2,7 @@
 #include "machines/cams/buildable_checks.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace camlaw::problems {
 namespace {
@@ -153,7 +154,7 @@ Checks conjugate_checks() {
 }
 
 Checks force_closure_checks(const FollowerWords& words) {
-  const bool slides = words.stroke == kSliding.stroke;
+  const bool slides = std::string_view(words.stroke) == kSliding.stroke;
   BuildableCheck spring{.name = "spring",
                         .fault = "the spring is solid",
                         .response = "spring_deflection",
