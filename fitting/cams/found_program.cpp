@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "numerics/tables/turn.h"
+#include "problems/statement/program_units.h"
 
 namespace camlaw::problems {
 namespace {
@@ -83,10 +84,11 @@ Turn turn_of(const std::vector<MotionFit>& fits) {
 std::string sizes_text(const MeasuredCam& cam, const ProblemStatement& machine, const Turn& turn) {
   std::string text;
   const auto& parameters = machine.mechanism->parameters;
+  const auto stroke = stroke_of(*machine.mechanism);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const MechanismParameter& p = parameters[i];
     double value = machine.constants[i];
-    if (p.name == "stroke" || p.name == "swing") value = turn.highest - turn.lowest;
+    if (stroke == i) value = turn.highest - turn.lowest;
     if (p.name == "base_radius") value = cam.lift.base_radius(turn.lowest * cam.unit());
     text += p.unit == "1" ? fmt::format("{} = {}\n", p.name, number(value))
                           : fmt::format("{} = \"{} {}\"\n", p.name, number(value), p.unit);

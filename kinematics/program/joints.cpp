@@ -45,9 +45,8 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
   const auto turning = [&](std::size_t i, bool at_begin) {
     const ProgramSegment& stated = program.segments[i];
     if (!stated.law || stated.shapes) return;
-    const Law<double> law = stated.reversed ? reversed(stated.law->law()) : stated.law->law();
-    const State round =
-        turned_round(segments[i], law, at_begin, at_begin ? joint.right : joint.left);
+    const State round = turned_round(segments[i], running_law(stated), at_begin,
+                                     at_begin ? joint.right : joint.left);
     const bool meets = at_begin ? !jump_of(joint.left, round, joint.rate, program.matched)
                                 : !jump_of(round, joint.right, joint.rate, program.matched);
     if (!meets) return;

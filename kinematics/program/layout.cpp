@@ -86,18 +86,6 @@ void add_joining(const ProgramSegment& segment, bool is_last, SegmentParameters&
   }
 }
 
-/// Whether a law stands still at one of its ends, as far as `matched` asks.
-bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
-  if (segment.rests) return true;
-  const Law<double> law = segment.reversed ? reversed(segment.law->law()) : segment.law->law();
-  const auto motion = law.derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
-  constexpr double kRounding = 1e-9;
-  for (std::size_t k = 1; k <= static_cast<std::size_t>(matched); ++k) {
-    if (std::abs(motion[k]) > kRounding) return false;
-  }
-  return true;
-}
-
 /// Whether segments meet whatever the levels and the rates are: those that join do, from what is
 /// before them on, and laws that stand still where they meet.
 bool meets_anyhow(const ProgramSegment& before, const ProgramSegment& after, Matched matched) {
@@ -146,6 +134,17 @@ Room room_of_last(const std::vector<ProgramSegment>& stated, const Layout& layou
 
 void refuse_program(const std::string& why) {
   throw std::invalid_argument("motion program: " + why);
+}
+
+bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
+  if (segment.rests) return true;
+  const auto motion =
+      running_law(segment).derivatives<3>(at_end ? 1.0 : 0.0, at_end ? Side::Left : Side::Right);
+  constexpr double kRounding = 1e-9;
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(matched); ++k) {
+    if (std::abs(motion[k]) > kRounding) return false;
+  }
+  return true;
 }
 
 Layout lay_out(const StatedProgram& program) {

@@ -29,6 +29,16 @@ inline bool joins(const ProgramSegment& segment) {
   return !segment.rests && (!segment.law || segment.shapes);
 }
 
+/// A segment's law as it runs: backwards where that is stated.
+inline Law<double> running_law(const ProgramSegment& segment) {
+  const Law<double> law = segment.law->law();
+  return segment.reversed ? reversed(law) : law;
+}
+
+/// Whether a segment that has a law or rests stands still at one of its ends, as far as `matched`
+/// asks.
+bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched);
+
 /// Where the family's parameters hold what belongs to a segment.
 struct SegmentPlaces {
   std::optional<std::size_t> angle, to, points, point_angles, velocity, acceleration;
@@ -82,24 +92,37 @@ std::vector<SegmentPoint<S>> points_at(const ProgramSegment& stated, const Segme
   return result;
 }
 
-/// The program's segments for arguments. The last takes what is left of the cycle.
+/// The segments' shares of the cycle. The last takes what is left of it.
+template <class S>
+std::vector<S> shares_at(const StatedProgram& program, const Layout& layout,
+                         const Arguments<S>& arguments) {
+  std::vector<S> shares;
+  S left = number<S>(1);
+  for (std::size_t i = 0; i < program.segments.size(); ++i) {
+    const auto& angle = layout.segments[i].angle;
+    const S share = angle ? arguments.scalar(*angle) / number<S>(kCycle) : left;
+    if (!(value_of(share) > 0)) {
+      refuse_program(fmt::format("no angle is left for '{}'", program.segments[i].name));
+    }
+    left = left - share;
+    shares.push_back(share);
+  }
+  return shares;
+}
+
+/// The program's segments for arguments.
 template <class S>
 std::vector<Segment<S>> segments_at(const StatedProgram& program, const Layout& layout,
                                     const Arguments<S>& arguments) {
   std::vector<Segment<S>> result;
-  S left = number<S>(1);
+  const std::vector<S> shares = shares_at(program, layout, arguments);
   S level = number<S>(program.segments.back().to - program.advance);
   for (std::size_t i = 0; i < program.segments.size(); ++i) {
     const ProgramSegment& stated = program.segments[i];
     const SegmentPlaces& places = layout.segments[i];
-    const S share = places.angle ? arguments.scalar(*places.angle) / number<S>(kCycle) : left;
-    if (!(value_of(share) > 0)) {
-      refuse_program(fmt::format("no angle is left for '{}'", stated.name));
-    }
-    left = left - share;
     S to = places.to ? arguments.scalar(*places.to) : number<S>(stated.to);
     if (stated.rests) to = level;
-    Segment<S> segment{share, level, to};
+    Segment<S> segment{shares[i], level, to};
     if (stated.law) {
       const Family& family = *stated.law->family;
       const Law<S> law = family.make(law_arguments(arguments, places, family));

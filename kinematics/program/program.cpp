@@ -36,13 +36,9 @@ void check_motion(const ProgramSegment& segment) {
                     segment.name, segment.rests ? "rests" : "moves by a law"));
   }
   if (segment.shapes) {
-    const auto rests_at = [&](double end, Side side) {
-      const auto motion = segment.law->law().derivatives<3>(end, side);
-      constexpr double kRounding = 1e-9;
-      return std::abs(motion[1]) < kRounding && std::abs(motion[2]) < kRounding;
-    };
-    if (!segment.points.empty() || segment.continuity != 4 || !rests_at(0.0, Side::Right) ||
-        !rests_at(1.0, Side::Left)) {
+    const bool rests_at_ends = detail::stands_still(segment, false, Matched::Acceleration) &&
+                               detail::stands_still(segment, true, Matched::Acceleration);
+    if (!segment.points.empty() || segment.continuity != 4 || !rests_at_ends) {
       refuse_program(
           fmt::format("a law that shapes a joining segment, '{}', goes from rest to rest, "
                       "and the segment passes no points",
@@ -212,9 +208,9 @@ Member program_of(const StatedProgram& program) {
   family.spans = [program, layout](const Arguments<double>& arguments) {
     std::vector<NamedSpan> spans;
     double begin = 0;
-    for (const auto& segment : segments_at(program, layout, arguments)) {
+    for (const double share : shares_at(program, layout, arguments)) {
       const bool is_last = spans.size() + 1 == program.segments.size();
-      const double end = is_last ? 1 : begin + segment.share;
+      const double end = is_last ? 1 : begin + share;
       spans.push_back({program.segments[spans.size()].name, begin, end});
       begin = end;
     }

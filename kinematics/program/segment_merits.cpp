@@ -10,14 +10,21 @@
 namespace camlaw {
 namespace {
 
-/// The law between two of its breaks, over [0, 1].
-Law<double> part_of(const Law<double>& law, const NamedSpan& span, double from, double stroke) {
-  const double share = span.end - span.begin;
+/// The pieces of a law between two of its breaks.
+std::vector<Piece<double>> pieces_in(const Law<double>& law, const NamedSpan& span) {
   std::vector<Piece<double>> pieces;
   for (const Piece<double>& piece : law.pieces()) {
     const double middle = 0.5 * (piece.begin + piece.end);
-    if (middle < span.begin || middle > span.end) continue;
-    pieces.push_back(detail::map_piece(piece, share, span.begin, 1 / stroke, -from / stroke));
+    if (middle >= span.begin && middle <= span.end) pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+/// These pieces as a law of their own, over [0, 1].
+Law<double> law_of(std::vector<Piece<double>> pieces, const NamedSpan& span, double from,
+                   double stroke) {
+  for (Piece<double>& piece : pieces) {
+    piece = detail::map_piece(piece, span.end - span.begin, span.begin, 1 / stroke, -from / stroke);
   }
   // Of ends that were counted from shares the rounding is taken off.
   pieces.front().begin = 0;
@@ -26,13 +33,8 @@ Law<double> part_of(const Law<double>& law, const NamedSpan& span, double from, 
   return part.with_ends(natural_ends(part));
 }
 
-bool is_rest(const Law<double>& law, const NamedSpan& span) {
-  return std::none_of(law.pieces().begin(), law.pieces().end(), [&](const Piece<double>& piece) {
-    const double middle = 0.5 * (piece.begin + piece.end);
-    const bool inside = middle >= span.begin && middle <= span.end;
-    return inside &&
-           (piece.polynomial.size() > 1 || !piece.harmonics.empty() || !piece.curves.empty());
-  });
+bool moves(const Piece<double>& piece) {
+  return piece.polynomial.size() > 1 || !piece.harmonics.empty() || !piece.curves.empty();
 }
 
 }  // namespace
@@ -44,10 +46,11 @@ std::vector<SegmentMerits> segment_merits(const Member& member) {
   for (const NamedSpan& span : member.family->spans(member.arguments)) {
     const double from = law(span.begin).s, to = law(span.end, Side::Left).s;
     SegmentMerits merits{span.name, span.begin, span.end, from, to};
-    if (!is_rest(law, span)) {
+    std::vector<Piece<double>> pieces = pieces_in(law, span);
+    if (std::any_of(pieces.begin(), pieces.end(), moves)) {
       constexpr double kNone = 1e-9;  // of the stroke: what rounding leaves
       const double stroke = std::abs(to - from) < kNone ? 1 : to - from;
-      merits.law = part_of(law, span, from, stroke);
+      merits.law = law_of(std::move(pieces), span, from, stroke);
       const auto own = peaks(*merits.law);
       merits.max_velocity = own.max_velocity();
       merits.max_acceleration = own.max_acceleration();

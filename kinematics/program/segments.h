@@ -82,8 +82,11 @@ struct Run {
     add_piece(segment.share, segment.to, segment.stated_end);
   }
 
-  /// The pieces' laws, with these states at the knots.
-  void place(const std::vector<RunState<T>>& states, std::vector<std::vector<Piece<T>>>& parts) {
+  /// The pieces' laws, with what is stated at the knots.
+  void place(const std::vector<RunKnot<T>>& knots, std::vector<std::vector<Piece<T>>>& parts) {
+    std::vector<RunPiece<T>> plain;
+    for (const auto& placed : pieces) plain.push_back(placed.piece);
+    const std::vector<RunState<T>> states = run_states(plain, knots, smoothness);
     const bool quintic = smoothness == Smoothness::Snap;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const auto& [piece, begin, segment] = pieces[i];
@@ -141,11 +144,9 @@ void join(const std::vector<Segment<T>>& segments, const std::vector<T>& begins,
   if (first == n) {  // the whole cycle is one run that ends where it begins
     Run<T> run;
     for (std::size_t i = 0; i < n; ++i) run.add(segments[i], begins[i], i);
-    std::vector<RunPiece<T>> pieces;
-    for (const auto& p : run.pieces) pieces.push_back(p.piece);
     std::vector<RunKnot<T>> knots{run.ends.back()};
     knots.insert(knots.end(), run.ends.begin(), run.ends.end() - 1);
-    run.place(run_states(pieces, knots, run.smoothness), parts);
+    run.place(knots, parts);
     return;
   }
   for (std::size_t k = first; k < first + n; ++k) {
@@ -153,15 +154,13 @@ void join(const std::vector<Segment<T>>& segments, const std::vector<T>& begins,
     Run<T> run;
     std::size_t i = k + 1;
     for (; segments[i % n].joins; ++i) run.add(segments[i % n], begins[i % n], i % n);
-    std::vector<RunPiece<T>> pieces;
-    for (const auto& p : run.pieces) pieces.push_back(p.piece);
     const auto &before = parts[k % n], &after = parts[i % n];
     std::vector<RunKnot<T>> knots{knot_at(before.back(), before.back().end)};
     knots.insert(knots.end(), run.ends.begin(), run.ends.end());
     const RunKnot<T> next = knot_at(after.front(), after.front().begin);
     if (!knots.back().velocity) knots.back().velocity = next.velocity;
     if (!knots.back().acceleration) knots.back().acceleration = next.acceleration;
-    run.place(run_states(pieces, knots, run.smoothness), parts);
+    run.place(knots, parts);
   }
 }
 

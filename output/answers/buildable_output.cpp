@@ -53,18 +53,11 @@ std::vector<Cell> unchecked_cells(const BuildableAnswer& answer) {
 }
 
 std::vector<Cell> checked_cells(const BuildableAnswer& answer) {
-  const optim::LimitReport& report = answer.report;
-  const LimitText text = limit_text(report, answer.limit);
-  return {{name_of(answer), answer.check->name},
-          answer_cell(answer.built),
-          report.name,
-          {text.value, report.value},
-          {text.bound, report.bound},
-          datum(report.is_upper ? "upper" : "lower"),
-          {text.margin, report.margin},
-          report.unit,
-          {text.place, report.worst_angle},
-          remark_of(answer)};
+  std::vector<Cell> cells{
+      {name_of(answer), answer.check->name}, answer_cell(answer.built), answer.report.name};
+  for (Cell& cell : limit_cells(answer.report, answer.limit)) cells.push_back(std::move(cell));
+  cells.push_back(remark_of(answer));
+  return cells;
 }
 
 }  // namespace

@@ -30,6 +30,17 @@ LimitText limit_text(const optim::LimitReport& report,
           report.worst_angle ? place_text(*report.worst_angle, stated.response) : ""};
 }
 
+std::vector<Cell> limit_cells(const optim::LimitReport& report,
+                              const problems::ConstraintStatement& stated) {
+  const LimitText text = limit_text(report, stated);
+  return {{text.value, report.value},
+          {text.bound, report.bound},
+          datum(report.is_upper ? "upper" : "lower"),
+          {text.margin, report.margin},
+          report.unit,
+          {text.place, report.worst_angle}};
+}
+
 Table limits_table(const std::vector<optim::LimitReport>& limits,
                    const problems::ProblemStatement& design) {
   Table table{.key = "constraints",
@@ -38,16 +49,10 @@ Table limits_table(const std::vector<optim::LimitReport>& limits,
                           words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met")},
               .shown = 0};
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const optim::LimitReport& limit = limits[i];
-    const LimitText text = limit_text(limit, design.constraints[i]);
-    table.add({limit.name,
-               {text.value, limit.value},
-               {text.bound, limit.bound},
-               datum(limit.is_upper ? "upper" : "lower"),
-               {text.margin, limit.margin},
-               limit.unit,
-               {text.place, limit.worst_angle},
-               datum(limit.met)});
+    std::vector<Cell> cells = limit_cells(limits[i], design.constraints[i]);
+    cells.insert(cells.begin(), limits[i].name);
+    cells.push_back(datum(limits[i].met));
+    table.add(std::move(cells));
   }
   return table;
 }

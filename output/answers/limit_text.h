@@ -21,6 +21,11 @@ struct LimitText {
 /// `stated` is the constraint behind the report.
 LimitText limit_text(const optim::LimitReport& report, const problems::ConstraintStatement& stated);
 
+/// How a design stands to a limit, in a table: value, bound, side, margin, unit and the worst
+/// place.
+std::vector<Cell> limit_cells(const optim::LimitReport& report,
+                              const problems::ConstraintStatement& stated);
+
 /// How limits stand: name, value, bound, side, margin, unit, the worst place, and whether met. Only
 /// programs read it, unless `shown` is set.
 Table limits_table(const std::vector<optim::LimitReport>& limits,

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "kinematics/laws/lone_law.h"
 #include "kinematics/limits.h"
 #include "kinematics/shape.h"
 #include "numerics/scalar/dual.h"
@@ -92,19 +93,9 @@ ReadLaw law_of(const std::string& text) {
 Member member_of(ReadLaw read, const std::string& name, const std::string& asked) {
   std::vector<std::string> paths;
   if (!asked.empty()) paths.push_back(asked);
-  Family family{.name = name,
-                .aliases = std::move(paths),
-                .formula = read.title,
-                .parameters = {},
-                .ends = to_string(read.law.ends()),
-                .continuity = continuity(read.law),
-                .symmetric = is_symmetric(read.law),
-                .source = kSource,
-                .maker = [law = std::move(read.law)]<class S>(const Arguments<S>&) {
-                  return law.template as<S>();
-                }};
-  const auto owned = std::make_shared<const Family>(std::move(family));
-  return {owned, owned->defaults()};
+  LoneLaw about{name,    read.title,       to_string(read.law.ends()),
+                kSource, std::move(paths), is_symmetric(read.law)};
+  return lone_law(std::move(about), std::move(read.law));
 }
 
 /// Empty where there is none.

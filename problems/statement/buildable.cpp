@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "problems/statement/bind.h"
+#include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -256,10 +257,7 @@ void limit_to_checks(ProblemStatement& problem) {
     const ConstraintStatement limit = limit_of(*check, problem);
     add_limit(limit, problem);
     for (const ValidityLimit& valid : limit.response.response->defined_while) {
-      ConstraintStatement more;
-      more.response = find_response(*problem.mechanism, valid.response);
-      if (std::isfinite(valid.lower)) more.lower = valid.lower;
-      if (std::isfinite(valid.upper)) more.upper = valid.upper;
+      ConstraintStatement more = valid_limit(*problem.mechanism, valid);
       more.of_check = true;
       add_limit(more, problem);
     }

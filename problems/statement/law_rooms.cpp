@@ -2,6 +2,7 @@
 #include "problems/statement/law_rooms.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/laws/build.h"
 #include "machines/model/law_binding.h"
@@ -101,6 +102,14 @@ std::optional<double> most_room(const ConstraintStatement& constraint, const Mem
     }
   }
   return {};
+}
+
+ConstraintStatement valid_limit(const Mechanism& mechanism, const ValidityLimit& limit) {
+  ConstraintStatement constraint;
+  constraint.response = find_response(mechanism, limit.response);
+  if (std::isfinite(limit.lower)) constraint.lower = limit.lower;
+  if (std::isfinite(limit.upper)) constraint.upper = limit.upper;
+  return constraint;
 }
 
 }  // namespace camlaw::problems

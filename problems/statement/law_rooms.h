@@ -11,6 +11,9 @@ namespace camlaw::problems {
 /// with a price. Constraints of an earlier call go first: what is fixed may have changed.
 void limit_to_laws(ProblemStatement& problem);
 
+/// A limit of validity as a constraint on a mechanism's response.
+ConstraintStatement valid_limit(const Mechanism& mechanism, const ValidityLimit& limit);
+
 /// Between what a parameter of a law varies.
 struct LawRange {
   std::size_t parameter, element;

@@ -131,15 +131,6 @@ void add_variable(ProblemStatement& problem, const NamedParameter& parameter, st
   problem.variables.push_back(std::move(variable));
 }
 
-/// Whether a segment's law is free, or may be.
-bool is_free(const Entry& segment) {
-  const Entry* law = find(segment, "law");
-  if (law == nullptr) return false;
-  if (law->kind == Kind::Text) return is_free_name(law->text);
-  return std::any_of(law->items.begin(), law->items.end(),
-                     [](const Entry& item) { return is_free_name(item.text); });
-}
-
 /// What stands before the parameters of each free law, which is told by what it alone has (a law
 /// file may be called free too): nothing, or of a program's segments "rise_".
 std::vector<std::string> free_prefixes(const Entry& file, const ProblemStatement& problem) {
@@ -166,6 +157,14 @@ std::optional<NamedParameter> unfixed(const ProblemStatement& problem, const std
 }  // namespace
 
 bool is_free_name(std::string_view name) { return name == kFree; }
+
+bool is_free(const Entry& segment) {
+  const Entry* law = find(segment, "law");
+  if (law == nullptr) return false;
+  if (law->kind == Kind::Text) return is_free_name(law->text);
+  return std::any_of(law->items.begin(), law->items.end(),
+                     [](const Entry& item) { return is_free_name(item.text); });
+}
 
 namespace {
 

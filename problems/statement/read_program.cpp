@@ -93,6 +93,12 @@ ProgramPoint read_point(const Entry& entry, const ProgramUnits& units, double fr
           read_rate(entry, "acceleration", units, Rate::Acceleration)};
 }
 
+/// Whether a segment moves by a law, or one of several.
+bool has_law(const Entry& segment) {
+  const Entry* law = find(segment, "law");
+  return law != nullptr && law->text != kJoining;
+}
+
 /// What only a segment that joins can have.
 void read_joining(const Entry& entry, const ProgramUnits& units, double level,
                   ProgramSegment& segment) {
@@ -108,9 +114,7 @@ void read_joining(const Entry& entry, const ProgramUnits& units, double level,
   segment.velocity = read_rate(entry, "velocity", units, Rate::Velocity);
   segment.acceleration = read_rate(entry, "acceleration", units, Rate::Acceleration);
   if (const Entry* continuity = find(entry, "continuity")) {
-    const Entry* law = find(entry, "law");
-    const bool has_law = law != nullptr && law->text != kJoining;
-    if (has_law) refuse(*continuity, "it is for a segment that joins; its law has its own");
+    if (has_law(entry)) refuse(*continuity, "it is for a segment that joins; its law has its own");
     segment.continuity = static_cast<int>(whole_of(*continuity, 2, 4));
   }
 }
@@ -121,21 +125,16 @@ bool moves_without_law(const Entry& entry) {
          find(entry, "acceleration") != nullptr;
 }
 
-void refuse_free_ends(const Entry& entry, const Entry* law) {
-  const auto is_free = [](const Entry& name) {
-    return name.kind == Kind::Text && is_free_name(name.text);
-  };
-  const bool free =
-      law != nullptr &&
-      (law->kind == Kind::List ? std::any_of(law->items.begin(), law->items.end(), is_free)
-                               : is_free(*law));
+/// Refuses what other laws than the segment's have.
+void check_law_keys(const Entry& entry) {
   for (const char* key : {"begin", "end"}) {
     const Entry* end = find(entry, key);
-    if (end != nullptr && !free) refuse(*end, "it is for a segment whose law is \"free\"");
+    if (end != nullptr && !is_free(entry)) {
+      refuse(*end, "it is for a segment whose law is \"free\"");
+    }
   }
   const Entry* joining = find(entry, "joining");
-  const bool has_law = law != nullptr && law->text != kJoining;
-  if (joining != nullptr && !has_law) {
+  if (joining != nullptr && !has_law(entry)) {
     refuse(*joining,
            "it is for a segment with a law, which then joins; without one write law = "
            "\"joining\"");
@@ -161,7 +160,7 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
   segment.to = to ? *to : segment.rests ? level : level == 0 ? top : 0;
   read_joining(entry, units, level, segment);
   if (law != nullptr) result.laws = read_segment_laws(file, entry, *law, files);
-  refuse_free_ends(entry, law);
+  check_law_keys(entry);
   return result;
 }
 

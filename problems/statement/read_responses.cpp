@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -183,11 +184,7 @@ void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
     const bool below = std::isinf(limit.upper) || (c.upper && *c.upper <= limit.upper);
     if (above && below) return;
   }
-  ConstraintStatement constraint;
-  constraint.response = find_response(*problem.mechanism, limit.response);
-  if (std::isfinite(limit.lower)) constraint.lower = limit.lower;
-  if (std::isfinite(limit.upper)) constraint.upper = limit.upper;
-  problem.constraints.push_back(std::move(constraint));
+  problem.constraints.push_back(valid_limit(*problem.mechanism, limit));
 }
 
 /// Those of the responses that are sought or limited.

@@ -7,10 +7,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "kinematics/laws/lone_law.h"
 #include "kinematics/program/table_motion.h"
-#include "kinematics/shape.h"
-#include "numerics/scalar/dual.h"
-#include "numerics/tables/assumed_units.h"
 #include "numerics/tables/columns.h"
 #include "numerics/tables/line_source.h"
 #include "numerics/tables/sample_table.h"
@@ -126,23 +124,6 @@ TableSmoothing read_smoothing(const Entry& program, const std::string& unit, dou
   return {Kind::Deviation, deviation / range};
 }
 
-/// The motion as a law that has no parameters; `words` say where it comes from.
-Member member_of(Law<double> law, const std::string& name, const std::string& words) {
-  Family family{.name = "table " + name,
-                .aliases = {},
-                .formula = words,
-                .parameters = {},
-                .ends = "periodic",
-                .continuity = continuity(law),
-                .symmetric = false,
-                .source = "a table",
-                .maker = [law = std::move(law)]<class S>(const Arguments<S>&) {
-                  return law.template as<S>();
-                }};
-  const auto owned = std::make_shared<const Family>(std::move(family));
-  return {owned, owned->defaults()};
-}
-
 std::string words_of(const std::string& name, std::size_t rows, const TableMotion& motion,
                      double range, const std::string& unit) {
   if (motion.greatest == 0) return fmt::format("the lift of {}, through all {} rows", name, rows);
@@ -198,8 +179,10 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
   const Entry* stated_smoothing = find(program, "smoothing");
   const TableMotion motion = located(stated_smoothing != nullptr ? *stated_smoothing : name,
                                      [&] { return table_motion(turn.x, s, smoothing); });
-  problem.laws = {member_of(motion.law, name.text,
-                            words_of(name.text, turn.x.size(), motion, range, turn.unit))};
+  problem.laws = {
+      lone_law({"table " + name.text, words_of(name.text, turn.x.size(), motion, range, turn.unit),
+                "periodic", "a table"},
+               motion.law)};
 }
 
 }  // namespace camlaw::problems

@@ -53,10 +53,10 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
                              "taken",
                              response.name));
   }
-  if (over != nullptr && (from != nullptr || to != nullptr)) {
-    refuse(from != nullptr ? *from : *to, "over says where already; drop one of the two");
-  }
   if (over != nullptr) {
+    if (from != nullptr || to != nullptr) {
+      refuse(from != nullptr ? *from : *to, "over says where already; drop one of the two");
+    }
     response.window = read_over(*over, problem, *cycle);
     response.name += " over " + response.window->segment;
     return;

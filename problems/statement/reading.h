@@ -45,6 +45,8 @@ void read_tolerances(const Entry& file, ProblemStatement& problem);
 /// What [free] says: the law that the name "free" stands for, and its coefficients (and knots) as
 /// variables, but for those that the file states. Refuses the table where no law is free.
 bool is_free_name(std::string_view name);
+/// Whether a segment's law is free, or may be.
+bool is_free(const Entry& segment);
 Member read_free_law(const Entry& file, HeldFiles& files);
 /// The same with ends of its own, where a segment states them.
 Member read_free_law(const Entry& file, const Entry& segment, HeldFiles& files);
