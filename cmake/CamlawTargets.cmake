@@ -32,6 +32,12 @@ function(camlaw_units target)
   endforeach()
 endfunction()
 
+# Of a target that words, draws and checks what others work out: what a release gains by compiling it
+# for speed is less than compiling costs.
+function(camlaw_plain target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 function(camlaw_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" SINGLY)
   add_library(camlaw_${name} STATIC ${arg_UNPARSED_ARGUMENTS} ${arg_SINGLY})

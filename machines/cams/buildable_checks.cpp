@@ -127,8 +127,16 @@ Checks undercut_checks() { return {undercut("")}; }
 Checks hollow_checks() { return hollows("", ""); }
 
 Checks roller_checks() {
-  Checks all{undercut(""), undercut("outer_", Closure::Form)};
   // A groove is cut by a tool that goes inside it: hollows of one flank say nothing of that.
+  Checks all{undercut(""),
+             undercut("outer_", Closure::Form),
+             {.name = "groove_tool",
+              .fault = "the tool does not go into the groove",
+              .response = "groove_fit",
+              .is_upper = true,
+              .bound = whole,
+              .needs = {"cutter_radius", "roller_radius"},
+              .closure = Closure::Form}};
   add(all, hollows("", "undercut", Closure::Force));
   return all;
 }

@@ -31,6 +31,10 @@ struct RollerContact {
   X tool_fit(const X& k) const {
     return -(cutter_radius * profile_curvature(k));
   }
+  /// Share of a groove's half width, the roller's radius, that the tool takes, r_c / r_r. A tool
+  /// that goes in cuts both flanks where neither is undercut by the roller: its path is as far from
+  /// the pitch curve as the roller's radius is larger.
+  T groove_fit() const { return cutter_radius / roller_radius; }
   /// (M10) Sum of the curvatures of profile and roller, k_c + 1 / r_r = 1 / (r_r (1 - r_r k)).
   template <class X>
   X curvature_sum(const X& k) const {

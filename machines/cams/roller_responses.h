@@ -83,6 +83,13 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
        "that flank is undercut"});
   add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
                         "greatest Hertz pressure in a groove, on the flank that bears the force"});
+  all.push_back(number_response<M>(
+      {"groove_fit",
+       "1",
+       "1",
+       "share of a groove's half width that the tool takes; above 1 the tool does not go in",
+       {{{"cutter_radius"}, optim::Shape::Linear}}},
+      [](const auto& cam) { return cam.roller().groove_fit(); }));
   set_defined_while(all, {"contact_stress", "contact_half_width", "groove_stress"},
                     {.response = "undercut", .upper = 1});
   set_defined_while(all, {"contact_stress", "contact_half_width"},

@@ -179,6 +179,14 @@ double peak_of(const Response& response, double sign, MaximaAt& maxima, Design x
   return sign * maxima.highest(response.curve(), sign).value;
 }
 
+/// How far a limit is broken, in its response's unit; below 0 where it has room.
+double violation(const Constraint& c, MaximaAt& maxima, Design x) {
+  double over = -kInfinity;
+  if (c.upper) over = std::max(over, peak_of(c.response, 1, maxima, x) - *c.upper);
+  if (c.lower) over = std::max(over, peak_of(c.response, -1, maxima, x) + *c.lower);
+  return over;
+}
+
 }  // namespace
 
 double typical_change(const Function& function, Design x, const std::vector<double>& scales) {
@@ -219,12 +227,21 @@ double largest_violation(const Problem& problem, const Sizes& sizes, Design x) {
   MaximaAt maxima(x);
   double worst = -kInfinity;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    const Constraint& c = problem.constraints[i];
-    const double size = sizes.constraints[i].size;
-    if (c.upper) worst = std::max(worst, (peak_of(c.response, 1, maxima, x) - *c.upper) / size);
-    if (c.lower) worst = std::max(worst, (peak_of(c.response, -1, maxima, x) + *c.lower) / size);
+    const double over = violation(problem.constraints[i], maxima, x);
+    worst = std::max(worst, over / sizes.constraints[i].size);
   }
   return worst;
+}
+
+Sizes broken_alike(const Problem& problem, Sizes sizes, Design x) {
+  const double share = largest_violation(problem, sizes, x);
+  if (!(share > 0) || std::isinf(share)) return sizes;
+  MaximaAt maxima(x);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const double over = violation(problem.constraints[i], maxima, x);
+    if (over > sizes.constraints[i].tolerance) sizes.constraints[i].size = over / share;
+  }
+  return sizes;
 }
 
 std::vector<double> own_magnitudes(const Problem& problem, Design x) {

@@ -54,6 +54,12 @@ Sizes sizes(const Problem& problem, Design about);
 /// The same sizes, with tolerances and own magnitudes as they are at another design.
 Sizes judged_at(const Problem& problem, Sizes sizes, Design x);
 
+/// The same sizes, but those of the limits that a design breaks are such that it breaks all of them
+/// by the same share, the largest share of before. What shows that limits contradict one another
+/// does so by any sizes above 0: at a design of least violation by other sizes than these, the
+/// limits that hold it there are then among the active ones.
+Sizes broken_alike(const Problem& problem, Sizes sizes, Design x);
+
 /// Largest |df/dx_i| * scale_i, of a curve over some places of the cycle; zero where it is not a
 /// number.
 double typical_change(const Response& response, Design x, const std::vector<double>& scales);

@@ -78,6 +78,18 @@ std::string buildable_words(const Buildability& found) {
                      found.required ? "; those that are checked are limits" : "");
 }
 
+std::string buildable_in_short(const Buildability& found) {
+  for (const Built built : {Built::Fails, Built::NotChecked}) {
+    std::vector<std::string> names;
+    for (const BuildableAnswer& answer : found.checks) {
+      if (answer.built == built) names.push_back(name_of(answer));
+    }
+    if (names.empty()) continue;
+    return fmt::format("{}: {}", problems::to_string(built), fmt::join(names, ", "));
+  }
+  return found.checks.empty() ? "" : std::string(problems::to_string(Built::Holds));
+}
+
 Table buildable_table(const Buildability& found) {
   Table table{.key = "checks",
               .columns = {words("check", "check"), words("answer", "answer"),

@@ -21,6 +21,10 @@ Headline headline(const std::string& verdict, const problems::Buildability& foun
 /// "buildable: 3 checks hold, 1 fails, 2 are not checked"; empty of a machine without checks.
 std::string buildable_words(const problems::Buildability& found);
 
+/// "holds", "fails: undercut, wall", and where nothing fails but something is not checked
+/// "not checked: contact"; empty of a machine without checks.
+std::string buildable_in_short(const problems::Buildability& found);
+
 /// Each check with its answer.
 Table buildable_table(const problems::Buildability& found);
 

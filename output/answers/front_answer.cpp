@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "output/answers/warnings.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 
@@ -46,7 +47,8 @@ std::vector<DesignValue> FrontAnswer::values(const FrontPoint& point) const {
   const optim::Problem problem = space.problem(options);
   for (std::size_t i = 0; i < point.x.size(); ++i) {
     const optim::Variable& v = problem.variables[i];
-    result.push_back({v.name, v.unit, fmt::format("{:.7g}", point.x[i]), point.x[i]});
+    result.push_back({v.name, v.unit, fmt::format("{:.7g}", point.x[i]), point.x[i],
+                      problems::measure_of(study.bound().statement(), v.name, point.x[i])});
   }
   return result;
 }

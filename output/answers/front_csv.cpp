@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/buildable_output.h"
 #include "output/answers/front_output.h"
 #include "output/document/formatting.h"
 
@@ -23,7 +24,7 @@ std::string front_csv(const FrontAnswer& answer) {
     header.push_back(
         fmt::format("d {} / d {}", front.objectives[i].name, front.objectives[0].name));
   }
-  header.insert(header.end(), {"verdict", "global", "law"});
+  header.insert(header.end(), {"verdict", "global", "buildable", "law"});
   for (const FrontPoint& point : front.points) {
     for (const auto& value : answer.values(point)) {
       const std::string column = named(value.name, value.unit);
@@ -34,7 +35,8 @@ std::string front_csv(const FrontAnswer& answer) {
   }
   header.insert(header.end(), columns.begin(), columns.end());
   std::vector<std::vector<std::string>> rows{header};
-  for (const FrontPoint& point : front.points) {
+  for (std::size_t k = 0; k < front.points.size(); ++k) {
+    const FrontPoint& point = front.points[k];
     std::vector<std::string> row;
     for (const double value : point.objectives) row.push_back(exact(value));
     for (std::size_t i = 1; i < front.objectives.size(); ++i) {
@@ -42,6 +44,7 @@ std::string front_csv(const FrontAnswer& answer) {
     }
     row.emplace_back(to_string(point.verdict));
     row.emplace_back(point.is_global ? "yes" : "no");
+    row.push_back(k < answer.built.size() ? buildable_in_short(answer.built[k]) : "");
     const auto law = answer.study.law(point);
     row.push_back(law ? law->name() : "");
     const std::size_t first = row.size();

@@ -44,7 +44,7 @@ std::string design_text(const std::vector<DesignValue>& values) {
   if (values.size() > kListed) return fmt::format("{} variables", values.size());
   std::vector<std::string> parts;
   for (const auto& value : values) {
-    parts.push_back(fmt::format("{} = {}", value.name, with_unit(value.text, value.unit)));
+    parts.push_back(fmt::format("{} = {}", value.name, value.words()));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -147,7 +147,7 @@ Document point_document(const FrontAnswer& answer, std::size_t k) {
     document.say(fmt::format("  {} variables; --json and --csv have them\n", values.size()));
   } else {
     for (const auto& value : values) {
-      document.say(fmt::format("  {} = {}\n", value.name, with_unit(value.text, value.unit)));
+      document.say(fmt::format("  {} = {}\n", value.name, value.words()));
     }
   }
   if (!point.limits.empty()) {

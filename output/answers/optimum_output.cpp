@@ -15,6 +15,7 @@
 #include "output/document/short_version.h"
 #include "problems/results/design_json.h"
 #include "problems/results/seal.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
 namespace {
@@ -167,7 +168,7 @@ std::string design_text(const Answer& answer) {
       continue;
     }
     for (; i < end; ++i) {
-      text += fmt::format("  {} = {}\n", values[i].name, with_unit(values[i].text, values[i].unit));
+      text += fmt::format("  {} = {}\n", values[i].name, values[i].words());
     }
   }
   return text;
@@ -188,7 +189,8 @@ std::vector<DesignValue> Answer::values() const {
   for (const VariableReport& v : optimum.found.assessment.variables) {
     const double size = std::max({std::abs(v.value), std::abs(v.lower), std::abs(v.upper)});
     const bool noise = std::abs(v.value) < 1e-12 * size;
-    result.push_back({v.name, v.unit, fmt::format("{:.10g}", noise ? 0 : v.value), v.value});
+    result.push_back({v.name, v.unit, fmt::format("{:.10g}", noise ? 0 : v.value), v.value,
+                      problems::measure_of(bound.statement(), v.name, v.value)});
   }
   return result;
 }

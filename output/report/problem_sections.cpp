@@ -85,8 +85,11 @@ std::optional<optim::LimitReport> other_side(const ProblemStatement& design, std
 
 /// Where a design stands among its bounds, "10 to 120".
 std::string bounds_text(const problems::VariableStatement& v) {
-  return v.values.empty() ? fmt::format("{:.6g} to {:.6g}", v.lower, v.upper)
-                          : problems::values_text(v.values, "1");
+  if (!v.values.empty()) return problems::values_text(v.values, "1");
+  const std::string measure = v.measure ? fmt::format(" ({:.6g} to {})", v.lower * v.measure->one,
+                                                      problems::measure_of(v, v.upper))
+                                        : "";
+  return fmt::format("{:.6g} to {:.6g}{}", v.lower, v.upper, measure);
 }
 
 std::string ruler_words(const Peaks<double>& peak, std::optional<double> lambda) {
@@ -139,8 +142,10 @@ ReportSection problem_section(const ProblemStatement& statement) {
 ReportSection values_section(const ProblemStatement& design) {
   Table varied{.columns = {names("variable"), numbers("value"), words("unit"), numbers("between")}};
   for (const auto& v : design.variables) {
-    varied.add(
-        {v.name, in_digits(value_of_variable(design, v)), shown_unit(v.unit), bounds_text(v)});
+    const double value = value_of_variable(design, v);
+    const std::string measure = problems::measure_of(v, value);
+    varied.add({v.name, in_digits(value) + (measure.empty() ? "" : " (" + measure + ")"),
+                shown_unit(v.unit), bounds_text(v)});
   }
   const std::string machine = details("Every parameter of the machine", parameter_table(design));
   constexpr std::size_t kMany = 24;

@@ -61,8 +61,12 @@ optim::Assessment judged(const HeldProblem& held) {
     }
   }
   if (found.verdict != optim::Verdict::Failed) return found;
-  optim::Assessment least = optim::assess_least_violation(problem, sizes, held.x);
-  return least.verdict == optim::Verdict::Infeasible ? least : found;
+  // A search weighs limits by their sizes where it began, which the result does not hold.
+  for (const optim::Sizes& weighed : {sizes, optim::broken_alike(problem, sizes, held.x)}) {
+    optim::Assessment least = optim::assess_least_violation(problem, weighed, held.x);
+    if (least.verdict == optim::Verdict::Infeasible) return least;
+  }
+  return found;
 }
 
 namespace {
@@ -152,7 +156,14 @@ std::vector<std::string> differences(const ReadDesign& read) {
   optim::Problem problem = held->problem;
   const optim::FrontPoint point = stated_point(read, held->x, problem, words);
   if (problem.objectives.empty()) {
-    words.emplace_back("nothing is stated of what is sought");
+    // Of a design where it is not a number nothing can be.
+    const auto is_number = [&](const optim::Objective& o) {
+      return !std::isnan(optim::objective_value(o, held->x));
+    };
+    const auto& sought = held->problem.objectives;
+    if (std::any_of(sought.begin(), sought.end(), is_number)) {
+      words.emplace_back("nothing is stated of what is sought");
+    }
     return words;
   }
   const std::vector<std::string> more = optim::differences(problem, point);

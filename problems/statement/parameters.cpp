@@ -37,6 +37,18 @@ std::vector<double> values_of(const ProblemStatement& problem, const NamedParame
   return {};
 }
 
+std::string measure_of(const VariableStatement& variable, double value) {
+  if (!variable.measure) return "";
+  return fmt::format("{:.6g} {}", value * variable.measure->one, variable.measure->unit);
+}
+
+std::string measure_of(const ProblemStatement& problem, std::string_view variable, double value) {
+  for (const VariableStatement& v : problem.variables) {
+    if (v.name == variable) return measure_of(v, value);
+  }
+  return "";
+}
+
 void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
                double value) {
   if (!parameter.of_law) {

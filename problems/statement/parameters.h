@@ -72,6 +72,12 @@ void check_laws(const ProblemStatement& problem);
 /// "cosine", or of several laws "cosine, polynomial-5".
 std::string law_names(const ProblemStatement& problem);
 
+/// "21.6 mm": a value of a variable in the unit that its tolerance is stated in; empty where that
+/// is the variable's own.
+std::string measure_of(const VariableStatement& variable, double value);
+/// The same of a variable by its name, which may be none of the problem's.
+std::string measure_of(const ProblemStatement& problem, std::string_view variable, double value);
+
 /// "40 mm", "17".
 std::string with_unit(double value, const std::string& unit);
 /// "a", "a and b", "a, b and c".

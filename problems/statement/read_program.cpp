@@ -204,6 +204,7 @@ void add_tolerance(const Entry& entry, const ProgramUnits& units, const std::str
   variable.start = values_of(problem, parameter).at(element);
   variable.lower = variable.start - tolerance;
   variable.upper = variable.start + tolerance;
+  if (has_unit(entry) && units.stroke) variable.measure = Measure{*units.stroke, units.unit};
   problem.variables.push_back(std::move(variable));
 }
 

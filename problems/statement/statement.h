@@ -21,6 +21,12 @@
 namespace camlaw::problems {
 
 /// A variable: a parameter of the mechanism or of the law. Numbers are in the listed unit.
+/// What one of a variable is in another unit.
+struct Measure {
+  double one;
+  std::string unit;
+};
+
 struct VariableStatement {
   std::string name;  ///< as reported: "alpha", "blades", "c[2]"; "law.v" if the machine has v too
   std::string unit;
@@ -32,6 +38,7 @@ struct VariableStatement {
   std::optional<double> scale;
   bool integer = false;
   std::vector<double> values;  ///< one of these, where not empty; lower and upper are their ends
+  std::optional<Measure> measure = {};  ///< of a displacement whose tolerance is stated with a unit
 };
 
 struct ObjectiveStatement {

@@ -98,6 +98,74 @@ constraints = [{ response = "pressure_angle", upper = "30 deg" }]
   CHECK(run({"verify", stored(folder, larger)}).status == 4);
 }
 
+TEST_CASE("limits that contradict one another do so by any weights", "[program]") {
+  // A search weighs limits by their changes where it begins: at p = 0.1 that of p^4 hardly changes.
+  const Folder folder;
+  const std::string file = folder / "contradiction.toml";
+  std::ofstream(file) << R"toml([machine]
+name = "powers"
+[machine.parameters.p]
+default = "0.1"
+lower = 0.01
+upper = 10
+meaning = "a number"
+[responses.fourth]
+formula = "p^4"
+meaning = "a power"
+[responses.wave]
+formula = "p * (1 + 0.2 * sin(p))"
+meaning = "of no shape that a rule finds"
+[variables.p]
+lower = 0.05
+upper = 10
+start = 0.1
+[objective]
+minimize = "fourth"
+[[constraints]]
+response = "wave"
+lower = 6
+[[constraints]]
+response = "fourth"
+upper = 1
+)toml";
+  const ParsedJson result = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  REQUIRE(result["verdict"] == "infeasible");
+  REQUIRE(result["reason"] == "wave and fourth contradict one another");
+  CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
+}
+
+TEST_CASE("of an objective that is not a number a result states none", "[program]") {
+  const Folder folder;
+  const std::string file = folder / "undefined.toml";
+  std::ofstream(file) << R"toml([machine]
+name = "roots"
+[machine.parameters.p]
+default = "1"
+lower = -9
+upper = 9
+meaning = "a number"
+[responses.height]
+formula = "sqrt(p)"
+meaning = "a number where p is above 0"
+[responses.line]
+formula = "p"
+meaning = "the number"
+[variables.p]
+lower = -1
+upper = 5
+start = 2
+[objective]
+minimize = "height"
+[[constraints]]
+response = "line"
+upper = -3
+)toml";
+  const ParsedJson result = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+  REQUIRE(result["verdict"] == "infeasible");
+  REQUIRE(result["objective"].is_null());
+  CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
+}
+
 TEST_CASE("a force of nothing but rounding at a rest bounds nothing", "[program]") {
   // Without preload the force is zero in the dwell: a law that ends a rounding below zero must not
   // exclude every design. 65 mm is better than 100.

@@ -33,13 +33,13 @@ std::string harmonic(const std::string& mechanism, const std::string& rest) {
          rest;
 }
 
-/// A cam with rests below and above, 90 deg each, and cycloidal motions between them.
-std::string resting(const std::string& mechanism, const std::string& rest) {
-  return "mechanism = '" + mechanism +
-         "'\n[program]\nsegments = [{name = 'rise', angle = 90, law = 'cycloidal'}, {name = "
-         "'high', "
-         "angle = 90}, {name = 'back', angle = 90, law = 'cycloidal'}, {name = 'low'}]\n" +
-         rest;
+/// A cam with rests below and above, and cycloidal motions between them of so many deg each.
+std::string resting(const std::string& mechanism, const std::string& rest, int angle = 90) {
+  return fmt::format(
+      "mechanism = '{0}'\n[program]\nsegments = [{{name = 'rise', angle = {1}, law = "
+      "'cycloidal'}}, {{name = 'high', angle = {2}}}, {{name = 'back', angle = {1}, law = "
+      "'cycloidal'}}, {{name = 'low'}}]\n{3}",
+      mechanism, angle, 180 - angle, rest);
 }
 
 BuildableAnswer answer_of(const std::string& text, const std::string& check) {
@@ -67,10 +67,10 @@ std::string number(const char* name, double value, const char* unit) {
   return fmt::format("{} = '{:.15g} {}'\n", name, value, unit);
 }
 
-/// Follower of a cycloidal rise of the stroke h over 90 deg, by the cam angle.
+/// Follower of a cycloidal rise of the stroke h over beta, by the cam angle.
 struct Cycloid {
   double h;
-  static constexpr double beta = pi / 2;
+  double beta = pi / 2;
   double s(double x) const { return h * (x - std::sin(2 * pi * x) / (2 * pi)); }
   double ds(double x) const { return h / beta * (1 - std::cos(2 * pi * x)); }
   double dds(double x) const { return h / (beta * beta) * 2 * pi * std::sin(2 * pi * x); }
@@ -423,6 +423,54 @@ TEST_CASE("a roller in a groove has another flank and needs no spring", "[builda
                                     "upper = 0.9\n");
   CHECK((has(plain, "contact") && !has(plain, "outer_undercut") && has(plain, "stress")));
   CHECK((!has(groove, "contact") && has(groove, "outer_undercut") && has(groove, "groove_stress")));
+}
+
+namespace {
+
+/// A roller in a groove of the prime radius 30 mm: a rise of 20 mm in 45 deg is hollow outside.
+std::string grooved(double roller, const std::string& constants, const std::string& rest) {
+  return resting("disc-cam-roller",
+                 "[constants]\nstroke = 20\n" + number("roller_radius", roller, "mm") +
+                     number("base_radius", 30 - roller, "mm") + constants +
+                     "[[constraints]]\nresponse = 'outer_undercut'\nupper = 2\n" + rest,
+                 45);
+}
+
+}  // namespace
+
+TEST_CASE("the outer flank of a groove is undercut by a hair", "[buildable]") {
+  const Cycloid f{20, pi / 4};
+  const double hollow = range_of([&](double x) { return pitch_curvature(f, 30, x); }).first;
+  REQUIRE((1 / hollow < -5 && 1 / hollow > -25));
+  check_edge("outer_undercut", -(1 - 1e-5) / hollow, false,
+             [](double radius) { return grooved(radius, "", ""); });
+}
+
+TEST_CASE("a tool goes into its groove by a hair", "[buildable]") {
+  check_edge("groove_tool", 6, false,
+             [](double radius) { return grooved(6, number("cutter_radius", radius, "mm"), ""); });
+  CHECK(answer_of(grooved(6, "", ""), "groove_tool").built == Built::NotChecked);
+}
+
+TEST_CASE("the flank of a groove that bears is pressed by a hair", "[buildable]") {
+  const Cycloid f{20, pi / 4};
+  const double m = 2, omega = 120 * 2 * pi / 60, r_r = 5, b = 15;
+  const double stiffness = 210e9 / (2 * (1 - 0.3 * 0.3));
+  const double most = range_of([&](double x) {
+                        const double y = 30 + f.s(x), v = f.ds(x);
+                        const double force =
+                            m * omega * omega * f.dds(x) * 1e-3 * std::hypot(y, v) / y;
+                        const double side = force > 0 ? 1 : -1;
+                        const double sum = 1 / (r_r * (1 - side * r_r * pitch_curvature(f, 30, x)));
+                        return std::sqrt(std::abs(force) / (b * 1e-3) * stiffness * sum * 1e3 / pi);
+                      }).second;
+  check_edge("groove_stress", most * 1e-6, true, [](double allowable) {
+    return grooved(
+        5,
+        "mass = 2\nspeed = 120\nspring_rate = 0\nspring_preload = 0\nload = 0\n"
+        "face_width = 15\n",
+        "[buildable]\nmaterial = 'a steel'\n" + number("allowable_pressure", allowable, "MPa"));
+  });
 }
 
 TEST_CASE("required checks are limits of the search", "[buildable]") {
