@@ -82,7 +82,7 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   auto curves = problems::cam_curves(statement, asked);
   add_tool_path(o, statement, asked, curves);
   const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
-  const bool without = format.format == ExportFormat::Json && law && !o.curve;
+  const bool without = format.format == ExportFormat::JsonText && law && !o.curve;
   if (curves.empty() && !without) refuse_without(statement, asked);
   if (gcode && curves.size() > 1) {
     throw std::invalid_argument("--curve all: a gcode program follows one curve");

@@ -24,7 +24,7 @@ const std::vector<FormatRow>& formats() {
       {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
       {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
       {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
-      {ExportFormat::Json, "json", {".json"}, {F::Lines}, 6},
+      {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
       {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
       {ExportFormat::Table, "table", {}, {}, 6}};
   return rows;

@@ -21,7 +21,7 @@ struct ExportOptions {
   std::vector<std::string> settings;
 };
 
-enum class ExportFormat { Csv, Dxf, Svg, Json, Gcode, Table };
+enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Table };
 
 struct FormatRow {
   ExportFormat format;

@@ -24,7 +24,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers and libraries, to build aga
 motion laws and mechanisms generic in the scalar, the search for designs, problem files.")
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libboost-dev libceres-dev libfmt-dev nlohmann-json3-dev libnlopt-dev
-  coinor-libipopt-dev libsqlitecpp-dev libsqlite3-dev libtomlplusplus-dev
+  coinor-libclp-dev coinor-libipopt-dev libsqlitecpp-dev libsqlite3-dev libtomlplusplus-dev
   libudunits2-dev)
 
 # Whose worker program a program with several threads starts.

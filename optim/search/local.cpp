@@ -151,8 +151,11 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
   Found& found = trail.found;
   if (problem.variables.empty()) return judge_alone(problem, trail);
   trail.sizes = sizes(problem, problem.start());
-  const auto why = refusal(problem, trail.sizes, problem.start(), *setting.plan.solvers.front());
-  if (why) return trail.fail(*why);
+  if (setting.options.solver != "auto") {  // of which the plan takes what accepts the problem
+    const Solver& first = *setting.plan.solvers.front();
+    const auto why = refusal(problem, trail.sizes, problem.start(), first);
+    if (why) return trail.fail(*why);
+  }
   if (const Constraint* passed = passed_for_good(problem, trail.sizes))
     return blame(passed->response.name, problem, trail.sizes, found);
   search_starts(setting, trail, ends);

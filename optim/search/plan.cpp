@@ -3,7 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace camlaw::optim {
+namespace {
+
+/// Whether all limits are known to be linear.
+bool has_linear_limits(const Problem& problem) {
+  return std::all_of(problem.constraints.begin(), problem.constraints.end(),
+                     [](const Constraint& c) { return c.response.shape() == Shape::Linear; });
+}
+
+bool is_linear(const Problem& problem) {
+  return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
+}
+
+std::string variables_text(std::size_t n) {
+  return fmt::format("{} variable{}", n, n == 1 ? "" : "s");
+}
+
+}  // namespace
 
 Plan plan(const Problem& problem, const std::string& wanted) {
   constexpr std::size_t kSmall = 30;
@@ -16,20 +35,30 @@ Plan plan(const Problem& problem, const std::string& wanted) {
     if (chosen.is_global()) return {{&chosen, &slsqp, &ipopt}, "as asked for"};
     return {{&chosen}, "as asked for"};
   }
-  if (n <= kSmall && m <= kSmall) {
-    return {{&slsqp, &ipopt},
-            fmt::format("slsqp: {} variable{}, exact gradients; ipopt where that is not enough", n,
-                        n == 1 ? "" : "s")};
+  const bool small = n <= kSmall && m <= kSmall;
+  if (is_linear(problem)) {
+    const Solver& next = small ? slsqp : ipopt;
+    return {{&clp_solver(), &next},
+            fmt::format("clp: linear, of {}; {} where that is not enough", variables_text(n),
+                        next.name())};
   }
-  return {{&ipopt}, fmt::format("ipopt: {} variables and {} limits, sparse", n, m)};
+  if (small) {
+    return {{&slsqp, &ipopt},
+            fmt::format("slsqp: {}, exact gradients; ipopt where that is not enough",
+                        variables_text(n))};
+  }
+  return {{&ipopt}, fmt::format("ipopt: {} and {} limits, sparse", variables_text(n), m)};
 }
 
 std::vector<const Solver*> least_violation_plan(const Problem& problem) {
   constexpr std::size_t kSmall = 30;
   const Solver& ipopt = ipopt_solver();
   const bool small = problem.variables.size() + problem.constraints.size() <= kSmall;
-  if (small) return {&find_solver("slsqp"), &ipopt};
-  return {&ipopt};
+  std::vector<const Solver*> solvers;
+  if (has_linear_limits(problem)) solvers.push_back(&clp_solver());
+  if (small) solvers.push_back(&find_solver("slsqp"));
+  solvers.push_back(&ipopt);
+  return solvers;
 }
 
 }  // namespace camlaw::optim

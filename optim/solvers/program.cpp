@@ -118,6 +118,11 @@ bool Program::has_equations() const {
   return false;
 }
 
+bool Program::is_linear() const {
+  const auto linear = [](const Row& row) { return row.function.shape() == Shape::Linear; };
+  return objective_.shape() == Shape::Linear && std::all_of(rows_.begin(), rows_.end(), linear);
+}
+
 std::vector<double> Program::design(std::span<const double> y) const {
   std::vector<double> x(columns_.size());
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -54,6 +54,8 @@ class Program {
   bool row_is_equation(std::size_t row) const { return row_lower_[row] == row_upper_[row]; }
   bool row_is_linear(std::size_t row) const { return rows_[row].function.shape() == Shape::Linear; }
   bool has_equations() const;
+  /// Whether objective and rows are known to be linear.
+  bool is_linear() const;
 
   double objective(std::span<const double> y) const;
   /// Returns the value; gradient has variables() entries.

@@ -107,6 +107,8 @@ void check_native_options(const Solver& solver, const NativeOptions& options) {
   }
 }
 
-std::vector<std::string> solver_versions() { return {ipopt_version(), nlopt_version()}; }
+std::vector<std::string> solver_versions() {
+  return {ipopt_version(), nlopt_version(), clp_version()};
+}
 
 }  // namespace camlaw::optim

@@ -40,9 +40,10 @@ struct WarmStart {
 
 struct Solution {
   Status status = Status::Failed;
-  std::string message;                     ///< the solver's own words
-  std::vector<double> y;                   ///< the last or best point; empty if there is none
-  std::vector<double> rows, lower, upper;  ///< multipliers, empty where the method has none
+  std::string message = {};    ///< the solver's own words
+  std::vector<double> y = {};  ///< the last or best point; empty if there is none
+  /// Multipliers, empty where the method has none.
+  std::vector<double> rows = {}, lower = {}, upper = {};
   int iterations = 0;
   long evaluations = 0;           ///< of the objective
   std::exception_ptr error = {};  ///< what the model threw, if it did, or the method itself
@@ -96,8 +97,10 @@ bool is_registered(std::string_view name);
 std::vector<std::string> solver_versions();
 
 /// The back ends' own lists.
+const Solver& clp_solver();
 const Solver& ipopt_solver();
 const std::vector<const Solver*>& nlopt_solvers();
+std::string clp_version();
 std::string ipopt_version();
 std::string nlopt_version();
 

@@ -31,6 +31,7 @@ Registry& registry() {
   static Registry& known = *[] {
     auto* made = new Registry;
     made->all.push_back({ipopt_solver().name(), &ipopt_solver()});
+    made->all.push_back({clp_solver().name(), &clp_solver()});
     for (const Solver* solver : nlopt_solvers()) made->all.push_back({solver->name(), solver});
     made->built_in = made->all.size();
     return made;

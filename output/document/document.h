@@ -67,7 +67,7 @@ Column names(std::string title, std::string key = {});
 
 /// A table of rows with as many cells as there are columns.
 struct Table {
-  std::string key;  ///< of its list of objects for programs; empty: they do not read it
+  std::string key = {};  ///< of its list of objects for programs; empty: they do not read it
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::size_t shown = static_cast<std::size_t>(-1);  ///< rows that people read at most; 0: no table

@@ -72,8 +72,8 @@ std::optional<double> value_by_angle(const Entry& entry, const std::string& unit
   if (!value || !deg || !rad) return {};
   constexpr double kDeg = std::numbers::pi / 180;
   const double expected = std::pow(kDeg, above - order);
-  constexpr double kRounding = 1e-9;
-  if (std::abs(*deg - expected * *rad) > kRounding * std::abs(*deg)) return {};
+  constexpr double kNoise = 1e-9;
+  if (std::abs(*deg - expected * *rad) > kNoise * std::abs(*deg)) return {};
   return value;
 }
 

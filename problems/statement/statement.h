@@ -94,8 +94,8 @@ struct ProgramTiming {
 /// What a problem's text does not hold itself, by the names that it has for it: laws of files, and
 /// the texts of tables.
 struct HeldFiles {
-  std::map<std::string, Member> laws;
-  std::map<std::string, std::string> tables;
+  std::map<std::string, Member> laws = {};
+  std::map<std::string, std::string> tables = {};
 };
 
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.

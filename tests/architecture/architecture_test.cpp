@@ -48,6 +48,8 @@ const std::map<std::string, Names>& libraries() {
       {"Ip",
        {"optim/solvers/ipopt.cpp", "optim/solvers/ipopt_options.cpp",
         "optim/solvers/ipopt_options.h"}},
+      {"Clp", {"optim/solvers/clp.cpp"}},
+      {"Coin", {"optim/solvers/clp.cpp"}},
       {"nlopt", {"optim/solvers/nlopt_methods.h"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},

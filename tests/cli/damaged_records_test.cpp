@@ -105,7 +105,7 @@ TEST_CASE("an edited task is named, does not count, and is solved again") {
   const Folder folder;
   const std::string path = made_study(folder);
   const std::string whole = done({"front", path}), bytes = read(path);
-  for (const std::string edit :
+  for (const std::string& edit :
        {std::string(kLower), std::string("UPDATE variable SET value = 1000 WHERE design = 3"),
         std::string("UPDATE margin SET margin = margin + 1 WHERE design = 3"),
         std::string("UPDATE design SET is_global = 1 - is_global WHERE id = 3"),
@@ -146,7 +146,7 @@ TEST_CASE("a study of an earlier version is judged anew, and what is wrong in it
   change(path, "UPDATE design SET verdict = 'feasible'");
   CHECK(json_of({"front", path, "--json"})["points"][2]["verdict"] == "certified optimum");
   const std::string bytes = read(path);
-  for (const std::string edit :
+  for (const std::string& edit :
        {std::string(kLower), std::string("UPDATE variable SET value = 1000 WHERE design = 3"),
         std::string("UPDATE margin SET margin = margin + 1 WHERE design = 3")}) {
     INFO(edit);

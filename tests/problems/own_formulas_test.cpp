@@ -7,6 +7,7 @@
 #include <random>
 
 #include "optim/search/optimise.h"
+#include "optim/search/plan.h"
 #include "problems/statement/bind.h"
 #include "tests/problems/complaint.h"
 
@@ -415,6 +416,29 @@ TEST_CASE("samples do not refute the shapes that rules find", "[formula][problem
     }
   }
   CHECK(known > 300);
+}
+
+TEST_CASE("linear problems go to Clp by their shapes alone", "[formulas]") {
+  const auto solver_of = [](const std::string& toml) {
+    const optim::Problem problem = BoundProblem(read(toml)).space().problem({});
+    return optim::plan(problem, "auto").solvers.front()->name();
+  };
+  // A formula of the file's own; a coefficient of a polynomial family, whose curves it enters
+  // linearly.
+  const std::string own =
+      "[machine]\nname = 'mix'\n[machine.parameters.p]\ndefault = '1'\nlower = 0\nupper = 9\n"
+      "meaning = 'a part'\n[machine.parameters.q]\ndefault = '1'\nlower = 0\nupper = 9\n"
+      "meaning = 'another'\n[responses.cost]\nformula = '2 * p + q'\nmeaning = 'what it costs'\n"
+      "[responses.more]\nformula = '2 * p + q^2'\nmeaning = 'what it costs else'\n"
+      "[responses.worth]\nformula = 'p + 3 * q'\nmeaning = 'what it is worth'\n"
+      "[variables.p]\nlower = 0\nupper = 9\n[variables.q]\nlower = 0\nupper = 9\n"
+      "[[constraints]]\nresponse = 'worth'\nlower = 4\n[objective]\n";
+  CHECK(solver_of(own + "minimize = 'cost'\n") == "clp");
+  CHECK(solver_of(own + "minimize = 'more'\n") == "slsqp");
+  const std::string family =
+      "mechanism = 'spine-cutter'\n[law]\nname = 'polynomial-5'\n[variables.alpha]\nlower = -9\n"
+      "upper = 3\n[objective]\nminimize = ";
+  CHECK(solver_of(family + "'peak_inertia_force'\n") == "clp");
 }
 
 }  // namespace camlaw::problems::own_formulas_test

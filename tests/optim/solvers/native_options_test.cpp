@@ -79,8 +79,12 @@ TEST_CASE("options that camlaw relies on are refused with the reason", "[solvers
     INFO(name);
     CHECK(contains(complaint("ipopt", name, "x"), "cannot be set: "));
   }
+  for (const char* name : {"dual_tolerance", "log_level", "maximum_iterations", "maximum_seconds",
+                           "primal_tolerance"}) {
+    CHECK(contains(complaint("clp", name, 1.0), "cannot be set: "));
+  }
   for (const std::string& solver : solver_names()) {
-    if (solver == "ipopt" || is_registered(solver)) continue;
+    if (solver == "ipopt" || solver == "clp" || is_registered(solver)) continue;
     INFO(solver);
     for (const char* name : {"maxeval", "maxtime", "stopval", "ftol_rel", "xtol_rel"}) {
       CHECK(contains(complaint(solver, name, 1.0), "cannot be set: "));

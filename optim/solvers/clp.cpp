@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include <ClpConfig.h>
+#include <fmt/format.h>
+
+#include <ClpEventHandler.hpp>
+#include <ClpSimplex.hpp>
+#include <CoinPackedMatrix.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "optim/solvers/run_end.h"
+
+/// Clp: the simplex method for linear programs. What a program's functions are is asked for once,
+/// at the start: a linear function is told by one value and one gradient.
+namespace camlaw::optim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// minimise cost . y where lower <= A y <= upper and y is within its bounds.
+struct LinearProgram {
+  std::vector<double> cost, lower, upper;
+  CoinPackedMatrix matrix;
+  bool is_finite = true;
+};
+
+double open_end(double bound) {
+  return std::isinf(bound) ? std::copysign(COIN_DBL_MAX, bound) : bound;
+}
+
+std::vector<double> open_ends(std::span<const double> bounds) {
+  std::vector<double> result(bounds.size());
+  std::transform(bounds.begin(), bounds.end(), result.begin(), open_end);
+  return result;
+}
+
+/// Rows as A y + rest, read off at a point.
+LinearProgram read_off(const Program& program, std::span<const double> y) {
+  const Pattern& pattern = program.jacobian_pattern();
+  std::vector<double> entries(pattern.size()), rest(program.rows());
+  program.jacobian(y, entries);
+  program.row_values(y, rest);
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    rest[static_cast<std::size_t>(pattern.rows[k])] -=
+        entries[k] * y[static_cast<std::size_t>(pattern.columns[k])];
+  }
+  LinearProgram result;
+  result.cost.resize(program.variables());
+  program.gradient(y, result.cost);
+  result.is_finite = all_finite(entries) && all_finite(rest) && all_finite(result.cost);
+  for (std::size_t r = 0; r < program.rows(); ++r) {
+    result.lower.push_back(open_end(program.row_lower()[r] - rest[r]));
+    result.upper.push_back(open_end(program.row_upper()[r] - rest[r]));
+  }
+  result.matrix = CoinPackedMatrix(true, pattern.rows.data(), pattern.columns.data(),
+                                   entries.data(), static_cast<CoinBigIndex>(entries.size()));
+  result.matrix.setDimensions(static_cast<int>(program.rows()),
+                              static_cast<int>(program.variables()));
+  return result;
+}
+
+/// Ends a run when the user or the clock says so.
+class EndOnRequest final : public ClpEventHandler {
+ public:
+  EndOnRequest(const SolverOptions& options, Clock::time_point began)
+      : options_(&options), began_(began) {}
+
+  int event(Event) override { return must_end(*options_, began_) ? 1 : -1; }
+  ClpEventHandler* clone() const override { return new EndOnRequest(*this); }
+
+  static bool is_stopped(const SolverOptions& options) {
+    return options.stop != nullptr && options.stop->load();
+  }
+  static bool must_end(const SolverOptions& options, Clock::time_point began) {
+    const std::chrono::duration<double> spent = Clock::now() - began;
+    return is_stopped(options) || (options.time_limit && spent.count() > *options.time_limit);
+  }
+
+ private:
+  const SolverOptions* options_;
+  Clock::time_point began_;
+};
+
+/// The basis of an earlier solve, as far as its multipliers tell: what pushes is at its bound. Clp
+/// mends a basis that has too few columns, or too many.
+void begin_at(const Program& program, const WarmStart& warm, ClpSimplex& model) {
+  using Status = ClpSimplex::Status;
+  model.createStatus();
+  model.setColSolution(warm.y.data());
+  for (std::size_t i = 0; i < program.variables(); ++i) {
+    const Status status = warm.lower[i] > 0   ? Status::atLowerBound
+                          : warm.upper[i] > 0 ? Status::atUpperBound
+                                              : Status::basic;
+    model.setColumnStatus(static_cast<int>(i), status);
+  }
+  for (std::size_t r = 0; r < program.rows(); ++r) {
+    const Status status = warm.rows[r] < 0   ? Status::atLowerBound
+                          : warm.rows[r] > 0 ? Status::atUpperBound
+                                             : Status::basic;
+    model.setRowStatus(static_cast<int>(r), status);
+  }
+}
+
+NativeRule reserved(const char* name, const char* why) { return {.name = name, .reserved = why}; }
+
+/// Options by the names of Clp's own functions.
+std::vector<NativeRule> clp_rules() {
+  using Kind = NativeRule::Kind;
+  const char* own = "it follows from the tolerances of the problem's limits and objective";
+  return {{.name = "dual_bound", .lower = 0, .above_lower = true},
+          {.name = "factorization_frequency", .kind = Kind::Integer, .lower = 1, .upper = 10000},
+          {.name = "perturbation", .kind = Kind::Integer, .lower = 50, .upper = 102},
+          {.name = "scaling", .kind = Kind::Integer, .lower = 0, .upper = 4},
+          reserved("dual_tolerance", own),
+          reserved("log_level", "standard output is the answer's"),
+          reserved("maximum_iterations", "the limit of iterations is common to all solvers"),
+          reserved("maximum_seconds", "the time limit is common to all solvers (time_limit)"),
+          reserved("primal_tolerance", own)};
+}
+
+void set_native_options(const NativeOptions& native, ClpSimplex& model) {
+  for (const auto& [name, value] : native) {
+    const double number = number_of(value);
+    const int whole = static_cast<int>(std::min(number, 1e9));
+    if (name == "dual_bound") model.setDualBound(number);
+    if (name == "factorization_frequency") model.setFactorizationFrequency(whole);
+    if (name == "perturbation") model.setPerturbation(whole);
+    if (name == "scaling") model.scaling(whole);
+  }
+}
+
+RunEnd run_end(const ClpSimplex& model, const SolverOptions& options) {
+  switch (model.status()) {
+    case 0:
+      return {Status::Solved, "optimal to tolerance"};
+    case 1:
+      return {Status::Infeasible, "the rows contradict one another"};
+    case 2:
+      return {Status::Unbounded, "the objective falls without end"};
+    case 3:
+    case 5:
+      if (EndOnRequest::is_stopped(options)) return {Status::Stopped, "stopped"};
+      if (model.hitMaximumIterations()) return {Status::IterationLimit, "limit of iterations"};
+      return {Status::TimeLimit, "time limit"};
+    default:
+      return {Status::Failed, "the simplex method failed"};
+  }
+}
+
+/// Point and multipliers with Ipopt's signs: Clp's prices are those of the rows' bounds, and its
+/// reduced costs the rest of the gradient.
+void take(const ClpSimplex& model, Solution& solution) {
+  const auto n = static_cast<std::size_t>(model.numberColumns());
+  const auto m = static_cast<std::size_t>(model.numberRows());
+  const double* y = model.getColSolution();
+  const double* price = model.getRowPrice();
+  const double* reduced = model.getReducedCost();
+  solution.y.assign(y, y + n);
+  for (std::size_t r = 0; r < m; ++r) solution.rows.push_back(-price[r]);
+  for (std::size_t i = 0; i < n; ++i) {
+    solution.lower.push_back(std::max(reduced[i], 0.0));
+    solution.upper.push_back(std::max(-reduced[i], 0.0));
+  }
+}
+
+class ClpSolver final : public Solver {
+ public:
+  std::string name() const override { return "clp"; }
+  bool is_global() const override { return false; }
+  std::vector<NativeRule> native_rules() const override { return clp_rules(); }
+
+  std::optional<std::string> refusal(const Program& program) const override {
+    if (program.is_linear()) return {};
+    return "clp takes linear problems alone, and this one is not known to be linear";
+  }
+
+ private:
+  Solution search(const Program& program, const SolverOptions& options,
+                  const WarmStart* warm) const override {
+    const auto began = Clock::now();
+    const std::span<const double> start = warm != nullptr ? warm->y : program.start();
+    const LinearProgram linear = read_off(program, start);
+    Solution solution;
+    solution.evaluations = 1;
+    if (!linear.is_finite) {
+      solution.status = Status::NonFiniteStart;
+      solution.message = "not a number at the start";
+      return solution;
+    }
+    ClpSimplex model;
+    model.setLogLevel(0);
+    model.loadProblem(linear.matrix, open_ends(program.lower()).data(),
+                      open_ends(program.upper()).data(), linear.cost.data(), linear.lower.data(),
+                      linear.upper.data());
+    const EndOnRequest handler(options, began);
+    model.passInEventHandler(&handler);
+    model.setMaximumIterations(options.max_iterations * kPivots);
+    model.setPrimalTolerance(std::max(options.tolerance, kTightest));
+    model.setDualTolerance(std::max(options.tolerance, kTightest));
+    set_native_options(options.native, model);
+    if (warm != nullptr && !warm->rows.empty()) begin_at(program, *warm, model);
+    model.dual();
+    if (model.status() == 0 || model.status() == 10) model.primal();  // after what scaling leaves
+    const RunEnd end = run_end(model, options);
+    solution.status = end.status;
+    solution.message = end.message;
+    solution.iterations = 1 + model.numberIterations() / kPivots;
+    take(model, solution);
+    if (options.progress) {
+      options.progress({solution.iterations,
+                        program.unscaled_objective(program.objective(solution.y)),
+                        model.sumPrimalInfeasibilities()});
+    }
+    return solution;
+  }
+
+  static constexpr int kPivots = 100;  ///< cost about as much as a step of other methods
+  static constexpr double kTightest = 1e-10;
+};
+
+}  // namespace
+
+const Solver& clp_solver() {
+  static const ClpSolver solver;
+  return solver;
+}
+
+std::string clp_version() { return "clp " CLP_VERSION; }
+
+}  // namespace camlaw::optim
