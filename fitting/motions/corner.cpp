@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/motions/corner.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "numerics/linear/dense.h"
 
 namespace camlaw::problems {
 namespace {
@@ -58,7 +60,7 @@ MatrixXd columns(const Window& window, const Shape& shape, double place) {
 Fit fitted(const Window& window, const Shape& shape, double place) {
   const MatrixXd A = columns(window, shape, place);
   Fit fit;
-  fit.coefficients = A.householderQr().solve(window.s);
+  fit.coefficients = optim::householder_qr(A).solve(window.s);
   const double squares = (window.s - A * fit.coefficients).squaredNorm();
   if (std::isfinite(squares)) fit.squares = squares;  // not so where a side has no samples
   return fit;
@@ -92,11 +94,11 @@ Found best_place(const Window& window, const Shape& shape, double low, double hi
 /// The error of the place: it moves the fit by its slope there, as one more column.
 double error_of(const Window& window, const Shape& shape, double place) {
   const MatrixXd A = columns(window, shape, place);
-  const VectorXd c = A.colPivHouseholderQr().solve(window.s);
+  const VectorXd c = optim::least_squares(A, window.s);
   const double h = 1e-4 * std::max(window.scale.before, window.scale.after);
   const VectorXd slope =
       (columns(window, shape, place + h) * c - columns(window, shape, place - h) * c) / (2 * h);
-  const double own = (slope - A * A.colPivHouseholderQr().solve(slope)).norm();
+  const double own = (slope - A * optim::least_squares(A, slope)).norm();
   return own > 0 ? window.noise / own : std::numeric_limits<double>::infinity();
 }
 

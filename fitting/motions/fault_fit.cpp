@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/motions/fault_fit.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
 #include "fitting/motions/law_ranking.h"
+#include "numerics/linear/dense.h"
 #include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
@@ -52,7 +53,7 @@ std::optional<Eigen::Vector2d> by_dwells(const WithoutFault& record, const Found
       values[row++] = record.samples.value[i];
     }
   }
-  const Eigen::VectorXd found = columns.colPivHouseholderQr().solve(values);
+  const Eigen::VectorXd found = optim::least_squares(columns, values);
   return Eigen::Vector2d(found[levels], found[levels + 1]);
 }
 
@@ -154,7 +155,7 @@ FaultTest followed(const FaultTest& test, const RankedMotions& motions, const Ta
     result.size = fit.size;
     result.covariance = fit.covariance;
     constexpr double kBeyondChance = 5;  // deviations
-    const double squares = fit.size.dot(fit.covariance.ldlt().solve(fit.size));
+    const double squares = fit.size.dot(optim::solve_ldlt(fit.covariance, fit.size));
     result.with_plain_laws = squares > kBeyondChance * kBeyondChance;
   } catch (const std::invalid_argument&) {  // the follower cannot follow, or nothing determines it
   }

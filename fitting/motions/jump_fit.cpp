@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/motions/jump_fit.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +12,7 @@
 
 #include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/motion_residuals.h"
+#include "numerics/linear/dense.h"
 #include "optim/fit/eigen_matrix.h"
 #include "optim/fit/fit_report.h"
 
@@ -179,12 +180,11 @@ optim::FitResult with_what_jumps_tell(const Jumping& jumping, const InGaps& best
   const MatrixXd own = information(free, free);
   const Eigen::VectorXd size = own.diagonal().cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = size.asDiagonal() * own * size.asDiagonal();
-  const Eigen::LDLT<MatrixXd> solved(scaled);
   constexpr double kSingular = 1e-12;
-  if (!(solved.vectorD().minCoeff() > kSingular)) return fit;
-  const MatrixXd inverse = solved.solve(MatrixXd::Identity(scaled.rows(), scaled.cols()));
+  const auto inverse = optim::positive_definite_inverse(scaled, kSingular);
+  if (!inverse) return fit;
   fit.covariance = optim::SquareMatrix(static_cast<std::size_t>(m));
-  optim::as_eigen(fit.covariance)(free, free) = size.asDiagonal() * inverse * size.asDiagonal();
+  optim::as_eigen(fit.covariance)(free, free) = size.asDiagonal() * *inverse * size.asDiagonal();
   // What the residuals alone leave open the jumps settle.
   fit.free_directions.clear();
   for (auto& parameter : fit.parameters) parameter.identifiable = true;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/motions/occam.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "fitting/motions/fit_parameters.h"
+#include "numerics/linear/dense.h"
 #include "optim/fit/eigen_matrix.h"
 
 namespace camlaw::problems {
@@ -51,9 +52,8 @@ Occam occam_of(const optim::Residuals& residuals,
                                 Eigen::MatrixXd(optim::as_eigen(fit.covariance)(own, own)) *
                                 scale.asDiagonal();
   if (!known.allFinite()) return result;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(known);
   constexpr double kLeast = 1e-30;
-  for (const double value : solved.eigenvalues()) {
+  for (const double value : optim::symmetric_eigen(known).values) {
     result.logarithm += std::max(std::log1p(1 / std::max(value, kLeast)), second);
   }
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/motions/record_faults.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +9,7 @@
 #include "fitting/motions/fit_parameters.h"
 #include "fitting/motions/motion_residuals.h"
 #include "fitting/motions/rounding_errors.h"
+#include "numerics/linear/dense.h"
 #include "numerics/tables/turn.h"
 
 namespace camlaw::problems {
@@ -74,8 +75,7 @@ std::optional<Left> left_by(const LawFit& fit, const MotionSamples& samples,
   Left left{std::move(columns->residual), std::move(columns->fault)};
   if (columns->own.cols() == 0) return left;
   columns->own.colwise().normalize();  // so that the rank does not depend on units
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns->own);
-  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(left.residual.size(), qr.rank());
+  const MatrixXd basis = optim::column_space(columns->own);
   left.residual -= basis * (basis.transpose() * left.residual);
   left.fault -= basis * (basis.transpose() * left.fault);
   return left;
@@ -138,10 +138,10 @@ struct Combined {
     information += left.fault.transpose() * left.fault / variance;
     pulled += left.fault.transpose() * left.residual / variance;
   }
-  VectorXd size() const { return information.completeOrthogonalDecomposition().solve(pulled); }
+  VectorXd size() const { return optim::shortest_least_squares(information, pulled).x; }
   MatrixXd covariance() const {
-    const auto solver = information.completeOrthogonalDecomposition();
-    if (solver.rank() == information.rows()) return solver.pseudoInverse();
+    const auto [inverse, rank] = optim::pseudo_inverse(information);
+    if (rank == information.rows()) return inverse;
     return MatrixXd::Constant(information.rows(), information.rows(),
                               std::numeric_limits<double>::infinity());
   }
@@ -167,7 +167,7 @@ void widen(LawFit& fit, const MotionSamples& samples, const PossibleFault& fault
            const MatrixXd& covariance) {
   const auto columns = columns_of(fit, samples, fault, true);
   if (!columns || columns->own.cols() == 0) return;
-  const MatrixXd follow = columns->own.colPivHouseholderQr().solve(columns->fault);
+  const MatrixXd follow = optim::least_squares(columns->own, columns->fault);
   const MatrixXd more = follow * covariance * follow.transpose();
   for (std::size_t k = 0; k < columns->free.size(); ++k) {
     optim::FittedParameter& p = fit.fit.parameters[static_cast<std::size_t>(columns->free[k])];
@@ -195,7 +195,7 @@ FaultTest test_fault(const std::vector<std::vector<LawFit>>& rankings,
     const Best plain =
         best_of(motion, score, 0, [&](const Left&) { return VectorXd::Zero(unknowns); });
     const Best own = best_of(motion, score, more, [](const Left& left) {
-      return VectorXd(left.fault.colPivHouseholderQr().solve(left.residual));
+      return optim::least_squares(left.fault, left.residual);
     });
     if (!std::isfinite(plain.score) || !std::isfinite(own.score)) continue;
     without += plain.score;

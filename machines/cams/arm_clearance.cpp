@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "machines/cams/arm_clearance.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "machines/cams/arm_sight.h"
 #include "machines/model/inner_numbers.h"
+#include "numerics/linear/dense.h"
 
 namespace camlaw::problems {
 namespace {
@@ -22,20 +23,20 @@ using enum arm::Of;
 /// bends; where it is level, as while both rest, it may stay.
 class Level {
  public:
-  explicit Level(const Eigen::Matrix2d& bends) : solver_(bends) {}
+  explicit Level(const Eigen::Matrix2d& bends) : eigen_(optim::symmetric_eigen(bends)) {}
 
   Eigen::Vector2d solved(const Eigen::Vector2d& right) const {
     Eigen::Vector2d result = Eigen::Vector2d::Zero();
     for (Eigen::Index k = 0; k < 2; ++k) {
-      const double bend = solver_.eigenvalues()[k];
-      const auto way = solver_.eigenvectors().col(k);
-      if (bend > 1e-9 * solver_.eigenvalues()[1]) result += way * (way.dot(right) / bend);
+      const double bend = eigen_.values[k];
+      const auto way = eigen_.vectors.col(k);
+      if (bend > 1e-9 * eigen_.values[1]) result += way * (way.dot(right) / bend);
     }
     return result;
   }
 
  private:
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver_;
+  optim::SymmetricEigen eigen_;
 };
 
 class ClearanceKernel final : public optim::Kernel {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <type_traits>
 
 #include "kinematics/expansion.h"
 #include "machines/model/curve_formula.h"
+#include "numerics/polynomial/gauss_legendre.h"
 
 namespace camlaw::problems {
 namespace detail {
@@ -32,18 +32,18 @@ int steps_over(const Piece<T>& piece, double whole) {
 /// Gauss-Legendre of 10 points on even steps.
 template <class T, class F>
 T piece_integral(const Piece<T>& piece, const F& f) {
-  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  const auto& [places, weights] = gauss_legendre(10);
   const T length = piece.end - piece.begin;
   const int steps = steps_over(piece, kMeanSteps);
   const T half = length / number<T>(2.0 * steps);
   T sum = number<T>(0);
   for (int i = 0; i < steps; ++i) {
     const T middle = piece.begin + number<T>(2 * i + 1) * half;
-    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
       for (const double side : {-1.0, 1.0}) {
-        const T x = middle + number<T>(side * Gauss::abscissa()[k]) * half;
+        const T x = middle + number<T>(side * places[k]) * half;
         const auto d = derivatives<4>(piece, x);
-        sum = sum + number<T>(Gauss::weights()[k]) * f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
+        sum = sum + number<T>(weights[k]) * f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
       }
     }
   }

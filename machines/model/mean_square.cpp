@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/mean_square.h"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <limits>
 #include <mutex>
 #include <span>
@@ -51,7 +50,7 @@ void add_square(const Affine& f, double weight, std::vector<double>& packed, Qua
 /// Gauss-Legendre of 10 points on even steps of each piece, at least two, sixteen over the law: to
 /// rounding for what laws are made of.
 Quadratic assembled(const LawBinding& law, int order) {
-  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  const auto& [places, weights] = gauss_legendre(10);
   const std::vector<double> zeros(law.variables().size(), 0.0);
   std::vector<double> packed(optim::packed_size(zeros.size()), 0.0);
   Quadratic sum;
@@ -63,10 +62,10 @@ Quadratic assembled(const LawBinding& law, int order) {
     const double half = length / (2 * steps);
     for (int i = 0; i < steps; ++i) {
       const double middle = piece.begin + (2 * i + 1) * half;
-      for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+      for (std::size_t k = 0; k < places.size(); ++k) {
         for (const double side : {-1.0, 1.0}) {
-          const double x = middle + side * Gauss::abscissa()[k] * half;
-          add_square(derivative_at(law, zeros, x, order), half * Gauss::weights()[k], packed, sum);
+          const double x = middle + side * places[k] * half;
+          add_square(derivative_at(law, zeros, x, order), half * weights[k], packed, sum);
         }
       }
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "machines/model/cycle_mean.h"
 #include "machines/model/law_binding.h"
+#include "numerics/polynomial/gauss_legendre.h"
 #include "numerics/scalar/dual.h"
 #include "optim/problem/function.h"
 
@@ -102,18 +102,18 @@ inline Interval polynomial_square(const Piece<Interval>& piece, int order) {
 
 /// By Gauss-Legendre quadrature with as many points as are exact: what it adds up is positive, so
 /// that nothing cancels, as do the powers.
-template <class Gauss, class T>
-T square_by(const std::vector<T>& a, const T& middle, const T& half) {
+template <class T>
+T square_by(const GaussLegendre& rule, const std::vector<T>& a, const T& middle, const T& half) {
   const auto value = [&](const T& t) {
     T result = number<T>(0);
     for (std::size_t k = a.size(); k-- > 0;) result = result * t + a[k];
     return result;
   };
   T sum = number<T>(0);
-  for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
+  for (std::size_t k = 0; k < rule.places.size(); ++k) {
     for (const double side : {-1.0, 1.0}) {
-      const T f = value(middle + number<T>(side * Gauss::abscissa()[k]) * half);
-      sum = sum + number<T>(Gauss::weights()[k]) * f * f;
+      const T f = value(middle + number<T>(side * rule.places[k]) * half);
+      sum = sum + number<T>(rule.weights[k]) * f * f;
     }
   }
   return half * sum;
@@ -121,13 +121,11 @@ T square_by(const std::vector<T>& a, const T& middle, const T& half) {
 
 template <class T>
 T polynomial_square(const Piece<T>& piece, int order) {
-  using boost::math::quadrature::gauss;
   const std::vector<T> a = derived(piece.polynomial, order);
   const T middle = number<T>(0.5) * (piece.begin + piece.end) - piece.origin;
   const T half = number<T>(0.5) * (piece.end - piece.begin);
-  if (a.size() <= 10) return square_by<gauss<double, 10>>(a, middle, half);
   // Of more than 30 coefficients, which no law of the catalogue has, not quite exact.
-  return square_by<gauss<double, 30>>(a, middle, half);
+  return square_by(gauss_legendre(a.size() <= 10 ? 10 : 30), a, middle, half);
 }
 
 }  // namespace detail

@@ -2,6 +2,7 @@
 #include "numerics/linear/bordered_qr.h"
 
 #include <cmath>
+#include <utility>
 
 #include "numerics/linear/power_method.h"
 
@@ -39,13 +40,11 @@ void BorderedQr::factor_border(const std::vector<Index>& spare, double tolerance
   for (Index k = 0; k < columns; ++k) {
     if (E.col(k).norm() <= tolerance * D_.col(spare[k]).norm()) E.col(k).setZero();
   }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(tolerance);
-  qr.compute(E);
-  Q_ = qr.householderQ();
-  T_ = qr.matrixR().topLeftCorner(qr.rank(), qr.rank()).triangularView<Eigen::Upper>();
-  for (Index i = 0; i < qr.rank(); ++i) {
-    chosen_.push_back(spare[qr.colsPermutation().indices()[i]]);
+  const PivotedQr qr = pivoted_qr(E, tolerance);
+  Q_ = qr.factors.orthogonal();
+  T_ = qr.factors.packed.topLeftCorner(qr.rank, qr.rank).triangularView<Eigen::Upper>();
+  for (Index i = 0; i < qr.rank; ++i) {
+    chosen_.push_back(spare[qr.columns[static_cast<std::size_t>(i)]]);
     dependent_[static_cast<std::size_t>(chosen_.back())] = false;
   }
 }
@@ -56,7 +55,7 @@ void BorderedQr::factor_update() {
   G_ = W_ * Q_.rightCols(rest);
   MatrixXd stacked(columns + rest, rest);
   stacked << G_, MatrixXd::Identity(rest, rest);
-  update_.compute(stacked);
+  update_ = householder_qr(stacked);
 }
 
 VectorXd BorderedQr::solve(const VectorXd& target_S, const VectorXd& target_D) const {
@@ -71,9 +70,9 @@ VectorXd BorderedQr::solve(const Image& target) const {
   if (rest > 0) {
     // The shortest (u, v) with G^T u + v = what is open: v stays open.
     VectorXd u = VectorXd::Zero(W_.rows() + rest);
-    const auto R = update_.matrixQR().topRows(rest).triangularView<Eigen::Upper>();
+    const auto R = update_.packed.topRows(rest).triangularView<Eigen::Upper>();
     u.head(rest) = R.transpose().solve(open.tail(rest));
-    u.applyOnTheLeft(update_.householderQ());
+    u = update_.times(std::move(u));
     y += u.head(W_.rows());
   }
   if (met > 0) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "numerics/linear/banded_qr.h"
+#include "numerics/linear/dense.h"
 
 namespace camlaw::optim {
 
@@ -45,10 +46,10 @@ class BorderedQr {
   BandedQr qr_;
   Eigen::MatrixXd D_, W_;
   std::vector<bool> dependent_;
-  std::vector<Eigen::Index> chosen_;              ///< E's independent columns, as columns of C
-  Eigen::MatrixXd Q_, T_;                         ///< of E
-  Eigen::MatrixXd G_;                             ///< W times Q_E's other columns
-  Eigen::HouseholderQR<Eigen::MatrixXd> update_;  ///< of [G; I]
+  std::vector<Eigen::Index> chosen_;  ///< E's independent columns, as columns of C
+  Eigen::MatrixXd Q_, T_;             ///< of E
+  Eigen::MatrixXd G_;                 ///< W times Q_E's other columns
+  Reflections update_;                ///< of [G; I]
 };
 
 }  // namespace camlaw::optim

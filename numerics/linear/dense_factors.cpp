@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
 #include "numerics/linear/column_factors.h"
+#include "numerics/linear/dense.h"
 #include "numerics/linear/power_method.h"
 
 namespace camlaw::optim {
@@ -11,19 +11,17 @@ namespace {
 
 class DenseFactors : public ColumnFactors {
  public:
-  explicit DenseFactors(const Eigen::MatrixXd& C) : dependent_(count(C.cols()), true) {
-    qr_.setThreshold(kDependent);
-    qr_.compute(C);
-    for (Eigen::Index i = 0; i < qr_.rank(); ++i) dependent_[count(column(i))] = false;
+  explicit DenseFactors(const Eigen::MatrixXd& C)
+      : qr_(pivoted_qr(C, kDependent)), dependent_(count(C.cols()), true) {
+    for (Eigen::Index i = 0; i < qr_.rank; ++i) dependent_[count(column(i))] = false;
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& target) const override {
-    const Eigen::Index rank = qr_.rank();
-    Eigen::VectorXd y = target;
-    y.applyOnTheLeft(qr_.householderQ().adjoint());
-    const auto R = qr_.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
+    const Eigen::Index rank = qr_.rank;
+    const Eigen::VectorXd y = qr_.factors.transposed_times(target);
+    const auto R = qr_.factors.packed.topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
     const Eigen::VectorXd pivoted = R.solve(y.head(rank));
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(qr_.cols());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(columns());
     for (Eigen::Index i = 0; i < rank; ++i) x[column(i)] = pivoted[i];
     return x;
   }
@@ -31,9 +29,9 @@ class DenseFactors : public ColumnFactors {
   const std::vector<bool>& dependent() const override { return dependent_; }
 
   double condition() const override {
-    const Eigen::Index n = qr_.cols();
-    if (qr_.rank() < n) return std::numeric_limits<double>::infinity();
-    const auto R = qr_.matrixR().topRows(n).triangularView<Eigen::Upper>();
+    const Eigen::Index n = columns();
+    if (qr_.rank < n) return std::numeric_limits<double>::infinity();
+    const auto R = qr_.factors.packed.topRows(n).triangularView<Eigen::Upper>();
     const double largest = largest_eigenvalue(n, [&](const Eigen::VectorXd& x) {
       return Eigen::VectorXd(R.transpose() * Eigen::VectorXd(R * x));
     });
@@ -45,9 +43,10 @@ class DenseFactors : public ColumnFactors {
 
  private:
   static std::size_t count(Eigen::Index i) { return static_cast<std::size_t>(i); }
-  Eigen::Index column(Eigen::Index pivot) const { return qr_.colsPermutation().indices()[pivot]; }
+  Eigen::Index column(Eigen::Index pivot) const { return qr_.columns[count(pivot)]; }
+  Eigen::Index columns() const { return qr_.factors.packed.cols(); }
 
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
+  PivotedQr qr_;
   std::vector<bool> dependent_;
 };
 

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+
+#include "numerics/polynomial/gauss_legendre.h"
 
 namespace camlaw::optim {
 namespace {
@@ -24,7 +25,7 @@ constexpr double kHuber = 1.345, kBisquare = 4.685;
 /// (O3) Equations whose sum of squares is the integral of (s^(m))^2: its values at Gauss' points,
 /// which are exact for the polynomials in each span.
 BandTriangle penalty_rows(const SplineBasis& basis, const SplineUnknowns& unknowns, int order) {
-  using Gauss = boost::math::quadrature::gauss<double, kMostDegree + 1>;
+  const auto& [places, weights] = gauss_legendre(kMostDegree + 1);
   BandTriangle triangle = unknowns.triangle();
   std::vector<std::vector<BandRow>> by_first(triangle.columns() + 1);
   for (std::size_t span = 0; span < basis.spans(); ++span) {
@@ -35,8 +36,8 @@ BandTriangle penalty_rows(const SplineBasis& basis, const SplineUnknowns& unknow
                                          std::sqrt(weight * half));
       by_first[row.first].push_back(row);
     };
-    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k) {
-      const double u = Gauss::abscissa()[k], weight = Gauss::weights()[k];
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double u = places[k], weight = weights[k];
       add(u, weight);
       if (u != 0) add(-u, weight);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "optim/fit/fit_point.h"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
+#include "numerics/linear/dense.h"
 #include "optim/fit/identifiability.h"
 
 namespace camlaw::optim {
@@ -30,11 +30,8 @@ void solve(const FitPoint& point, double tolerance, GaussNewton& result) {
   result.full_rank = true;
   if (free.empty()) return;
   const ScaledColumns columns(point.jacobian(Eigen::all, free));
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(tolerance);
-  factors.compute(columns.matrix);
-  result.full_rank = factors.rank() == columns.matrix.cols();
-  const VectorXd scaled = factors.solve(-point.r);
+  const auto [scaled, rank] = shortest_least_squares(columns.matrix, -point.r, tolerance);
+  result.full_rank = rank == columns.matrix.cols();
   result.reduction = (columns.matrix * scaled).norm();
   result.step(free) = scaled.cwiseQuotient(columns.lengths);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "optim/fit/identifiability.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
+
+#include "numerics/linear/dense.h"
 
 namespace camlaw::optim {
 namespace {
@@ -58,21 +58,16 @@ Identifiability identify(const MatrixXd& jacobian) {
   result.inverse = MatrixXd::Zero(m, m);
   if (m == 0) return result;
   const ScaledColumns columns(jacobian);
-  // The triangle of QR has the same singular values and V, and few rows.
-  const Eigen::HouseholderQR<MatrixXd> factors(columns.matrix);
-  const Index rows = std::min(m, jacobian.rows());
-  const MatrixXd triangle = factors.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<MatrixXd> svd(triangle, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd& values = svd.singularValues();
+  const auto [values, V] = right_singular(columns.matrix);
   Index rank = 0;
   while (rank < values.size() && values[rank] > kRankTolerance * values[0]) ++rank;
   result.rank = static_cast<std::size_t>(rank);
   if (rank > 0) result.condition = values[0] / values[rank - 1];
   // Rows of V by singular values and lengths of columns; its products make the inverse.
-  const MatrixXd half = columns.lengths.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(rank) *
+  const MatrixXd half = columns.lengths.cwiseInverse().asDiagonal() * V.leftCols(rank) *
                         values.head(rank).cwiseInverse().asDiagonal();
   result.inverse = half * half.transpose();
-  MatrixXd null = svd.matrixV().rightCols(m - rank);
+  MatrixXd null = V.rightCols(m - rank);
   reduce(null);
   for (Index k = 0; k < null.cols(); ++k) {
     result.directions.push_back(null.col(k).cwiseQuotient(columns.lengths));

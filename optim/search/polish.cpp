@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "optim/search/polish.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/linear/dense.h"
 #include "optim/verdict/limits.h"
 #include "optim/verdict/second_order.h"
 
@@ -37,8 +38,7 @@ std::optional<Eigen::VectorXd> newton_step(const SecondOrderPoint& point, const 
     }
     right[n + k] = limit.margin;
   }
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(K);
-  Eigen::VectorXd step = lu.solve(right);
+  Eigen::VectorXd step = solve_lu(K, right);
   const double off = (K * step - right).cwiseAbs().maxCoeff();
   if (!step.allFinite() || !(off <= 1e-9 * (1 + right.cwiseAbs().maxCoeff()))) return {};
   return step;

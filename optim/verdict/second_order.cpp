@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "optim/verdict/second_order.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "numerics/linear/dense.h"
 
 namespace camlaw::optim {
 namespace {
@@ -111,16 +113,8 @@ Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
   return {gradients(point.layout, pushing), gradients(point.layout, met)};
 }
 
-constexpr double kNegative = 1e-6;  // of the terms that a curvature is the sum of
-
-/// Columns that span what is orthogonal to all columns of A.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& A) {
-  if (A.cols() == 0) return Eigen::MatrixXd::Identity(A.rows(), A.rows());
-  Eigen::FullPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  qr.setThreshold(1e-10);
-  const Eigen::MatrixXd Q = qr.matrixQ();
-  return Q.rightCols(A.rows() - qr.rank());
-}
+constexpr double kNegative = 1e-6;            // of the terms that a curvature is the sum of
+constexpr double kDependentGradient = 1e-10;  // of the longest: what others leave of it
 
 /// The quadratic form on a cone, by eigenvectors: the cone P^T d = 0, W^T d <= 0.
 class ConeTest {
@@ -144,13 +138,12 @@ class ConeTest {
   /// Directions in the null space of A: whether none with a negative value lies in the cone. Where
   /// `everywhere`, none at all. Those of value zero in the cone are kept.
   bool look(const Eigen::MatrixXd& A, bool everywhere) {
-    const Eigen::MatrixXd N = null_space(A);
+    const Eigen::MatrixXd N = left_null_space(A, kDependentGradient);
     if (N.cols() == 0) return true;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(N.transpose() * H_ * N);
-    const auto& values = eigen.eigenvalues();
+    const auto [values, vectors] = symmetric_eigen(N.transpose() * H_ * N);
     bool holds = true;
     for (Eigen::Index k = 0; k < values.size(); ++k) {
-      const Eigen::VectorXd d = N * eigen.eigenvectors().col(k);
+      const Eigen::VectorXd d = N * vectors.col(k);
       const double none = nothing(d);
       if (values[k] > none) continue;
       const bool inside = in_cone(d);

@@ -53,6 +53,17 @@ const std::map<std::string, Names>& libraries() {
       {"nlopt", {"optim/solvers/nlopt_methods.h"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
+      // Matrices are everywhere; what factors them takes seconds to compile in each unit.
+      {"Eigen/Dense", {}},
+      {"Eigen/Cholesky", {"numerics/linear/dense.cpp"}},
+      {"Eigen/Eigenvalues", {"numerics/linear/dense.cpp"}},
+      {"Eigen/LU", {"numerics/linear/dense.cpp"}},
+      {"Eigen/QR", {"numerics/linear/dense.cpp"}},
+      {"Eigen/SVD", {"numerics/linear/dense.cpp"}},
+      {"Eigen/SparseCholesky", {"optim/verdict/second_order.cpp"}},
+      {"Eigen/SparseLU", {"kinematics/laws/spline.cpp"}},
+      {"boost/multiprecision/", {"kinematics/laws/polynomial.cpp"}},
+      {"boost/math/quadrature/gauss.hpp", {"numerics/polynomial/gauss_legendre.cpp"}},
       {"ceres/",
        {"numerics/scalar/dual.h", "optim/fit/ceres_search.cpp", "optim/problem/automatic.h"}}};
   return known;

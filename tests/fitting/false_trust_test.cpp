@@ -3,7 +3,7 @@
 // benchmarks/README.md. Not run by default: camlaw_tests "[false-trust]".
 #include <fmt/format.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "fitting/constants/constants_fit.h"
 #include "fitting/motions/recorded_motion.h"
 #include "kinematics/laws/catalogue.h"
+#include "numerics/linear/dense.h"
 #include "numerics/tables/turn.h"
 #include "tests/random_numbers.h"
 
@@ -104,7 +105,7 @@ struct Misses {
 };
 
 double rms_without(const Eigen::VectorXd& off, const Eigen::MatrixXd& columns) {
-  const Eigen::VectorXd rest = off - columns * columns.colPivHouseholderQr().solve(off);
+  const Eigen::VectorXd rest = off - columns * optim::least_squares(columns, off);
   return std::sqrt(rest.squaredNorm() / static_cast<double>(off.size()));
 }
 

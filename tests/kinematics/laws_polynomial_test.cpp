@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/math/special_functions/legendre.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "kinematics/laws/polynomial.h"
+#include "numerics/linear/dense.h"
 #include "numerics/scalar/dual.h"
 
 namespace camlaw::laws_polynomial_test {
@@ -38,7 +39,7 @@ Coefficients solve_boundary(const Coefficients& begin, const Coefficients& end) 
       if (row >= m || k == order) equations(row, k) = falling;
     }
   }
-  const Eigen::VectorXd c = equations.fullPivLu().solve(values);
+  const Eigen::VectorXd c = optim::solve_lu(equations, values);
   return {c.data(), c.data() + c.size()};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/spline/smoothing_spline.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "numerics/linear/dense.h"
 #include "numerics/spline/band_triangle.h"
 #include "tests/random_numbers.h"
 
@@ -39,6 +40,10 @@ double basis_by_definition(const std::vector<double>& t, std::size_t i, int p, d
   return sum;
 }
 
+MatrixXd inverse_of(const MatrixXd& A) {
+  return solve_lu(A, MatrixXd(MatrixXd::Identity(A.rows(), A.cols())));
+}
+
 /// A smoothing spline by dense matrices, with nothing of the code that is tested.
 struct Dense {
   SplineBasis basis;
@@ -56,7 +61,7 @@ struct Dense {
     return result;
   }
   MatrixXd inverse(double mu) const {
-    return (B.transpose() * w.asDiagonal() * B + mu * Omega).inverse();
+    return inverse_of(B.transpose() * w.asDiagonal() * B + mu * Omega);
   }
   MatrixXd hat(double mu) const { return B * inverse(mu) * B.transpose() * w.asDiagonal(); }
 };
@@ -203,14 +208,14 @@ TEST_CASE("a band with a border is solved and inverted like a dense matrix", "[s
       rows.push_back(row);
       triangle.add(row);
     }
-    const VectorXd x = A.colPivHouseholderQr().solve(b);
+    const VectorXd x = optim::least_squares(A, b);
     const auto found = triangle.solve();
     for (Index i = 0; i < x.size(); ++i) CHECK(found[static_cast<std::size_t>(i)] == Approx(x[i]));
     CHECK(triangle.rest() == Approx((A * x - b).squaredNorm()));
     const std::vector<double> other(found.size(), 0.25);
     const VectorXd at = VectorXd::Constant(x.size(), 0.25);
     CHECK(triangle.rest() + triangle.misfit(other) == Approx((A * at - b).squaredNorm()));
-    const MatrixXd Z = (A.transpose() * A).inverse();
+    const MatrixXd Z = inverse_of(A.transpose() * A);
     const BandInverse inverse(triangle);
     for (Index i = 0; i < 60; ++i) {
       CHECK(inverse.form(rows[static_cast<std::size_t>(i)]) ==
@@ -249,7 +254,7 @@ TEST_CASE("with a knot at every sample it is Reinsch's natural cubic spline", "[
   }
   const VectorXd y = Eigen::Map<const VectorXd>(d.y.data(), n);
   for (const double mu : {1e-6, 1e-3, 1.0}) {
-    const VectorXd gamma = (R + mu * Q.transpose() * Q).ldlt().solve(Q.transpose() * y);
+    const VectorXd gamma = solve_ldlt(R + mu * Q.transpose() * Q, Q.transpose() * y);
     const VectorXd g = y - mu * Q * gamma;
     const SmoothingSpline s =
         smoothing_spline(d.x, d.y,
@@ -270,7 +275,7 @@ TEST_CASE("much smoothing leaves the polynomial of least squares", "[smoothing]"
   const VectorXd w = Eigen::Map<const VectorXd>(d.w.data(), 60);
   const VectorXd y = Eigen::Map<const VectorXd>(d.y.data(), 60);
   const VectorXd c =
-      (A.transpose() * w.asDiagonal() * A).ldlt().solve(A.transpose() * w.asDiagonal() * y);
+      solve_ldlt(A.transpose() * w.asDiagonal() * A, A.transpose() * w.asDiagonal() * y);
   // Far beyond what normal equations would bear.
   const auto s = smoothing_spline(d.x, d.y, {.spans = 400, .mu = 1e8}, d.w);
   CHECK(s.degrees_of_freedom() == Approx(3).epsilon(1e-4));
@@ -334,7 +339,7 @@ TEST_CASE("conditions at the ends hold exactly and cost what they must", "[smoot
       K.block(0, n + i, n, 1) = rows[static_cast<std::size_t>(i)].first;
       right[n + i] = rows[static_cast<std::size_t>(i)].second;
     }
-    const MatrixXd whole = K.inverse();
+    const MatrixXd whole = inverse_of(K);
     const VectorXd c = (whole * right).head(n);
     for (double x = 0.02; x < 1; x += 0.07) {
       const VectorXd row = exact.row(x, 0), bent = exact.row(x, 2);
