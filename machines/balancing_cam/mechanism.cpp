@@ -276,7 +276,8 @@ Mechanism balancing_cam(const char* name, const char* title) {
                  {"peak_stress", "contact_stress", Part::Highest, "greatest contact stress"}},
        .moved_by = MovedBy::Nothing,
        .validity = {{"flattening", 1}},
-       .form = Form::BalancingCam},
+       .form = Form::BalancingCam,
+       .possible = {{{"outer_diameter", "inner_diameter"}, "DS5"}}},
       {undercut_checks(), stress_checks()});
 }
 

@@ -51,7 +51,6 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
 namespace {
 
 using C = RollerCurve;
-using S = optim::Shape;
 
 /// Geometry of the main cam or, with the complementary motion, of the second one.
 enum class Of { Main, Second };
@@ -72,11 +71,7 @@ void add_geometry(std::vector<MechanismResponse>& all, Of of) {
   const std::string cam = of == Of::Main ? " of the main cam" : " of the second cam";
   const auto add = [&](C which, const char* name, const char* unit, const char* stored,
                        const std::string& meaning) {
-    all.push_back(
-        geometry(of, which,
-                 {prefix + name, unit, stored, meaning,
-                  which == C::PressureAngle ? std::vector<ShapeStatement>{{{"law"}, S::Quasilinear}}
-                                            : std::vector<ShapeStatement>{}}));
+    all.push_back(geometry(of, which, {prefix + name, unit, stored, meaning}));
   };
   add(C::PressureAngle, "pressure_angle", "deg", "rad",
       "pressure angle" + cam + ", signed as the slope of its own motion");
@@ -150,7 +145,10 @@ Mechanism conjugate_cam_mechanism() {
                  of_second(peak_undercut()), peak_force(), peak_torque(), peak_stress(),
                  outer_radius(), of_second(outer_radius()), least_wall(), of_second(least_wall())},
        .moved_by = MovedBy::Program,
-       .form = Form::DiscConjugate},
+       .form = Form::DiscConjugate,
+       .possible = {{{"stroke", "roller_distance"}, "DS2"},
+                    {{"base_radius"}, "DS2"},
+                    {{"roller_radius"}, "DS2"}}},
       {conjugate_checks()});
 }
 

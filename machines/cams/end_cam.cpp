@@ -35,10 +35,8 @@ const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
 }
 
 Mechanism end_cam_mechanism() {
-  using S = optim::Shape;
   std::vector<MechanismResponse> responses = follower_responses<EndCam>(kSliding);
-  append(responses, roller_responses<EndCam>({{{"law", "radius"}, S::Quasilinear},
-                                              {{"stroke", "radius"}, S::Quasilinear}}));
+  append(responses, roller_responses<EndCam>());
   append(responses, drawn_responses<EndCam>(true));
   return checked(
       {.name = "end-cam",

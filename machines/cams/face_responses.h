@@ -21,12 +21,11 @@ MechanismResponse face_response(FaceCurve which, ResponseAbout about) {
 }
 
 template <template <class> class M>
-MechanismResponse profile_radius_response(std::vector<ShapeStatement> shapes) {
+MechanismResponse profile_radius_response() {
   return face_response<M>(
       FaceCurve::ProfileRadius,
       {"profile_radius", "mm", "m",
-       "radius of curvature of the profile; the cam can be made while it is above 0",
-       std::move(shapes)});
+       "radius of curvature of the profile; the cam can be made while it is above 0"});
 }
 
 template <template <class> class M>

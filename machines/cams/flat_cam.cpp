@@ -32,19 +32,13 @@ const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
 namespace {
 
 using optim::Part;
-using S = optim::Shape;
 
 MechanismResponse contact_offset() {
-  return curve_response<FlatCam>({"contact_offset",
-                                  "mm",
-                                  "m",
-                                  "where the face touches, from the follower's axis",
-                                  {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}},
-                                 turn_of_the_cam(), [](const auto& cam) {
-                                   return [cam](const auto& motion) {
-                                     return cam.contact_offset(cam.over_angle(motion));
-                                   };
-                                 });
+  return curve_response<FlatCam>(
+      {"contact_offset", "mm", "m", "where the face touches, from the follower's axis"},
+      turn_of_the_cam(), [](const auto& cam) {
+        return [cam](const auto& motion) { return cam.contact_offset(cam.over_angle(motion)); };
+      });
 }
 
 }  // namespace
@@ -52,8 +46,7 @@ MechanismResponse contact_offset() {
 Mechanism flat_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<FlatCam>(kSliding);
   responses.push_back(contact_offset());
-  responses.push_back(profile_radius_response<FlatCam>(
-      {{{"law", "base_radius"}, S::Linear}, {{"stroke", "base_radius"}, S::Linear}}));
+  responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());

@@ -85,48 +85,30 @@ inline constexpr FollowerWords kOscillating{"swing",  "deg", "rad",     "rad/s",
 inline std::vector<MechanismResponse> follower_responses_of(
     const FollowerWords& w,
     const std::function<MechanismResponse(ResponseAbout, FollowerCurve)>& make) {
-  using optim::Shape;
-  const std::vector<std::string> loads{w.mass, "spring_rate", "spring_preload", "load"};
-  const auto linear = [&](std::vector<std::string> more = {}) {
-    std::vector<ShapeStatement> shapes{{{"law"}, Shape::Linear}, {{w.stroke}, Shape::Linear}};
-    if (!more.empty()) shapes.push_back({std::move(more), Shape::Linear});
-    return shapes;
-  };
   using C = FollowerCurve;
   std::vector<MechanismResponse> all;
   const auto add = [&](C which, const char* name, const char* listed, const char* stored,
-                       const char* meaning, std::vector<ShapeStatement> shapes) {
-    all.push_back(make({name, listed, stored, meaning, std::move(shapes)}, which));
+                       const char* meaning) {
+    all.push_back(make({name, listed, stored, meaning}, which));
   };
-  const ShapeStatement speed{{"speed"}, Shape::Quasilinear};
-  add(C::Displacement, "displacement", w.place, w.place_stored, "displacement of the follower",
-      linear());
-  add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the follower",
-      linear({"speed"}));
-  auto shapes = linear();
-  shapes.push_back(speed);
+  add(C::Displacement, "displacement", w.place, w.place_stored, "displacement of the follower");
+  add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the follower");
   add(C::Acceleration, "acceleration", w.acceleration, w.acceleration,
-      "acceleration of the follower", shapes);
-  add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the follower", shapes);
-  auto force_shapes = linear(loads);
-  force_shapes.push_back(speed);
+      "acceleration of the follower");
+  add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the follower");
   add(C::Force, w.force_name, w.force, w.force,
       "what the cam must give along the follower's path; below 0 a spring-closed follower leaves "
-      "the cam",
-      force_shapes);
-  const std::vector<ShapeStatement> torque_shapes{{loads, Shape::Linear}, speed};
-  add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft", torque_shapes);
+      "the cam");
+  add(C::Torque, "drive_torque", "N m", "N m", "torque on the cam's shaft");
   add(C::StaticTorque, "static_torque", "N m", "N m",
-      "what of it spring and load ask for, without friction",
-      {{{"spring_rate", "spring_preload", "load"}, Shape::Linear}});
+      "what of it spring and load ask for, without friction");
   add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
-      "what of it the moved masses ask for, without friction", {{{w.mass}, Shape::Linear}, speed});
-  add(C::Power, "drive_power", "W", "W", "power into the cam", {{loads, Shape::Linear}});
+      "what of it the moved masses ask for, without friction");
+  add(C::Power, "drive_power", "W", "W", "power into the cam");
   add(C::InertiaShare, "inertia_share", "1", "1",
-      "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam",
-      {});
+      "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam");
   add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
-      "how far the spring is deflected from where it bears no load", {});
+      "how far the spring is deflected from where it bears no load");
   return all;
 }
 
@@ -175,16 +157,6 @@ std::vector<MechanismResponse> follower_numbers() {
 template <template <class> class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
   std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
-  if constexpr (requires(const M<double>& cam, const FollowerMotion<double>& f) {
-                  cam.drive_torque(f);
-                }) {
-    // Friction acts on the size of the force: what is linear without it is not with it.
-    for (MechanismResponse& response : all) {
-      if (response.name == "drive_torque" || response.name == "drive_power") {
-        response.shapes.clear();
-      }
-    }
-  }
   append(all, follower_numbers<M>());
   return all;
 }

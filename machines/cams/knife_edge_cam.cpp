@@ -39,7 +39,6 @@ const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters()
 namespace {
 
 using optim::Part;
-using S = optim::Shape;
 
 enum class Curve { PressureAngle, ProfileCurvature, ToolFit, ContactForce };
 
@@ -66,13 +65,8 @@ MechanismResponse curve(Curve which, ResponseAbout about) {
 Mechanism knife_edge_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<KnifeEdgeCam>(kSliding);
   responses.push_back(curve(Curve::PressureAngle,
-                            {"pressure_angle",
-                             "deg",
-                             "rad",
-                             "between the normal and the follower's path, signed as the slope",
-                             {{{"law"}, S::Quasilinear},
-                              {{"stroke"}, S::Quasilinear},
-                              {{"base_radius"}, S::Quasilinear}}}));
+                            {"pressure_angle", "deg", "rad",
+                             "between the normal and the follower's path, signed as the slope"}));
   responses.push_back(curve(Curve::ProfileCurvature,
                             {"profile_curvature", "1/mm", "1/m",
                              "curvature of the profile, positive where convex, below 0 where it "
@@ -102,7 +96,8 @@ Mechanism knife_edge_cam_mechanism() {
                             outer_radius(),
                             least_wall()},
                   .moved_by = MovedBy::Program,
-                  .form = Form::DiscKnifeEdge},
+                  .form = Form::DiscKnifeEdge,
+                  .possible = {{{"base_radius", "offset"}, "DS1"}}},
                  {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
 }
 

@@ -36,8 +36,6 @@ const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
 
 namespace {
 
-using S = optim::Shape;
-
 /// A plate has no shaft: its force stands for the torque.
 std::vector<MechanismResponse> plate_responses() {
   std::vector<MechanismResponse> responses = follower_responses<LinearCam>(kSliding);
@@ -45,14 +43,8 @@ std::vector<MechanismResponse> plate_responses() {
     return response.name.find("torque") != std::string::npos;
   });
   responses.push_back(curve_response<LinearCam>(
-      {"plate_force",
-       "N",
-       "N",
-       "force that moves the plate, without friction",
-       {{{"mass", "spring_rate", "spring_preload", "load"}, S::Linear},
-        {{"travel"}, S::Quasilinear},
-        {{"speed"}, S::Quasilinear}}},
-      turn_of_the_cam(), [](const auto& cam) {
+      {"plate_force", "N", "N", "force that moves the plate, without friction"}, turn_of_the_cam(),
+      [](const auto& cam) {
         return [cam](const auto& motion) { return cam.plate_force(cam.over_angle(motion)); };
       }));
   return responses;
@@ -62,8 +54,7 @@ std::vector<MechanismResponse> plate_responses() {
 
 Mechanism linear_cam_mechanism() {
   std::vector<MechanismResponse> responses = plate_responses();
-  append(responses, roller_responses<LinearCam>({{{"law", "travel"}, S::Quasilinear},
-                                                 {{"stroke", "travel"}, S::Quasilinear}}));
+  append(responses, roller_responses<LinearCam>());
   append(responses, drawn_responses<LinearCam>(true));
   return checked({.name = "linear-cam",
                   .title = "cam plate that slides under a translating roller follower",

@@ -42,10 +42,8 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::paramet
 }
 
 Mechanism oscillating_end_cam_mechanism() {
-  using S = optim::Shape;
   std::vector<MechanismResponse> responses = follower_responses<OscillatingEndCam>(kOscillating);
-  append(responses, roller_responses<OscillatingEndCam>(
-                        {{{"radius"}, S::Quasilinear}, {{"arm_length"}, S::Quasilinear}}));
+  append(responses, roller_responses<OscillatingEndCam>());
   append(responses, drawn_responses<OscillatingEndCam>(true));
   return checked({.name = "end-cam-oscillating",
                   .title = "end or barrel cam with an oscillating roller arm",
@@ -55,7 +53,8 @@ Mechanism oscillating_end_cam_mechanism() {
                   .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                             least_torque(), peak_outer_undercut(), peak_groove_stress()},
                   .moved_by = MovedBy::Program,
-                  .form = Form::EndArm},
+                  .form = Form::EndArm,
+                  .possible = {{{"swing", "tilt"}, "DS3"}}},
                  {roller_checks(), force_closure_checks(kOscillating), roller_stress_checks()});
 }
 

@@ -62,34 +62,36 @@ Mechanism oscillating_flat_cam_mechanism() {
   responses.push_back(curve(
       Curve::ContactLever,
       {"contact_lever", "mm", "m", "where the face touches, along it from the foot of the pivot"}));
-  responses.push_back(profile_radius_response<OscillatingFlatCam>({}));
+  responses.push_back(profile_radius_response<OscillatingFlatCam>());
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between face and cam"}));
   append(responses, face_contact_responses<OscillatingFlatCam>());
   append(responses, drawn_responses<OscillatingFlatCam>(false));
   append(responses, blank_responses<OscillatingFlatCam>());
   append(responses, extent_responses<OscillatingFlatCam>());
-  return checked({.name = "disc-cam-oscillating-flat",
-                  .title = "disc cam with an oscillating flat-faced follower",
-                  .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
-                  .responses = std::move(responses),
-                  .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
-                             "least radius of curvature of the profile"},
-                            {"longest_lever", "contact_lever", Part::Highest,
-                             "how far from the pivot the face must reach"},
-                            {"shortest_lever", "contact_lever", Part::Lowest,
-                             "how near to the pivot the face must begin"},
-                            peak_torque(),
-                            peak_stress(),
-                            least_torque(),
-                            outer_radius(),
-                            least_wall(),
-                            pivot_clearance()},
-                  .moved_by = MovedBy::Program,
-                  .form = Form::DiscFlatArm},
-                 {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
-                  stress_checks()});
+  return checked(
+      {.name = "disc-cam-oscillating-flat",
+       .title = "disc cam with an oscillating flat-faced follower",
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<OscillatingFlatCam>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {{"least_profile_radius", "profile_radius", Part::Lowest,
+                  "least radius of curvature of the profile"},
+                 {"longest_lever", "contact_lever", Part::Highest,
+                  "how far from the pivot the face must reach"},
+                 {"shortest_lever", "contact_lever", Part::Lowest,
+                  "how near to the pivot the face must begin"},
+                 peak_torque(),
+                 peak_stress(),
+                 least_torque(),
+                 outer_radius(),
+                 least_wall(),
+                 pivot_clearance()},
+       .moved_by = MovedBy::Program,
+       .form = Form::DiscFlatArm,
+       .possible = {{{"base_radius", "face_offset", "pivot_distance"}, "DS3"}, {{"swing"}, "DS3"}}},
+      {face_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
+       stress_checks()});
 }
 
 }  // namespace camlaw::problems

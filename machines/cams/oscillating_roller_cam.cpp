@@ -62,23 +62,25 @@ namespace {
 template <template <class> class M>
 Mechanism oscillating_mechanism(const char* name, const char* title, Form form) {
   std::vector<MechanismResponse> responses = follower_responses<M>(kOscillating);
-  append(responses, roller_responses<M>({}));
+  append(responses, roller_responses<M>());
   append(responses, drawn_responses<M>(true));
   append(responses, blank_responses<M>());
   append(responses, extent_responses<M>());
   responses.push_back(arm_clearance_response<M>());
-  return checked({.name = name,
-                  .title = title,
-                  .source = "docs/theory.md, Cams",
-                  .parameters = MachineTraits<M>::parameters(),
-                  .responses = std::move(responses),
-                  .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
-                            least_torque(), peak_outer_undercut(), peak_groove_stress(),
-                            outer_radius(), least_wall(), pivot_clearance()},
-                  .moved_by = MovedBy::Program,
-                  .form = form},
-                 {roller_checks(), force_closure_checks(kOscillating), wall_checks(),
-                  pivot_checks(), arm_checks(), roller_stress_checks()});
+  return checked(
+      {.name = name,
+       .title = title,
+       .source = "docs/theory.md, Cams",
+       .parameters = MachineTraits<M>::parameters(),
+       .responses = std::move(responses),
+       .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
+                 least_torque(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
+                 least_wall(), pivot_clearance()},
+       .moved_by = MovedBy::Program,
+       .form = form,
+       .possible = {{{"base_radius", "roller_radius", "arm_length", "pivot_distance"}, "DS3"}}},
+      {roller_checks(), force_closure_checks(kOscillating), wall_checks(), pivot_checks(),
+       arm_checks(), roller_stress_checks()});
 }
 
 }  // namespace

@@ -33,12 +33,8 @@ const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
 }
 
 Mechanism roller_cam_mechanism() {
-  using S = optim::Shape;
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
-  append(responses, roller_responses<RollerCam>({{{"law"}, S::Quasilinear},
-                                                 {{"stroke"}, S::Quasilinear},
-                                                 {{"base_radius"}, S::Quasilinear},
-                                                 {{"roller_radius"}, S::Quasilinear}}));
+  append(responses, roller_responses<RollerCam>());
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
   append(responses, extent_responses<RollerCam>());
@@ -52,7 +48,9 @@ Mechanism roller_cam_mechanism() {
                  peak_stress(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
                  least_wall()},
        .moved_by = MovedBy::Program,
-       .form = Form::DiscRoller},
+       .form = Form::DiscRoller,
+       .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},
+                    {{"base_radius", "roller_radius", "offset", "guide_friction"}, "DS1"}}},
       {roller_checks(), force_closure_checks(kSliding), wall_checks(), roller_stress_checks()});
 }
 

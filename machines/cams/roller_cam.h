@@ -66,11 +66,13 @@ struct RollerCam {
     const X y = f.s + lowest_height();
     return {X(number<X>(0) + offset), y, y, f.ds - offset, number<T>(2) * f.ds - offset, f.dds - y};
   }
-  /// (M6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s).
+  /// (M6) Pressure angle, rad: tan alpha = (s' - e) / (y_0 + s). NaN where the roller's centre is
+  /// not above the cam's, y_0 + s <= 0: there is no such cam.
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
     using std::atan;
-    return atan((f.ds - offset) / (f.s + lowest_height()));
+    const X y = f.s + lowest_height();
+    return atan((f.ds - offset) / where_positive(y, y));
   }
   /// (M37) What friction in the guide takes of the force along the way, |tan alpha| mu
   /// (2 a + l_g) / l_g with the overhang a - s, signed as the velocity. At 1 a rising follower

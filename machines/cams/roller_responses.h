@@ -48,10 +48,9 @@ X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
   return k;
 }
 
-/// All of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller();
-/// `angle` are the shapes of the pressure angle.
+/// All of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller().
 template <template <class> class M>
-std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angle) {
+std::vector<MechanismResponse> roller_responses() {
   std::vector<MechanismResponse> all;
   const auto add = [&](RollerCurve which, ResponseAbout about) {
     all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
@@ -62,8 +61,7 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
   using C = RollerCurve;
   add(C::PressureAngle,
       {"pressure_angle", "deg", "rad",
-       "between the normal and the path of the roller's centre, signed as the slope",
-       std::move(angle)});
+       "between the normal and the path of the roller's centre, signed as the slope"});
   add(C::Undercut, {"undercut", "1", "1",
                     "share of the pitch curve's radius that the roller takes; at 1 the profile is "
                     "undercut"});
@@ -84,11 +82,8 @@ std::vector<MechanismResponse> roller_responses(std::vector<ShapeStatement> angl
   add(C::GrooveStress, {"groove_stress", "MPa", "Pa",
                         "greatest Hertz pressure in a groove, on the flank that bears the force"});
   all.push_back(number_response<M>(
-      {"groove_fit",
-       "1",
-       "1",
-       "share of a groove's half width that the tool takes; above 1 the tool does not go in",
-       {{{"cutter_radius"}, optim::Shape::Linear}}},
+      {"groove_fit", "1", "1",
+       "share of a groove's half width that the tool takes; above 1 the tool does not go in"},
       [](const auto& cam) { return cam.roller().groove_fit(); }));
   set_defined_while(all, {"contact_stress", "contact_half_width", "groove_stress"},
                     {.response = "undercut", .upper = 1});

@@ -94,11 +94,8 @@ MechanismResponse running(Quantity which, ResponseAbout about) {
 }
 
 MechanismResponse displacement() {
-  const ResponseAbout about{"displacement",
-                            "mm",
-                            "m",
-                            "travel of the rollers from their lowest position",
-                            {{{"law"}, S::Linear}, {{"stroke"}, S::Linear}}};
+  const ResponseAbout about{"displacement", "mm", "m",
+                            "travel of the rollers from their lowest position"};
   return listed_curve<DiePress>(
       about, turn(), Quantity{},
       [](const auto& press, Quantity, const auto& motion) { return press.stroke * motion.s; });
@@ -107,7 +104,7 @@ MechanismResponse displacement() {
 struct Row {
   Quantity quantity;
   const char *number, *curve, *unit, *stored, *meaning;
-  S in_radii;  ///< form in the two radii; docs/theory.md, "Die press"
+  S in_radii;  ///< form in the two radii
 };
 
 constexpr Row kRows[] = {
@@ -125,23 +122,16 @@ constexpr Row kRows[] = {
      "approach of the axes after Hertz", S::Concave}};
 
 std::vector<MechanismResponse> responses() {
-  const std::vector<std::string> forces{"cam_force", "spring_force"};
-  std::vector<ShapeStatement> linear{{forces, S::Linear}, {{"load_factor"}, S::Linear}};
   std::vector<MechanismResponse> all{
-      given(Quantity::Force, {"load", "N", "N", "load of the contact, F_k + k F_s", linear}),
-      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "load per width", linear}),
-      running(Quantity::Force, {"running_force",
-                                "N",
-                                "N",
-                                "force between cam and roller; below 0 the roller leaves the cam",
-                                {{{"law"}, S::Linear},
-                                 {{"stroke"}, S::Linear},
-                                 {{"mass", "spring_rate", "spring_preload"}, S::Linear},
-                                 {{"speed"}, S::Quasilinear}}})};
+      given(Quantity::Force, {"load", "N", "N", "load of the contact, F_k + k F_s"}),
+      given(Quantity::LineLoad, {"line_load", "N/mm", "N/m", "load per width"}),
+      running(Quantity::Force,
+              {"running_force", "N", "N",
+               "force between cam and roller; below 0 the roller leaves the cam"})};
   all.push_back(displacement());
   const std::vector<std::string> radii{"roller_radius", "segment_radius"};
   for (const Row& row : kRows) {
-    const std::vector<ShapeStatement> shapes{{radii, row.in_radii}};
+    const std::vector<ShapeStatement> shapes{{radii, row.in_radii, "DS9"}};
     all.push_back(given(row.quantity, {row.number, row.unit, row.stored, row.meaning, shapes}));
     all.push_back(running(row.quantity, {row.curve, row.unit, row.stored, row.meaning, shapes}));
   }

@@ -53,9 +53,15 @@ MechanismResponse residual(Residual which, ResponseAbout about) {
       });
 }
 
+/// Of what the train makes of the cam's acceleration.
+std::vector<ShapeStatement> linear_train() {
+  return {{{"law"}, S::Linear, "DS10"}, {{"stroke"}, S::Linear, "DS10"}};
+}
+
 std::vector<MechanismResponse> numbers() {
-  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear}, {{"stroke"}, S::Linear}};
-  const std::vector<ShapeStatement> convex{{{"law"}, S::Convex}, {{"stroke"}, S::Linear}};
+  const std::vector<ShapeStatement> linear = linear_train();
+  const std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS10"},
+                                           {{"stroke"}, S::Linear, "DS10"}};
   return {number_of(Number::Frequency, {"natural_frequency", "Hz", "Hz", "without damping"}),
           number_of(Number::RiseTime, {"rise_time", "s", "s", "time of the rise"}),
           number_of(Number::PeriodRatio,
@@ -91,7 +97,7 @@ MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
 }  // namespace
 
 Mechanism follower_train_mechanism() {
-  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear}, {{"stroke"}, S::Linear}};
+  const std::vector<ShapeStatement> linear = linear_train();
   std::vector<MechanismResponse> responses = numbers();
   using Q = TrainQuantity;
   responses.push_back(curve(

@@ -15,11 +15,6 @@ std::vector<MechanismParameter> drive_parameters();
 /// The curves of a machine M with the members of GenevaDrive.
 template <template <class> class M>
 std::vector<MechanismResponse> drive_curves() {
-  using S = optim::Shape;
-  const std::vector<ShapeStatement> speed{{{"speed"}, S::Linear}};
-  const std::vector<ShapeStatement> square{{{"speed"}, S::Quasilinear}};
-  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, S::Linear},
-                                          {{"speed"}, S::Quasilinear}};
   // From formula(drive, the wheel's motion, whether it moves, angle).
   const auto curve = [](ResponseAbout about, auto formula) {
     return turn_response<M>(std::move(about), [formula](const auto& drive) {
@@ -29,35 +24,32 @@ std::vector<MechanismResponse> drive_curves() {
       };
     });
   };
-  return {
-      curve({"wheel_angle", "deg", "rad", "angle of the wheel from the middle of its step"},
-            [](const auto&, const auto& beta, bool, const auto&) { return beta.angle; }),
-      curve({"wheel_velocity", "rad/s", "rad/s", "angular velocity of the wheel", speed},
-            [](const auto& drive, const auto& beta, bool, const auto&) {
-              return drive.angular_speed * beta.ratio;
-            }),
-      curve({"wheel_acceleration", "rad/s2", "rad/s2", "angular acceleration of the wheel", square},
-            [](const auto& drive, const auto& beta, bool, const auto&) {
-              return drive.angular_speed * drive.angular_speed * beta.second;
-            }),
-      curve(
-          {"wheel_torque", "N m", "N m", "inertia and friction at the wheel while it moves", loads},
-          []<class X>(const auto& drive, const auto& beta, bool moves, const X&) {
-            return moves ? drive.wheel_torque(beta) : number<X>(0);
-          }),
-      curve({"drive_torque", "N m", "N m", "torque on the driver", loads},
-            [](const auto& drive, const auto& beta, bool, const auto&) {
-              return drive.torque(beta);
-            }),
-      curve({"surplus_torque", "N m", "N m", "torque on the driver less its mean", loads},
-            [](const auto& drive, const auto& beta, bool, const auto&) {
-              return drive.torque(beta) - drive.mean_torque();
-            }),
-      curve({"surplus_work", "J", "J", "integral of the surplus torque from the engagement on",
-             loads},
-            [](const auto& drive, const auto& beta, bool, const auto& phi) {
-              return drive.surplus_work(beta, phi);
-            })};
+  return {curve({"wheel_angle", "deg", "rad", "angle of the wheel from the middle of its step"},
+                [](const auto&, const auto& beta, bool, const auto&) { return beta.angle; }),
+          curve({"wheel_velocity", "rad/s", "rad/s", "angular velocity of the wheel"},
+                [](const auto& drive, const auto& beta, bool, const auto&) {
+                  return drive.angular_speed * beta.ratio;
+                }),
+          curve({"wheel_acceleration", "rad/s2", "rad/s2", "angular acceleration of the wheel"},
+                [](const auto& drive, const auto& beta, bool, const auto&) {
+                  return drive.angular_speed * drive.angular_speed * beta.second;
+                }),
+          curve({"wheel_torque", "N m", "N m", "inertia and friction at the wheel while it moves"},
+                []<class X>(const auto& drive, const auto& beta, bool moves, const X&) {
+                  return moves ? drive.wheel_torque(beta) : number<X>(0);
+                }),
+          curve({"drive_torque", "N m", "N m", "torque on the driver"},
+                [](const auto& drive, const auto& beta, bool, const auto&) {
+                  return drive.torque(beta);
+                }),
+          curve({"surplus_torque", "N m", "N m", "torque on the driver less its mean"},
+                [](const auto& drive, const auto& beta, bool, const auto&) {
+                  return drive.torque(beta) - drive.mean_torque();
+                }),
+          curve({"surplus_work", "J", "J", "integral of the surplus torque from the engagement on"},
+                [](const auto& drive, const auto& beta, bool, const auto& phi) {
+                  return drive.surplus_work(beta, phi);
+                })};
 }
 
 }  // namespace camlaw::problems

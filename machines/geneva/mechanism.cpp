@@ -47,11 +47,10 @@ std::vector<MechanismResponse> drive_responses() {
   const auto number = [](ResponseAbout about, auto formula) {
     return number_response<M>(std::move(about), formula);
   };
-  const std::vector<ShapeStatement> loads{{{"inertia", "friction"}, optim::Shape::Linear}};
   std::vector<MechanismResponse> all{
       number({"engagement", "deg", "rad", "angle of the driver while the wheel moves"},
              [](const auto& drive) { return drive.engagement(); }),
-      number({"mean_torque", "N m", "N m", "mean torque on the driver over its turn", loads},
+      number({"mean_torque", "N m", "N m", "mean torque on the driver over its turn"},
              [](const auto& drive) { return drive.mean_torque(); }),
       number({"surplus_range", "J", "J", "what a flywheel or a balancing cam has to store"},
              [](const auto& drive) { return surplus_of(drive).range; }),

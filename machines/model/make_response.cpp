@@ -47,37 +47,86 @@ Binding narrowed(const Binding& binding, const MechanismResponse& response) {
   return result;
 }
 
-/// The strongest form that is stated for what varies of what the response's value depends on.
-Shape stated_shape(const Mechanism& mechanism, const MechanismResponse& response,
-                   const Binding& binding) {
+/// Whether a statement says something of all that varies.
+bool covers(const std::vector<std::string>& stated, const std::set<std::string>& varying) {
+  const std::set<std::string> all(stated.begin(), stated.end());
+  return std::includes(all.begin(), all.end(), varying.begin(), varying.end());
+}
+
+/// What the mechanism declares of a response.
+struct Declared {
+  Shape shape = Shape::General;
+  std::string proof = {};
+};
+
+/// The strongest form that is declared for what varies of what the response's value depends on.
+Declared declared_shape(const Mechanism& mechanism, const MechanismResponse& response,
+                        const Binding& binding) {
   std::set<std::string> varying;
   for (const std::size_t i : binding.parameters) {
     if (holds(response.uses, i)) varying.insert(mechanism.parameters[i].name);
   }
   if (response.sees_law && !binding.law->variables().empty()) {
-    if (!binding.law->is_linear()) return Shape::General;
+    if (!binding.law->is_linear()) return {};
     varying.insert("law");
   }
-  if (varying.empty()) return Shape::Linear;
-  Shape best = Shape::General;
+  Declared best;
   for (const ShapeStatement& statement : response.shapes) {
-    const std::set<std::string> stated(statement.varying.begin(), statement.varying.end());
-    const bool covers = std::includes(stated.begin(), stated.end(), varying.begin(), varying.end());
-    if (covers && strength(statement.shape) > strength(best)) best = statement.shape;
+    if (covers(statement.varying, varying) && strength(statement.shape) > strength(best.shape)) {
+      best = {statement.shape, std::string(statement.proof.number())};
+    }
   }
   return best;
+}
+
+/// Whether nothing varies of what the response's value depends on: it is a constant where it has a
+/// value, and what decides that it has one may vary.
+bool nothing_varies(const MechanismResponse& response, const Binding& binding) {
+  const bool moves = std::any_of(binding.parameters.begin(), binding.parameters.end(),
+                                 [&](std::size_t i) { return holds(response.uses, i); });
+  return !moves && !(response.sees_law && !binding.law->variables().empty());
+}
+
+/// The parameters that vary and decide which machines are possible: those that do among typical
+/// machines, and all that a statement about them names.
+std::set<std::string> deciding(const Mechanism& mechanism, const MechanismResponse& response,
+                               const Binding& binding) {
+  std::set<std::string> names;
+  for (const std::size_t i : binding.parameters) {
+    const std::string& name = mechanism.parameters[i].name;
+    const bool is_named =
+        std::any_of(mechanism.possible.begin(), mechanism.possible.end(),
+                    [&](const PossibleSet& stated) { return covers(stated.varying, {name}); });
+    if (is_named || holds(response.possible_by, i)) names.insert(name);
+  }
+  return names;
 }
 
 /// The shape in what varies of a narrowed binding.
 KnownShape shape_in(const Mechanism& mechanism, const MechanismResponse& response,
                     const Binding& used) {
-  const Shape declared = stated_shape(mechanism, response, used);
-  // Which machines are possible is a set of designs of which the rules know nothing.
-  const bool may_be_impossible =
-      std::any_of(used.parameters.begin(), used.parameters.end(),
-                  [&](std::size_t i) { return holds(response.possible_by, i); });
-  if (may_be_impossible || !response.write) return {declared, Shape::General};
-  return {declared, ruled_shape(response, used, mechanism.parameters)};
+  KnownShape known;
+  const std::set<std::string> deciders = deciding(mechanism, response, used);
+  if (!deciders.empty()) {
+    const auto set =
+        std::find_if(mechanism.possible.begin(), mechanism.possible.end(),
+                     [&](const PossibleSet& stated) { return covers(stated.varying, deciders); });
+    if (set == mechanism.possible.end()) return known;
+    known.of_possible = set->proof.number();
+  }
+  if (nothing_varies(response, used)) {
+    known.ruled = Shape::Linear;
+    return known;
+  }
+  const Declared declared = declared_shape(mechanism, response, used);
+  known.declared = declared.shape;
+  known.proof = declared.proof;
+  if (response.write) {
+    const RuledShape ruled = ruled_shape(response, used, mechanism.parameters);
+    known.ruled = ruled.shape;
+    known.by_enclosure = ruled.by_enclosure;
+  }
+  return known;
 }
 
 /// A parameter of the mechanism as a response.
@@ -101,9 +150,18 @@ optim::Shape KnownShape::best() const {
   return strength(ruled) > strength(declared) ? ruled : declared;
 }
 
+std::string KnownShape::reason() const {
+  if (best() == Shape::General) return "";
+  const bool found = best() == ruled;
+  const std::string own = !found         ? "theory.md (" + proof + ")"
+                          : by_enclosure ? "enclosure"
+                                         : "rules";
+  return of_possible.empty() ? own : own + ", possible machines by theory.md (" + of_possible + ")";
+}
+
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
-  if (name.response == nullptr) return {Shape::Linear, Shape::Linear};
+  if (name.response == nullptr) return {.ruled = Shape::Linear};
   return shape_in(mechanism, *name.response, narrowed(binding, *name.response));
 }
 

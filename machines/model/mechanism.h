@@ -32,11 +32,34 @@ struct MechanismParameter {
   bool integer = false;
 };
 
-/// A statement about a response's form: it holds where, of all that the response depends on,
-/// nothing varies but what is named. "law" stands for all parameters in which the law is linear.
+/// The number of a derivation in docs/theory.md, "Shapes that are declared". There is none without
+/// a number: a shape cannot be declared on trust.
+class Proof {
+ public:
+  /// "DS1"; does not compile otherwise.
+  consteval Proof(const char* number) : number_(number) {
+    if (number_.size() < 3 || !number_.starts_with("DS")) throw "a proof is a number such as DS1";
+  }
+  constexpr std::string_view number() const { return number_; }
+
+ private:
+  std::string_view number_;
+};
+
+/// A statement about a response's form that rules do not find: it holds where, of all that the
+/// response depends on, nothing varies but what is named. "law" stands for all parameters in which
+/// the law is linear.
 struct ShapeStatement {
   std::vector<std::string> varying;
   optim::Shape shape;
+  Proof proof;
+};
+
+/// A statement about which machines there are: where these parameters vary together, the others at
+/// rest, those that are possible are a convex set.
+struct PossibleSet {
+  std::vector<std::string> varying;
+  Proof proof;
 };
 
 /// What of a design varies, and what the rest is: a mechanism and a law bound to design variables.
@@ -193,6 +216,7 @@ struct Mechanism {
   Form form = Form::Other;
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run
   std::vector<BuildableInput> inputs = {};  ///< of these checks
+  std::vector<PossibleSet> possible = {};   ///< where a set is not stated, nothing is known of it
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;
@@ -222,11 +246,18 @@ std::string part_name(optim::Part part, const std::string& curve);
 ResponseName find_response(const Mechanism& mechanism, std::string_view name);
 
 /// The shape of a response in what varies of a binding: the strongest that the mechanism declares,
-/// and what follows by the rules of machines/model/shape_rules.h.
+/// and what machines/model/shape_rules.h finds. Neither where what varies decides which machines
+/// are possible and these are not known to be a convex set.
 struct KnownShape {
   optim::Shape declared = optim::Shape::General, ruled = optim::Shape::General;
+  bool by_enclosure = false;     ///< how the second was found; else by rules
+  std::string proof = {};        ///< of the first: "DS4"
+  std::string of_possible = {};  ///< of the set of machines, where what varies decides on it: "DS1"
   /// The stronger one, the declared one where they are as strong.
   optim::Shape best() const;
+  /// How the best one is known: "rules", "enclosure", "theory.md (DS4)", and behind it ", possible
+  /// machines by theory.md (DS1)"; empty where none is.
+  std::string reason() const;
 };
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding);

@@ -10,7 +10,6 @@
 #include "machines/model/composed_number.h"
 #include "machines/model/enclosed.h"
 #include "machines/model/mechanism_curve.h"
-#include "machines/model/shape_rules.h"
 #include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
@@ -165,8 +164,8 @@ MechanismResponse recorded_number(MechanismResponse response, const Parameters& 
   return response;
 }
 
-optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
-                         const Parameters& parameters) {
+RuledShape ruled_shape(const MechanismResponse& response, const Binding& binding,
+                       const Parameters& parameters) {
   std::vector<RuledInput> inputs = ruled_arguments(binding, parameters);
   Write write = response.write;
   if (response.turn) {

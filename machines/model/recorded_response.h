@@ -7,6 +7,7 @@
 #include "machines/model/cycle.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recorded_kernel.h"
+#include "machines/model/shape_rules.h"
 
 /// Responses that are formulas: what they depend on, and the functions of a design that they make,
 /// all from MechanismResponse::write.
@@ -40,9 +41,10 @@ std::vector<Recorded> recorded_parts(const Binding& binding, const std::vector<W
 /// The parameters that any of them depends on, increasing.
 std::vector<std::size_t> used_by_any(const std::vector<Write>& writes, std::size_t parameters);
 
-/// The shape of a formula in what varies of a binding, by rules: of a curve at every place.
-optim::Shape ruled_shape(const MechanismResponse& response, const Binding& binding,
-                         const std::vector<MechanismParameter>& parameters);
+/// The shape of a formula in what varies of a binding, by rules or enclosure: of a curve at every
+/// place.
+RuledShape ruled_shape(const MechanismResponse& response, const Binding& binding,
+                       const std::vector<MechanismParameter>& parameters);
 
 /// Completes a number, which has write, and inner where its formula holds other numbers.
 MechanismResponse recorded_number(MechanismResponse response,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "numerics/formula/operations.h"
@@ -13,12 +14,15 @@ namespace {
 
 using optim::Shape;
 
-/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex. Any of
+/// What a function is in the design's variables. Quasiconvex: every set {f <= c} is convex. Where
+/// one variable alone varies: whether the function rises or falls with it, not strictly. Any of
 /// these says too that the set where the function has a value is convex.
 struct Curvature {
   bool convex = false, concave = false, quasiconvex = false, quasiconcave = false;
+  bool rises = false, falls = false;
 
   bool is_linear() const { return convex && concave; }
+  bool is_quasilinear() const { return quasiconvex && quasiconcave; }
 };
 constexpr Curvature kLinear{true, true, true, true};
 
@@ -33,8 +37,15 @@ struct Ruled : Curvature {
   bool is_negative() const { return range.upper() < 0; }
 };
 
+/// What rises or falls is quasilinear.
+Curvature with_monotone(Curvature a) {
+  a.quasiconvex = a.quasiconvex || a.rises || a.falls;
+  a.quasiconcave = a.quasiconcave || a.rises || a.falls;
+  return a;
+}
+
 Curvature mirrored(const Curvature& a) {
-  return {a.concave, a.convex, a.quasiconcave, a.quasiconvex};
+  return {a.concave, a.convex, a.quasiconcave, a.quasiconvex, a.falls, a.rises};
 }
 Ruled negative(const Ruled& a) { return {mirrored(a), a.is_constant, -a.range}; }
 
@@ -42,27 +53,38 @@ Curvature sum(const Ruled& a, const Ruled& b) {
   if (a.is_constant) return b;
   if (b.is_constant) return a;
   const bool below = a.convex && b.convex, above = a.concave && b.concave;
-  return {below, above, below, above};
+  return with_monotone({below, above, below, above, a.rises && b.rises, a.falls && b.falls});
+}
+
+/// Of a constant factor of either sign, or its reciprocal: at a place it has one of them.
+Curvature scaled_by_unknown(const Curvature& a) {
+  return {a.is_linear(), a.is_linear(), a.is_quasilinear(), a.is_quasilinear()};
 }
 
 /// Of a constant factor and another.
 Curvature scaled(const Ruled& factor, const Ruled& a) {
   if (factor.is_not_negative()) return a;
   if (factor.is_not_positive()) return mirrored(a);
-  return a.is_linear() ? kLinear : Curvature{};
+  return scaled_by_unknown(a);
 }
 
 Curvature product(const Ruled& a, const Ruled& b) {
   if (a.is_constant) return scaled(a, b);
   if (b.is_constant) return scaled(b, a);
-  const bool both_positive = a.is_not_negative() && b.is_not_negative();
-  return {false, false, false, both_positive && a.concave && b.concave};
+  if (!a.is_not_negative() || !b.is_not_negative()) return {};
+  return with_monotone(
+      {false, false, false, a.concave && b.concave, a.rises && b.rises, a.falls && b.falls});
 }
 
 /// An increasing function of a. It keeps quasiconvex and quasiconcave; `is_convex` and `is_concave`
 /// say what it is itself.
 Curvature increasing(const Curvature& a, bool is_convex, bool is_concave) {
-  return {is_convex && a.convex, is_concave && a.concave, a.quasiconvex, a.quasiconcave};
+  return {is_convex && a.convex,
+          is_concave && a.concave,
+          a.quasiconvex,
+          a.quasiconcave,
+          a.rises,
+          a.falls};
 }
 
 /// A function that has a value where a is 0 or above. That set is convex where a is quasiconcave.
@@ -73,8 +95,22 @@ Curvature from_zero_on(const Ruled& a, const Curvature& result) {
 /// The arcsine, which has a value where a is within -1 and 1.
 Curvature arcsine(const Ruled& a) {
   const bool inside = a.range.lower() >= -1 && a.range.upper() <= 1;
-  const bool has_convex_domain = a.quasiconvex && a.quasiconcave;
-  return inside || has_convex_domain ? increasing(a, false, false) : Curvature{};
+  return inside || a.is_quasilinear() ? increasing(a, false, false) : Curvature{};
+}
+
+/// The tangent increases between plus and minus a right angle; from 0 on it is convex.
+Curvature tangent(const Ruled& a) {
+  const double right = (pi<Interval>() / Interval(2.0)).lower();
+  if (a.range.lower() <= -right || a.range.upper() >= right) return {};
+  return increasing(a, a.is_not_negative(), a.is_not_positive());
+}
+
+/// a where it is positive.
+Ruled where_positive(const Ruled& a) {
+  const double least = std::numeric_limits<double>::min(), most = std::max(least, a.range.upper());
+  const Interval range(std::max(least, a.range.lower()), most);
+  const Curvature own = a;
+  return {a.is_positive() || a.quasiconcave ? own : Curvature{}, a.is_constant, range};
 }
 
 /// 1 / b of one sign: it decreases; of a positive b it is convex, of a negative one concave.
@@ -89,7 +125,7 @@ Ruled reciprocal(const Ruled& b) {
 
 Curvature ratio(const Ruled& a, const Ruled& b) {
   if (b.is_negative()) return ratio(negative(a), negative(b));
-  if (!b.is_positive()) return {};
+  if (!b.is_positive()) return b.is_constant ? scaled_by_unknown(a) : Curvature{};
   if (a.is_constant || b.is_constant) {
     const Ruled divisor = reciprocal(b);
     return a.is_constant ? scaled(a, divisor) : scaled(divisor, a);
@@ -105,7 +141,7 @@ Curvature ratio(const Ruled& a, const Ruled& b) {
 Curvature size_of(const Ruled& a) {
   if (a.is_not_negative()) return a;
   if (a.is_not_positive()) return mirrored(a);
-  return {a.is_linear(), false, a.quasiconvex && a.quasiconcave, false};
+  return {a.is_linear(), false, a.is_quasilinear(), false};
 }
 
 Curvature powered(const Ruled& a, double p) {
@@ -118,7 +154,8 @@ Curvature powered(const Ruled& a, double p) {
 }
 
 Curvature greatest(const Curvature& a, const Curvature& b) {
-  return {a.convex && b.convex, false, a.quasiconvex && b.quasiconvex, false};
+  return with_monotone({a.convex && b.convex, false, a.quasiconvex && b.quasiconvex, false,
+                        a.rises && b.rises, a.falls && b.falls});
 }
 Curvature least(const Curvature& a, const Curvature& b) {
   return mirrored(greatest(mirrored(a), mirrored(b)));
@@ -126,13 +163,17 @@ Curvature least(const Curvature& a, const Curvature& b) {
 
 /// Of one or the other.
 Curvature common(const Curvature& a, const Curvature& b) {
-  return {a.convex && b.convex, a.concave && b.concave, a.quasiconvex && b.quasiconvex,
-          a.quasiconcave && b.quasiconcave};
+  return {a.convex && b.convex,
+          a.concave && b.concave,
+          a.quasiconvex && b.quasiconvex,
+          a.quasiconcave && b.quasiconcave,
+          a.rises && b.rises,
+          a.falls && b.falls};
 }
 
 Shape shape_of(const Curvature& a) {
   if (a.is_linear()) return Shape::Linear;
-  if (a.quasiconvex && a.quasiconcave) return Shape::Quasilinear;
+  if (a.is_quasilinear()) return Shape::Quasilinear;
   if (a.convex) return Shape::Convex;
   if (a.concave) return Shape::Concave;
   if (a.quasiconvex) return Shape::Quasiconvex;
@@ -141,8 +182,9 @@ Shape shape_of(const Curvature& a) {
 
 class Rules {
  public:
-  Rules(const Formula& formula, std::span<const RuledInput> inputs)
-      : steps_(formula.steps()), inputs_(inputs) {}
+  /// `one` says that one input alone varies, and linearly: it rises.
+  Rules(const Formula& formula, std::span<const RuledInput> inputs, bool one)
+      : steps_(formula.steps()), inputs_(inputs), one_(one) {}
 
   Shape operator()() {
     for (const Step& step : steps_) ruled_.push_back(ruled_of(step));
@@ -184,14 +226,16 @@ class Rules {
   Ruled ruled_of(const Step& step) const {
     if (step.operation == Operation::Input) {
       const RuledInput& input = inputs_[step.a];
-      return {input.varies == Varies::Otherwise ? Curvature{} : kLinear,
-              input.varies == Varies::Not, input.range};
+      Curvature own = input.varies == Varies::Otherwise ? Curvature{} : kLinear;
+      own.rises = one_ && input.varies == Varies::Linearly;
+      return {own, input.varies == Varies::Not, input.range};
     }
     if (step.operation == Operation::Constant) {
       return {kLinear, true, Interval(step.lower, step.upper)};
     }
     if (step.operation == Operation::Pi) return {kLinear, true, pi<Interval>()};
     const Ruled &a = ruled_[step.a], &b = ruled_[step.b], &c = ruled_[step.c];
+    if (step.operation == Operation::WherePositive && step.a == step.b) return where_positive(a);
     Interval range = step.operation == Operation::Unknown
                          ? boost::numeric::hull(a.range, b.range)
                          : operate<Interval>(step.operation, a.range, b.range, c.range);
@@ -222,6 +266,8 @@ class Rules {
         return increasing(a, true, false);
       case Operation::Atan:
         return increasing(a, false, false);
+      case Operation::Tan:
+        return tangent(a);
       case Operation::Asin:
         return arcsine(a);
       case Operation::Power:
@@ -241,38 +287,48 @@ class Rules {
 
   const std::vector<Step>& steps_;
   std::span<const RuledInput> inputs_;
+  bool one_;
   std::vector<Ruled> ruled_;
 };
 
-/// Whether a function of one input, which has a value everywhere, increases or decreases all over
-/// its range, by the enclosure of its slope. It is continuous where its value is enclosed.
-bool is_monotone(const Formula& formula, std::span<const RuledInput> inputs, std::size_t varying) {
-  std::vector<Series<Interval, 2>> at;
+/// The shape of a function of one input, which has a value everywhere, by what encloses its slope
+/// and its second derivative all over its range. It is continuous where its value is enclosed.
+Shape enclosed_shape(const Formula& formula, std::span<const RuledInput> inputs,
+                     std::size_t varying) {
+  std::vector<Series<Interval, 3>> at;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     at.push_back(
-        Series<Interval, 2>::variable(inputs[i].range, Interval(i == varying ? 1.0 : 0.0)));
+        Series<Interval, 3>::variable(inputs[i].range, Interval(i == varying ? 1.0 : 0.0)));
   }
-  const auto over = formula(std::span<const Series<Interval, 2>>(at));
-  const bool is_known = std::isfinite(over.c[0].lower()) && std::isfinite(over.c[0].upper());
-  return is_known && (over.c[1].lower() >= 0 || over.c[1].upper() <= 0);
+  const auto [value, slope, bend] = formula(std::span<const Series<Interval, 3>>(at)).c;
+  if (!std::isfinite(value.lower()) || !std::isfinite(value.upper())) return Shape::General;
+  const bool is_convex = bend.lower() >= 0, is_concave = bend.upper() <= 0;
+  if (is_convex && is_concave) return Shape::Linear;
+  if (slope.lower() >= 0 || slope.upper() <= 0) return Shape::Quasilinear;
+  return is_convex ? Shape::Convex : is_concave ? Shape::Concave : Shape::General;
+}
+
+/// The inputs that vary of a formula; none where one of them does not vary linearly.
+std::vector<std::size_t> linear_inputs(const Formula& formula, std::span<const RuledInput> inputs) {
+  std::vector<std::size_t> varying;
+  for (const std::size_t i : formula.uses()) {
+    if (inputs[i].varies == Varies::Otherwise) return {};
+    if (inputs[i].varies == Varies::Linearly) varying.push_back(i);
+  }
+  return varying;
 }
 
 }  // namespace
 
-Shape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs) {
-  Rules rules(formula, inputs);
+RuledShape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs) {
+  const std::vector<std::size_t> varying = linear_inputs(formula, inputs);
+  Rules rules(formula, inputs, varying.size() == 1);
   const Shape ruled = rules();
   const bool is_weak =
       ruled == Shape::General || ruled == Shape::Quasiconvex || ruled == Shape::Quasiconcave;
-  if (!is_weak) return ruled;
-  std::vector<std::size_t> varying;
-  for (const std::size_t i : formula.uses()) {
-    if (inputs[i].varies == Varies::Otherwise) return ruled;
-    if (inputs[i].varies == Varies::Linearly) varying.push_back(i);
-  }
-  const bool monotone =
-      varying.size() == 1 && rules.is_defined() && is_monotone(formula, inputs, varying.front());
-  return monotone ? Shape::Quasilinear : ruled;
+  if (!is_weak || varying.size() != 1 || !rules.is_defined()) return {ruled};
+  const Shape enclosed = enclosed_shape(formula, inputs, varying.front());
+  return enclosed == Shape::General ? RuledShape{ruled} : RuledShape{enclosed, true};
 }
 
 }  // namespace camlaw::problems

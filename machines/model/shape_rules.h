@@ -7,8 +7,9 @@
 #include "optim/problem/function.h"
 
 /// The shape of a recorded formula by rules of composition: a sum of convex functions is convex,
-/// the root of a concave one concave, a quotient of linear ones quasilinear (docs/theory.md,
-/// "Shapes by rules"). What the rules do not find may still have a shape.
+/// the root of a concave one concave, a quotient of linear ones quasilinear; and where one input
+/// alone varies by what encloses its slope and its second derivative (docs/theory.md, "Shapes by
+/// rules"). What is not found so may still have a shape.
 namespace camlaw::problems {
 
 /// How an input varies: not at all, linearly in the design's variables, or in another way.
@@ -19,6 +20,11 @@ struct RuledInput {
   Interval range;  ///< what it lies between; signs come from it
 };
 
-optim::Shape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs);
+struct RuledShape {
+  optim::Shape shape = optim::Shape::General;
+  bool by_enclosure = false;  ///< from the slope or the second derivative over the range
+};
+
+RuledShape shape_by_rules(const Formula& formula, std::span<const RuledInput> inputs);
 
 }  // namespace camlaw::problems

@@ -45,19 +45,19 @@ namespace {
 using optim::Shape;
 
 template <class F>
-MechanismResponse law_curve(const char* name, const char* meaning, Shape shape, F motion) {
+MechanismResponse law_curve(const char* name, const char* meaning, F motion) {
   static const Cycle cycle{"1", {{0, 1}}};
-  return curve_response<Followers>({name, "1", "1", meaning, {{{"law"}, shape}}}, cycle,
+  return curve_response<Followers>({name, "1", "1", meaning}, cycle,
                                    [motion](const auto&) { return motion; });
 }
 
 std::vector<MechanismResponse> curves() {
-  return {law_curve("displacement", "s", Shape::Linear, [](const auto& m) { return m.s; }),
-          law_curve("velocity", "s'", Shape::Linear, [](const auto& m) { return m.v; }),
-          law_curve("acceleration", "s''", Shape::Linear, [](const auto& m) { return m.a; }),
-          law_curve("jerk", "s'''; infinite where s'' jumps inside", Shape::Linear,
-                    [](const auto& m) { return m.j; }),
-          law_curve("moment", "s' s''", Shape::General, [](const auto& m) { return m.v * m.a; })};
+  return {
+      law_curve("displacement", "s", [](const auto& m) { return m.s; }),
+      law_curve("velocity", "s'", [](const auto& m) { return m.v; }),
+      law_curve("acceleration", "s''", [](const auto& m) { return m.a; }),
+      law_curve("jerk", "s'''; infinite where s'' jumps inside", [](const auto& m) { return m.j; }),
+      law_curve("moment", "s' s''", [](const auto& m) { return m.v * m.a; })};
 }
 
 /// The kernel of a plain number, formula(numbers, law), of what parts(followers) says of them.
@@ -72,8 +72,9 @@ std::shared_ptr<const optim::Kernel> kernel_in(const Binding& binding, Parts par
 /// A response with a kernel of its own over laws that are linear in what varies, where it is
 /// convex: special(binding, general), `general` the kernel of the formula.
 template <class Parts, class F, class Special>
-MechanismResponse convex_number(ResponseAbout about, Parts parts, F formula, Special special) {
-  about.shapes = {{{"law"}, Shape::Convex}};
+MechanismResponse convex_number(ResponseAbout about, Proof proof, Parts parts, F formula,
+                                Special special) {
+  about.shapes = {{{"law"}, Shape::Convex, proof}};
   MechanismResponse response = law_number<Followers>(about, parts, formula);
   response.number = [=, general = response.number](const Binding& binding, Shape shape) {
     if (shape != Shape::Convex) return general(binding, shape);
@@ -86,7 +87,8 @@ MechanismResponse convex_number(ResponseAbout about, Parts parts, F formula, Spe
 /// A mean square; over a law that is linear in what varies a quadratic form.
 MechanismResponse mean_square_of(const char* name, const char* meaning, int order) {
   return convex_number(
-      {name, "1", "1", meaning}, []<class T>(const Followers<T>&) { return std::array<T, 0>{}; },
+      {name, "1", "1", meaning}, "DS11",
+      []<class T>(const Followers<T>&) { return std::array<T, 0>{}; },
       [order](const auto&, const auto& law) { return mean_square(law, order); },
       [order](const Binding& binding, auto general) {
         return mean_square_kernel(binding.law, order, std::move(general));
@@ -165,7 +167,7 @@ MechanismResponse residual_part(const char* name, Part part, int which) {
        "1",
        fmt::format("{} part of the vibration left at {}", part == Part::Cosine ? "cosine" : "sine",
                    numbered("period_ratio", which)),
-       {{{"law"}, Shape::Linear}}},
+       {{{"law"}, Shape::Linear, "DS10"}}},
       ratio_of(which), part_formula(part));
 }
 
@@ -174,7 +176,7 @@ MechanismResponse residual_amplitude(int which) {
   return convex_number(
       {numbered("residual_amplitude", which), "1", "1",
        "amplitude of the vibration left, undamped, in parts of the stroke"},
-      ratio_of(which),
+      "DS10", ratio_of(which),
       []<class T>(std::span<const T> ratio, const Law<T>& law) {
         const FollowerTrain<T> train{ratio[0], number<T>(0)};
         const T result = train.amplitude(train.after(law));

@@ -41,7 +41,6 @@ const std::vector<MechanismParameter>& MachineTraits<SheetDelivery>::parameters(
 namespace {
 
 using optim::Part;
-using S = optim::Shape;
 
 enum class Quantity {
   RodAngle,
@@ -114,11 +113,8 @@ MechanismResponse curve(Quantity which, ResponseAbout about) {
 
 std::vector<MechanismResponse> numbers() {
   return {number_response<SheetDelivery>(
-              {"slow_down",
-               "1",
-               "1",
-               "fraction of its travel by which the carriage falls behind the chain in a stretch",
-               {{{"guide_ratio"}, S::Linear}}},
+              {"slow_down", "1", "1",
+               "fraction of its travel by which the carriage falls behind the chain in a stretch"},
               [](const auto& drive) { return drive.slow_down(); }),
           number_response<SheetDelivery>(
               {"efficiency_O", "1", "1", "efficiency of the sprocket's bearing"},
@@ -130,14 +126,9 @@ std::vector<MechanismResponse> numbers() {
 
 std::vector<MechanismResponse> curves() {
   using Q = Quantity;
-  const std::vector<std::string> frictions{"slide_friction_B", "joint_friction_B"};
   return {
       curve(Q::RodAngle, {"rod_angle", "deg", "rad", "angle of the rod, alpha"}),
-      curve(Q::GuideAngle, {"guide_angle",
-                            "deg",
-                            "rad",
-                            "angle of the curved guide, beta",
-                            {{{"law"}, S::Quasilinear}, {{"guide_ratio"}, S::Quasilinear}}}),
+      curve(Q::GuideAngle, {"guide_angle", "deg", "rad", "angle of the curved guide, beta"}),
       curve(Q::RelativeSpeed,
             {"relative_speed", "1", "1", "speed of the carriage about the link over the chain's"}),
       curve(Q::SpeedRatio,
@@ -146,11 +137,8 @@ std::vector<MechanismResponse> curves() {
                                 "speed of the carriage over the chain's on the mirrored stretch, "
                                 "slowing down"}),
       curve(Q::EfficiencyA, {"efficiency_A", "1", "1", "efficiency of the link's joint and guide"}),
-      curve(Q::EfficiencyB, {"efficiency_B",
-                             "1",
-                             "1",
-                             "efficiency of the carriage's joint and guide",
-                             {{frictions, S::Linear}}}),
+      curve(Q::EfficiencyB,
+            {"efficiency_B", "1", "1", "efficiency of the carriage's joint and guide"}),
       curve(Q::Efficiency, {"efficiency", "1", "1",
                             "efficiency from the motor to the carriage; not above 0, the drive "
                             "locks itself"}),
@@ -158,11 +146,8 @@ std::vector<MechanismResponse> curves() {
             {"reverse_efficiency", "1", "1", "efficiency from the carriage to the motor"}),
       curve(Q::PrintedEfficiencyA,
             {"printed_efficiency_A", "1", "1", "efficiency_A with the signs of the print"}),
-      curve(Q::PrintedEfficiencyB, {"printed_efficiency_B",
-                                    "1",
-                                    "1",
-                                    "efficiency_B with the signs of the print",
-                                    {{frictions, S::Linear}}}),
+      curve(Q::PrintedEfficiencyB,
+            {"printed_efficiency_B", "1", "1", "efficiency_B with the signs of the print"}),
       curve(Q::PrintedEfficiency,
             {"printed_efficiency", "1", "1", "efficiency with the signs of the print"}),
       curve(Q::PrintedReverseEfficiency, {"printed_reverse_efficiency", "1", "1",

@@ -32,7 +32,6 @@ const std::vector<MechanismParameter>& MachineTraits<SignatureFeeder>::parameter
 namespace {
 
 using optim::Part;
-using S = optim::Shape;
 
 /// A curve from formula(drive, angle), of the drive as printed.
 template <class F>
@@ -57,11 +56,7 @@ MechanismResponse number(ResponseAbout about, F formula) {
 
 std::vector<MechanismResponse> numbers() {
   return {
-      number({"drum_swing",
-              "deg",
-              "rad",
-              "swing of the cylinder between its reversals",
-              {{{"crank_radius"}, S::Linear}, {{"crank_radius", "pinion_radius"}, S::Quasilinear}}},
+      number({"drum_swing", "deg", "rad", "swing of the cylinder between its reversals"},
              [](const auto& drive) { return drive.drum_swing(); }),
       number({"guide_swing", "deg", "rad", "swing of the guide"},
              [](const auto& drive) { return drive.guide_swing(); }),
@@ -73,8 +68,6 @@ std::vector<MechanismResponse> numbers() {
 }
 
 std::vector<MechanismResponse> curves() {
-  const std::vector<ShapeStatement> linear{{{"speed"}, S::Linear}};
-  const std::vector<ShapeStatement> monotone{{{"speed"}, S::Quasilinear}};
   const auto travel = [](const auto& drive, const auto& phi) {
     return drive.rack_travel(phi).value;
   };
@@ -95,20 +88,18 @@ std::vector<MechanismResponse> curves() {
       curve({"drum_ratio_slope", "1", "1",
              "second derivative of the cylinder's angle by the crank's"},
             [](const auto& drive, const auto& phi) { return drive.drum_angle(phi).second; }),
-      curve({"drum_velocity", "rad/s", "rad/s", "angular velocity of the cylinder", linear},
-            velocity),
-      curve({"drum_acceleration", "rad/s2", "rad/s2", "angular acceleration of the cylinder",
-             monotone},
+      curve({"drum_velocity", "rad/s", "rad/s", "angular velocity of the cylinder"}, velocity),
+      curve({"drum_acceleration", "rad/s2", "rad/s2", "angular acceleration of the cylinder"},
             acceleration),
       meshing({"meshing_rack_travel", "mm", "m",
                "travel of a rack that meshes with a pinion on the guide's centre"},
               travel),
       meshing({"meshing_drum_angle", "deg", "rad", "angle of the cylinder with that rack"}, drum),
       meshing({"meshing_drum_velocity", "rad/s", "rad/s",
-               "angular velocity of the cylinder with that rack", linear},
+               "angular velocity of the cylinder with that rack"},
               velocity),
       meshing({"meshing_drum_acceleration", "rad/s2", "rad/s2",
-               "angular acceleration of the cylinder with that rack", monotone},
+               "angular acceleration of the cylinder with that rack"},
               acceleration)};
 }
 
@@ -130,7 +121,8 @@ Mechanism signature_feeder_mechanism() {
                     {"peak_acceleration", "drum_acceleration", Part::Magnitude,
                      "greatest angular acceleration of the cylinder"}},
           .moved_by = MovedBy::Nothing,
-          .form = Form::SignatureFeeder};
+          .form = Form::SignatureFeeder,
+          .possible = {{{"crank_radius", "centre_distance", "offset", "pinion_radius"}, "DS4"}}};
 }
 
 }  // namespace camlaw::problems

@@ -10,41 +10,36 @@ namespace {
 using optim::Part, optim::Shape;
 
 std::vector<MechanismResponse> numbers() {
-  // Forms: docs/theory.md, "Spine cutter".
-  return {number_response<SpineCutter>({"chord_of_contact",
-                                        "mm",
-                                        "m",
-                                        "chord of the cutter's contact",
-                                        {{{"depth", "cutter_diameter"}, Shape::Concave}}},
-                                       [](const auto& m) { return m.chord_of_contact(); }),
-          number_response<SpineCutter>({"contact_angle",
-                                        "deg",
-                                        "rad",
-                                        "angle of the cutter's contact",
-                                        {{{"depth", "cutter_diameter"}, Shape::Quasilinear}}},
-                                       [](const auto& m) { return m.contact_angle(); }),
-          number_response<SpineCutter>({"blades_in_contact",
-                                        "1",
-                                        "1",
-                                        "blades in contact at a time",
-                                        {{{"blades"}, Shape::Linear},
-                                         {{"depth", "cutter_diameter"}, Shape::Quasilinear},
-                                         {{"blades", "depth"}, Shape::Quasiconcave}}},
-                                       [](const auto& m) { return m.blades_in_contact(); }),
-          number_response<SpineCutter>({"path_per_revolution",
-                                        "mm",
-                                        "m",
-                                        "path of the block in one revolution",
-                                        {{{"depth", "cutter_diameter"}, Shape::Linear}}},
-                                       [](const auto& m) { return m.path_per_revolution(); }),
-          number_response<SpineCutter>(
-              {"angular_velocity",
-               "rad/s",
-               "rad/s",
-               "angular velocity of the cutter",
-               {{{"block_speed"}, Shape::Linear},
-                {{"block_speed", "depth", "cutter_diameter"}, Shape::Quasilinear}}},
-              [](const auto& m) { return m.angular_velocity(); })};
+  return {
+      number_response<SpineCutter>({"chord_of_contact",
+                                    "mm",
+                                    "m",
+                                    "chord of the cutter's contact",
+                                    {{{"depth", "cutter_diameter"}, Shape::Concave, "DS7"}}},
+                                   [](const auto& m) { return m.chord_of_contact(); }),
+      number_response<SpineCutter>({"contact_angle",
+                                    "deg",
+                                    "rad",
+                                    "angle of the cutter's contact",
+                                    {{{"depth", "cutter_diameter"}, Shape::Quasilinear, "DS7"}}},
+                                   [](const auto& m) { return m.contact_angle(); }),
+      number_response<SpineCutter>({"blades_in_contact",
+                                    "1",
+                                    "1",
+                                    "blades in contact at a time",
+                                    {{{"depth", "cutter_diameter"}, Shape::Quasilinear, "DS7"},
+                                     {{"blades", "depth"}, Shape::Quasiconcave, "DS7"}}},
+                                   [](const auto& m) { return m.blades_in_contact(); }),
+      number_response<SpineCutter>(
+          {"path_per_revolution", "mm", "m", "path of the block in one revolution"},
+          [](const auto& m) { return m.path_per_revolution(); }),
+      number_response<SpineCutter>(
+          {"angular_velocity",
+           "rad/s",
+           "rad/s",
+           "angular velocity of the cutter",
+           {{{"block_speed", "depth", "cutter_diameter"}, Shape::Quasilinear, "DS7"}}},
+          [](const auto& m) { return m.angular_velocity(); })};
 }
 
 /// A curve over one revolution of the cam: `scale` of the machine times `part` of the motion.
@@ -64,21 +59,15 @@ std::vector<MechanismResponse> curves() {
                "deg",
                "rad",
                "pressure angle on the cam",
-               {{{"law", "cam_radius"}, Shape::Quasilinear},
-                {{"stroke", "cam_radius"}, Shape::Quasilinear}}},
+               {{{"law", "cam_radius"}, Shape::Quasilinear, "DS8"}}},
               [](const auto& m) { return m.pressure_scale(); },
               [](const auto& scale, const auto& motion) {
                 using std::atan;
                 return atan(scale * motion.v);
               }),
           scaled_curve(
-              {"required_cam_radius",
-               "mm",
-               "m",
-               "cam radius that the permissible pressure angle asks for, signed as s'",
-               {{{"law"}, Shape::Linear},
-                {{"stroke"}, Shape::Linear},
-                {{"pressure_angle"}, Shape::Quasilinear}}},
+              {"required_cam_radius", "mm", "m",
+               "cam radius that the permissible pressure angle asks for, signed as s'"},
               [](const auto& m) { return m.radius_scale(); },
               [](const auto& scale, const auto& motion) { return scale * motion.v; }),
           scaled_curve(
@@ -86,10 +75,7 @@ std::vector<MechanismResponse> curves() {
                "N",
                "N",
                "inertia force of the moved mass",
-               {{{"law"}, Shape::Linear},
-                {{"stroke"}, Shape::Linear},
-                {{"mass"}, Shape::Linear},
-                {speeds, Shape::Quasilinear}}},
+               {{speeds, Shape::Quasilinear, "DS7"}}},
               [](const auto& m) { return m.force_scale(); },
               [](const auto& scale, const auto& motion) { return scale * motion.a; }),
           scaled_curve(
@@ -97,17 +83,11 @@ std::vector<MechanismResponse> curves() {
                "N m",
                "N m",
                "torque of the inertia force on the cam's axis",
-               {{{"mass"}, Shape::Linear},
-                {{"stroke"}, Shape::Quasilinear},
-                {speeds, Shape::Quasilinear}}},
+               {{speeds, Shape::Quasilinear, "DS7"}}},
               [](const auto& m) { return m.torque_scale(); },
               [](const auto& scale, const auto& motion) { return scale * (motion.v * motion.a); }),
           scaled_curve(
-              {"displacement",
-               "mm",
-               "m",
-               "axial displacement of the cutter",
-               {{{"law"}, Shape::Linear}, {{"stroke"}, Shape::Linear}}},
+              {"displacement", "mm", "m", "axial displacement of the cutter"},
               [](const auto& m) { return m.stroke; },
               [](const auto& scale, const auto& motion) { return scale * motion.s; })};
 }
@@ -138,7 +118,8 @@ Mechanism spine_cutter_mechanism() {
           .peaks = {{"minimum_cam_radius", "required_cam_radius", Part::Magnitude,
                      "least cam radius at the permissible pressure angle"},
                     {"peak_inertia_force", "inertia_force", Part::Magnitude, "peak inertia force"},
-                    {"peak_drive_torque", "drive_torque", Part::Magnitude, "peak drive torque"}}};
+                    {"peak_drive_torque", "drive_torque", Part::Magnitude, "peak drive torque"}},
+          .possible = {{{"depth", "cutter_diameter"}, "DS4"}}};
 }
 
 }  // namespace camlaw::problems

@@ -2,7 +2,6 @@
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
 #include "machines/springs/disc_spring_stack.h"
-#include "machines/springs/linear.h"
 #include "machines/springs/springs.h"
 
 namespace camlaw::problems {
@@ -65,8 +64,6 @@ const std::vector<MechanismParameter>& MachineTraits<DiscSprings>::parameters() 
 
 namespace {
 
-using S = optim::Shape;
-
 enum class At { Preload, Working };
 
 template <class T>
@@ -96,26 +93,22 @@ MechanismResponse between(ResponseAbout about, F value) {
 }
 
 std::vector<MechanismResponse> forces() {
-  const auto shapes = linear({{"parallel"}, {"youngs_modulus"}});
   const auto force = [](const auto& stack, const auto& s) { return stack.force(s); };
   const auto rate = [](const auto& stack, const auto& s) { return stack.rate(s); };
-  return {loaded(At::Preload,
-                 {"preload_force", "N", "N", "force at the preload deflection", shapes}, force),
-          loaded(At::Working,
-                 {"working_force", "N", "N", "force at the working deflection", shapes}, force),
-          loaded(At::Working,
-                 {"loading_force", "N", "N", "the same with friction, while the stack is pressed"},
-                 [](const auto& stack, const auto& s) { return stack.loading_force(s); }),
-          loaded(At::Preload,
-                 {"return_force", "N", "N",
-                  "force at the preload deflection with friction, while the stack comes back"},
-                 [](const auto& stack, const auto& s) { return stack.return_force(s); }),
-          loaded(At::Preload,
-                 {"preload_rate", "N/mm", "N/m", "rate at the preload deflection", shapes}, rate),
-          loaded(At::Working,
-                 {"working_rate", "N/mm", "N/m", "rate at the working deflection", shapes}, rate),
-          between({"work", "J", "J", "work taken up between the deflections", shapes},
-                  [](const auto& stack, const auto& s) { return stack.work(s); })};
+  return {
+      loaded(At::Preload, {"preload_force", "N", "N", "force at the preload deflection"}, force),
+      loaded(At::Working, {"working_force", "N", "N", "force at the working deflection"}, force),
+      loaded(At::Working,
+             {"loading_force", "N", "N", "the same with friction, while the stack is pressed"},
+             [](const auto& stack, const auto& s) { return stack.loading_force(s); }),
+      loaded(At::Preload,
+             {"return_force", "N", "N",
+              "force at the preload deflection with friction, while the stack comes back"},
+             [](const auto& stack, const auto& s) { return stack.return_force(s); }),
+      loaded(At::Preload, {"preload_rate", "N/mm", "N/m", "rate at the preload deflection"}, rate),
+      loaded(At::Working, {"working_rate", "N/mm", "N/m", "rate at the working deflection"}, rate),
+      between({"work", "J", "J", "work taken up between the deflections"},
+              [](const auto& stack, const auto& s) { return stack.work(s); })};
 }
 
 template <class T>
@@ -127,82 +120,60 @@ T stress_lower_outer(const DiscSpringStack<T>& stack, const T& s) {
   return stack.spring.stress_lower_outer(s / stack.series);
 }
 
-/// Stresses at the working deflection. In it they are parabolas: docs/theory.md, "Disc springs".
+/// Stresses at the working deflection.
 std::vector<MechanismResponse> stresses() {
-  const auto about = [](const char* name, const char* meaning, S in_deflection) {
-    return ResponseAbout{
-        name,
-        "MPa",
-        "Pa",
-        meaning,
-        {{{"working_deflection"}, in_deflection}, {{"youngs_modulus"}, S::Linear}}};
+  const auto about = [](const char* name, const char* meaning) {
+    return ResponseAbout{name, "MPa", "Pa", meaning};
   };
   const auto inner = [](const auto& stack, const auto& s) { return stress_lower_inner(stack, s); };
   const auto outer = [](const auto& stack, const auto& s) { return stress_lower_outer(stack, s); };
-  const auto modulus = linear({{"youngs_modulus"}});
-  return {
-      loaded(At::Working,
-             about("stress_OM", "stress in the middle of the upper side, below 0", S::Linear),
-             [](const auto& stack, const auto& s) {
-               return stack.spring.stress_upper_middle(s / stack.series);
-             }),
-      loaded(At::Working, about("stress_I", "stress at the upper inner edge, below 0", S::Convex),
-             [](const auto& stack, const auto& s) {
-               return stack.spring.stress_upper_inner(s / stack.series);
-             }),
-      loaded(At::Working, about("stress_II", "stress at the lower inner edge", S::Convex), inner),
-      loaded(At::Working, about("stress_III", "stress at the lower outer edge", S::Concave), outer),
-      loaded(At::Working, about("stress_IV", "stress at the upper outer edge", S::Concave),
-             [](const auto& stack, const auto& s) {
-               return stack.spring.stress_upper_outer(s / stack.series);
-             }),
-      between({"stress_range_II", "MPa", "Pa",
-               "stress at the lower inner edge less that at the preload deflection", modulus},
-              inner),
-      between({"stress_range_III", "MPa", "Pa",
-               "stress at the lower outer edge less that at the preload deflection", modulus},
-              outer)};
+  return {loaded(At::Working, about("stress_OM", "stress in the middle of the upper side, below 0"),
+                 [](const auto& stack, const auto& s) {
+                   return stack.spring.stress_upper_middle(s / stack.series);
+                 }),
+          loaded(At::Working, about("stress_I", "stress at the upper inner edge, below 0"),
+                 [](const auto& stack, const auto& s) {
+                   return stack.spring.stress_upper_inner(s / stack.series);
+                 }),
+          loaded(At::Working, about("stress_II", "stress at the lower inner edge"), inner),
+          loaded(At::Working, about("stress_III", "stress at the lower outer edge"), outer),
+          loaded(At::Working, about("stress_IV", "stress at the upper outer edge"),
+                 [](const auto& stack, const auto& s) {
+                   return stack.spring.stress_upper_outer(s / stack.series);
+                 }),
+          between({"stress_range_II", "MPa", "Pa",
+                   "stress at the lower inner edge less that at the preload deflection"},
+                  inner),
+          between({"stress_range_III", "MPa", "Pa",
+                   "stress at the lower outer edge less that at the preload deflection"},
+                  outer)};
 }
 
-MechanismResponse flattening(At at, const char* name, const char* along, const char* meaning) {
-  return plain(
-      {name,
-       "1",
-       "1",
-       meaning,
-       {{{along}, S::Linear},
-        {{along, "series"}, S::Quasilinear},
-        {{along, "cone_height", "thickness"}, S::Quasilinear}}},
-      [at](const auto& springs) { return springs.stack().flattening(deflection(springs, at)); });
+MechanismResponse flattening(At at, const char* name, const char* meaning) {
+  return plain({name, "1", "1", meaning}, [at](const auto& springs) {
+    return springs.stack().flattening(deflection(springs, at));
+  });
 }
 
 std::vector<MechanismResponse> sizes() {
-  return {flattening(At::Preload, "preload_flattening", "preload_deflection",
-                     "preload deflection over that to flat"),
-          flattening(At::Working, "flattening", "working_deflection",
+  return {flattening(At::Preload, "preload_flattening", "preload deflection over that to flat"),
+          flattening(At::Working, "flattening",
                      "working deflection over that to flat; plates stop the discs at 1"),
-          plain({"stroke", "mm", "m", "working deflection less preload deflection",
-                 linear({{"preload_deflection", "working_deflection"}})},
+          plain({"stroke", "mm", "m", "working deflection less preload deflection"},
                 [](const auto& springs) {
                   return springs.working_deflection - springs.preload_deflection;
                 }),
-          plain({"springs", "1", "1", "discs in all", linear({{"parallel"}, {"series"}})},
+          plain({"springs", "1", "1", "discs in all"},
                 [](const auto& springs) { return springs.stack().springs(); }),
-          plain({"free_length", "mm", "m", "length of the stack without load",
-                 linear({{"series"}, {"parallel"}, {"cone_height", "thickness"}})},
+          plain({"free_length", "mm", "m", "length of the stack without load"},
                 [](const auto& springs) { return springs.stack().free_length(); }),
-          plain({"working_length", "mm", "m", "length of the stack at the working deflection",
-                 linear({{"working_deflection", "series"},
-                         {"working_deflection", "parallel"},
-                         {"working_deflection", "cone_height", "thickness"}})},
+          plain({"working_length", "mm", "m", "length of the stack at the working deflection"},
                 [](const auto& springs) {
                   return springs.stack().free_length() - springs.working_deflection;
                 }),
-          plain({"flat_length", "mm", "m", "length of the stack pressed flat",
-                 linear({{"series"}, {"parallel"}, {"thickness"}})},
+          plain({"flat_length", "mm", "m", "length of the stack pressed flat"},
                 [](const auto& springs) { return springs.stack().flat_length(); }),
-          plain({"mass", "kg", "kg", "mass of the stack",
-                 linear({{"series"}, {"parallel"}, {"thickness"}, {"density"}})},
+          plain({"mass", "kg", "kg", "mass of the stack"},
                 [](const auto& springs) { return springs.stack().mass(springs.density); })};
 }
 
@@ -220,7 +191,10 @@ Mechanism disc_springs_mechanism() {
           .responses = std::move(responses),
           .peaks = {},
           .moved_by = MovedBy::Nothing,
-          .validity = {{"flattening", 1}}};
+          .validity = {{"flattening", 1}},
+          .possible = {
+              {{"outer_diameter", "inner_diameter", "parallel", "edge_friction"}, "DS5"},
+              {{"outer_diameter", "inner_diameter", "surface_friction", "edge_friction"}, "DS5"}}};
 }
 
 }  // namespace camlaw::problems

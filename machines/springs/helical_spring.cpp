@@ -3,7 +3,6 @@
 
 #include "machines/model/append.h"
 #include "machines/model/responses.h"
-#include "machines/springs/linear.h"
 #include "machines/springs/springs.h"
 
 namespace camlaw::problems {
@@ -67,40 +66,33 @@ MechanismResponse plain(ResponseAbout about, F formula) {
   return number_response<WorkingSpring>(std::move(about), formula);
 }
 
-/// R s and the like: linear in G and in s, convex in the coils, whose powers are all below 0.
-std::vector<ShapeStatement> of_rate(const std::vector<std::string>& deflection) {
-  auto shapes = linear({{"shear_modulus"}});
-  if (!deflection.empty()) shapes.push_back({deflection, S::Linear});
-  shapes.push_back({{"mean_diameter", "active_coils"}, S::Convex});
-  shapes.push_back({{"wire_diameter"}, S::Convex});
-  return shapes;
+/// Of a product of powers of the coils' diameter and number, all below 0.
+ShapeStatement convex_in_coils() { return {{"mean_diameter", "active_coils"}, S::Convex, "DS6"}; }
+
+/// Rate and forces.
+std::vector<ShapeStatement> of_rate() {
+  return {convex_in_coils(), {{"wire_diameter"}, S::Convex, "DS6"}};
+}
+
+/// What is a multiple of the wire's diameter besides.
+std::vector<ShapeStatement> linear_in_wire() {
+  return {convex_in_coils(), {{"wire_diameter"}, S::Linear, "DS6"}};
 }
 
 std::vector<MechanismResponse> forces() {
-  return {plain({"rate", "N/mm", "N/m", "rate", of_rate({})},
-                [](const auto& spring) { return spring.rate(); }),
-          plain({"preload_force", "N", "N", "force at the preload deflection",
-                 of_rate({"preload_deflection"})},
-                [](const auto& spring) { return spring.force(spring.preload_deflection); }),
-          plain({"working_force", "N", "N", "force at the working deflection",
-                 of_rate({"working_deflection"})},
-                [](const auto& spring) { return spring.force(spring.working_deflection); }),
-          plain({"stroke", "mm", "m", "working deflection less preload deflection",
-                 linear({{"preload_deflection", "working_deflection"}})},
-                [](const auto& spring) {
-                  return spring.working_deflection - spring.preload_deflection;
-                }),
-          plain({"work",
-                 "J",
-                 "J",
-                 "work taken up between the deflections",
-                 {{{"shear_modulus"}, S::Linear},
-                  {{"working_deflection"}, S::Convex},
-                  {{"preload_deflection"}, S::Concave}}},
-                [](const auto& spring) {
-                  return spring.work(spring.working_deflection) -
-                         spring.work(spring.preload_deflection);
-                })};
+  return {
+      plain({"rate", "N/mm", "N/m", "rate", of_rate()},
+            [](const auto& spring) { return spring.rate(); }),
+      plain({"preload_force", "N", "N", "force at the preload deflection", of_rate()},
+            [](const auto& spring) { return spring.force(spring.preload_deflection); }),
+      plain({"working_force", "N", "N", "force at the working deflection", of_rate()},
+            [](const auto& spring) { return spring.force(spring.working_deflection); }),
+      plain(
+          {"stroke", "mm", "m", "working deflection less preload deflection"},
+          [](const auto& spring) { return spring.working_deflection - spring.preload_deflection; }),
+      plain({"work", "J", "J", "work taken up between the deflections"}, [](const auto& spring) {
+        return spring.work(spring.working_deflection) - spring.work(spring.preload_deflection);
+      })};
 }
 
 std::vector<MechanismResponse> stresses() {
@@ -110,57 +102,38 @@ std::vector<MechanismResponse> stresses() {
   const auto uncorrected = [](const auto& spring, const auto& deflection) {
     return spring.uncorrected_stress(spring.force(deflection));
   };
-  const auto shapes = [](std::vector<std::string> deflections) {
-    return linear({{"shear_modulus"}, std::move(deflections)});
-  };
-  std::vector<ShapeStatement> of_static = shapes({"working_deflection"});
-  of_static.push_back({{"wire_diameter"}, S::Linear});
-  of_static.push_back({{"mean_diameter", "active_coils"}, S::Convex});
-  return {plain({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection",
-                 shapes({"preload_deflection"})},
+  return {plain({"preload_stress", "MPa", "Pa", "corrected stress at the preload deflection"},
                 [=](const auto& spring) { return corrected(spring, spring.preload_deflection); }),
-          plain({"working_stress", "MPa", "Pa", "corrected stress at the working deflection",
-                 shapes({"working_deflection"})},
+          plain({"working_stress", "MPa", "Pa", "corrected stress at the working deflection"},
                 [=](const auto& spring) { return corrected(spring, spring.working_deflection); }),
-          plain({"stress_range", "MPa", "Pa", "working stress less preload stress",
-                 shapes({"preload_deflection", "working_deflection"})},
+          plain({"stress_range", "MPa", "Pa", "working stress less preload stress"},
                 [=](const auto& spring) {
                   return corrected(spring, spring.working_deflection - spring.preload_deflection);
                 }),
           plain({"static_stress", "MPa", "Pa", "stress at the working deflection, not corrected",
-                 of_static},
+                 linear_in_wire()},
                 [=](const auto& spring) { return uncorrected(spring, spring.working_deflection); }),
-          plain({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected",
-                 shapes({"working_deflection", "gap_factor"})},
+          plain({"solid_stress", "MPa", "Pa", "stress with all coils touching, not corrected"},
                 [=](const auto& spring) {
                   return uncorrected(spring, spring.working_deflection + spring.gaps());
                 })};
 }
 
 std::vector<MechanismResponse> sizes() {
-  const auto of_coils = linear({{"active_coils", "end_coils"}, {"wire_diameter"}});
-  const auto of_use = linear(
-      {{"working_deflection", "active_coils", "end_coils"}, {"working_deflection", "gap_factor"}});
-  const std::vector<std::string> wire_and_mean{"wire_diameter", "mean_diameter"};
   return {
-      plain({"index",
-             "1",
-             "1",
-             "mean diameter over wire diameter",
-             {{{"mean_diameter"}, S::Linear}, {wire_and_mean, S::Quasilinear}}},
+      plain({"index", "1", "1", "mean diameter over wire diameter"},
             [](const auto& spring) { return spring.index(); }),
-      plain({"outer_diameter", "mm", "m", "outer diameter without load", linear({wire_and_mean})},
+      plain({"outer_diameter", "mm", "m", "outer diameter without load"},
             [](const auto& spring) { return spring.outer_diameter(); }),
-      plain({"inner_diameter", "mm", "m", "inner diameter without load", linear({wire_and_mean})},
+      plain({"inner_diameter", "mm", "m", "inner diameter without load"},
             [](const auto& spring) { return spring.inner_diameter(); }),
-      plain({"solid_length", "mm", "m", "length with all coils touching", of_coils},
+      plain({"solid_length", "mm", "m", "length with all coils touching"},
             [](const auto& spring) { return spring.solid_length(); }),
-      plain({"working_length", "mm", "m", "length at the working deflection",
-             linear({{"active_coils", "end_coils"}, {"gap_factor"}})},
+      plain({"working_length", "mm", "m", "length at the working deflection"},
             [](const auto& spring) { return spring.solid_length() + spring.gaps(); }),
       plain({"preload_length", "mm", "m", "length at the preload deflection"},
             [](const auto& spring) { return spring.free_length() - spring.preload_deflection; }),
-      plain({"free_length", "mm", "m", "length without load that leaves the gaps", of_use},
+      plain({"free_length", "mm", "m", "length without load that leaves the gaps"},
             [](const auto& spring) { return spring.free_length(); }),
       plain({"buckling", "1", "1",
              "nearness of the working deflection to buckling; above 1 the spring buckles"},
@@ -171,17 +144,12 @@ std::vector<MechanismResponse> sizes() {
 }
 
 std::vector<MechanismResponse> masses() {
-  return {plain({"mass", "kg", "kg", "mass of the spring",
-                 linear({{"mean_diameter"}, {"active_coils", "end_coils"}, {"density"}})},
+  return {plain({"mass", "kg", "kg", "mass of the spring"},
                 [](const auto& spring) { return spring.mass(); }),
-          plain({"active_mass", "kg", "kg", "mass of the active coils",
-                 linear({{"mean_diameter"}, {"active_coils"}, {"density"}})},
+          plain({"active_mass", "kg", "kg", "mass of the active coils"},
                 [](const auto& spring) { return spring.active_mass(); }),
-          plain({"surge_frequency",
-                 "Hz",
-                 "Hz",
-                 "lowest natural frequency, both ends held",
-                 {{{"wire_diameter"}, S::Linear}, {{"mean_diameter", "active_coils"}, S::Convex}}},
+          plain({"surge_frequency", "Hz", "Hz", "lowest natural frequency, both ends held",
+                 linear_in_wire()},
                 [](const auto& spring) { return spring.surge_frequency(); })};
 }
 
@@ -198,7 +166,8 @@ Mechanism helical_spring_mechanism() {
           .parameters = MachineTraits<WorkingSpring>::parameters(),
           .responses = std::move(responses),
           .peaks = {},
-          .moved_by = MovedBy::Nothing};
+          .moved_by = MovedBy::Nothing,
+          .possible = {{{"wire_diameter", "mean_diameter"}, "DS5"}}};
 }
 
 }  // namespace camlaw::problems

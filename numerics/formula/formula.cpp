@@ -203,6 +203,7 @@ template Dual2 Formula::operator()(std::span<const Dual2>) const;
 template Interval Formula::operator()(std::span<const Interval>) const;
 template Series<Interval, 1> Formula::operator()(std::span<const Series<Interval, 1>>) const;
 template Series<Interval, 2> Formula::operator()(std::span<const Series<Interval, 2>>) const;
+template Series<Interval, 3> Formula::operator()(std::span<const Series<Interval, 3>>) const;
 
 // ---------------------------------------------------------------------------------------------
 

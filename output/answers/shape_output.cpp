@@ -76,11 +76,6 @@ std::optional<problems::KnownShape> shape_in(const ProblemStatement& statement,
   return known_shape(*statement.mechanism, name, bound.binding({}));
 }
 
-const char* source_of(const problems::KnownShape& known) {
-  if (known.best() == optim::Shape::General) return "";
-  return known.best() == known.ruled ? "rules" : "declared";
-}
-
 }  // namespace
 
 Table shape_table(const ProblemStatement& statement) {
@@ -104,7 +99,7 @@ Table shape_table(const ProblemStatement& statement) {
     const auto shape = shape_in(statement, name, together);
     table.add({name.name,
                parts.empty() ? "nothing that varies" : fmt::format("{}", fmt::join(parts, ", ")),
-               shape ? words_of(shape->best()) : "", shape ? source_of(*shape) : ""});
+               shape ? words_of(shape->best()) : "", shape ? shape->reason() : ""});
   }
   return table;
 }
