@@ -22,7 +22,11 @@ struct Curvature {
   bool rises = false, falls = false;
 
   bool is_linear() const { return convex && concave; }
-  bool is_quasilinear() const { return quasiconvex && quasiconcave; }
+  bool is_monotone() const { return rises || falls; }
+  bool is_quasilinear() const { return (quasiconvex && quasiconcave) || is_monotone(); }
+  /// Whether every set {f <= c} ({f >= c}) is convex.
+  bool convex_below() const { return quasiconvex || is_monotone(); }
+  bool convex_above() const { return quasiconcave || is_monotone(); }
 };
 constexpr Curvature kLinear{true, true, true, true};
 
@@ -37,13 +41,6 @@ struct Ruled : Curvature {
   bool is_negative() const { return range.upper() < 0; }
 };
 
-/// What rises or falls is quasilinear.
-Curvature with_monotone(Curvature a) {
-  a.quasiconvex = a.quasiconvex || a.rises || a.falls;
-  a.quasiconcave = a.quasiconcave || a.rises || a.falls;
-  return a;
-}
-
 Curvature mirrored(const Curvature& a) {
   return {a.concave, a.convex, a.quasiconcave, a.quasiconvex, a.falls, a.rises};
 }
@@ -53,7 +50,7 @@ Curvature sum(const Ruled& a, const Ruled& b) {
   if (a.is_constant) return b;
   if (b.is_constant) return a;
   const bool below = a.convex && b.convex, above = a.concave && b.concave;
-  return with_monotone({below, above, below, above, a.rises && b.rises, a.falls && b.falls});
+  return {below, above, below, above, a.rises && b.rises, a.falls && b.falls};
 }
 
 /// Of a constant factor of either sign, or its reciprocal: at a place it has one of them.
@@ -72,8 +69,7 @@ Curvature product(const Ruled& a, const Ruled& b) {
   if (a.is_constant) return scaled(a, b);
   if (b.is_constant) return scaled(b, a);
   if (!a.is_not_negative() || !b.is_not_negative()) return {};
-  return with_monotone(
-      {false, false, false, a.concave && b.concave, a.rises && b.rises, a.falls && b.falls});
+  return {false, false, false, a.concave && b.concave, a.rises && b.rises, a.falls && b.falls};
 }
 
 /// An increasing function of a. It keeps quasiconvex and quasiconcave; `is_convex` and `is_concave`
@@ -89,7 +85,7 @@ Curvature increasing(const Curvature& a, bool is_convex, bool is_concave) {
 
 /// A function that has a value where a is 0 or above. That set is convex where a is quasiconcave.
 Curvature from_zero_on(const Ruled& a, const Curvature& result) {
-  return a.is_not_negative() || a.quasiconcave ? result : Curvature{};
+  return a.is_not_negative() || a.convex_above() ? result : Curvature{};
 }
 
 /// The arcsine, which has a value where a is within -1 and 1.
@@ -110,7 +106,7 @@ Ruled where_positive(const Ruled& a) {
   const double least = std::numeric_limits<double>::min(), most = std::max(least, a.range.upper());
   const Interval range(std::max(least, a.range.lower()), most);
   const Curvature own = a;
-  return {a.is_positive() || a.quasiconcave ? own : Curvature{}, a.is_constant, range};
+  return {a.is_positive() || a.convex_above() ? own : Curvature{}, a.is_constant, range};
 }
 
 /// 1 / b of one sign: it decreases; of a positive b it is convex, of a negative one concave.
@@ -154,8 +150,9 @@ Curvature powered(const Ruled& a, double p) {
 }
 
 Curvature greatest(const Curvature& a, const Curvature& b) {
-  return with_monotone({a.convex && b.convex, false, a.quasiconvex && b.quasiconvex, false,
-                        a.rises && b.rises, a.falls && b.falls});
+  return {
+      a.convex && b.convex, false, a.convex_below() && b.convex_below(), false, a.rises && b.rises,
+      a.falls && b.falls};
 }
 Curvature least(const Curvature& a, const Curvature& b) {
   return mirrored(greatest(mirrored(a), mirrored(b)));
@@ -165,17 +162,18 @@ Curvature least(const Curvature& a, const Curvature& b) {
 Curvature common(const Curvature& a, const Curvature& b) {
   return {a.convex && b.convex,
           a.concave && b.concave,
-          a.quasiconvex && b.quasiconvex,
-          a.quasiconcave && b.quasiconcave,
+          a.convex_below() && b.convex_below(),
+          a.convex_above() && b.convex_above(),
           a.rises && b.rises,
           a.falls && b.falls};
 }
 
 Shape shape_of(const Curvature& a) {
   if (a.is_linear()) return Shape::Linear;
-  if (a.is_quasilinear()) return Shape::Quasilinear;
+  if (a.quasiconvex && a.quasiconcave) return Shape::Quasilinear;
   if (a.convex) return Shape::Convex;
   if (a.concave) return Shape::Concave;
+  if (a.is_monotone()) return Shape::Quasilinear;
   if (a.quasiconvex) return Shape::Quasiconvex;
   return a.quasiconcave ? Shape::Quasiconcave : Shape::General;
 }
@@ -261,7 +259,7 @@ class Rules {
       case Operation::Sqrt:
         return from_zero_on(a, increasing(a, false, true));
       case Operation::Log:  // at 0 it is infinite, and the set above need not be convex
-        return a.is_positive() || a.quasiconcave ? increasing(a, false, true) : Curvature{};
+        return a.is_positive() || a.convex_above() ? increasing(a, false, true) : Curvature{};
       case Operation::Exp:
         return increasing(a, true, false);
       case Operation::Atan:
