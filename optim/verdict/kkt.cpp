@@ -115,7 +115,7 @@ bool is_global_valley(const Problem& problem, double objective_slope) {
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality) {
   // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
   // slack times multiplier counts against them.
-  constexpr double kGood = 1e-8;
+  constexpr double kGood = 1e-10;
   constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, 8}, {1e-4, 64}};
   // What is farther from optimal than this no closer look brings nearer.
   constexpr double kWorthwhile = 1e-4;

@@ -666,4 +666,34 @@ TEST_CASE("a study carries the table and the law that its problem names", "[prog
              Contains("lift.csv"));
 }
 
+TEST_CASE("a front as a table says of each point whether it can be built", "[program][buildable]") {
+  const Folder folder;
+  const std::string file = folder / "front.toml";
+  std::ofstream(file) << "mechanism = \"disc-cam-flat\"\n[constants]\nbore_radius = \"30 mm\"\n"
+                         "stroke = \"5 mm\"\n[program]\nsegments = [{name = \"up\", angle = 180, "
+                         "law = \"cosine\"}, {name = \"down\", law = \"cosine\"}]\n"
+                         "[variables.base_radius]\nlower = 31\nupper = 80\n[[objectives]]\n"
+                         "minimize = \"base_radius\"\n[[objectives]]\n"
+                         "maximize = \"least_profile_radius\"\n";
+  const ParsedJson front =
+      ParsedJson::parse(done({"pareto", file, "--points", "4", "--out", folder / "out", "--json"}));
+  const CsvRows rows = csv_of(read(folder / "out/front.csv"));
+  const Words& header = rows.front();
+  const auto at = std::find(header.begin(), header.end(), "buildable");
+  REQUIRE(at != header.end());
+  REQUIRE(rows.size() == front["points"].size() + 1);
+  // The wall is a quarter of the bore's radius from a base radius of 37.5 mm on.
+  std::size_t thin = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const std::string& cell = rows[k][static_cast<std::size_t>(at - header.begin())];
+    const ParsedJson& point = front["points"][k - 1];
+    const bool fails = point["variables"]["base_radius"].get<double>() < 37.5;
+    CHECK((cell == "fails: wall") == fails);
+    CHECK(point["buildable"]["fails"] == (fails ? 1 : 0));
+    CHECK((fails || cell.starts_with("not checked: ")));
+    if (fails) ++thin;
+  }
+  CHECK((thin > 0 && thin < rows.size() - 1));
+}
+
 }  // namespace camlaw::cli::pareto_test
