@@ -193,6 +193,36 @@ TEST_CASE("either cam of a conjugate pair has its wall", "[buildable]") {
   });
 }
 
+TEST_CASE("the second cam of a conjugate pair is undercut and hollow by a hair", "[buildable]") {
+  // Its roller stands at D - r_p - s, on the other side of the shaft.
+  const double h = 40, prime = 55, distance = 125;
+  const Cycloid f{h, pi / 4};
+  const auto curvature = [&](double x) {
+    const double y = distance - prime - f.s(x), v = -f.ds(x), a = -f.dds(x);
+    return (y * y + 2 * v * v - y * a) / std::pow(y * y + v * v, 1.5);
+  };
+  const auto pair = [&](double roller, const std::string& rest) {
+    return resting("disc-cam-conjugate",
+                   "[constants]\nstroke = 40\nroller_distance = 125\n" +
+                       number("roller_radius", roller, "mm") +
+                       number("base_radius", prime - roller, "mm") + rest,
+                   45);
+  };
+  check_edge("second_undercut", (1 - 1e-5) / range_of(curvature).second, false,
+             [&](double radius) { return pair(radius, ""); });
+  const double r_r = 5;
+  const double hollow = range_of([&](double x) {
+                          const double k = curvature(x);
+                          return k / (1 - r_r * k);
+                        }).first;
+  REQUIRE(hollow < 0);
+  check_edge("second_hollow", -1 / hollow, false,
+             [&](double radius) { return pair(r_r, number("cutter_radius", radius, "mm")); });
+  check_edge("second_hollow_of_the_wheel", -1 / hollow, false, [&](double radius) {
+    return pair(r_r, "[buildable]\n" + number("wheel_radius", radius, "mm"));
+  });
+}
+
 TEST_CASE("the pivot of an arm is outside the cam by a hair", "[buildable]") {
   const double l = 80, d = 100, r_r = 9, prime = 44;
   const double lowest = std::acos((l * l + d * d - prime * prime) / (2 * l * d));
