@@ -53,7 +53,7 @@ configure() {
   # A build folder that was made elsewhere, or for other presets, starts afresh.
   if [ -f "$build/CMakeCache.txt" ] &&
     { ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$build/CMakeCache.txt" ||
-      [ CMakePresets.json -nt "$build/build.ninja" ]; }; then
+      { [ -f "$build/build.ninja" ] && [ CMakePresets.json -nt "$build/build.ninja" ]; }; }; then
     rm -rf "$build"
   fi
   if [ ! -f "$build/build.ninja" ]; then

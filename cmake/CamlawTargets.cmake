@@ -32,8 +32,8 @@ function(camlaw_units target)
   endforeach()
 endfunction()
 
-# Of a target that words, draws and checks what others work out: what a release gains by compiling it
-# for speed is less than compiling costs.
+# For targets that only word, draw and check what others work out: optimising them costs more compile
+# time than it saves when they run.
 function(camlaw_plain target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

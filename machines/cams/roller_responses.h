@@ -83,7 +83,7 @@ std::vector<MechanismResponse> roller_responses() {
                         "greatest Hertz pressure in a groove, on the flank that bears the force"});
   all.push_back(number_response<M>(
       {"groove_fit", "1", "1",
-       "share of a groove's half width that the tool takes; above 1 the tool does not go in"},
+       "radius of the tool over that of the roller; above 1 the tool does not fit into the groove"},
       [](const auto& cam) { return cam.roller().groove_fit(); }));
   set_defined_while(all, {"contact_stress", "contact_half_width", "groove_stress"},
                     {.response = "undercut", .upper = 1});

@@ -46,14 +46,14 @@ Least least_violation_at(const std::vector<double>& x, const Setting& setting, T
   }
 }
 
-/// Where the limits leave no convex set, the least violation that was found may be one of several:
-/// searches from elsewhere, until one comes to a design within the limits. What the model throws
+/// Where nothing shows that the limits leave no design at all, the least violation that was found
+/// may be one of several: searches from elsewhere, until one comes to a design within the limits. What the model throws
 /// there says nothing of what was found. In the nodes of a search over whole variables there is no
 /// such look.
 Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) {
   constexpr std::size_t kTried = 4;
   constexpr double kGain = 1e-6;
-  if (convex_set(setting.original) || !setting.prove) return least;
+  if (least.blame.global || !setting.prove) return least;
   const std::string thrown = trail.thrown;
   for (const auto& x : least_violating(setting.problem, trail.sizes, least.attempt.x, kTried,
                                        setting.options.seed)) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "optim/solvers/run_end.h"
 
@@ -113,7 +114,7 @@ std::vector<NativeRule> clp_rules() {
           {.name = "perturbation", .kind = Kind::Integer, .lower = 50, .upper = 102},
           {.name = "scaling", .kind = Kind::Integer, .lower = 0, .upper = 4},
           reserved("dual_tolerance", own),
-          reserved("log_level", "standard output is the answer's"),
+          reserved("log_level", "standard output is reserved for the answer"),
           reserved("maximum_iterations", "the limit of iterations is common to all solvers"),
           reserved("maximum_seconds", "the time limit is common to all solvers (time_limit)"),
           reserved("primal_tolerance", own)};
@@ -164,6 +165,17 @@ void take(const ClpSimplex& model, Solution& solution) {
   }
 }
 
+/// Clp stays at the vertex from which the objective falls without end: goes far out along the edge.
+void follow_ray(const ClpSimplex& model, std::vector<double>& y) {
+  constexpr double kFar = 1e6;
+  const std::unique_ptr<const double[]> ray(model.unboundedRay());
+  if (ray == nullptr) return;
+  double longest = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) longest = std::max(longest, std::abs(ray[i]));
+  if (!(longest > 0)) return;
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += kFar / longest * ray[i];
+}
+
 class ClpSolver final : public Solver {
  public:
   std::string name() const override { return "clp"; }
@@ -179,9 +191,13 @@ class ClpSolver final : public Solver {
   Solution search(const Program& program, const SolverOptions& options,
                   const WarmStart* warm) const override {
     const auto began = Clock::now();
+    Solution solution;
+    if (const auto why = refusal(program)) {
+      solution.message = *why;
+      return solution;
+    }
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
     const LinearProgram linear = read_off(program, start);
-    Solution solution;
     solution.evaluations = 1;
     if (!linear.is_finite) {
       solution.status = Status::NonFiniteStart;
@@ -195,18 +211,25 @@ class ClpSolver final : public Solver {
                       linear.upper.data());
     const EndOnRequest handler(options, began);
     model.passInEventHandler(&handler);
-    model.setMaximumIterations(options.max_iterations * kPivots);
+    const int most = static_cast<int>(std::min(1LL * kPivots * options.max_iterations, kMost));
+    model.setMaximumIterations(most);
     model.setPrimalTolerance(std::max(options.tolerance, kTightest));
     model.setDualTolerance(std::max(options.tolerance, kTightest));
     set_native_options(options.native, model);
     if (warm != nullptr && !warm->rows.empty()) begin_at(program, *warm, model);
     model.dual();
-    if (model.status() == 0 || model.status() == 10) model.primal();  // after what scaling leaves
+    int pivots = model.numberIterations();
+    if ((model.status() == 0 || model.status() == 10) && pivots < most) {
+      model.setMaximumIterations(most - pivots);
+      model.primal();  // after what scaling leaves
+      pivots += model.numberIterations();
+    }
     const RunEnd end = run_end(model, options);
     solution.status = end.status;
     solution.message = end.message;
-    solution.iterations = 1 + model.numberIterations() / kPivots;
+    solution.iterations = 1 + pivots / kPivots;
     take(model, solution);
+    if (solution.status == Status::Unbounded) follow_ray(model, solution.y);
     if (options.progress) {
       options.progress({solution.iterations,
                         program.unscaled_objective(program.objective(solution.y)),
@@ -216,6 +239,7 @@ class ClpSolver final : public Solver {
   }
 
   static constexpr int kPivots = 100;  ///< cost about as much as a step of other methods
+  static constexpr long long kMost = 2'000'000'000;
   static constexpr double kTightest = 1e-10;
 };
 

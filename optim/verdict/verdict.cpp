@@ -295,6 +295,20 @@ void take_subdivision(const Problem& problem, const Sizes& about, const Subdivis
   if (bounded.verdict == Verdict::Certified) a = std::move(bounded);
 }
 
+namespace {
+
+/// Whether every limit that pushes is convex, and not quasiconvex only.
+bool has_convex_pushes(const Problem& problem, const Kkt& conditions) {
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const int side = conditions.pushing_sides[i];
+    const Shape shape = problem.constraints[i].response.shape();
+    if (side != 0 && !(side > 0 ? is_convex(shape) : is_concave(shape))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result;
@@ -309,9 +323,11 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
   take_conditions(problem, sizes, conditions, result);
   constexpr double kBlamed = 1e-4;
   result.blamed = active_names(problem, sizes, conditions, kBlamed);
-  // Where the limits make a convex set, less than all of the violation is enough.
+  // Of convex limits less than all of the violation is enough. A quasiconvex one may be gentle here
+  // and steep elsewhere: there nothing but a slope of zero tells.
   constexpr double kHalf = 0.5, kStationary = 1e-3;
-  const bool convex = convex_set(problem) && !conditions.flat;
+  const bool quasiconvex = convex_set(problem) && !conditions.flat;
+  const bool convex = quasiconvex && has_convex_pushes(problem, conditions);
   if (conditions.at_moving_break) {
     result.reason = fmt::format(
         "no design was found that meets {}; a peak stands at a joint that moves with the design: "
@@ -333,7 +349,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
       [](const Variable& v) { return std::isfinite(v.lower) && std::isfinite(v.upper); });
   // Without a box a slope that is left could lead far.
   constexpr double kNoSlope = 1e-8;
-  if (convex && (boxed || result.kkt_residual <= kNoSlope)) {
+  if ((convex && boxed) || (quasiconvex && result.kkt_residual <= kNoSlope)) {
     result.global = "the set that the limits leave is convex: it is empty";
   }
   return result;

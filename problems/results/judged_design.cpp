@@ -61,7 +61,9 @@ optim::Assessment judged(const HeldProblem& held) {
     }
   }
   if (found.verdict != optim::Verdict::Failed) return found;
-  // A search weighs limits by their sizes where it began, which the result does not hold.
+  // A search weighs limits by their sizes where it began, which the result does not hold. Any
+  // weights show that the limits contradict one another about this design, and of convex limits
+  // that they do everywhere, which is told apart.
   for (const optim::Sizes& weighed : {sizes, optim::broken_alike(problem, sizes, held.x)}) {
     optim::Assessment least = optim::assess_least_violation(problem, weighed, held.x);
     if (least.verdict == optim::Verdict::Infeasible) return least;
@@ -154,7 +156,7 @@ std::vector<std::string> differences(const ReadDesign& read) {
   const auto held = held_problem(read);
   if (!held) return words;
   optim::Problem problem = held->problem;
-  const optim::FrontPoint point = stated_point(read, held->x, problem, words);
+  optim::FrontPoint point = stated_point(read, held->x, problem, words);
   if (problem.objectives.empty()) {
     // Of a design where it is not a number nothing can be.
     const auto is_number = [&](const optim::Objective& o) {
@@ -163,8 +165,10 @@ std::vector<std::string> differences(const ReadDesign& read) {
     const auto& sought = held->problem.objectives;
     if (std::any_of(sought.begin(), sought.end(), is_number)) {
       words.emplace_back("nothing is stated of what is sought");
+      return words;
     }
-    return words;
+    problem.objectives = {optim::no_objective()};
+    point.objectives = point.costs = {0};
   }
   const std::vector<std::string> more = optim::differences(problem, point);
   words.insert(words.end(), more.begin(), more.end());

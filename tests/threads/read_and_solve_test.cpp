@@ -127,6 +127,23 @@ TEST_CASE("every back end gives in eight threads what it gives in one", "[thread
   for (const std::string& wrong : results) CHECK(wrong == "");
 }
 
+TEST_CASE("eight threads solve linear problems side by side", "[threads]") {
+  const std::vector<std::string> files{"free_law/least_acceleration_at_jerk.toml",
+                                       "spine_cutter/least_force_legendre.toml",
+                                       "spine_cutter/least_force.toml"};
+  std::vector<std::string> expected;
+  for (const std::string& file : files) expected.push_back(solved(file));
+  const auto results = in_threads(kThreads, [&](int thread) {
+    std::string wrong;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const std::size_t k = (i + static_cast<std::size_t>(thread)) % files.size();
+      if (solved(files[k]) != expected[k]) wrong += files[k] + " ";
+    }
+    return wrong;
+  });
+  for (const std::string& wrong : results) CHECK(wrong == "");
+}
+
 TEST_CASE("scouts, peaks and fits are the same in eight threads", "[threads]") {
   const auto work = [](int) {
     optim::Task task;

@@ -98,4 +98,25 @@ TEST_CASE("what a model throws elsewhere does not take back that limits contradi
   CHECK(times > 0);
 }
 
+TEST_CASE("a quasiconvex limit that is gentle about a design may be met elsewhere", "[optimise]") {
+  const Function cube = function<Interval>(
+      {0}, [](const auto& u) { return u[0] * u[0] * u[0]; }, Shape::Quasilinear);
+  Problem problem;
+  problem.variables = {variable("p", -1, 2)};
+  problem.objectives = {least(linear({0}, [](const auto& u) { return 1.0 * u[0]; }))};
+  problem.constraints = {at_least("cube", cube, 1)};
+  for (const double start : {0.0, -0.05, -0.01, 0.3}) {
+    INFO(start);
+    problem.variables[0].start = start;
+    const Found found = optimise(problem).found;
+    CHECK(found.assessment.verdict == Verdict::Certified);
+    CHECK(found.x[0] == Approx(1));
+  }
+  for (const double p : {0.0, 0.02, 0.05, 0.1, 0.2}) {
+    INFO(p);
+    const Point x{p};
+    CHECK(!assess_least_violation(problem, sizes(problem, x), x).global);
+  }
+}
+
 }  // namespace camlaw::optim::least_violating_test

@@ -89,9 +89,7 @@ TEST_CASE("linear programs without an answer say so", "[solvers]") {
   const Program contradiction{columns, combination({1, 1}), 1, 1, {row({1, 1}, -kInfinity, -1)}};
   CHECK(solved(contradiction).status == Status::Infeasible);
   const Program endless{columns, combination({1, 1}), -1, 1, {row({1, -1}, -1, 1)}};
-  const Solution s = solved(endless);
-  CHECK((s.status == Status::Unbounded || s.status == Status::Failed));
-  CHECK(s.status != Status::Solved);
+  CHECK(solved(endless).status == Status::Unbounded);
 }
 
 TEST_CASE("what is not linear is refused", "[solvers]") {
