@@ -47,9 +47,9 @@ Least least_violation_at(const std::vector<double>& x, const Setting& setting, T
 }
 
 /// Where nothing shows that the limits leave no design at all, the least violation that was found
-/// may be one of several: searches from elsewhere, until one comes to a design within the limits. What the model throws
-/// there says nothing of what was found. In the nodes of a search over whole variables there is no
-/// such look.
+/// may be one of several: searches from elsewhere, until one comes to a design within the limits.
+/// What the model throws there says nothing of what was found. In the nodes of a search over whole
+/// variables there is no such look.
 Least least_violation_of_all(Least least, const Setting& setting, Trail& trail) {
   constexpr std::size_t kTried = 4;
   constexpr double kGain = 1e-6;
