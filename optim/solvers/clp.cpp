@@ -176,6 +176,38 @@ void follow_ray(const ClpSimplex& model, std::vector<double>& y) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += kFar / longest * ray[i];
 }
 
+/// Pivots until an optimum is found, or most of them are made; how many they were. The primal
+/// method ends what the dual one's scaling may leave.
+int pivoted(ClpSimplex& model, int most) {
+  model.setMaximumIterations(most);
+  model.dual();
+  const int first = model.numberIterations();
+  if ((model.status() != 0 && model.status() != 10) || first >= most) return first;
+  model.setMaximumIterations(most - first);
+  model.primal();
+  return first + model.numberIterations();
+}
+
+void load(const Program& program, const LinearProgram& linear, const SolverOptions& options,
+          ClpSimplex& model) {
+  constexpr double kTightest = 1e-10;
+  model.setLogLevel(0);
+  model.loadProblem(linear.matrix, open_ends(program.lower()).data(),
+                    open_ends(program.upper()).data(), linear.cost.data(), linear.lower.data(),
+                    linear.upper.data());
+  model.setPrimalTolerance(std::max(options.tolerance, kTightest));
+  model.setDualTolerance(std::max(options.tolerance, kTightest));
+  set_native_options(options.native, model);
+}
+
+/// How many pivots a limit of iterations stands for: so many cost about as much as a step of other
+/// methods.
+constexpr int kPivots = 100;
+int most_pivots(const SolverOptions& options) {
+  constexpr long long kMost = 2'000'000'000;
+  return static_cast<int>(std::min(1LL * kPivots * options.max_iterations, kMost));
+}
+
 class ClpSolver final : public Solver {
  public:
   std::string name() const override { return "clp"; }
@@ -205,25 +237,11 @@ class ClpSolver final : public Solver {
       return solution;
     }
     ClpSimplex model;
-    model.setLogLevel(0);
-    model.loadProblem(linear.matrix, open_ends(program.lower()).data(),
-                      open_ends(program.upper()).data(), linear.cost.data(), linear.lower.data(),
-                      linear.upper.data());
+    load(program, linear, options, model);
     const EndOnRequest handler(options, began);
     model.passInEventHandler(&handler);
-    const int most = static_cast<int>(std::min(1LL * kPivots * options.max_iterations, kMost));
-    model.setMaximumIterations(most);
-    model.setPrimalTolerance(std::max(options.tolerance, kTightest));
-    model.setDualTolerance(std::max(options.tolerance, kTightest));
-    set_native_options(options.native, model);
     if (warm != nullptr && !warm->rows.empty()) begin_at(program, *warm, model);
-    model.dual();
-    int pivots = model.numberIterations();
-    if ((model.status() == 0 || model.status() == 10) && pivots < most) {
-      model.setMaximumIterations(most - pivots);
-      model.primal();  // after what scaling leaves
-      pivots += model.numberIterations();
-    }
+    const int pivots = pivoted(model, most_pivots(options));
     const RunEnd end = run_end(model, options);
     solution.status = end.status;
     solution.message = end.message;
@@ -237,10 +255,6 @@ class ClpSolver final : public Solver {
     }
     return solution;
   }
-
-  static constexpr int kPivots = 100;  ///< cost about as much as a step of other methods
-  static constexpr long long kMost = 2'000'000'000;
-  static constexpr double kTightest = 1e-10;
 };
 
 }  // namespace
