@@ -44,7 +44,7 @@ std::string front_csv(const FrontAnswer& answer) {
     }
     row.emplace_back(to_string(point.verdict));
     row.emplace_back(point.is_global ? "yes" : "no");
-    row.push_back(k < answer.built.size() ? buildable_in_short(answer.built[k]) : "");
+    row.push_back(buildable_in_short(answer.built[k]));
     const auto law = answer.study.law(point);
     row.push_back(law ? law->name() : "");
     const std::size_t first = row.size();

@@ -86,10 +86,7 @@ std::optional<optim::LimitReport> other_side(const ProblemStatement& design, std
 /// Where a design stands among its bounds, "10 to 120".
 std::string bounds_text(const problems::VariableStatement& v) {
   if (!v.values.empty()) return problems::values_text(v.values, "1");
-  const std::string measure = v.measure ? fmt::format(" ({:.6g} to {})", v.lower * v.measure->one,
-                                                      problems::measure_of(v, v.upper))
-                                        : "";
-  return fmt::format("{:.6g} to {:.6g}{}", v.lower, v.upper, measure);
+  return fmt::format("{:.6g} to {:.6g}{}", v.lower, v.upper, problems::measured_bounds(v));
 }
 
 std::string ruler_words(const Peaks<double>& peak, std::optional<double> lambda) {

@@ -64,11 +64,12 @@ optim::Assessment judged(const HeldProblem& held) {
   // A search weighs limits by their sizes where it began, which the result does not hold. Any
   // weights show that the limits contradict one another about this design, and of convex limits
   // that they do everywhere, which is told apart.
-  for (const optim::Sizes& weighed : {sizes, optim::broken_alike(problem, sizes, held.x)}) {
-    optim::Assessment least = optim::assess_least_violation(problem, weighed, held.x);
-    if (least.verdict == optim::Verdict::Infeasible) return least;
+  optim::Assessment least = optim::assess_least_violation(problem, sizes, held.x);
+  if (least.verdict != optim::Verdict::Infeasible) {
+    const optim::Sizes alike = optim::broken_alike(problem, sizes, held.x);
+    least = optim::assess_least_violation(problem, alike, held.x);
   }
-  return found;
+  return least.verdict == optim::Verdict::Infeasible ? least : found;
 }
 
 namespace {

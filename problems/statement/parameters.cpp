@@ -49,6 +49,12 @@ std::string measure_of(const ProblemStatement& problem, std::string_view variabl
   return "";
 }
 
+std::string measured_bounds(const VariableStatement& variable) {
+  if (!variable.measure) return "";
+  return fmt::format(" ({:.6g} to {})", variable.lower * variable.measure->one,
+                     measure_of(variable, variable.upper));
+}
+
 void put_value(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
                double value) {
   if (!parameter.of_law) {

@@ -77,6 +77,8 @@ std::string law_names(const ProblemStatement& problem);
 std::string measure_of(const VariableStatement& variable, double value);
 /// The same of a variable by its name, which may be none of the problem's.
 std::string measure_of(const ProblemStatement& problem, std::string_view variable, double value);
+/// " (4.7 to 5.3 mm)": its bounds in that unit, to stand behind them; empty likewise.
+std::string measured_bounds(const VariableStatement& variable);
 
 /// "40 mm", "17".
 std::string with_unit(double value, const std::string& unit);

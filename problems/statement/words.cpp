@@ -127,12 +127,9 @@ std::string variable_sentence(const ProblemStatement& problem, const VariableSta
     return fmt::format("Choose {} among {}, starting at {}.\n", name, values_text(v.values, v.unit),
                        start);
   }
-  const std::string measured =
-      v.measure ? fmt::format(" ({:.6g} to {})", v.lower * v.measure->one, measure_of(v, v.upper))
-                : "";
   return fmt::format("Vary {} {} {:.6g} and {}{}, starting at {}.\n", name,
                      v.integer ? "in steps of 1 between" : "between", v.lower,
-                     with_unit(v.upper, v.unit), measured, start);
+                     with_unit(v.upper, v.unit), measured_bounds(v), start);
 }
 
 /// Numbers of one list that vary together, beyond which they are not named one by one.

@@ -15,6 +15,13 @@ std::string stored(const Folder& folder, const ParsedJson& result) {
   return path;
 }
 
+/// What the search for a problem ends with, whatever that is.
+ParsedJson ended(const Folder& folder, const std::string& toml) {
+  const std::string file = folder / "problem.toml";
+  std::ofstream(file) << toml;
+  return ParsedJson::parse(run({"optimize", file, "--json"}).out);
+}
+
 }  // namespace
 
 TEST_CASE("a claim of the program's own holds when it is judged again", "[program]") {
@@ -101,8 +108,7 @@ constraints = [{ response = "pressure_angle", upper = "30 deg" }]
 TEST_CASE("limits that contradict one another do so by any weights", "[program]") {
   // A search weighs limits by their changes where it begins: at p = 0.1 that of p^4 hardly changes.
   const Folder folder;
-  const std::string file = folder / "contradiction.toml";
-  std::ofstream(file) << R"toml([machine]
+  const ParsedJson result = ended(folder, R"toml([machine]
 name = "powers"
 [machine.parameters.p]
 default = "0.1"
@@ -127,8 +133,7 @@ lower = 6
 [[constraints]]
 response = "fourth"
 upper = 1
-)toml";
-  const ParsedJson result = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+)toml");
   REQUIRE(result["verdict"] == "infeasible");
   REQUIRE(result["reason"] == "wave and fourth contradict one another");
   CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);
@@ -136,8 +141,7 @@ upper = 1
 
 TEST_CASE("of an objective that is not a number a result states none", "[program]") {
   const Folder folder;
-  const std::string file = folder / "undefined.toml";
-  std::ofstream(file) << R"toml([machine]
+  const ParsedJson result = ended(folder, R"toml([machine]
 name = "roots"
 [machine.parameters.p]
 default = "1"
@@ -159,8 +163,7 @@ minimize = "height"
 [[constraints]]
 response = "line"
 upper = -3
-)toml";
-  const ParsedJson result = ParsedJson::parse(run({"optimize", file, "--json"}).out);
+)toml");
   REQUIRE(result["verdict"] == "infeasible");
   REQUIRE(result["objective"].is_null());
   CHECK(json_of({"verify", stored(folder, result), "--json"})["holds"] == true);

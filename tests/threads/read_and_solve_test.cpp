@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <mutex>
 
 #include "fitting/motions/law_fit.h"
@@ -61,6 +62,23 @@ std::string reading(const std::string& text) {
   }
 }
 
+/// Checks that each of eight threads, which begin with different names, gets the answers that one
+/// gets alone.
+void check_in_threads(const std::vector<std::string>& names,
+                      const std::function<std::string(const std::string&)>& answer) {
+  std::vector<std::string> expected;
+  for (const std::string& name : names) expected.push_back(answer(name));
+  const auto results = in_threads(kThreads, [&](int thread) {
+    std::string wrong;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::size_t k = (i + static_cast<std::size_t>(thread)) % names.size();
+      if (answer(names[k]) != expected[k]) wrong += names[k] + " ";
+    }
+    return wrong;
+  });
+  for (const std::string& wrong : results) CHECK(wrong == "");
+}
+
 }  // namespace
 
 TEST_CASE("eight threads read and solve problem files as one does", "[threads]") {
@@ -114,34 +132,14 @@ TEST_CASE("every back end gives in eight threads what it gives in one", "[thread
     return bits(optim::optimise(problem, {.solver = solver, .seed = 7, .max_evaluations = 300}));
   };
   const std::vector<std::string> names = optim::solver_names();
-  std::vector<std::string> expected;
-  for (const std::string& name : names) expected.push_back(answer(name));
-  const auto results = in_threads(kThreads, [&](int thread) {
-    std::string wrong;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::size_t k = (i + static_cast<std::size_t>(thread)) % names.size();
-      if (answer(names[k]) != expected[k]) wrong += names[k] + " ";
-    }
-    return wrong;
-  });
-  for (const std::string& wrong : results) CHECK(wrong == "");
+  check_in_threads(names, answer);
 }
 
 TEST_CASE("eight threads solve linear problems side by side", "[threads]") {
   const std::vector<std::string> files{"free_law/least_acceleration_at_jerk.toml",
                                        "spine_cutter/least_force_legendre.toml",
                                        "spine_cutter/least_force.toml"};
-  std::vector<std::string> expected;
-  for (const std::string& file : files) expected.push_back(solved(file));
-  const auto results = in_threads(kThreads, [&](int thread) {
-    std::string wrong;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      const std::size_t k = (i + static_cast<std::size_t>(thread)) % files.size();
-      if (solved(files[k]) != expected[k]) wrong += files[k] + " ";
-    }
-    return wrong;
-  });
-  for (const std::string& wrong : results) CHECK(wrong == "");
+  check_in_threads(files, solved);
 }
 
 TEST_CASE("scouts, peaks and fits are the same in eight threads", "[threads]") {
