@@ -152,7 +152,7 @@ bool shifts(const FitCommand& options, const char* what) {
 
 /// Of a motion and of a cam's profile the centre alone can be unknown.
 void check_centre_alone(const FitCommand& options) {
-  for (const char* other : {"place", "value"}) {
+  for (const char* other : {"abscissa", "place", "value"}) {
     if (!shifts(options, other)) continue;
     throw std::invalid_argument(fmt::format(
         "--shift {}: it goes with a recorded curve, and --mechanism FILE; of a motion or "
@@ -198,9 +198,9 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
   problems::CamFit fit = shifts(options, "centre")
                              ? problems::fit_centred_cam(table, machine, laws, how)
                              : problems::fit_cam(problems::measured_cam(table, machine), laws, how);
-  const std::size_t lacking = fit.cam.lacking, each = fit.cam.each, far_rows = fit.cam.left_out;
+  const std::size_t lacking = fit.cam.lacking, each = fit.cam.each, outliers = fit.cam.left_out;
   const SamplesAnswer answer{*options.data, lacking,        each,
-                             far_rows,      std::move(fit), std::move(notes)};
+                             outliers,      std::move(fit), std::move(notes)};
   line.clear();
   std::vector<OutputFile> files;
   if (options.out) {
@@ -236,7 +236,7 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
       problems::recorded_curve(table, *machine.mechanism, options.response);
   problems::RecordFitOptions how;
   how.loss = loss_of(options);
-  how.place_shift = shifts(options, "place");
+  how.place_shift = shifts(options, "abscissa") || shifts(options, "place");
   how.value_shift = shifts(options, "value");
   const problems::RecordFit fit = problems::fit_record(machine, record, how);
   const RecordAnswer answer{*options.mechanism, record.lacking, std::move(record), fit};
@@ -267,7 +267,7 @@ void fit_table(const FitCommand& options) {
 int run_fit(const FitCommand& options) {
   if (options.constants.has_value() == options.data.has_value()) {
     throw std::invalid_argument(
-        "fit: give a table of samples, or printed constants, --constants \"B=1.6125,C=4.66\"");
+        "fit: give a table of samples, or printed constants, --constants \"C_v=1.6125,C_a=4.66\"");
   }
   const auto work = [](const FitCommand& own) {
     own.data ? fit_table(own) : fit_constants(own);
@@ -304,7 +304,7 @@ Command fit_command() {
             "[mm]\" or \"x [mm], y [mm]\" of a cam, or a machine's curve, such as \"angle [deg], "
             "drive_torque [N m]\""},
            {"--constants", &options->constants, "NAME=VALUE,...",
-            "what is printed, with its digits: \"B=1.6125, C=4.66\""},
+            "what is printed, with its digits: \"C_v=1.6125, C_a=4.66\""},
            {"--law", &options->law, takes::kLaw,
             "a law whose coefficients are wanted; auto: every law"},
            {"--mechanism", &options->mechanism, takes::kMechanism,
@@ -316,11 +316,11 @@ Command fit_command() {
             "the recorded curve, where several columns could be one"},
            {.names = "--shift",
             .target = &options->shifts,
-            .takes = "{centre,place,value}",
+            .takes = "{centre,abscissa,value}",
             .help = "what of the record is unknown and fitted along, with commas between: centre "
-                    "(of a motion or a cam's profile), the zeros of place and value (of a "
+                    "(of a motion or a cam's profile), the zeros of abscissa and value (of a "
                     "machine's curve)",
-            .words = {"centre", "place", "value"}},
+            .words = {"centre", "abscissa", "value", "place"}},
            {"--loss", &options->loss, "{none,huber,cauchy}",
             "how much far-off samples count: none (all alike), huber or cauchy"},
            time_limit_option(options->limits),
@@ -334,7 +334,7 @@ Command fit_command() {
                    {"camlaw fit problems/cams/recorded_torque.csv --mechanism "
                     "problems/cams/recorded_torque.toml",
                     "a machine's unknown sizes, from the torque that was recorded"},
-                   {"camlaw fit --constants \"B=1.6125, C=4.66\" --law polynomial-5",
+                   {"camlaw fit --constants \"C_v=1.6125, C_a=4.66\" --law polynomial-5",
                     "the coefficient behind printed constants"}},
       .run = [options] { return run_fit(*options); }};
 }

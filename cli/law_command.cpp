@@ -74,12 +74,12 @@ void print_law(const Member& member) {
   print_parameters(member);
   const auto a = Quantity::Acceleration, j = Quantity::Jerk;
   say("peaks\n{}{}{}{}{}{}",
-      peak_line("B", peak.absolute(Quantity::Velocity), proof.max_velocity()),
-      peak_line("C+", peak.high(a), proof.high(a).value),
-      peak_line("C-", peak.low(a), proof.low(a).value),
-      peak_line("D+", peak.high(j), proof.high(j).value),
-      peak_line("D-", peak.low(j), proof.low(j).value),
-      peak_line("Cm", peak.absolute(Quantity::Moment), proof.max_dynamic_moment()));
+      peak_line("C_v", peak.absolute(Quantity::Velocity), proof.max_velocity()),
+      peak_line("C_a+", peak.high(a), proof.high(a).value),
+      peak_line("C_a-", peak.low(a), proof.low(a).value),
+      peak_line("C_j+", peak.high(j), proof.high(j).value),
+      peak_line("C_j-", peak.low(j), proof.low(j).value),
+      peak_line("C_Mdyn", peak.absolute(Quantity::Moment), proof.max_dynamic_moment()));
   if (std::isinf(peak.max_jerk()) && std::isfinite(peak.jerk_inside_highest.value) &&
       std::isfinite(peak.jerk_inside_lowest.value)) {
     say("  acceleration jumps; between jumps jerk is {:.8g} .. {:.8g}\n",

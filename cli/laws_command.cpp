@@ -28,8 +28,8 @@ std::string parameter_list(const Family& family) {
 
 void print_catalogue() {
   Table table{.columns = {words("law"), words("parameters"), words("ends"), words("class"),
-                          numbers("B"), numbers("C+"), numbers("C-"), numbers("D+"), numbers("D-"),
-                          numbers("Cm"), numbers("lambda")}};
+                          numbers("C_v"), numbers("C_a+"), numbers("C_a-"), numbers("C_j+"),
+                          numbers("C_j-"), numbers("C_Mdyn"), numbers("lambda")}};
   const auto add = [&](const Family& family) {
     const Law<double> law = family.make(family.defaults());
     const auto peak = peaks(law);
@@ -66,7 +66,8 @@ void print_law_page() {
       "Constants "
       "are those of the default\nparameters; every R-R law also takes `crossover` (0.02 .. 0.98), "
       "where its acceleration changes sign.\n\n"
-      "| law | also called | formula | parameters | ends | class | B | C+ | C- | D+ | D- | Cm | "
+      "| law | also called | formula | parameters | ends | class | C_v | C_a+ | C_a- | C_j+ | C_j- "
+      "| C_Mdyn | "
       "source |\n|---|---|---|---|---|---|--:|--:|--:|--:|--:|--:|---|\n");
   for (const Family& family : catalogue()) {
     const Law<double> law = family.make(family.defaults());

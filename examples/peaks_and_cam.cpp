@@ -13,10 +13,10 @@ int main() {
   const Law<double> law = find_law("modified-sine").law();  // or a name with parameters
   const auto at = law(0.25);                                // s, v, a, j of the normalised law
   const auto peak = peaks(law);                             // exact, not sampled
-  std::printf("v(1/4) = %.6f, B = %.10f, C = %.10f\n", at.v, peak.max_velocity(),
+  std::printf("v(1/4) = %.6f, C_v = %.10f, C_a = %.10f\n", at.v, peak.max_velocity(),
               peak.max_acceleration());
   const auto proof = peaks(find_law("modified-sine").law<Interval>());
-  std::printf("C is proved to lie in [%.12f, %.12f]\n", proof.max_acceleration().lower(),
+  std::printf("C_a is proved to lie in [%.12f, %.12f]\n", proof.max_acceleration().lower(),
               proof.max_acceleration().upper());
 
   const SpineCutter<double> cutter{.stroke = 0.030, .block_speed = 0.5};

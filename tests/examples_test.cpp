@@ -50,7 +50,7 @@ TEST_CASE("the page of optimisation shows the solver that is registered here", "
 TEST_CASE("the example prints what the library's closed forms give") {
   const std::string output = output_of(CAMLAW_EXAMPLE);
   // Modified sine: C = 4 pi^2 / (4 + pi); B = C (1/8 (2/pi) + 3/8 (2/pi)) = C / pi.
-  CHECK(output.find("B = 1.7596033860, C = 5.5279570") != std::string::npos);
+  CHECK(output.find("C_v = 1.7596033860, C_a = 5.5279570") != std::string::npos);
   // R = 30 mm B / (pi tan 30 deg)
   CHECK(output.find("cam radius 29.10 mm") != std::string::npos);
   CHECK(output.find("dC/da = ") != std::string::npos);

@@ -68,7 +68,9 @@ Digits digits_of(const std::string& number) {
 /// What mechanism "law" calls the constants of VDI 2143 and others.
 std::string name_in_law(const std::string& name) {
   for (const auto& [printed, ours] :
-       {std::pair{"C_max", "highest acceleration"}, std::pair{"C_min", "lowest acceleration"},
+       {std::pair{"C_a_max", "highest acceleration"}, std::pair{"C_a_min", "lowest acceleration"},
+        std::pair{"C_j_max", "highest jerk"}, std::pair{"C_j_min", "lowest jerk"},
+        std::pair{"C_max", "highest acceleration"}, std::pair{"C_min", "lowest acceleration"},
         std::pair{"D_max", "highest jerk"}, std::pair{"D_min", "lowest jerk"}}) {
     if (name == printed) return ours;
   }
@@ -178,7 +180,8 @@ std::vector<PrintedConstant> parse_constants(std::string_view text, const Mechan
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) {
       throw std::invalid_argument(fmt::format(
-          "constants: '{}' is not a constant; write name=value, such as B=1.6125, C=4.66", part));
+          "constants: '{}' is not a constant; write name=value, such as C_v=1.6125, C_a=4.66",
+          part));
     }
     PrintedConstant constant = named(without_blanks(part.substr(0, equals)), machine);
     read_value(constant, without_blanks(std::string_view(part).substr(equals + 1)));

@@ -21,11 +21,11 @@ struct PrintedConstant {
   int digits = 0;                       ///< significant digits that are printed
 };
 
-/// Reads "B=1.6125, C=4.66, minimum_cam_radius=35.56 mm"; "C=7.03 +- 0.05" states how far a value
-/// may be off. Names are responses of `machine` (with "peak", "highest" or "lowest" before curves),
-/// or of the law itself: B, C, D, Cm, C_max, C_min, D_max, D_min and what else mechanism "law" has.
-/// A word that is part of one response's name alone stands for it: "radius". Throws
-/// std::invalid_argument that names the constant and what is accepted.
+/// Reads "C_v=1.6125, C_a=4.66, minimum_cam_radius=35.56 mm"; "C_a=7.03 +- 0.05" states how far a
+/// value may be off. Names are responses of `machine` (with "peak", "highest" or "lowest" before
+/// curves), or of the law itself: C_v, C_a, C_j, C_Mdyn, C_a_max, C_a_min, C_j_max, C_j_min and
+/// what else mechanism "law" has. A word that is part of one response's name alone stands for it:
+/// "radius". Throws std::invalid_argument that names the constant and what is accepted.
 std::vector<PrintedConstant> parse_constants(std::string_view text, const Mechanism& machine);
 
 }  // namespace camlaw::problems

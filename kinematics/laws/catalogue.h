@@ -27,6 +27,11 @@ struct Parameter {
   bool list = false;        ///< takes any number of values
   bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
   bool linear = false;      ///< s is affine in all such parameters of the family together
+  std::string also = {};    ///< an older name that is accepted
+
+  bool is_called(std::string_view asked) const {
+    return asked == name || (!also.empty() && asked == also);
+  }
 };
 
 /// Values for a family's parameters, in the order of the family's list and in the units named

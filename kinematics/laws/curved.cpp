@@ -28,7 +28,7 @@ std::vector<Family> curved_families() {
            "[1 - cos(pi x) / sqrt(1 - k sin^2(pi x))] / 2, k = (n^2 - 1) / n^2",
            1,
            true,
-           "Rothbart (ed.), Cam Design Handbook, 2004; B = n pi / 2 from n = sqrt(2/3) on",
+           "Rothbart (ed.), Cam Design Handbook, 2004; C_v = n pi / 2 from n = sqrt(2/3) on",
            {{"n", "1", 0.2, 5, {1.2}, "ratio of the ellipse's axes; 1 is the cosine law"}}},
           []<class S>(const Arguments<S>& a) { return elliptic<S>(a.scalar(0)); }),
       rest_to_rest(

@@ -12,6 +12,20 @@ Parameter fraction(const char* name, double default_value, const char* meaning) 
   return {name, "1", 0, 1, {default_value}, meaning};
 }
 
+/// A peak that an S-curve is made of; older files call it by one letter.
+Parameter s_curve_peak(const char* name, const char* also, double high, std::vector<double> value,
+                       const char* meaning) {
+  const bool list = value.empty();  // the jerk may be left out
+  return {.name = name,
+          .unit = "1",
+          .low = 1,
+          .high = high,
+          .default_value = std::move(value),
+          .meaning = meaning,
+          .list = list,
+          .also = also};
+}
+
 /// The peak jerk of an S-curve's arguments; left out, it makes 1/B + B/C + C/D = 1.
 template <class S>
 S s_curve_jerk(const Arguments<S>& a) {
@@ -26,21 +40,21 @@ std::vector<Room> s_curve_rooms() {
     return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
   };
   return {
-      {"1 - 1/B - B/C",
+      {"1 - 1/C_v - C_v/C_a",
        []<class S>(const Arguments<S>& a) {
          const S one = number<S>(1);
          return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1);
        },
        false},
-      {"B/C - C/D",
+      {"C_v/C_a - C_a/C_j",
        []<class S>(const Arguments<S>& a) {
          return a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
        },
        false},
-      {"2/B - 1",
+      {"2/C_v - 1",
        []<class S>(const Arguments<S>& a) { return number<S>(2) / a.scalar(0) - number<S>(1); },
        false},
-      {"1 - 1/B - B/C - C/D",
+      {"1 - 1/C_v - C_v/C_a - C_a/C_j",
        [sum]<class S>(const Arguments<S>& a) { return a.list(2).empty() ? number<S>(0) : sum(a); },
        false, true}};
 }
@@ -61,7 +75,7 @@ std::vector<Family> straight_phases() {
            "constant acceleration t1, constant velocity, constant deceleration t2",
            1,
            true,
-           "the least C for its B: C = B^2 / (B - 1) where t1 = t2",
+           "the least C_a for its C_v: C_a = C_v^2 / (C_v - 1) where t1 = t2",
            {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")},
            {rest_of_one("1 - t1 - t2", {1, 1})}},
           []<class S>(const Arguments<S>& a) {
@@ -80,21 +94,21 @@ std::vector<Family> straight_phases() {
           []<class S>(const Arguments<S>& a) {
             return trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
           }),
-      rest_to_rest({"s-curve",
-                    {"seven-phase S-curve", "double S"},
-                    "seven phases of constant jerk with peaks B, C, D; 1/B + B/C + C/D = 1",
-                    2,
-                    true,
-                    "drive controllers; lambda = 1",
-                    {{"B", "1", 1, 100, {1.6}, "peak velocity"},
-                     {"C", "1", 1, 1e4, {5.8}, "peak acceleration"},
-                     {"D", "1", 1, 1e6, {}, "peak jerk; left out, it follows from B and C", true}},
-                    s_curve_rooms()},
-                   []<class S>(const Arguments<S>& a) {
-                     if (a.list(2).size() > 1)
-                       throw std::invalid_argument("D takes one value at most");
-                     return s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
-                   }),
+      rest_to_rest(
+          {"s-curve",
+           {"seven-phase S-curve", "double S"},
+           "seven phases of constant jerk; 1/C_v + C_v/C_a + C_a/C_j = 1",
+           2,
+           true,
+           "drive controllers; lambda = 1",
+           {s_curve_peak("C_v", "B", 100, {1.6}, "peak velocity"),
+            s_curve_peak("C_a", "C", 1e4, {5.8}, "peak acceleration"),
+            s_curve_peak("C_j", "D", 1e6, {}, "peak jerk; left out, it follows from C_v and C_a")},
+           s_curve_rooms()},
+          []<class S>(const Arguments<S>& a) {
+            if (a.list(2).size() > 1) throw std::invalid_argument("C_j takes one value at most");
+            return s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
+          }),
   };
 }
 

@@ -107,14 +107,14 @@ MechanismResponse share(const char* name, const char* meaning, F torque) {
                   });
 }
 template <template <class> class M>
-MechanismResponse residual_share() {
-  return share<M>("residual_share",
+MechanismResponse residual_fraction() {
+  return share<M>("residual_fraction",
                   "residual torque over the greatest before balancing: its peak is 1 / K",
                   residual_torque);
 }
 template <template <class> class M>
-MechanismResponse touching_share() {
-  return share<M>("touching_share", "the same, were the rollers always on the cam",
+MechanismResponse touching_fraction() {
+  return share<M>("touching_fraction", "the same, were the rollers always on the cam",
                   touching_torque);
 }
 
@@ -153,8 +153,8 @@ std::vector<MechanismResponse> turn_curves() {
       curve<M>({"residual_torque", "N m", "N m", "what the balanced driver sees"}, residual_torque),
       curve<M>({"touching_torque", "N m", "N m", "the same, were the rollers always on the cam"},
                touching_torque),
-      residual_share<M>(),
-      touching_share<M>(),
+      residual_fraction<M>(),
+      touching_fraction<M>(),
       curve<M>({"pressure_angle", "deg", "rad", "between the normal and the path of the roller"},
                [](const auto& turn, At section, const auto& phi) {
                  return turn.machine().cam().pressure_angle(turn.roller(section, phi));
@@ -251,9 +251,9 @@ Mechanism balancing_cam(const char* name, const char* title) {
   std::vector<MechanismResponse> responses = numbers<M>();
   responses.push_back(balance<M>("balancing_coefficient",
                                  "greatest torque before balancing over the greatest after, K",
-                                 residual_share<M>()));
+                                 residual_fraction<M>()));
   responses.push_back(balance<M>("touching_coefficient", "K, were the rollers always on the cam",
-                                 touching_share<M>()));
+                                 touching_fraction<M>()));
   append(responses, drive_curves<M>());
   append(responses, turn_curves<M>());
   return checked(

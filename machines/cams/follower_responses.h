@@ -105,7 +105,7 @@ inline std::vector<MechanismResponse> follower_responses_of(
   add(C::DynamicTorque, "dynamic_torque", "N m", "N m",
       "what of it the moved masses ask for, without friction");
   add(C::Power, "drive_power", "W", "W", "power into the cam");
-  add(C::InertiaShare, "inertia_share", "1", "1",
+  add(C::InertiaShare, "inertia_fraction", "1", "1",
       "share of spring and load that inertia takes; at 1 a spring-closed follower leaves the cam");
   add(C::SpringDeflection, "spring_deflection", w.place, w.place_stored,
       "how far the spring is deflected from where it bears no load");

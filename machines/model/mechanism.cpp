@@ -31,6 +31,37 @@ const MechanismParameter* find_parameter(const Mechanism& mechanism, std::string
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Other names that responses are found by, those of older files among them.
+struct OtherName {
+  std::string_view name, listed;
+};
+constexpr OtherName kOtherNames[] = {{"max_velocity", "C_v"},
+                                     {"max_acceleration", "C_a"},
+                                     {"max_jerk", "C_j"},
+                                     {"max_dynamic_moment", "C_Mdyn"},
+                                     {"B", "C_v"},
+                                     {"C", "C_a"},
+                                     {"D", "C_j"},
+                                     {"Cm", "C_Mdyn"},
+                                     {"inertia_share", "inertia_fraction"},
+                                     {"residual_share", "residual_fraction"},
+                                     {"touching_share", "touching_fraction"},
+                                     {"buckling_share", "buckling_fraction"}};
+
+std::string_view listed_name(std::string_view name) {
+  for (const OtherName& other : kOtherNames) {
+    if (other.name == name) return other.listed;
+  }
+  return name;
+}
+
+/// By its name, else by another one that it has.
+template <class Named>
+const Named* find_called(const std::vector<Named>& all, std::string_view name) {
+  const Named* found = find_named(all, name);
+  return found != nullptr ? found : find_named(all, listed_name(name));
+}
+
 /// Parts that people ask for in words.
 struct PartWord {
   std::string_view word;
@@ -56,7 +87,7 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
   for (const auto& [word, part] : kPartWords) {
     if (!name.starts_with(word)) continue;
     const std::string_view curve = trimmed(name.substr(word.size()));
-    const MechanismResponse* response = find_named(mechanism.responses, curve);
+    const MechanismResponse* response = find_called(mechanism.responses, curve);
     if (response == nullptr) {
       std::vector<std::string> curves;
       for (const auto& r : mechanism.responses) {
@@ -100,10 +131,10 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
 
 ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
   const std::string_view name = trimmed(asked);
-  if (const auto* response = find_named(mechanism.responses, name)) {
+  if (const auto* response = find_called(mechanism.responses, name)) {
     return response_name(name, *response, Part::Value);
   }
-  if (const auto* peak = find_named(mechanism.peaks, name)) {
+  if (const NamedPeak* peak = find_called(mechanism.peaks, name)) {
     return response_name(name, *find_named(mechanism.responses, peak->curve), peak->part);
   }
   if (const auto* parameter = find_parameter(mechanism, name)) {

@@ -219,10 +219,13 @@ Mechanism normalised_law_mechanism() {
           .source = "VDI 2143",
           .parameters = MachineTraits<Followers>::parameters(),
           .responses = responses(),
-          .peaks = {{"B", "velocity", P::Magnitude, "peak velocity, C_v in VDI 2143"},
-                    {"C", "acceleration", P::Magnitude, "peak acceleration, C_a"},
-                    {"D", "jerk", P::Magnitude, "peak jerk, C_j"},
-                    {"Cm", "moment", P::Magnitude, "peak dynamic moment, C_Mdyn"}},
+          .peaks = {{"C_v", "velocity", P::Magnitude,
+                     "peak velocity; also max_velocity, and B in older files"},
+                    {"C_a", "acceleration", P::Magnitude,
+                     "peak acceleration; also max_acceleration, and C in older files"},
+                    {"C_j", "jerk", P::Magnitude, "peak jerk; also max_jerk, and D in older files"},
+                    {"C_Mdyn", "moment", P::Magnitude,
+                     "peak dynamic moment; also max_dynamic_moment, and Cm in older files"}},
           .form = Form::LawAlone};
 }
 

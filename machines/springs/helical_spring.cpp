@@ -138,8 +138,8 @@ std::vector<MechanismResponse> sizes() {
       plain({"buckling", "1", "1",
              "nearness of the working deflection to buckling; above 1 the spring buckles"},
             [](const auto& spring) {
-              return spring.buckling_share(spring.working_deflection, spring.free_length(),
-                                           spring.seating);
+              return spring.buckling_fraction(spring.working_deflection, spring.free_length(),
+                                              spring.seating);
             })};
 }
 

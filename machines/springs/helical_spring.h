@@ -98,7 +98,7 @@ struct HelicalSpring {
   }
   /// (W23) (1 - max(0, 1 - s / (a L_0))^2) / q: 1 at s_K, below 1 where the spring does not buckle,
   /// and defined where no deflection buckles it.
-  T buckling_share(const T& deflection, const T& free_length, const T& seating) const {
+  T buckling_fraction(const T& deflection, const T& free_length, const T& seating) const {
     const T ahead = number<T>(1) - deflection / (free_length * reach());
     const T positive = (ahead + absolute(ahead)) / number<T>(2);
     return (number<T>(1) - positive * positive) / critical(free_length, seating);

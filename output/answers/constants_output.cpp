@@ -94,7 +94,7 @@ std::vector<std::string> names_of(const std::vector<Member>& laws) {
   return names;
 }
 
-/// "B does", "B and C do".
+/// "C_v does", "C_v and C_a do".
 std::string that_do(const std::vector<std::string>& names) {
   return fmt::format("{} {}", fmt::join(names, ", "), names.size() == 1 ? "does" : "do");
 }

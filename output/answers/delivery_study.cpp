@@ -11,7 +11,7 @@ Table delivery_table(std::span<const DeliveryChoice> choices) {
   Table table{
       .key = "points",
       .columns = {numbers("slow-down", "slow_down"),
-                  numbers("least efficiency", "least_efficiency"), numbers("price", "price"),
+                  numbers("least efficiency", "least_efficiency"), numbers("price", "multiplier"),
                   words("law", "law"), numbers("lambda", "guide_ratio"),
                   numbers("alpha_max, deg", "rod_angle_max_deg"), words("verdict", "verdict")}};
   for (const DeliveryChoice& c : choices) {

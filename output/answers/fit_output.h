@@ -52,7 +52,7 @@ struct SamplesAnswer {
   std::string source;
   std::size_t left_out = 0;  ///< rows that lack a number
   std::size_t each = 1;      ///< measured rows that a sample is the mean of
-  std::size_t far_rows = 0;  ///< of those, far off their neighbours
+  std::size_t outliers = 0;  ///< of those, far off their neighbours
   std::variant<problems::RecordedMotion, problems::CamFit> fit;
   std::vector<std::string> notes = {};  ///< what was assumed in reading
 

@@ -44,7 +44,7 @@ void add_condensed(std::size_t each, std::size_t left_out, Document& document) {
                     each, left_out));
   }
   document.fact("rows_each", each);
-  document.fact("far_rows_left_out", left_out);
+  document.fact("outliers_left_out", left_out);
 }
 
 void add_left_out(std::size_t rows, Document& document) {

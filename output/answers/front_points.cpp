@@ -24,7 +24,7 @@ Table limits_table(const FrontAnswer& answer, const FrontPoint& point) {
   Table table{.key = "limits",
               .columns = {words("limit", "name"), numbers("margin", "margin"),
                           words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
-                          words("proved", "proved"), numbers("price", "price")},
+                          words("proved", "proved"), numbers("price", "multiplier")},
               .shown = point.limits.size()};
   for (const optim::Standing& limit : point.limits) {
     const double price = answer.front.price(point, limit);

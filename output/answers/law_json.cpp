@@ -30,21 +30,21 @@ Json place(const Peak<double>& peak) { return to_json(peak.position); }
 
 void add_constants(Json& object, const Peaks<double>& peak) {
   const auto lambda = limit_index(peak);
-  object["B"] = to_json(peak.max_velocity());
-  object["C_max"] = to_json(peak.high(Quantity::Acceleration).value);
-  object["C_min"] = to_json(peak.low(Quantity::Acceleration).value);
-  object["D_max"] = to_json(peak.high(Quantity::Jerk).value);
-  object["D_min"] = to_json(peak.low(Quantity::Jerk).value);
-  object["Cm"] = to_json(peak.max_dynamic_moment());
+  object["C_v"] = to_json(peak.max_velocity());
+  object["C_a_max"] = to_json(peak.high(Quantity::Acceleration).value);
+  object["C_a_min"] = to_json(peak.low(Quantity::Acceleration).value);
+  object["C_j_max"] = to_json(peak.high(Quantity::Jerk).value);
+  object["C_j_min"] = to_json(peak.low(Quantity::Jerk).value);
+  object["C_Mdyn"] = to_json(peak.max_dynamic_moment());
   object["lambda"] = lambda ? to_json(*lambda) : Json(nullptr);
-  object["D_inside_max"] = to_json(peak.jerk_inside_highest.value);
-  object["D_inside_min"] = to_json(peak.jerk_inside_lowest.value);
-  object["positions"] = {{"B", place(peak.absolute(Quantity::Velocity))},
-                         {"C_max", place(peak.high(Quantity::Acceleration))},
-                         {"C_min", place(peak.low(Quantity::Acceleration))},
-                         {"D_max", place(peak.high(Quantity::Jerk))},
-                         {"D_min", place(peak.low(Quantity::Jerk))},
-                         {"Cm", place(peak.absolute(Quantity::Moment))}};
+  object["C_j_inside_max"] = to_json(peak.jerk_inside_highest.value);
+  object["C_j_inside_min"] = to_json(peak.jerk_inside_lowest.value);
+  object["positions"] = {{"C_v", place(peak.absolute(Quantity::Velocity))},
+                         {"C_a_max", place(peak.high(Quantity::Acceleration))},
+                         {"C_a_min", place(peak.low(Quantity::Acceleration))},
+                         {"C_j_max", place(peak.high(Quantity::Jerk))},
+                         {"C_j_min", place(peak.low(Quantity::Jerk))},
+                         {"C_Mdyn", place(peak.absolute(Quantity::Moment))}};
 }
 
 }  // namespace
@@ -68,12 +68,12 @@ Json law_to_json(const Member& member) {
 
 Json enclosures_to_json(const Peaks<Interval>& peak) {
   const auto both = [](const Interval& x) { return Json{to_json(x.lower()), to_json(x.upper())}; };
-  return {{"B", both(peak.max_velocity())},
-          {"C_max", both(peak.high(Quantity::Acceleration).value)},
-          {"C_min", both(peak.low(Quantity::Acceleration).value)},
-          {"D_max", both(peak.high(Quantity::Jerk).value)},
-          {"D_min", both(peak.low(Quantity::Jerk).value)},
-          {"Cm", both(peak.max_dynamic_moment())}};
+  return {{"C_v", both(peak.max_velocity())},
+          {"C_a_max", both(peak.high(Quantity::Acceleration).value)},
+          {"C_a_min", both(peak.low(Quantity::Acceleration).value)},
+          {"C_j_max", both(peak.high(Quantity::Jerk).value)},
+          {"C_j_min", both(peak.low(Quantity::Jerk).value)},
+          {"C_Mdyn", both(peak.max_dynamic_moment())}};
 }
 
 }  // namespace camlaw::cli

@@ -316,7 +316,7 @@ Document answer_document(const Answer& answer) {
 
 Table scaling_table(const optim::Problem& problem) {
   const optim::Sizes sizes = optim::sizes(problem, problem.start());
-  Table table{.columns = {words("scaling"), numbers("size"), numbers("tolerance"), words("unit")}};
+  Table table{.columns = {words("scaling"), numbers("scale"), numbers("tolerance"), words("unit")}};
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
         {problem.variables[i].name, in_digits(sizes.variables[i]), "", problem.variables[i].unit});

@@ -62,7 +62,7 @@ Json rows_json(const std::vector<FaultyRow>& rows) {
   Json list = Json::array();
   for (const FaultyRow& row : rows) {
     list.push_back({{"line", row.line > 0 ? Json(row.line) : Json(nullptr)},
-                    {"place", to_json(row.place)},
+                    {"abscissa", to_json(row.place)},
                     {"value", to_json(row.value)},
                     {"distance", to_json(row.distance)}});
   }
@@ -103,8 +103,8 @@ void add_record_faults(const SamplesAnswer& answer, Document& document) {
   const problems::MotionRecord& record =
       answer.motion() != nullptr ? answer.motion()->record : kNone;
   document.say(stray_text(record) + far_text(record) + centre_text(answer));
-  document.fact("stray_rows", rows_json(record.stray));
-  document.fact("far_rows", rows_json(record.far));
+  document.fact("outliers_in_abscissa", rows_json(record.stray));
+  document.fact("outliers_in_value", rows_json(record.far));
   Json faults = Json::array();
   for (const auto& test : answer.faults()) faults.push_back(fault_json(test));
   document.fact("faults", faults);

@@ -85,7 +85,7 @@ Figure record_figure(const RecordAnswer& answer) {
   figure.columns = 2;
   figure.panel_width = 480;
   draw({.title = record.response.name,
-        .x = {.label = "place", .unit = shown_unit(record.response.response->along)},
+        .x = {.label = "abscissa", .unit = shown_unit(record.response.response->along)},
         .y = {.label = "recorded and computed", .unit = shown_unit(unit_of(answer))},
         .dots = "recorded",
         .left = "recorded less computed",

@@ -166,7 +166,7 @@ namespace {
 /// What a law is like, by itself.
 std::string merits_text(const std::string& what, const Rulers& r) {
   std::string text =
-      fmt::format("\n{}\n  B = {:.7g}   C = {:.7g}   D = {}   Cm = {:.7g}\n", what,
+      fmt::format("\n{}\n  C_v = {:.7g}   C_a = {:.7g}   C_j = {}   C_Mdyn = {:.7g}\n", what,
                   r.peaks.max_velocity(), r.peaks.max_acceleration(),
                   std::isinf(r.peaks.max_jerk()) ? "infinite: acceleration jumps"
                                                  : fmt::format("{:.7g}", r.peaks.max_jerk()),
@@ -177,10 +177,10 @@ std::string merits_text(const std::string& what, const Rulers& r) {
   }
   if (r.least_acceleration) {
     // Beyond 2 the least is that of 2: a law need not use all the velocity.
-    text += fmt::format("  C is {} above {:.7g}, the least for {}\n",
+    text += fmt::format("  C_a is {} above {:.7g}, the least for {}\n",
                         percent(r.peaks.max_acceleration() / *r.least_acceleration - 1),
                         *r.least_acceleration,
-                        r.peaks.max_velocity() > 2 ? "a velocity of at most B" : "this B");
+                        r.peaks.max_velocity() > 2 ? "a velocity of at most C_v" : "this C_v");
   }
   return text;
 }
@@ -206,12 +206,12 @@ std::string rulers_text(const Answer& answer, const Rulers& r) {
 }
 
 void add_merits(const Rulers& r, Document& document) {
-  document.fact("B", r.peaks.max_velocity());
-  document.fact("C", r.peaks.max_acceleration());
-  document.fact("D", r.peaks.max_jerk());
-  document.fact("Cm", r.peaks.max_dynamic_moment());
+  document.fact("C_v", r.peaks.max_velocity());
+  document.fact("C_a", r.peaks.max_acceleration());
+  document.fact("C_j", r.peaks.max_jerk());
+  document.fact("C_Mdyn", r.peaks.max_dynamic_moment());
   document.fact("lambda", r.lambda);
-  document.fact("least_C_for_B", r.least_acceleration);
+  document.fact("least_C_a_for_C_v", r.least_acceleration);
 }
 
 }  // namespace

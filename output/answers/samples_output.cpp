@@ -68,7 +68,7 @@ void add_ranking(const MotionFit& fit, Document& document) {
   const std::string& unit = fit.motion.samples.unit;
   Table table{
       .key = "ranking",
-      .columns = {numbers("#"), words("law", "law"), data("criterion"), numbers("share", "share"),
+      .columns = {numbers("#"), words("law", "law"), data("criterion"), numbers("belief", "belief"),
                   numbers(fmt::format("rms{}", unit == "1" ? "" : ", " + unit), "rms"),
                   numbers("largest", "max_residual")},
       .shown = fit.ranking.size() > 1 ? kRanked : 0};
@@ -111,7 +111,7 @@ void add_residuals(const MotionFit& fit, Document& document) {
   document.fact("max_residual", largest);
   document.fact("max_residual_at", largest_at);
   document.fact("residual_unit", unit);
-  document.fact("place_unit", place_unit);
+  document.fact("abscissa_unit", place_unit);
   document.fact("sigma", found.sigma);
   document.fact("degrees_of_freedom", found.degrees_of_freedom);
   document.fact("neighbour_correlation", fit.left.correlation);
@@ -141,7 +141,7 @@ Json outliers_json(const MotionFit& fit) {
   const problems::MotionSamples& samples = fit.motion.samples;
   Json list = Json::array();
   for (const std::size_t i : fit.outliers.samples) {
-    list.push_back({{"place", to_json(samples.place[i])},
+    list.push_back({{"abscissa", to_json(samples.place[i])},
                     {"value", to_json(samples.value[i])},
                     {"residual", to_json(fit.best().fit.residuals[i])}});
   }
@@ -206,7 +206,7 @@ void draw_motion(const MotionFit& fit, Figure& figure) {
     law.y.push_back(best.value(x, samples.order));
   }
   draw({.title = best.law.label(),
-        .x = {.label = samples.place_unit == "deg" ? "cam angle" : "place",
+        .x = {.label = samples.place_unit == "deg" ? "cam angle" : "abscissa",
               .unit = shown_unit(samples.place_unit)},
         .y = {.label = label, .unit = shown_unit(samples.unit)},
         .dots = "samples",
@@ -238,7 +238,7 @@ Document samples_document(const SamplesAnswer& answer) {
   Document document;
   document.take_facts(
       json_of(motions[static_cast<std::size_t>(&main_motion(answer) - fits.data())]));
-  add_condensed(answer.each, answer.far_rows, document);
+  add_condensed(answer.each, answer.outliers, document);
   add_record_faults(answer, document);
   add_left_out(answer.left_out, document);
   if (answer.cam() != nullptr) document.add("cam", cam_document(*answer.cam()));

@@ -55,7 +55,7 @@ Document proved_front_document(const ProvedFront& front) {
   Document document;
   document.fact("name", front.name);
   document.fact("hypervolume", front.front.hypervolume);
-  document.fact("share_of_limit", front.share_of_limit);
+  document.fact("fraction_of_limit", front.share_of_limit);
   document.fact("points", json_of(proved_points_table(front, all_of(front.front))));
   if (front.front.points.empty()) {
     document.say(fmt::format("\n{}: no design was found\n", front.name));
@@ -87,7 +87,7 @@ std::string saving_text(const problems::Saving& saving) {
 
 Document fronts_document(const SpineCutterFronts& fronts) {
   Document document;
-  document.say("proved fronts: the least force for a cam radius, from B = 1.17 to 2\n");
+  document.say("proved fronts: the least force for a cam radius, from C_v = 1.17 to 2\n");
   std::vector<Document> parts;
   for (const ProvedFront* front : all(fronts)) parts.push_back(proved_front_document(*front));
   document.add("fronts", std::move(parts));

@@ -33,14 +33,15 @@ bool hidden_by_published(const SpineCutterStudy& study, const StudyRow& row) {
 }  // namespace
 
 Table study_table(const SpineCutterStudy& study) {
-  Table table{.key = "rows",
-              .columns = {words("law", "law"), words(""), numbers("B", "B"), numbers("C", "C"),
-                          numbers("D", "D"), numbers("Cm", "Cm"), numbers("lambda", "lambda"),
-                          numbers("R, mm", "cam_radius_mm"), numbers("F, N", "inertia_force_N"),
-                          numbers("F by (7), N", "printed_inertia_force_N"),
-                          numbers("torque, N m", "drive_torque_Nm"),
-                          numbers("above limit, %", "above_limit"), data("smooth"),
-                          data("non_dominated"), data("smooth_non_dominated"), data("published")}};
+  Table table{
+      .key = "rows",
+      .columns = {words("law", "law"), words(""), numbers("C_v", "C_v"), numbers("C_a", "C_a"),
+                  numbers("C_j", "C_j"), numbers("C_Mdyn", "C_Mdyn"), numbers("lambda", "lambda"),
+                  numbers("R, mm", "cam_radius_mm"), numbers("F, N", "inertia_force_N"),
+                  numbers("F by (7), N", "printed_inertia_force_N"),
+                  numbers("torque, N m", "drive_torque_Nm"),
+                  numbers("above limit, %", "above_limit"), data("smooth"), data("non_dominated"),
+                  data("smooth_non_dominated"), data("published")}};
   for (const StudyRow& row : study.rows) {
     const double radius = row.cam_radius * 1e3;
     table.add({{row.label, row.law},
@@ -84,7 +85,8 @@ Document study_document(const SpineCutterStudy& study) {
       "\n*  non-dominated in (R, F)   o  non-dominated among laws of continuous acceleration   "
       "p  in the paper\n"
       "F: physical peak inertia force; F by (7): as the paper prints its formula, half of it\n"
-      "above limit: C over the least C of any law with this B (B^2/(B-1) up to B = 2, then 4)\n\n"
+      "above limit: C_a over the least of any law with this C_v (C_v^2/(C_v-1) up to C_v = 2, then "
+      "4)\n\n"
       "{}\n",
       study.recommendation));
   document.fact("smallest_cam", study.rows[study.smallest_cam].law);

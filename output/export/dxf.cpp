@@ -42,8 +42,8 @@ class Entities {
   void polyline(const Chords& chords, bool closed) {
     const std::size_t count = chords.points.size() - (closed ? 1 : 0);
     begin("LWPOLYLINE", "AcDbPolyline");
-    tags_.whole(90, static_cast<int>(count));
-    tags_.whole(70, closed ? 1 : 0);
+    tags_.integer(90, static_cast<int>(count));
+    tags_.integer(70, closed ? 1 : 0);
     for (std::size_t i = 0; i < count; ++i) {
       tags_.real(10, chords.points[i].at.x());
       tags_.real(20, chords.points[i].at.y());
@@ -79,11 +79,11 @@ class Entities {
     tags_.real(210, 0);
     tags_.real(220, 0);
     tags_.real(230, 1);
-    tags_.whole(70, kPlanar);
-    tags_.whole(71, kDegree);
-    tags_.whole(72, static_cast<int>(knots.size()));
-    tags_.whole(73, static_cast<int>(points.size()));
-    tags_.whole(74, 0);
+    tags_.integer(70, kPlanar);
+    tags_.integer(71, kDegree);
+    tags_.integer(72, static_cast<int>(knots.size()));
+    tags_.integer(73, static_cast<int>(points.size()));
+    tags_.integer(74, 0);
     for (const double knot : knots) tags_.real(40, knot);
     for (const Vector2d& point : points) tags_.point(10, point);
   }

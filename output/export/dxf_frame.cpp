@@ -19,9 +19,9 @@ void header(Tags& tags, const Extent& extent, int next_handle) {
   tags.text(9, "$HANDSEED");
   tags.handle(5, next_handle);
   tags.text(9, "$INSUNITS");
-  tags.whole(70, 4);  // millimetres
+  tags.integer(70, 4);  // millimetres
   tags.text(9, "$MEASUREMENT");
-  tags.whole(70, 1);  // metric
+  tags.integer(70, 1);  // metric
   tags.text(9, "$EXTMIN");
   tags.point(10, extent.low);
   tags.text(9, "$EXTMAX");
@@ -44,9 +44,9 @@ void begin_table(Tags& tags, const char* name, int handle, std::size_t count) {
   tags.text(0, "TABLE");
   tags.text(2, name);
   tags.handle(5, handle);
-  tags.whole(330, 0);
+  tags.integer(330, 0);
   tags.text(100, "AcDbSymbolTable");
-  tags.whole(70, static_cast<int>(count));
+  tags.integer(70, static_cast<int>(count));
 }
 
 void end_table(Tags& tags) { tags.text(0, "ENDTAB"); }
@@ -56,10 +56,10 @@ void line_types(Tags& tags) {
   int handle = 0x14;
   for (const char* name : {"ByBlock", "ByLayer", "Continuous"}) {
     record(tags, "LTYPE", handle++, 0x5, "AcDbLinetypeTableRecord", name);
-    tags.whole(70, 0);
+    tags.integer(70, 0);
     tags.text(3, "");
-    tags.whole(72, 65);
-    tags.whole(73, 0);
+    tags.integer(72, 65);
+    tags.integer(73, 0);
     tags.real(40, 0);
   }
   end_table(tags);
@@ -70,8 +70,8 @@ void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
   begin_table(tags, "LAYER", 0x2, curves.size() + 1);
   const auto layer = [&](int handle, const std::string& name, int colour) {
     record(tags, "LAYER", handle, 0x2, "AcDbLayerTableRecord", name);
-    tags.whole(70, 0);
-    tags.whole(62, colour);
+    tags.integer(70, 0);
+    tags.integer(62, colour);
     tags.text(6, "Continuous");
   };
   layer(0x10, "0", 7);
@@ -84,11 +84,11 @@ void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
 void text_styles(Tags& tags) {
   begin_table(tags, "STYLE", 0x3, 1);
   record(tags, "STYLE", 0x11, 0x3, "AcDbTextStyleTableRecord", "Standard");
-  tags.whole(70, 0);
+  tags.integer(70, 0);
   for (const auto& [code, value] : {std::pair{40, 0.0}, {41, 1.0}, {50, 0.0}}) {
     tags.real(code, value);
   }
-  tags.whole(71, 0);
+  tags.integer(71, 0);
   tags.real(42, 2.5);
   tags.text(3, "txt");
   tags.text(4, "");
@@ -110,12 +110,12 @@ void tables(Tags& tags, const std::vector<ExportedCurve>& curves) {
   }
   begin_table(tags, "APPID", 0x9, 1);
   record(tags, "APPID", 0x12, 0x9, "AcDbRegAppTableRecord", "ACAD");
-  tags.whole(70, 0);
+  tags.integer(70, 0);
   end_table(tags);
   begin_table(tags, "DIMSTYLE", 0xA, 1);
   tags.text(100, "AcDbDimStyleTable");
   record(tags, "DIMSTYLE", 0x13, 0xA, "AcDbDimStyleTableRecord", "Standard");
-  tags.whole(70, 0);
+  tags.integer(70, 0);
   end_table(tags);
   begin_table(tags, "BLOCK_RECORD", 0x1, 2);
   record(tags, "BLOCK_RECORD", kModel, 0x1, "AcDbBlockTableRecord", "*Model_Space");
@@ -135,7 +135,7 @@ void block(Tags& tags, int owner, const std::string& name) {
   };
   begin("BLOCK", owner + 1, "AcDbBlockBegin");
   tags.text(2, name);
-  tags.whole(70, 0);
+  tags.integer(70, 0);
   tags.point(10, Vector2d::Zero());
   tags.text(3, name);
   tags.text(1, "");
@@ -163,7 +163,7 @@ void end(Tags& tags) {
     tags.handle(5, handle);
     tags.handle(330, owner);
     tags.text(100, "AcDbDictionary");
-    tags.whole(281, 1);
+    tags.integer(281, 1);
   };
   tags.text(0, "SECTION");
   tags.text(2, "OBJECTS");

@@ -18,7 +18,7 @@ class Tags {
   void text(int code, const std::string& value) {
     fmt::format_to(std::back_inserter(text_), "{:3}\n{}\n", code, value);
   }
-  void whole(int code, int value) { text(code, std::to_string(value)); }
+  void integer(int code, int value) { text(code, std::to_string(value)); }
   /// Enough digits for every use of a length, an angle or a knot.
   void real(int code, double value) { text(code, fmt::format("{:.10f}", rounded(value, 10))); }
   void handle(int code, int value) { text(code, fmt::format("{:X}", value)); }

@@ -43,7 +43,8 @@ std::string group_of(const Panel& panel) {
   const std::string& name = panel.y.label;
   const auto last = name.substr(name.rfind('_') + 1);
   if (motion.contains(last)) return "Motion";
-  if (loads.contains(panel.y.unit) || name == "inertia_share") return "Forces, torques and power";
+  if (loads.contains(panel.y.unit) || name == "inertia_fraction")
+    return "Forces, torques and power";
   const bool contact = panel.y.unit == "MPa" || name.ends_with("half_width") || last == "approach";
   return contact ? "Contact" : "Geometry";
 }

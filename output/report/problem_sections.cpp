@@ -91,16 +91,16 @@ std::string bounds_text(const problems::VariableStatement& v) {
 
 std::string ruler_words(const Peaks<double>& peak, std::optional<double> lambda) {
   std::string text =
-      "The law against what is physically possible. B, C and D are the greatest velocity, "
+      "The law against what is physically possible. C_v, C_a and C_j are the greatest velocity, "
       "acceleration and jerk of the law over a "
-      "unit stroke in unit time, Cm the greatest product of velocity and acceleration.";
+      "unit stroke in unit time, C_Mdyn the greatest product of velocity and acceleration.";
   if (lambda) {
     text += fmt::format(
         " lambda = {:.4f}: no motion from rest to rest with these peaks takes less "
         "than {:.2f} % of the time that this law takes.",
         *lambda, 100 * *lambda);
   }
-  if (std::isinf(peak.max_jerk())) text += " D is infinite: the acceleration jumps.";
+  if (std::isinf(peak.max_jerk())) text += " C_j is infinite: the acceleration jumps.";
   return text;
 }
 
@@ -198,18 +198,18 @@ std::optional<ReportSection> rulers_section(const ProblemStatement& design) {
     table.add({name, in_digits(value, 6), measured ? in_digits(*least, 6) : "",
                measured ? fmt::format("{:.2f} %", 100 * std::max(0.0, value / *least - 1)) : ""});
   };
-  row("B", peak.max_velocity(), 1.0);
-  row("C", peak.max_acceleration(), least_acceleration(peak.max_velocity()));
-  row("D", peak.max_jerk(),
+  row("C_v", peak.max_velocity(), 1.0);
+  row("C_a", peak.max_acceleration(), least_acceleration(peak.max_velocity()));
+  row("C_j", peak.max_jerk(),
       std::isfinite(peak.max_jerk())
           ? std::optional(least_jerk(peak.max_velocity(), peak.max_acceleration()))
           : std::nullopt);
-  row("Cm", peak.max_dynamic_moment(), {});
+  row("C_Mdyn", peak.max_dynamic_moment(), {});
   return ReportSection{
       "rulers", "Rulers",
       html_of(table) + paragraph(ruler_words(peak, lambda)) +
-          (lambda ? paragraph("Least of any law from rest to rest: of B at all, of "
-                              "C for this B, of D for this B and C.")
+          (lambda ? paragraph("Least of any law from rest to rest: of C_v at all, of "
+                              "C_a for this C_v, of C_j for this C_v and C_a.")
                   : "")};
 }
 

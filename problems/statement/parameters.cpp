@@ -22,7 +22,7 @@ std::string NamedParameter::element_name(std::size_t index) const {
 
 std::optional<std::size_t> index_in(const Family& law, std::string_view parameter) {
   for (std::size_t i = 0; i < law.parameters.size(); ++i) {
-    if (law.parameters[i].name == parameter) return i;
+    if (law.parameters[i].is_called(parameter)) return i;
   }
   return {};
 }

@@ -25,7 +25,7 @@ std::string by_elements(const PlainProblem& plain, const Point& start) {
 
 std::string peak_name(LawResponse response, Part part) {
   if (part == Part::Magnitude) {
-    constexpr const char* kPeaks[] = {"peak displacement", "B", "C", "D", "Cm"};
+    constexpr const char* kPeaks[] = {"peak displacement", "C_v", "C_a", "C_j", "C_Mdyn"};
     return kPeaks[response];
   }
   return (part == Part::Lowest ? "lowest " : "highest ") + std::string(kNames[response]);

@@ -38,7 +38,7 @@ class LawProblem {
  public:
   LawProblem(const std::string& kind, LawFamily family);
 
-  /// "B", "C", "D", "Cm", or the highest or lowest of a curve.
+  /// "C_v", "C_a", "C_j", "C_Mdyn", or the highest or lowest of a curve.
   void seek(LawResponse response, Part part);
   /// One more of what a front is of: B, C.
   void seek_too(LawResponse response, Part part);

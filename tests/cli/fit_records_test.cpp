@@ -42,15 +42,15 @@ TEST_CASE("fit names rows that are off by their lines", "[program]") {
   const std::string off = written(folder, "off.csv", rise(5));
   const ParsedJson found = json_of({"fit", off, "--law", "modified-sine", "--json"});
   CHECK(found["trusted"] == true);
-  REQUIRE(found["far_rows"].size() == 1);
-  CHECK(found["far_rows"][0]["line"] == 59);
-  CHECK(found["far_rows"][0]["distance"].get<double>() == Approx(5).margin(0.02));
+  REQUIRE(found["outliers_in_value"].size() == 1);
+  CHECK(found["outliers_in_value"][0]["line"] == 59);
+  CHECK(found["outliers_in_value"][0]["distance"].get<double>() == Approx(5).margin(0.02));
   CHECK_THAT(done({"fit", off, "--law", "modified-sine"}), Contains("line 59 (57 deg) by 5 mm"));
   const std::string stray = written(folder, "stray.csv", rise(0, "1886131"));
   const ParsedJson without = json_of({"fit", stray, "--law", "modified-sine", "--json"});
   CHECK(without["trusted"] == true);
-  REQUIRE(without["stray_rows"].size() == 1);
-  CHECK(without["stray_rows"][0]["line"] == 62);
+  REQUIRE(without["outliers_in_abscissa"].size() == 1);
+  CHECK(without["outliers_in_abscissa"][0]["line"] == 62);
   CHECK_THAT(done({"fit", stray, "--law", "modified-sine"}), Contains("line 62 at 1886131 deg"));
 }
 

@@ -76,7 +76,7 @@ TEST_CASE("fit lists samples that lie far off, and what helps", "[program]") {
   CHECK(robust["outliers"]["count"].get<int>() >= 8);
   CHECK(robust["outliers"]["samples"].size() == robust["outliers"]["count"]);
   for (const char* key : {"sigma", "degrees_of_freedom", "neighbour_correlation", "condition",
-                          "free_directions", "max_residual_at", "residual_unit", "place_unit"}) {
+                          "free_directions", "max_residual_at", "residual_unit", "abscissa_unit"}) {
     INFO(key);
     CHECK(robust.contains(key));
   }
@@ -137,7 +137,7 @@ TEST_CASE("fit refuses what it cannot take with one line", "[program]") {
            {{"fit", written(folder, "text.csv", "angle,lift\n1,2\n2,high\n")}, "text.csv:3"},
            {{"fit", written(folder, "unit.csv", "angle [kg],lift [mm]\n1,2\n2,3\n")}, "'angle'"},
            {{"fit", written(folder, "still.csv", still)}, "3.5 throughout"},
-           {{"fit", "--constants", "B"}, "name=value"},
+           {{"fit", "--constants", "C_v"}, "name=value"},
            {{"fit", "--constants", "B=2", "--loss", "huber"}, "--loss"},
            {{"fit", "--constants", "B=2", "--out", folder / "out"}, "--out"},
            {{"fit", good, "--mechanism", "press.toml"}, "press.toml"},

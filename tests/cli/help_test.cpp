@@ -77,7 +77,7 @@ TEST_CASE("bash completes commands, options, names and words", "[program]") {
   CHECK(offers(folder, {"camlaw", "law", "cubic", "--sa"}) == Set{"--samples"});
   CHECK(offers(folder, {"camlaw", "pareto", "x.toml", "--method", "s"}) == Set{"sweep"});
   CHECK(offers(folder, {"camlaw", "fit", "x.csv", "--shift", ""}) ==
-        Set{"centre", "place", "value"});
+        Set{"centre", "abscissa", "value"});
   CHECK(offers(folder, {"camlaw", "mechanisms", "geneva-"}) == Set{"geneva-spherical"});
   CHECK(offers(folder, {"camlaw", "optimize", "--solver", "ip"}) == Set{"ipopt"});
   CHECK(offers(folder, {"camlaw", "reproduce", "spine"}) == Set{"spine-cutter"});

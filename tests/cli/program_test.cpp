@@ -117,8 +117,8 @@ TEST_CASE("laws --json lists every law of the catalogue and of the reference tab
   std::vector<std::string> names;
   for (const ParsedJson& law : laws) {
     names.push_back(law.at("name"));
-    for (const char* key : {"aliases", "parameters", "B", "C_max", "C_min", "D_max", "D_min", "Cm",
-                            "lambda", "ends", "continuity", "source"}) {
+    for (const char* key : {"aliases", "parameters", "C_v", "C_a_max", "C_a_min", "C_j_max",
+                            "C_j_min", "C_Mdyn", "lambda", "ends", "continuity", "source"}) {
       INFO(names.back() << " " << key);
       CHECK(law.contains(key));
     }
@@ -145,7 +145,7 @@ TEST_CASE("law takes parameters with units and lists", "[program]") {
   CHECK(degrees["parameters"][0]["value"].get<double>() == Approx(82).epsilon(1e-14));
   CHECK(radians["parameters"][0]["value"].get<double>() ==
         Approx(1.43 * 180 / std::numbers::pi).epsilon(1e-14));
-  CHECK(angle("90 deg")["B"].get<double>() == Approx(2).epsilon(1e-12));  // the cycloid
+  CHECK(angle("90 deg")["C_v"].get<double>() == Approx(2).epsilon(1e-12));  // the cycloid
 
   const ParsedJson list = json_of({"law", "fourier", "--param", "a=0.1,-0.05", "--json"});
   CHECK(list["parameters"][0]["value"] == ParsedJson{0.1, -0.05});
@@ -154,11 +154,11 @@ TEST_CASE("law takes parameters with units and lists", "[program]") {
   const ParsedJson two =
       json_of({"law", "trapezoidal-velocity", "--param", "t1=0.2", "--param", "t2=0.3", "--json"});
   // Area 1 under the trapezoid: B (1 - t1 / 2 - t2 / 2) = 1.
-  CHECK(two["B"].get<double>() == Approx(1 / 0.75).epsilon(1e-13));
+  CHECK(two["C_v"].get<double>() == Approx(1 / 0.75).epsilon(1e-13));
 }
 
 TEST_CASE("law prints text with the peaks, and says where files went", "[program]") {
-  CHECK_THAT(done({"law", "poly-3-4-5"}), Contains("poly-3-4-5") && Contains("B    ") &&
+  CHECK_THAT(done({"law", "poly-3-4-5"}), Contains("poly-3-4-5") && Contains("C_v    ") &&
                                               Contains("1.875") && Contains("lambda"));
   const Folder folder;
   const std::string csv = folder / "new/curve.csv", svg = folder / "curve.svg";

@@ -9,7 +9,8 @@ namespace {
 
 const std::string kProblem =
     "title = \"a small one\"\nmechanism = \"law\"\n[law]\nname = \"free\"\n[free]\ndegree = 2\n"
-    "knots = 14\n[objective]\nminimize = \"C\"\n[[constraints]]\nresponse = \"B\"\nupper = 1.5\n";
+    "knots = 14\n[objective]\nminimize = \"C_a\"\n[[constraints]]\nresponse = \"C_v\"\nupper = "
+    "1.5\n";
 
 std::string written(const Folder& folder, const std::string& name, const std::string& text) {
   const std::string path = folder / name;
@@ -24,14 +25,14 @@ TEST_CASE("synthesize finds the law, measures it and writes it", "[program]") {
   const std::string file = written(folder, "small.toml", kProblem);
   const std::string text = done({"synthesize", file, "--out", folder / "out"});
   CHECK_THAT(text, Contains("certified optimum") &&
-                       Contains("global: no design below 4.4999999: C is convex") &&
-                       Contains("C = 4.5") && !Contains("coefficients[1]") &&
+                       Contains("global: no design below 4.4999999: C_a is convex") &&
+                       Contains("C_a = 4.5") && !Contains("coefficients[1]") &&
                        !Contains("coefficients[3] = ") && Contains("the best named law is") &&
-                       Contains("the least for this B"));
+                       Contains("the least for this C_v"));
   const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   CHECK(result["variables"].size() == 13);
-  CHECK(result["rulers"]["C"].get<double>() == Approx(4.5));
-  CHECK(result["rulers"]["least_C_for_B"].get<double>() == Approx(4.5));
+  CHECK(result["rulers"]["C_a"].get<double>() == Approx(4.5));
+  CHECK(result["rulers"]["least_C_a_for_C_v"].get<double>() == Approx(4.5));
   // 1, 2, 1 thirds of constant acceleration, velocity, deceleration has a name.
   CHECK(result["rulers"]["best_named"]["objective"].get<double>() == Approx(4.5));
   const std::string name = result["law"].get<std::string>();
@@ -50,7 +51,7 @@ TEST_CASE("synthesize finds the law, measures it and writes it", "[program]") {
   CHECK(spline["pieces"] == stored["pieces"]);
   const std::string use =
       written(folder, "use.toml", "mechanism = \"law\"\n[law]\nname = \"out/law.json\"\n");
-  CHECK(json_of({"evaluate", use, "--json"})["responses"]["C"]["value"].get<double>() ==
+  CHECK(json_of({"evaluate", use, "--json"})["responses"]["C_a"]["value"].get<double>() ==
         Approx(4.5));
 }
 
@@ -59,11 +60,11 @@ TEST_CASE("synthesize takes free laws alone, and ends as optimize does", "[progr
   const std::string named =
       written(folder, "named.toml",
               "mechanism = \"law\"\n[law]\nname = \"polynomial-5\"\n[variables.alpha]\nlower = -5\n"
-              "upper = 0\n[objective]\nminimize = \"C\"\n");
+              "upper = 0\n[objective]\nminimize = \"C_a\"\n");
   CHECK_THAT(failed({"synthesize", named}, 2),
              Contains("named.toml: no law of the problem is free"));
   const std::string impossible = written(
-      folder, "impossible.toml", kProblem + "[[constraints]]\nresponse = \"C\"\nupper = 4\n");
+      folder, "impossible.toml", kProblem + "[[constraints]]\nresponse = \"C_a\"\nupper = 4\n");
   const Outcome outcome = run({"synthesize", impossible, "--json"});
   CHECK(outcome.status == 3);
   CHECK(ParsedJson::parse(outcome.out)["verdict"] == "infeasible");
@@ -83,10 +84,10 @@ TEST_CASE("synthesize measures the free segments of a motion program", "[program
   const ParsedJson result = ParsedJson::parse(read(folder / "out/result.json"));
   // Of eight even pieces of constant jerk the best is the trapezium with ramps of an eighth: 16
   // / 3.
-  const double C = result["rulers"]["rise"]["C"];
+  const double C = result["rulers"]["rise"]["C_a"];
   CHECK(C == Approx(16.0 / 3).epsilon(1e-6));
   const ParsedJson law = json_of({"law", folder / "out/rise.json", "--json"});
-  CHECK(law["C_max"].get<double>() == Approx(C).epsilon(1e-9));
+  CHECK(law["C_a_max"].get<double>() == Approx(C).epsilon(1e-9));
   const std::string none =
       written(folder, "none.toml",
               "mechanism = \"disc-cam-roller\"\n[program]\nsegments = [{name = \"rise\", angle = "

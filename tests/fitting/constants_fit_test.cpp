@@ -44,8 +44,8 @@ std::string printed(const Member& law, int digits) {
   const auto its = peaks(law.law());
   std::string text;
   for (const auto& [name, value] :
-       {std::pair{"B", its.max_velocity()}, std::pair{"C", its.max_acceleration()},
-        std::pair{"D", its.max_jerk()}, std::pair{"Cm", its.max_dynamic_moment()}}) {
+       {std::pair{"C_v", its.max_velocity()}, std::pair{"C_a", its.max_acceleration()},
+        std::pair{"C_j", its.max_jerk()}, std::pair{"C_Mdyn", its.max_dynamic_moment()}}) {
     if (std::isnan(value)) continue;
     text += text.empty() ? "" : ", ";
     text += std::isinf(value) ? fmt::format("{}=inf", name)
@@ -106,11 +106,11 @@ TEST_CASE("constants that are none are refused by name", "[constants]") {
     return "";
   };
   CHECK_THAT(complaint(""), Contains("name=value"));
-  CHECK_THAT(complaint("B"), Contains("'B'") && Contains("name=value"));
-  CHECK_THAT(complaint("B=much"), Contains("'B'") && Contains("much"));
+  CHECK_THAT(complaint("C_v"), Contains("'C_v'") && Contains("name=value"));
+  CHECK_THAT(complaint("C_v=much"), Contains("'C_v'") && Contains("much"));
   CHECK_THAT(complaint("minimum_cam_radius=3 N"), Contains("minimum_cam_radius"));
   CHECK_THAT(complaint("minimum_cam_radios=3"), Contains("minimum_cam_radius"));
-  CHECK_THAT(complaint("B=2,B=2"), Contains("'B'") && Contains("twice"));
+  CHECK_THAT(complaint("C_v=2,C_v=2"), Contains("'C_v'") && Contains("twice"));
   CHECK_THAT(complaint("stroke=40 mm"), Contains("size of the machine"));
   CHECK_THAT(complaint("inertia_force=3"), Contains("peak inertia_force"));
   CHECK_THAT(complaint("B=1.6 +- -1"), Contains("above zero"));

@@ -183,9 +183,9 @@ TEST_CASE("A member's name reads back as the member", "[catalogue]") {
   CHECK(find_law("fourier a=0.1,-0.05").name() == "fourier a=0.1,-0.05");
   CHECK(find_law("scca a=0.2").name() == "scca a=0.2 b=0.2 c=0.3");
   CHECK(find_law("elliptic crossover=0.5").name() == "elliptic n=1.2");
-  CHECK(find_law("s-curve").name() == "s-curve B=1.6 C=5.8");
+  CHECK(find_law("s-curve").name() == "s-curve C_v=1.6 C_a=5.8");
   for (const char* typed :
-       {"polynomial-7 A=0.1", "s-curve C=7 B=1.5", "universal d1=0.123456789012345",
+       {"polynomial-7 A=0.1", "s-curve C_a=7 C_v=1.5", "universal d1=0.123456789012345",
         "polynomial-5 alpha=-3 crossover=0.25", "elliptic n=3e-1"}) {
     const Member member = find_law(typed), again = find_law(member.name());
     CAPTURE(typed, member.name());

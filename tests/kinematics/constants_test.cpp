@@ -36,14 +36,14 @@ TEST_CASE("peaks agree with constants computed to 20 digits from the formulas al
       const double theirs = std::stod(row.at(column));
       CHECK((ours == theirs || std::abs(ours - theirs) <= 1e-12 * size));
     };
-    agree("B", p.max_velocity(), p.max_velocity());
-    agree("C_max", p.high(Quantity::Acceleration).value, acceleration);
-    agree("C_min", p.low(Quantity::Acceleration).value, acceleration);
+    agree("C_v", p.max_velocity(), p.max_velocity());
+    agree("C_a_max", p.high(Quantity::Acceleration).value, acceleration);
+    agree("C_a_min", p.low(Quantity::Acceleration).value, acceleration);
     // A peak beside an infinite one is measured by itself.
     const auto own = [&](double value) { return std::isinf(jerk) ? std::abs(value) : jerk; };
-    agree("D_inside_max", p.jerk_inside_highest.value, own(p.jerk_inside_highest.value));
-    agree("D_inside_min", p.jerk_inside_lowest.value, own(p.jerk_inside_lowest.value));
-    agree("Cm", p.max_dynamic_moment(), p.max_dynamic_moment());
+    agree("C_j_inside_max", p.jerk_inside_highest.value, own(p.jerk_inside_highest.value));
+    agree("C_j_inside_min", p.jerk_inside_lowest.value, own(p.jerk_inside_lowest.value));
+    agree("C_Mdyn", p.max_dynamic_moment(), p.max_dynamic_moment());
   }
 }
 
@@ -70,11 +70,11 @@ std::vector<Deviation> known_deviations() {
   constexpr double kPi = std::numbers::pi;
   const double modified_sine_jerk = 16 * kPi * kPi * kPi / (4 + kPi);  // law_notes: (4 pi)^3 / 4
   return {
-      {"modified-sine", "D_max", "69.466358", modified_sine_jerk,
+      {"modified-sine", "C_j_max", "69.466358", modified_sine_jerk,
        "69.4663572887: the last digit is one too high"},
-      {"modified-sine", "D_min", "-23.155453", -modified_sine_jerk / 3,
+      {"modified-sine", "C_j_min", "-23.155453", -modified_sine_jerk / 3,
        "-23.1554524296: the last digit is one too far"},
-      {"half-ellipse-velocity", "Cm", "inf", 32 / (kPi * kPi),
+      {"half-ellipse-velocity", "C_Mdyn", "inf", 32 / (kPi * kPi),
        "s' ~ sqrt(x) vanishes as s'' ~ 1 / sqrt(x) grows: s' s'' = 32 (1 - 2 x) / pi^2 is bounded"},
   };
 }
@@ -116,12 +116,12 @@ TEST_CASE("the reference table of motion laws reproduces to its printed digits")
       const Printed printed = read_printed(text);
       CHECK(std::abs(ours - printed.value) <= printed.half_unit * (1 + 1e-9));
     };
-    compare("B", p.max_velocity());
-    compare("C_max", p.high(Quantity::Acceleration).value);
-    compare("C_min", p.low(Quantity::Acceleration).value);
-    compare("D_max", p.high(Quantity::Jerk).value);
-    compare("D_min", p.low(Quantity::Jerk).value);
-    compare("Cm", p.max_dynamic_moment());
+    compare("C_v", p.max_velocity());
+    compare("C_a_max", p.high(Quantity::Acceleration).value);
+    compare("C_a_min", p.low(Quantity::Acceleration).value);
+    compare("C_j_max", p.high(Quantity::Jerk).value);
+    compare("C_j_min", p.low(Quantity::Jerk).value);
+    compare("C_Mdyn", p.max_dynamic_moment());
   }
   CHECK(deviations == known_deviations().size());
 }

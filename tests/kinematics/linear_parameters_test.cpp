@@ -101,7 +101,7 @@ TEST_CASE("a law is not affine in any other parameter", "[catalogue]") {
     }
   }
   CHECK(names.contains("knots"));
-  CHECK(names.contains("D"));
+  CHECK(names.contains("C_j"));
   CHECK(names.contains(kCrossover));
 }
 

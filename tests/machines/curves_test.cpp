@@ -357,11 +357,11 @@ TEST_CASE("the law's constants are its named peaks", "[mechanism][curves]") {
     const auto proved = [&](const char* name) {
       return proved_peak(*response_of(law_alone(), name, design.binding).curve().trace({}));
     };
-    CHECK(proved("B").lower == Approx(peak.max_velocity()).epsilon(1e-9));
-    CHECK(proved("C").lower == Approx(peak.max_acceleration()).epsilon(1e-9));
-    CHECK(proved("Cm").lower == Approx(peak.max_dynamic_moment()).epsilon(1e-9));
+    CHECK(proved("C_v").lower == Approx(peak.max_velocity()).epsilon(1e-9));
+    CHECK(proved("C_a").lower == Approx(peak.max_acceleration()).epsilon(1e-9));
+    CHECK(proved("C_Mdyn").lower == Approx(peak.max_dynamic_moment()).epsilon(1e-9));
     const double inside = std::max(peak.jerk_inside_highest.value, -peak.jerk_inside_lowest.value);
-    CHECK(proved("D").upper == Approx(inside).epsilon(1e-9));
+    CHECK(proved("C_j").upper == Approx(inside).epsilon(1e-9));
   }
 }
 

@@ -100,7 +100,7 @@ TEST_CASE("a response is asked for by its name, a peak's, a part of a curve, or 
     CHECK(stroke.unit == "mm");
     CHECK(stroke.name == "stroke");
   }
-  CHECK(find_response(law_alone(), "Cm").response->name == "moment");
+  CHECK(find_response(law_alone(), "C_Mdyn").response->name == "moment");
 }
 
 TEST_CASE("a bad response is refused with what there is", "[mechanism]") {

@@ -132,7 +132,7 @@ TEST_CASE("numbers of a helical spring are the spring's", "[springs]") {
   is("working_length", 21 + 5.372);
   is("preload_length", 21 + 5.372 + 20);
   is("free_length", 21 + 5.372 + 30);
-  is("buckling", spring.buckling_share(s2, length, 1));
+  is("buckling", spring.buckling_fraction(s2, length, 1));
   is("mass", spring.mass());
   is("active_mass", spring.active_mass());
   is("surge_frequency", spring.surge_frequency());

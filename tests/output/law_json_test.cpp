@@ -65,9 +65,9 @@ TEST_CASE("numbers keep 17 digits through text and back", "[json]") {
 }
 
 TEST_CASE("every law of the catalogue has the keys that are promised", "[json]") {
-  const std::set<std::string> promised{"name",  "aliases",    "parameters", "B",  "C_max",
-                                       "C_min", "D_max",      "D_min",      "Cm", "lambda",
-                                       "ends",  "continuity", "source"};
+  const std::set<std::string> promised{"name",    "aliases",    "parameters", "C_v",    "C_a_max",
+                                       "C_a_min", "C_j_max",    "C_j_min",    "C_Mdyn", "lambda",
+                                       "ends",    "continuity", "source"};
   for (const Family& family : catalogue()) {
     INFO(family.name);
     const Json object = Json::parse(law_to_json({&family, family.defaults()}).dump());
@@ -93,12 +93,12 @@ TEST_CASE("the constants are the peaks, to the last bit", "[json]") {
     const Member member{&family, family.defaults()};
     const Json object = Json::parse(law_to_json(member).dump());
     const Peaks<double> peak = peaks(member.law());
-    CHECK(number_in(object["B"]) == peak.max_velocity());
-    CHECK(number_in(object["C_max"]) == peak.high(Quantity::Acceleration).value);
-    CHECK(number_in(object["C_min"]) == peak.low(Quantity::Acceleration).value);
-    CHECK(number_in(object["D_max"]) == peak.high(Quantity::Jerk).value);
-    CHECK(number_in(object["D_min"]) == peak.low(Quantity::Jerk).value);
-    CHECK(number_in(object["Cm"]) == peak.max_dynamic_moment());
+    CHECK(number_in(object["C_v"]) == peak.max_velocity());
+    CHECK(number_in(object["C_a_max"]) == peak.high(Quantity::Acceleration).value);
+    CHECK(number_in(object["C_a_min"]) == peak.low(Quantity::Acceleration).value);
+    CHECK(number_in(object["C_j_max"]) == peak.high(Quantity::Jerk).value);
+    CHECK(number_in(object["C_j_min"]) == peak.low(Quantity::Jerk).value);
+    CHECK(number_in(object["C_Mdyn"]) == peak.max_dynamic_moment());
     const auto lambda = limit_index(peak);
     CHECK(object["lambda"].is_number() == lambda.has_value());
     if (lambda) CHECK(object["lambda"].get<double>() == *lambda);
@@ -110,18 +110,18 @@ TEST_CASE("the reference table's laws are there under their names with its const
     INFO(row.at("law"));
     const Json object = object_of(row.at("law"));
     CHECK(object["name"] == row.at("law"));
-    for (const char* key : {"B", "C_max", "C_min", "D_max", "D_min", "Cm"}) {
+    for (const char* key : {"C_v", "C_a_max", "C_a_min", "C_j_max", "C_j_min", "C_Mdyn"}) {
       const std::string& printed = row.at(key);
       if (printed.empty()) continue;
       INFO(key);
       const double expected = std::stod(printed), ours = number_in(object[key]);
       // The table writes infinities without sign, and infinite for the half-ellipse's moment, which
       // is finite: (4/pi) sqrt(1 - u^2) times (4/pi) 2 u / sqrt(1 - u^2), u = 1 - 2x.
-      if (row.at("law") == "half-ellipse-velocity" && key == std::string("Cm")) {
+      if (row.at("law") == "half-ellipse-velocity" && key == std::string("C_Mdyn")) {
         CHECK(ours == Approx(32 / (std::acos(-1.0) * std::acos(-1.0))).epsilon(1e-12));
       } else if (std::isinf(expected)) {
         CHECK(std::abs(ours) == std::abs(expected));
-        CHECK((ours > 0) == (key != std::string("C_min") && key != std::string("D_min")));
+        CHECK((ours > 0) == (key != std::string("C_a_min") && key != std::string("C_j_min")));
       } else {
         // The table has at least four digits.
         CHECK(ours == Approx(expected).epsilon(1e-4));
@@ -144,17 +144,17 @@ TEST_CASE("parameters come with what is set", "[json]") {
 
 TEST_CASE("known laws read as they should", "[json]") {
   const Json parabola = object_of("parabolic");  // 2 x^2 and its mirror image: a jumps from 4 to -4
-  CHECK(parabola["B"].get<double>() == Approx(2).epsilon(1e-14));
-  CHECK(parabola["C_max"].get<double>() == Approx(4).epsilon(1e-14));
-  CHECK(parabola["C_min"].get<double>() == Approx(-4).epsilon(1e-14));
-  CHECK(parabola["D_max"] == "inf");
-  CHECK(parabola["D_min"] == "-inf");
-  CHECK(parabola["Cm"].get<double>() == Approx(8).epsilon(1e-14));
+  CHECK(parabola["C_v"].get<double>() == Approx(2).epsilon(1e-14));
+  CHECK(parabola["C_a_max"].get<double>() == Approx(4).epsilon(1e-14));
+  CHECK(parabola["C_a_min"].get<double>() == Approx(-4).epsilon(1e-14));
+  CHECK(parabola["C_j_max"] == "inf");
+  CHECK(parabola["C_j_min"] == "-inf");
+  CHECK(parabola["C_Mdyn"].get<double>() == Approx(8).epsilon(1e-14));
   CHECK(parabola["lambda"].get<double>() == Approx(1).epsilon(1e-14));
   CHECK(parabola["ends"] == "R-R");
   CHECK(parabola["continuity"] == 1);
   const Json cycloid = object_of("cycloidal");  // s'' = 2 pi sin(2 pi x)
-  CHECK(cycloid["C_max"].get<double>() == Approx(2 * std::acos(-1.0)).epsilon(1e-14));
+  CHECK(cycloid["C_a_max"].get<double>() == Approx(2 * std::acos(-1.0)).epsilon(1e-14));
   CHECK(cycloid["continuity"] == 2);
   CHECK(object_of("harmonic")["ends"] == "U-U");
   CHECK(object_of("harmonic")["lambda"].is_null());

@@ -54,14 +54,14 @@ TEST_CASE("the least acceleration is told of laws from rest to rest alone", "[ru
   REQUIRE(of_open);
   CHECK_FALSE(of_open->least_acceleration);
   CHECK_THAT(text_of(rulers_document(open.answer(), *of_open)), !Contains("the least for"));
-  CHECK(json_of(rulers_document(open.answer(), *of_open))["least_C_for_B"].is_null());
+  CHECK(json_of(rulers_document(open.answer(), *of_open))["least_C_a_for_C_v"].is_null());
   const Answered rest(kFree + "knots = 6\n" + kLeast);
   Rulers of_rest = *rulers(rest.answer(), {});
   CHECK(of_rest.least_acceleration);
   CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)), Contains("the least for"));
   of_rest.peaks.highest[0].value = 2.5;
   CHECK_THAT(text_of(rulers_document(rest.answer(), of_rest)),
-             Contains("the least for a velocity of at most B"));
+             Contains("the least for a velocity of at most C_v"));
 }
 
 TEST_CASE("choices of the answer stay where they would make too many combinations", "[rulers]") {

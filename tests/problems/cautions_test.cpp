@@ -41,12 +41,12 @@ TEST_CASE("a law whose jerk counts and whose acceleration jumps at its ends is n
            "\n[objective]\nminimize = 'C'\n[[constraints]]\nresponse = '" + response +
            "'\nupper = 80\n";
   };
-  const auto jumps = said(law("-5", "D"));  // s''(0) = 6 + 0.6 alpha
+  const auto jumps = said(law("-5", "C_j"));  // s''(0) = 6 + 0.6 alpha
   REQUIRE(jumps.size() == 1);
   CHECK_THAT(jumps[0], Contains("jumps at an end") && Contains("begins with 3 and ends with -3"));
   CHECK(said(law("-5", "jerk")).size() == 1);
-  CHECK(said(law("-10", "D")).empty());  // 3-4-5: from rest to rest
-  CHECK(said(law("-5", "B")).empty());   // nobody asks for the jerk
+  CHECK(said(law("-10", "C_j")).empty());  // 3-4-5: from rest to rest
+  CHECK(said(law("-5", "C_v")).empty());   // nobody asks for the jerk
 }
 
 TEST_CASE("a limit with a wrong unit is named, with what it was read as", "[cautions]") {

@@ -213,9 +213,9 @@ knots = [0.082176287107675938, 0.21569992507168775, 0.29838815160281723, 0.41030
          0.49174498239436387, 0.72312366079203749]
 continuity = 2
 [objective]
-minimize = "C"
+minimize = "C_a"
 [[constraints]]
-response = "B"
+response = "C_v"
 upper = 1.7109375
 [[constraints]]
 response = "velocity"
@@ -236,7 +236,7 @@ begin = 2
 [objective]
 minimize = "highest acceleration"
 [[constraints]]
-response = "B"
+response = "C_v"
 upper = 1.26953125
 [[constraints]]
 response = "velocity"

@@ -241,13 +241,13 @@ TEST_CASE("the nearness to buckling is 1 where a spring buckles", "[springs]") {
   const HelicalSpring<double> spring{0.004, 0.032, 8.5};
   for (const double length : {0.1, 0.15, 0.4}) {
     const double critical = spring.buckling_deflection(length, 1);
-    CHECK(spring.buckling_share(critical, length, 1) == Approx(1));
-    CHECK(spring.buckling_share(0.9 * critical, length, 1) < 1);
-    CHECK(spring.buckling_share(1.1 * critical, length, 1) > 1);
+    CHECK(spring.buckling_fraction(critical, length, 1) == Approx(1));
+    CHECK(spring.buckling_fraction(0.9 * critical, length, 1) < 1);
+    CHECK(spring.buckling_fraction(1.1 * critical, length, 1) > 1);
   }
   // Past a L_0 nothing grows any more, nor does it fall.
-  CHECK(spring.buckling_share(0.07, 0.08, 1) < 1);
-  CHECK(spring.buckling_share(0.079, 0.08, 1) == spring.buckling_share(0.07, 0.08, 1));
+  CHECK(spring.buckling_fraction(0.07, 0.08, 1) < 1);
+  CHECK(spring.buckling_fraction(0.079, 0.08, 1) == spring.buckling_fraction(0.07, 0.08, 1));
 }
 
 }  // namespace camlaw::springs_test
