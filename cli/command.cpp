@@ -3,7 +3,7 @@
 
 namespace camlaw::cli {
 
-Option json_switch(bool& on) { return {"--json", &on, {}, "print JSON"}; }
+Option json_switch(bool& on) { return {"--json", &on, takes::kNothing, "print JSON"}; }
 
 Option set_option(std::vector<std::string>& settings) {
   return {"--set", &settings, takes::kSetting,

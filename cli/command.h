@@ -18,7 +18,7 @@ namespace camlaw::cli {
 namespace takes {
 inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kLaw = "LAW",
                             *kMechanism = "MECHANISM", *kSolver = "SOLVER", *kSystem = "SYSTEM",
-                            *kNumber = "N", *kSetting = "NAME=VALUE";
+                            *kNumber = "N", *kSetting = "NAME=VALUE", *kNothing = "";
 }
 
 /// An option or a positional argument.

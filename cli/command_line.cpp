@@ -82,9 +82,7 @@ std::string usage_error(const Program& program, const CLI::App& app, const CLI::
 }  // namespace
 
 std::vector<Option> common_options(bool* quiet) {
-  return {{"-q,--quiet",
-           quiet,
-           {},
+  return {{"-q,--quiet", quiet, takes::kNothing,
            "print nothing but what was asked for: no progress, no word of files written"}};
 }
 

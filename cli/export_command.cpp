@@ -159,7 +159,10 @@ std::vector<std::string> notes_on(const problems::ReadDesign& design,
 }
 
 int run_export(const ExportOptions& options) {
-  keep_standard_output({options.out});
+  keep_standard_output({options.out}, options.json);
+  if (options.json && !options.out) {
+    throw std::invalid_argument("--json says what was written: name a file with --out");
+  }
   const FormatRow& format = format_of(options);
   check_options(options, format);
   if (ending_of(options.file) == ".db") refuse_study(options.file);
@@ -187,10 +190,8 @@ int run_export(const ExportOptions& options) {
     return status_of(review);
   }
   write_out({}, {{*options.out, text}}, false);
-  if (!is_quiet()) {
-    for (const std::string& line : curve_lines(e)) say("{}\n", line);
-    say_written({{*options.out, ""}});
-  }
+  if (options.json || !is_quiet()) print(export_document(e), options.json);
+  if (!options.json) say_written({{*options.out, ""}});
   return status_of(review);
 }
 

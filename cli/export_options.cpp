@@ -187,7 +187,9 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--depth", &o.depth, "LENGTH", "gcode: the cut is so far below Z = 0, by default '0 mm'"},
       {"--slave", &o.slave, "NAME",
        "table: the curve that the slave follows; by default displacement, else the law"},
-      set_option(o.settings)};
+      set_option(o.settings),
+      {"--json", &o.json, takes::kNothing,
+       "print what is said of the file that --out writes as JSON"}};
 }
 
 }  // namespace camlaw::cli

@@ -19,6 +19,7 @@ struct ExportOptions {
   std::string file;
   Text format, out, curve, tolerance, step, form, decimals, tool, feed, clearance, depth, slave;
   std::vector<std::string> settings;
+  bool json = false;
 };
 
 enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Table };

@@ -41,10 +41,12 @@ std::vector<double> parse_weights(const std::string& text) {
   return weights;
 }
 
-/// The points that are asked for, in words, and which.
-std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& options,
-                                                        const FrontAnswer& answer) {
-  std::vector<std::pair<std::string, std::size_t>> result;
+/// In words, and which of the front's.
+using ChosenPoints = std::vector<std::pair<std::string, std::size_t>>;
+
+/// The points that are asked for.
+ChosenPoints chosen(const FrontCommand& options, const FrontAnswer& answer) {
+  ChosenPoints result;
   const auto all = answer.costs();
   if (options.knee) {
     const auto knee = optim::knee(all, answer.front.tolerances);
@@ -63,6 +65,20 @@ std::vector<std::pair<std::string, std::size_t>> chosen(const FrontCommand& opti
     result.emplace_back("point", static_cast<std::size_t>(number - 1));
   }
   return result;
+}
+
+/// Designs that were chosen; for programs beside the whole front.
+Document chosen_document(const FrontAnswer& answer, const ChosenPoints& points,
+                         std::vector<Document> designs) {
+  Document document, chosen;
+  document.take_facts(json_of(front_document(answer)));
+  document.say(record_text(answer.notes));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    chosen.say(points[i].first + ": ");
+    chosen.add(points[i].first, std::move(designs[i]));
+  }
+  document.add("chosen", std::move(chosen));
+  return document;
 }
 
 /// A point as a result that stands alone, for report and export.
@@ -122,18 +138,10 @@ int run_front(const FrontCommand& options) {
         tolerance_document(answer, design, tolerances_of(answer, design, options.tolerances)));
   }
   write_files(files);
-  if (options.json) {
-    Json object = json_of(front_document(answer));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      object["chosen"][points[i].first] = json_of(designs[i]);
-    }
-    print_data(object.dump(2) + "\n");
-    return status;
-  }
-  print_text(points.empty() ? text_of(front_document(answer)) : record_text(answer.notes));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    say("{}: {}", points[i].first, text_of(designs[i]));
-  }
+  print(
+      points.empty() ? front_document(answer) : chosen_document(answer, points, std::move(designs)),
+      options.json);
+  if (options.json) return status;
   say_written(files);
   if (options.result) say_next("export " + shell_word(*options.result));
   return status;
@@ -143,40 +151,37 @@ int run_front(const FrontCommand& options) {
 
 Command front_command() {
   const auto options = std::make_shared<FrontCommand>();
-  return {
-      .name = "front",
-      .help = "Look at the front that a study has found",
-      .options = {{.names = "FILE",
-                   .target = &options->file,
-                   .takes = takes::kFile,
-                   .help =
-                       "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
-                       "named and does not count",
-                   .required = true},
-                  {"--knee", &options->knee, {}, "the point where the front bends most"},
-                  {"--weights", &options->weights, "A,B",
-                   "the compromise for these weights, one for each objective: 1,2"},
-                  {"--point", &options->point, takes::kNumber, "the point of this number"},
-                  {"--sensitivity",
-                   &options->sensitivity,
-                   {},
-                   "what becomes of the chosen design when it is made with tolerances"},
-                  {"--tolerance", &options->tolerances, takes::kSetting,
-                   "of a variable, name=value; unless stated a hundredth of each value"},
-                  {"--csv", &options->csv, takes::kFile, "write the front here"},
-                  {"--svg", &options->svg, takes::kFile, "draw it here"},
-                  {"--result", &options->result, takes::kFile,
-                   "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
-                   "export'"},
-                  json_switch(options->json)},
-      .examples = {{"camlaw front results/front/study.db", "the points of a study's front"},
-                   {"camlaw front results/front/study.db --knee --sensitivity",
-                    "the design where the front bends most, and what tolerances do to it"},
-                   {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
-                    "a compromise, and the picture"},
-                   {"camlaw front results/front/study.db --knee --result knee.json",
-                    "the design where it bends most, to be drawn and exported"}},
-      .run = [options] { return run_front(*options); }};
+  return {.name = "front",
+          .help = "Look at the front that a study has found",
+          .options =
+              {{.names = "FILE",
+                .target = &options->file,
+                .takes = takes::kFile,
+                .help = "the study's file, of 'camlaw pareto'; what is damaged or wrong in it is "
+                        "named and does not count",
+                .required = true},
+               {"--knee", &options->knee, takes::kNothing, "the point where the front bends most"},
+               {"--weights", &options->weights, "A,B",
+                "the compromise for these weights, one for each objective: 1,2"},
+               {"--point", &options->point, takes::kNumber, "the point of this number"},
+               {"--sensitivity", &options->sensitivity, takes::kNothing,
+                "what becomes of the chosen design when it is made with tolerances"},
+               {"--tolerance", &options->tolerances, takes::kSetting,
+                "of a variable, name=value; unless stated a hundredth of each value"},
+               {"--csv", &options->csv, takes::kFile, "write the front here"},
+               {"--svg", &options->svg, takes::kFile, "draw it here"},
+               {"--result", &options->result, takes::kFile,
+                "write the chosen design here, as a result for 'camlaw report' and 'camlaw "
+                "export'"},
+               json_switch(options->json)},
+          .examples = {{"camlaw front results/front/study.db", "the points of a study's front"},
+                       {"camlaw front results/front/study.db --knee --sensitivity",
+                        "the design where the front bends most, and what tolerances do to it"},
+                       {"camlaw front results/front/study.db --weights 1,2 --svg front.svg",
+                        "a compromise, and the picture"},
+                       {"camlaw front results/front/study.db --knee --result knee.json",
+                        "the design where it bends most, to be drawn and exported"}},
+          .run = [options] { return run_front(*options); }};
 }
 
 }  // namespace camlaw::cli

@@ -111,19 +111,16 @@ int run_reproduce(const ReproduceOptions& options) {
               static_cast<double>(results.size()) / static_cast<double>(systems.size()));
     results.push_back(system->reproduce());
     line.clear();
-    if (json) {
-      all.push_back(json_of(reproduction_document(results.back())));
-      if (system->name == "cam-shape") all.back()["cases"] = cam_shape_cases();
-    } else {
-      print_text(text_of(reproduction_document(results.back())));
-      if (systems.size() > 1) say("\n");
-    }
+    Document document = reproduction_document(results.back());
+    if (systems.size() > 1) document.say("\n");
+    if (json && system->name == "cam-shape") document.fact("cases", cam_shape_cases());
+    if (!json) print(document, false);
+    all.push_back(json_of(document));
   }
-  if (json) {
-    print_data(all.dump(2) + "\n");
-  } else if (systems.size() > 1) {
-    print_text(text_of(counts_table(results)));
-  }
+  Document end;
+  end.take_list(std::move(all));
+  if (systems.size() > 1) end.add(counts_table(results));
+  print(end, json);
   if (options.report) {
     write_files({{*options.report, page_html(reproduction_report(results))}});
     if (!json) say_written({{*options.report, ""}});

@@ -29,12 +29,6 @@ std::string not_below(double value, double within) {
   return fmt::format("{:.4g}", value <= within ? std::min(up, within) : up);
 }
 
-std::string size_text(const ExportedCurve& curve) {
-  if (std::holds_alternative<Chords>(curve.path)) return fmt::format("{} points", curve.size());
-  const bool arcs = std::holds_alternative<problems::ArcPath>(curve.path);
-  return fmt::format("{} {}", curve.size(), arcs ? "arcs and lines" : "cubics");
-}
-
 Json provenance(const Exported& e) {
   const problems::ProblemStatement& statement = e.design.statement;
   const bool holds = e.design.verdict && e.settings.empty();
@@ -45,6 +39,36 @@ Json provenance(const Exported& e) {
           {"set", e.settings}};
 }
 
+/// What a curve is made of.
+const char* pieces_of(const ExportedCurve& curve) {
+  const bool arcs = std::holds_alternative<problems::ArcPath>(curve.path);
+  return std::holds_alternative<Chords>(curve.path) ? "points" : arcs ? "arcs and lines" : "cubics";
+}
+
+/// Of each curve how many pieces it has and how far they depart from it; then the notes.
+std::vector<std::string> curve_lines(const Exported& e) {
+  std::vector<std::string> lines;
+  const double within = e.accuracy.step ? 0 : e.accuracy.tolerance;
+  for (const ExportedCurve& curve : e.curves) {
+    lines.push_back(fmt::format("{}: {} {}, {}, within {} mm of the exact curve", curve.name,
+                                curve.size(), pieces_of(curve), curve.closed ? "closed" : "open",
+                                not_below(curve.worst(), within)));
+  }
+  lines.insert(lines.end(), e.notes.begin(), e.notes.end());
+  return lines;
+}
+
+/// What is known of a curve beside its points.
+Json curve_facts(const ExportedCurve& curve, const Exported& e) {
+  Json facts{{"name", curve.name},
+             {"closed", curve.closed},
+             {"pieces", pieces_of(curve)},
+             {"size", curve.size()},
+             {"worst_deviation_mm", curve.worst()}};
+  if (!e.accuracy.step) facts["tolerance_mm"] = e.accuracy.tolerance;
+  return facts;
+}
+
 Json curve_json(const ExportedCurve& curve, const Exported& e) {
   Json angles = Json::array(), x = Json::array(), y = Json::array();
   for (const auto& point : std::get<Chords>(curve.path).points) {
@@ -52,13 +76,10 @@ Json curve_json(const ExportedCurve& curve, const Exported& e) {
     x.push_back(point.at.x());
     y.push_back(point.at.y());
   }
-  Json result{{"name", curve.name},
-              {"closed", curve.closed},
-              {"worst_deviation_mm", curve.worst()},
-              {"cam_angle_deg", std::move(angles)},
-              {"x_mm", std::move(x)},
-              {"y_mm", std::move(y)}};
-  if (!e.accuracy.step) result["tolerance_mm"] = e.accuracy.tolerance;
+  Json result = curve_facts(curve, e);
+  result["cam_angle_deg"] = std::move(angles);
+  result["x_mm"] = std::move(x);
+  result["y_mm"] = std::move(y);
   return result;
 }
 
@@ -78,18 +99,6 @@ Json motion_json(const Exported& e) {
 
 }  // namespace
 
-std::vector<std::string> curve_lines(const Exported& e) {
-  std::vector<std::string> lines;
-  const double within = e.accuracy.step ? 0 : e.accuracy.tolerance;
-  for (const ExportedCurve& curve : e.curves) {
-    lines.push_back(fmt::format("{}: {}, {}, within {} mm of the exact curve", curve.name,
-                                size_text(curve), curve.closed ? "closed" : "open",
-                                not_below(curve.worst(), within)));
-  }
-  lines.insert(lines.end(), e.notes.begin(), e.notes.end());
-  return lines;
-}
-
 std::vector<std::string> comments_of(const Exported& e) {
   const problems::ProblemStatement& statement = e.design.statement;
   std::vector<std::string> lines;
@@ -102,6 +111,19 @@ std::vector<std::string> comments_of(const Exported& e) {
   if (has_law(e)) lines.push_back(statement.laws.front().listed().label());
   for (std::string& line : curve_lines(e)) lines.push_back(std::move(line));
   return lines;
+}
+
+Document export_document(const Exported& e) {
+  Document document;
+  for (const std::string& line : curve_lines(e)) document.say(line + "\n");
+  Json curves = Json::array();
+  for (const ExportedCurve& curve : e.curves) curves.push_back(curve_facts(curve, e));
+  document.fact("title", e.design.statement.title);
+  document.fact("provenance", provenance(e));
+  document.fact("notes", e.notes);
+  document.fact("curves", curves);
+  document.fact("buildable", buildable_json(problems::buildability(e.design.statement)));
+  return document;
 }
 
 std::string export_csv(const Exported& e) {
@@ -124,22 +146,17 @@ std::string export_csv(const Exported& e) {
 }
 
 Json export_json(const Exported& e) {
-  const problems::ProblemStatement& statement = e.design.statement;
-  Json curves = Json::array();
-  for (const ExportedCurve& curve : e.curves) curves.push_back(curve_json(curve, e));
-  Json law = nullptr;
+  Json file{{"format", kFormat}};
+  file.update(json_of(export_document(e)));
+  file["curves"] = Json::array();
+  for (const ExportedCurve& curve : e.curves) file["curves"].push_back(curve_json(curve, e));
+  file["motion"] = motion_json(e);
+  file["law"] = nullptr;
   if (has_law(e)) {
-    const Member member = statement.laws.front().listed();
-    law = problems::law_file(member.law(), member.label(), provenance(e));
+    const Member member = e.design.statement.laws.front().listed();
+    file["law"] = problems::law_file(member.law(), member.label(), provenance(e));
   }
-  return {{"format", kFormat},
-          {"title", statement.title},
-          {"provenance", provenance(e)},
-          {"notes", e.notes},
-          {"curves", std::move(curves)},
-          {"motion", motion_json(e)},
-          {"buildable", buildable_json(problems::buildability(statement))},
-          {"law", std::move(law)}};
+  return file;
 }
 
 }  // namespace camlaw::cli

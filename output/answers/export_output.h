@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "output/answers/law_json.h"
+#include "output/document/document.h"
 #include "output/export/motion_table.h"
 #include "output/export/tool_path.h"
 #include "problems/law_files/json_text.h"
@@ -27,8 +27,8 @@ struct Exported {
 /// The lines of a comment: title, mechanism and file, verdict, settings, law; of each curve how
 /// many points or pieces it has, and how far it is from the exact curve at most.
 std::vector<std::string> comments_of(const Exported& exported);
-/// Of the curves alone.
-std::vector<std::string> curve_lines(const Exported& exported);
+/// What is said of a file that is written: where it is from, its curves, and notes.
+Document export_document(const Exported& exported);
 
 /// A row for each point: curve, cam angle, x, y, r, theta, how far the curve departs from the
 /// straight line to the next point.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "output/document/formatting.h"
+#include "output/document/printing.h"
 
 namespace camlaw::cli {
 
@@ -46,15 +47,34 @@ Table limits_table(const std::vector<optim::LimitReport>& limits,
   Table table{.key = "constraints",
               .columns = {words("limit", "name"), numbers("value", "value"),
                           numbers("bound", "bound"), data("side"), numbers("margin", "margin"),
-                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met")},
+                          words("unit", "unit"), numbers("at", "worst_angle_deg"), data("met"),
+                          data("tolerance"), words("proved", "proved")},
               .shown = 0};
   for (std::size_t i = 0; i < limits.size(); ++i) {
     std::vector<Cell> cells = limit_cells(limits[i], design.constraints[i]);
     cells.insert(cells.begin(), limits[i].name);
     cells.push_back(datum(limits[i].met));
+    cells.push_back(datum(limits[i].tolerance));
+    cells.push_back(yes_or_no(limits[i].proved));
     table.add(std::move(cells));
   }
   return table;
+}
+
+Document limits_document(const std::vector<optim::LimitReport>& limits,
+                         const problems::ProblemStatement& design) {
+  Document document;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const optim::LimitReport& limit = limits[i];
+    const LimitText text = limit_text(limit, design.constraints[i]);
+    document.say(fmt::format("{} {} = {} {}{}{}\n",
+                             limit.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
+                             limit.name, text.value, with_unit(text.bound, limit.unit),
+                             text.place.empty() ? "" : fmt::format(" (worst at {})", text.place),
+                             limit.met && !limit.proved ? " (not proved)" : ""));
+  }
+  document.add(limits_table(limits, design));
+  return document;
 }
 
 }  // namespace camlaw::cli

@@ -26,10 +26,14 @@ LimitText limit_text(const optim::LimitReport& report, const problems::Constrain
 std::vector<Cell> limit_cells(const optim::LimitReport& report,
                               const problems::ConstraintStatement& stated);
 
-/// How limits stand: name, value, bound, side, margin, unit, the worst place, and whether met. Only
-/// programs read it, unless `shown` is set.
+/// How limits stand: name, value, bound, side, margin, unit, the worst place, whether met, and
+/// whether proved. Only programs read it, unless `shown` is set.
 Table limits_table(const std::vector<optim::LimitReport>& limits,
                    const problems::ProblemStatement& design);
+
+/// The same, for people a line each.
+Document limits_document(const std::vector<optim::LimitReport>& limits,
+                         const problems::ProblemStatement& design);
 
 /// A place of a curve over the cycle: "342.2 deg", along a normalised law "0.8912".
 std::string place_text(double place, const problems::ResponseName& curve);

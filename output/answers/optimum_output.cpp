@@ -53,14 +53,11 @@ Table priced_limits(const Answer& answer) {
   Table table = limits_table(limits, answer.bound.statement());
   table.shown = limits.size();
   table.columns.insert(table.columns.end(),
-                       {data("tolerance"), words("proved", "proved"),
-                        numbers(priced ? "price" : "", "multiplier"), data("at_rest")});
+                       {numbers(priced ? "price" : "", "multiplier"), data("at_rest")});
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const LimitReport& limit = limits[i];
     const bool price = priced && limit.multiplier != 0;
-    table.rows[i].insert(table.rows[i].end(), {datum(limit.tolerance),
-                                               yes_or_no(limit.proved),
-                                               {price ? fmt::format("{:.4g}", limit.multiplier)
+    table.rows[i].insert(table.rows[i].end(), {{price ? fmt::format("{:.4g}", limit.multiplier)
                                                 : priced && limit.at_rest ? "at rest"
                                                                           : "",
                                                 limit.multiplier},
@@ -316,16 +313,20 @@ Document answer_document(const Answer& answer) {
 
 Table scaling_table(const optim::Problem& problem) {
   const optim::Sizes sizes = optim::sizes(problem, problem.start());
-  Table table{.columns = {words("scaling"), numbers("scale"), numbers("tolerance"), words("unit")}};
+  Table table{.key = "scaling",
+              .columns = {words("scaling", "of"), numbers("scale", "scale"),
+                          numbers("tolerance", "tolerance"), words("unit", "unit")},
+              .caption = "\n"};
+  const auto digits = [](double value) { return Cell(in_digits(value), value); };
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
     table.add(
-        {problem.variables[i].name, in_digits(sizes.variables[i]), "", problem.variables[i].unit});
+        {problem.variables[i].name, digits(sizes.variables[i]), {}, problem.variables[i].unit});
   }
-  table.add({problem.objective().response.name + " (objective)", in_digits(sizes.objective),
-             in_digits(sizes.objective_tolerance), problem.objective().response.unit});
+  table.add({problem.objective().response.name + " (objective)", digits(sizes.objective),
+             digits(sizes.objective_tolerance), problem.objective().response.unit});
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    table.add({problem.constraints[i].response.name, in_digits(sizes.constraints[i].size),
-               in_digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
+    table.add({problem.constraints[i].response.name, digits(sizes.constraints[i].size),
+               digits(sizes.constraints[i].tolerance), problem.constraints[i].response.unit});
   }
   return table;
 }

@@ -7,7 +7,6 @@
 
 #include "optim/search/optimise.h"
 #include "output/answers/design_value.h"
-#include "output/answers/law_json.h"
 #include "output/document/document.h"
 #include "output/figure/chart.h"
 #include "problems/law_files/json_text.h"

@@ -79,8 +79,10 @@ std::optional<problems::KnownShape> shape_in(const ProblemStatement& statement,
 }  // namespace
 
 Table shape_table(const ProblemStatement& statement) {
-  Table table{.columns = {words("response"), words("depends on"), words("shape in all"),
-                          words("known by")}};
+  Table table{.key = "shapes",
+              .columns = {words("response", "response"), words("depends on", "depends_on"),
+                          words("shape in all", "shape"), words("known by", "known_by")},
+              .caption = "\n"};
   std::vector<ResponseName> names;
   for (const auto& objective : statement.objectives) names.push_back(objective.response);
   for (const auto& constraint : statement.constraints) names.push_back(constraint.response);
@@ -88,18 +90,22 @@ Table shape_table(const ProblemStatement& statement) {
   for (const ResponseName& name : names) {
     if (!seen.insert(name.name).second) continue;
     std::vector<std::string> parts;
+    Json alone = Json::object();
     std::vector<VariableStatement> together;
     for (const Group& group : groups_of(statement)) {
       if (!depends_on(name, group)) continue;
       const auto shape = shape_in(statement, name, group.variables);
-      parts.push_back(
-          fmt::format("{} ({})", group.name, shape ? words_of(shape->best()) : "chosen"));
+      const char* const word = shape ? words_of(shape->best()) : "chosen";
+      parts.push_back(fmt::format("{} ({})", group.name, word));
+      alone[group.name] = word;
       if (shape) together.insert(together.end(), group.variables.begin(), group.variables.end());
     }
     const auto shape = shape_in(statement, name, together);
-    table.add({name.name,
-               parts.empty() ? "nothing that varies" : fmt::format("{}", fmt::join(parts, ", ")),
-               shape ? words_of(shape->best()) : "", shape ? shape->reason() : ""});
+    table.add(
+        {name.name,
+         {parts.empty() ? "nothing that varies" : fmt::format("{}", fmt::join(parts, ", ")), alone},
+         shape ? words_of(shape->best()) : "",
+         shape ? shape->reason() : ""});
   }
   return table;
 }

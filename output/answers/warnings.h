@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "output/answers/front_answer.h"
-#include "output/answers/law_json.h"
 #include "output/answers/optimum_output.h"
+#include "output/document/json.h"
 #include "output/figure/chart.h"
 
 /// What stands in amber beside a verdict: what the design's machine does not bear though no limit

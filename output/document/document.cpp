@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/document/document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -28,6 +30,12 @@ std::string csv_cell(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
   return value.is_number_float() ? exact(value.get<double>()) : value.dump();
+}
+
+std::string text_in_document(const std::string& lines) { return lines; }
+std::string text_in_document(const Heading& heading) { return heading.text + "\n"; }
+std::string text_in_document(const Table& table) {
+  return table.shown == 0 ? "" : table.caption + text_of(table);
 }
 
 }  // namespace
@@ -153,8 +161,7 @@ void Document::add(const std::string& key, std::vector<Document> others) {
 std::string text_of(const Document& document) {
   std::string text;
   for (const Document::Block& block : document.blocks()) {
-    const auto* table = std::get_if<Table>(&block);
-    text += table != nullptr ? text_of(*table) : std::get<std::string>(block);
+    text += std::visit([](const auto& its) { return text_in_document(its); }, block);
   }
   return text;
 }
@@ -163,6 +170,16 @@ std::string json_text(const Document& document) { return json_of(document).dump(
 
 void print(const Document& document, bool as_json) {
   as_json ? print_data(json_text(document)) : print_text(text_of(document));
+}
+
+void print(const Document& document, const LongList& last) {
+  std::string text = json_text(document);
+  text.erase(text.rfind("\n}"));
+  print_data(text + fmt::format(",\n  {}: [", Json(last.key).dump()));
+  for (std::size_t i = 0; i < last.count; ++i) {
+    print_data((i == 0 ? "\n    " : ",\n    ") + last.object(i).dump());
+  }
+  print_data("\n  ]\n}\n");
 }
 
 }  // namespace camlaw::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,8 +10,9 @@
 #include "output/document/json.h"
 
 /// An answer as a document: what it says is put together once, and each format has one renderer.
-/// People read sentences and tables (text_of here, html_of in output/report/html.h), programs a
-/// JSON object of facts and tables (json_of), spreadsheets one table (csv_of).
+/// People read sentences and tables (text_of here, html_of in output/report/html.h, markdown_of in
+/// markdown.h), programs a JSON object of facts and tables (json_of), spreadsheets one table
+/// (csv_of).
 namespace camlaw::cli {
 
 /// What stands in one place of a table.
@@ -71,6 +73,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::size_t shown = static_cast<std::size_t>(-1);  ///< rows that people read at most; 0: no table
+  std::string caption = {};  ///< lines before it in a document, for people; each ends with "\n"
 
   /// Throws std::logic_error for another number of cells than there are columns.
   void add(std::vector<Cell> cells);
@@ -84,13 +87,26 @@ Json json_of(const Table& table);
 /// where there is no value, lists and objects as JSON.
 std::string csv_of(const Table& table);
 
+struct Heading {
+  std::string text;
+  int level = 2;  ///< on pages; 1 is the page's own
+};
+
+/// A list of objects for programs that is too long to be held: `object` makes them one by one.
+struct LongList {
+  std::string key;
+  std::size_t count;
+  std::function<Json(std::size_t)> object;
+};
+
 /// Sentences, tables and facts in the order in which they are read.
 class Document {
  public:
-  using Block = std::variant<std::string, Table>;
+  using Block = std::variant<std::string, Table, Heading>;
 
   /// Lines for people; each ends with "\n". Nothing is added where there are none.
   void say(std::string lines);
+  void add(Heading heading) { blocks_.emplace_back(std::move(heading)); }
   /// A value for programs.
   template <class Value>
   void fact(const std::string& key, const Value& value) {
@@ -100,6 +116,8 @@ class Document {
   void add(Table table);
   /// Facts among these, such as another document's without what it says.
   void take_facts(const Json& facts) { facts_.update(facts); }
+  /// What programs read is this list, and no facts.
+  void take_list(Json list) { facts_ = std::move(list); }
   /// What another document says, after this, and its facts among these.
   void add(Document other);
   /// The same; its facts are an object of their own.
@@ -118,11 +136,13 @@ class Document {
 };
 
 std::string text_of(const Document& document);
-/// Facts and tables, by their keys.
+/// Facts and tables, by their keys, or a list.
 inline const Json& json_of(const Document& document) { return document.facts(); }
 /// The same as the text of a file.
 std::string json_text(const Document& document);
 /// On standard output, for people or as JSON.
 void print(const Document& document, bool as_json);
+/// As JSON, with a list behind the facts.
+void print(const Document& document, const LongList& last);
 
 }  // namespace camlaw::cli

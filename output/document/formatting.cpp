@@ -47,15 +47,6 @@ std::string to_csv(const std::vector<std::vector<std::string>>& rows) {
   return result;
 }
 
-std::string markdown_cell(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '|') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 std::string shown(double value, int decimals) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";

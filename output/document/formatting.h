@@ -10,9 +10,6 @@ namespace camlaw::cli {
 /// take for a formula, "=..." and the like, gets an apostrophe before it.
 std::string to_csv(const std::vector<std::vector<std::string>>& rows);
 
-/// Text for a cell of a Markdown table.
-std::string markdown_cell(const std::string& text);
-
 /// A number for people: `decimals` places, "inf", "-inf" or "-" for NaN, never "-0.00".
 std::string shown(double value, int decimals);
 /// A number for people: as many digits as 7 of `size`, that of the numbers it stands beside, so

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "output/answers/law_json.h"
+#include "output/document/json.h"
 #include "output/figure/chart.h"
 #include "output/report/design_figure.h"
 #include "problems/law_files/json_text.h"

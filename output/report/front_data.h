@@ -2,7 +2,7 @@
 #pragma once
 
 #include "output/answers/front_answer.h"
-#include "output/answers/law_json.h"
+#include "output/document/json.h"
 #include "output/report/design_figure.h"
 #include "problems/law_files/json_text.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "output/answers/law_json.h"
+#include "output/document/json.h"
 #include "problems/law_files/json_text.h"
 
 namespace camlaw::cli {

@@ -10,6 +10,7 @@
 #include "output/answers/claim_output.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 #include "problems/results/recorded_design.h"
 #include "tests/temporary_folder.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "output/document/markdown.h"
+
 namespace camlaw::cli::document_test {
 namespace {
 
@@ -112,6 +114,51 @@ TEST_CASE("a document is read in its order, and its facts are one object", "[doc
                       {"parts", {{{"share", "inf"}}, {{"share", "inf"}}}},
                       {"share", "inf"}};
   CHECK(json_of(document) == expected);
+}
+
+TEST_CASE("a caption stands before its table, and not where that is not shown", "[document]") {
+  Table table{.columns = {words("law")}, .caption = "of two\n"};
+  table.add({"cubic"});
+  Document document;
+  document.add(table);
+  CHECK(text_of(document) == "of two\nlaw\ncubic\n");
+  table.shown = 0;
+  Document empty;
+  empty.add(table);
+  CHECK(text_of(empty).empty());
+  CHECK(markdown_of(empty).empty());
+}
+
+TEST_CASE("programs may be given a list in place of facts", "[document]") {
+  Document document;
+  document.say("two laws\n");
+  document.take_list({1, 2});
+  CHECK(text_of(document) == "two laws\n");
+  CHECK(json_of(document) == Json{1, 2});
+}
+
+TEST_CASE("a document is a page in Markdown: headings, sentences, columns of pages", "[document]") {
+  Document document;
+  document.add(Heading{"Laws", 1});
+  document.say("Two of them.\n");
+  document.say("\n");
+  document.add(Heading{"smooth"});
+  Table table{.columns = {names("law"), numbers("B").only_on_page(), words("text").only_in_text(),
+                          words("note")},
+              .caption = "\n"};
+  Cell exact{"1.88", 1.875};
+  exact.html = "1.875";
+  table.add({"poly-3-4-5", exact, "no", "|s| <= 1\nC2"});
+  table.add({"", "2", "no", ""});
+  document.add(table);
+  CHECK(markdown_of(document) ==
+        "# Laws\n\nTwo of them.\n\n## smooth\n\n"
+        "| law | B | note |\n|---|--:|---|\n"
+        "| `poly-3-4-5` | 1.875 | \\|s\\| <= 1<br>C2 |\n"
+        "|  | 2 |  |\n");
+  CHECK(text_of(document) ==
+        "Laws\nTwo of them.\n\nsmooth\n\nlaw         text  note\n"
+        "poly-3-4-5  no    |s| <= 1\nC2\n            no\n");
 }
 
 }  // namespace camlaw::cli::document_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/answers/law_json.h"
+#include "output/answers/law_output.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -9,14 +9,18 @@
 #include <set>
 
 #include "kinematics/limits.h"
+#include "kinematics/peaks.h"
+#include "problems/law_files/pieces_json.h"
 #include "tests/kinematics/reference_data.h"
 
-namespace camlaw::cli::law_json_test {
+namespace camlaw::cli::law_output_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-Json object_of(const std::string& text) { return Json::parse(law_to_json(find_law(text)).dump()); }
+/// The law's row of the table, as a program reads it.
+Json object_of(const Member& law) { return Json::parse(json_of(laws_table({law})).front().dump()); }
+Json object_of(const std::string& text) { return object_of(find_law(text)); }
 
 /// A number as the JSON has it, infinities as the issue asks.
 double number_in(const Json& value) {
@@ -70,7 +74,7 @@ TEST_CASE("every law of the catalogue has the keys that are promised", "[json]")
                                        "ends",    "continuity", "source"};
   for (const Family& family : catalogue()) {
     INFO(family.name);
-    const Json object = Json::parse(law_to_json({&family, family.defaults()}).dump());
+    const Json object = object_of({&family, family.defaults()});
     for (const std::string& key : promised) CHECK(object.contains(key));
     CHECK(object["name"] == family.name);
     CHECK(object["aliases"].is_array());
@@ -91,7 +95,7 @@ TEST_CASE("the constants are the peaks, to the last bit", "[json]") {
   for (const Family& family : catalogue()) {
     INFO(family.name);
     const Member member{&family, family.defaults()};
-    const Json object = Json::parse(law_to_json(member).dump());
+    const Json object = object_of(member);
     const Peaks<double> peak = peaks(member.law());
     CHECK(number_in(object["C_v"]) == peak.max_velocity());
     CHECK(number_in(object["C_a_max"]) == peak.high(Quantity::Acceleration).value);
@@ -168,7 +172,7 @@ TEST_CASE("the pieces as JSON give the law's displacement", "[json]") {
     if (!law.is_data()) continue;
     INFO(family.name);
     ++laws;
-    const Json pieces = Json::parse(pieces_to_json(law).dump());
+    const Json pieces = Json::parse(problems::pieces_to_json(law).dump());
     CHECK(pieces.front()["begin"] == 0.0);
     CHECK(pieces.back()["end"] == 1.0);
     for (int i = 0; i <= 64; ++i) {
@@ -182,7 +186,7 @@ TEST_CASE("pieces with curves name them", "[json]") {
   std::set<std::string> curves;
   for (const char* name : {"half-ellipse-velocity", "elliptic n=1.2", "inclined-sinusoid angle=82",
                            "stoddart exponents=3,4.5,6"}) {
-    for (const Json& piece : pieces_to_json(find_law(name).law())) {
+    for (const Json& piece : problems::pieces_to_json(find_law(name).law())) {
       for (const Json& term : piece["curves"]) curves.insert(term["curve"].get<std::string>());
     }
   }
@@ -194,7 +198,7 @@ TEST_CASE("enclosures hold the constants between them", "[json]") {
     INFO(name);
     const Member member = find_law(name);
     const Json object = object_of(name);
-    const Json proof = Json::parse(enclosures_to_json(peaks(member.law<Interval>())).dump());
+    const Json proof = Json::parse(json_text(law_document(member)))["enclosures"];
     CHECK(proof.size() == 6);
     for (const auto& [key, bounds] : proof.items()) {
       INFO(key);
@@ -205,4 +209,4 @@ TEST_CASE("enclosures hold the constants between them", "[json]") {
   }
 }
 
-}  // namespace camlaw::cli::law_json_test
+}  // namespace camlaw::cli::law_output_test

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/check_output.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <stdexcept>
+
+#include "optim/problem/check_derivatives.h"
+#include "output/answers/optimum_output.h"
+#include "output/answers/shape_output.h"
+#include "output/answers/warnings.h"
+#include "output/document/formatting.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::BoundProblem, problems::ProblemStatement;
+
+/// The first combination with each law, and each objective: laws differ in their formulas, other
+/// choices only in numbers.
+class Variants {
+ public:
+  explicit Variants(BoundProblem bound) : bound_(std::move(bound)) {}
+
+  std::size_t size() const { return count_of_laws() * objectives().size(); }
+  std::string label(std::size_t i) const {
+    std::string text = has_laws() ? "law " + choices().front().options[i % count_of_laws()] : "";
+    if (objectives().size() > 1) {
+      text += (text.empty() ? "" : ", ") + objectives()[i / count_of_laws()].response.name;
+    }
+    return text;
+  }
+  optim::Problem problem(std::size_t i) const {
+    std::vector<std::size_t> chosen(choices().size(), 0);
+    if (has_laws()) chosen.front() = i % count_of_laws();
+    return bound_.problem(chosen).alone(i / count_of_laws());
+  }
+
+ private:
+  const std::vector<optim::Choice>& choices() const { return bound_.choices(); }
+  const std::vector<problems::ObjectiveStatement>& objectives() const {
+    return bound_.statement().objectives;
+  }
+  bool has_laws() const { return bound_.statement().chooses_law(); }
+  std::size_t count_of_laws() const { return has_laws() ? choices().front().options.size() : 1; }
+
+  BoundProblem bound_;
+};
+
+/// What varies, what is sought and what must hold, for programs; people read it in words.
+void add_statement(const ProblemStatement& statement, Document& document) {
+  Table variables{.key = "variables",
+                  .columns = {data("name"), data("unit"), data("lower"), data("upper"),
+                              data("start"), data("integer"), data("values")},
+                  .shown = 0};
+  for (const auto& v : statement.variables) {
+    variables.add({datum(v.name), datum(v.unit), datum(v.lower), datum(v.upper), datum(v.start),
+                   datum(v.integer), datum(v.values)});
+  }
+  Table objectives{
+      .key = "objectives", .columns = {data("name"), data("unit"), data("sense")}, .shown = 0};
+  for (const auto& o : statement.objectives) {
+    objectives.add({datum(o.response.name), datum(o.response.unit),
+                    datum(o.sense == optim::Sense::Minimize ? "minimize" : "maximize")});
+  }
+  Table constraints{.key = "constraints",
+                    .columns = {data("name"), data("unit"), data("lower"), data("upper")},
+                    .shown = 0};
+  for (const auto& c : statement.constraints) {
+    constraints.add(
+        {datum(c.response.name), datum(c.response.unit), datum(c.lower), datum(c.upper)});
+  }
+  document.fact("title", statement.title);
+  document.fact("mechanism", statement.mechanism->name);
+  document.add(std::move(variables));
+  document.add(std::move(objectives));
+  document.add(std::move(constraints));
+  const std::string words = problems::in_words(statement);
+  document.say(words);
+  document.fact("words", words);
+}
+
+/// "d(force)/d(alpha and stroke) at 12", its parts for programs; nothing where there is none.
+Cell derivative_cell(const optim::DerivativeEntry& entry) {
+  if (entry.response.empty()) return {};
+  const std::string by = entry.second.empty()
+                             ? entry.variable
+                             : fmt::format("{} and {}", entry.variable, entry.second);
+  return {fmt::format("d({})/d({}){}", entry.response, by,
+                      entry.angle ? fmt::format(" at {:.6g}", *entry.angle) : ""),
+          Json{{"response", entry.response},
+               {"variable", entry.variable},
+               {"second", entry.second.empty() ? Json(nullptr) : Json(entry.second)},
+               {"angle", json_value(entry.angle)}}};
+}
+
+/// What differences say of the derivatives, and samples of the shapes; whether they agree.
+bool add_derivatives(const Variants& variants, Document& document) {
+  Table table{.key = "derivatives",
+              .columns = {words("of", "of"), numbers("derivatives", "entries"),
+                          words("agree", "agrees"), words("worst", "worst"),
+                          numbers("exact", "exact"), numbers("by differences", "difference"),
+                          numbers("error", "error"), data("shapes")},
+              .caption = "\n"};
+  table.columns.front().in_text = variants.size() > 1;
+  bool agrees = true, are_right = true;
+  std::size_t count = 0;
+  std::string shapes;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const optim::Problem problem = variants.problem(i);
+    const auto result = optim::check_derivatives(problem, problem.start());
+    const optim::DerivativeEntry& worst = result.worst;
+    table.add({variants.label(i),
+               {fmt::format("{}", result.entries), result.entries},
+               yes_or_no(result.agrees),
+               derivative_cell(worst),
+               {in_digits(worst.exact, 12), worst.exact},
+               {in_digits(worst.difference, 12), worst.difference},
+               {fmt::format("{:.1e}", worst.error), worst.error},
+               datum(result.shapes)});
+    count += result.entries;
+    agrees = agrees && result.agrees;
+    are_right = are_right && result.shapes.empty();
+    for (const std::string& shape : result.shapes) shapes += shape + "\n";
+  }
+  document.add(std::move(table));
+  document.say(fmt::format("{} derivatives compared with differences: {}\n", count,
+                           agrees ? "all agree" : "they do not agree"));
+  document.say(shapes);
+  document.fact("compared", count);
+  document.fact("agrees", agrees && are_right);
+  return agrees && are_right;
+}
+
+}  // namespace
+
+CheckedProblem checked_problem(const ProblemStatement& statement, CheckAsked asked,
+                               const std::string& file) {
+  if (statement.objectives.empty() && (asked.derivatives || asked.scaling)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: {} looks at the objective, and there is none; write [objective] minimize = \"...\"",
+        file, asked.scaling ? "--scaling" : "--derivatives"));
+  }
+  std::optional<Variants> variants;
+  if (!statement.objectives.empty()) {
+    variants.emplace(BoundProblem(statement));  // or says why not
+    for (std::size_t i = 0; i < variants->size(); ++i) variants->problem(i).check();
+  }
+  CheckedProblem checked;
+  Document& document = checked.document;
+  add_statement(statement, document);
+  if (variants) document.add(shape_table(statement));
+  const Warnings doubts = doubts_of(statement);
+  document.say(warnings_text(doubts));
+  document.fact("warnings", doubts);
+  if (asked.scaling) document.add(scaling_table(variants->problem(0)));
+  if (asked.derivatives) checked.agrees = add_derivatives(*variants, document);
+  return checked;
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/evaluation_output.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/answers/buildable_output.h"
+#include "output/answers/limit_text.h"
+#include "output/answers/segments_output.h"
+#include "output/answers/warnings.h"
+#include "output/document/formatting.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::EvaluatedResponse;
+using problems::ProblemStatement;
+
+/// Numbers, and of curves the extremes.
+Table response_table(const std::vector<EvaluatedResponse>& responses) {
+  Table table{.columns = {words("response"), numbers("value"), numbers("lowest"), numbers("at"),
+                          numbers("highest"), numbers("at"), words("unit"), words("meaning")}};
+  for (const EvaluatedResponse& r : responses) {
+    const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
+    const auto place = [&](double value) {
+      return with_unit(fmt::format("{:.4g}", value + 0.0), r.along);
+    };
+    if (r.is_curve) {
+      table.add({r.name, "", significant(r.lowest, size), place(r.lowest_at),
+                 significant(r.highest, size), place(r.highest_at), r.unit, r.meaning});
+    } else {
+      table.add(
+          {r.name, significant(r.value, std::abs(r.value)), "", "", "", "", r.unit, r.meaning});
+    }
+  }
+  return table;
+}
+
+/// Says which numbers are extremes of samples only; empty where intervals prove all of them.
+std::string sampled_text(const std::vector<EvaluatedResponse>& responses) {
+  std::vector<std::string> names;
+  for (const EvaluatedResponse& r : responses) {
+    const bool number = r.is_curve ? std::isfinite(r.highest - r.lowest) : std::isfinite(r.value);
+    if (!r.proved && number) names.push_back(r.name);
+  }
+  if (names.empty()) return {};
+  return fmt::format("sampled, not proved over the whole cycle: {}\n", fmt::join(names, ", "));
+}
+
+Json responses_json(const std::vector<EvaluatedResponse>& responses) {
+  Json values = Json::object();
+  for (const EvaluatedResponse& r : responses) {
+    if (r.is_curve) {
+      values[r.name] = {{"lowest", to_json(r.lowest)},
+                        {"lowest_at", r.lowest_at},
+                        {"highest", to_json(r.highest)},
+                        {"highest_at", r.highest_at},
+                        {"unit", r.unit},
+                        {"along", r.along},
+                        {"proved", r.proved}};
+    } else {
+      values[r.name] = {{"value", to_json(r.value)}, {"unit", r.unit}};
+      if (!r.proved) values[r.name]["proved"] = false;
+    }
+  }
+  return values;
+}
+
+Json constants_json(const ProblemStatement& statement) {
+  Json constants = Json::object();
+  const auto& parameters = statement.mechanism->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    constants[parameters[i].name] = {{"value", statement.constants[i]},
+                                     {"unit", parameters[i].unit}};
+  }
+  return constants;
+}
+
+}  // namespace
+
+Document evaluation_document(const ProblemStatement& statement,
+                             const std::vector<EvaluatedResponse>& responses,
+                             const std::vector<optim::LimitReport>& limits,
+                             const ClaimReview& review) {
+  Document document;
+  if (!statement.title.empty()) document.say(statement.title + "\n");
+  document.fact("title", statement.title);
+  document.fact("mechanism", statement.mechanism->name);
+  const bool moved = statement.mechanism->moved_by != problems::MovedBy::Nothing;
+  if (moved) document.say(fmt::format("law {}\n", statement.laws.front().label()));
+  document.fact("law", moved ? Json(statement.laws.front().name()) : Json(nullptr));
+  document.fact("constants", constants_json(statement));
+  document.say("\n");
+  document.add(response_table(responses));
+  document.say(sampled_text(responses));
+  document.fact("responses", responses_json(responses));
+  if (moved) add_segments(statement.laws.front(), document);
+  if (!limits.empty()) document.say("\n");
+  document.add(limits_document(limits, statement));
+  document.add(buildable_document(problems::buildability(statement)));
+  const Warnings warnings = warnings_of(statement);
+  document.say(warnings_text(warnings));
+  document.fact("warnings", warnings);
+  document.say(record_text(review.words()));
+  document.fact("record", review_json(review));
+  return document;
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/mechanism_output.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "machines/model/response_text.h"
+#include "machines/registry.h"
+#include "output/document/formatting.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::Mechanism, problems::MovedBy;
+
+/// What moves a mechanism, for people and for programs.
+Cell mover_of(const Mechanism& mechanism) {
+  switch (mechanism.moved_by) {
+    case MovedBy::Law:
+      return {"a law, [law]", "law"};
+    case MovedBy::Program:
+      return {"a motion program, [program]", "program"};
+    case MovedBy::Nothing:
+      break;
+  }
+  return {"its geometry", "nothing"};
+}
+
+const char* word_of(optim::Part part) {
+  switch (part) {
+    case optim::Part::Highest:
+      return "highest";
+    case optim::Part::Lowest:
+      return "lowest";
+    case optim::Part::Magnitude:
+      return "peak";
+    case optim::Part::Value:
+      break;
+  }
+  return "value";
+}
+
+/// A table that stands apart from what is before it; people do not see one without rows.
+void add_apart(Table table, Document& document) {
+  table.caption = "\n";
+  table.shown = table.rows.size();
+  document.add(std::move(table));
+}
+
+Table mechanism_parameters(const Mechanism& mechanism) {
+  Table table{
+      .key = "parameters",
+      .columns = {names("parameter", "name"), words("symbol", "symbol"),
+                  numbers("default", "default"), numbers("accepted"), data("lower"), data("upper"),
+                  data("integer"), words("unit", "unit"), words("meaning", "meaning")}};
+  for (const auto& p : mechanism.parameters) {
+    table.add({p.name,
+               p.symbol,
+               {fmt::format("{:g}", p.default_value), p.default_value},
+               fmt::format("{:g} .. {:g}{}", p.low, p.high, p.integer ? ", integer" : ""),
+               datum(p.low),
+               datum(p.high),
+               datum(p.integer),
+               {shown_unit(p.unit), p.unit},
+               p.meaning});
+  }
+  return table;
+}
+
+Table mechanism_responses(const Mechanism& mechanism) {
+  Table table{.key = "responses",
+              .columns = {names("response", "name"), words("kind", "curve"), data("along"),
+                          data("uses"), words("unit", "unit"), words("meaning", "meaning")}};
+  for (const auto& r : mechanism.responses) {
+    const bool is_curve = static_cast<bool>(r.curve);
+    std::vector<std::string> uses;
+    for (const std::size_t i : r.uses) uses.push_back(mechanism.parameters[i].name);
+    table.add({r.name,
+               {is_curve ? "curve" : "number", is_curve},
+               datum(is_curve ? Json(r.along) : Json(nullptr)),
+               datum(uses),
+               {shown_unit(r.unit), r.unit},
+               r.meaning});
+  }
+  return table;
+}
+
+Table mechanism_peaks(const Mechanism& mechanism) {
+  Table table{.key = "peaks",
+              .columns = {names("response", "name"), words("is the", "part"), names("of", "curve"),
+                          words("meaning", "meaning")}};
+  for (const auto& p : mechanism.peaks) table.add({p.name, word_of(p.part), p.curve, p.meaning});
+  return table;
+}
+
+/// What a check needs that a problem must state: "speed and one of spring_rate, load".
+std::string needs_of(const problems::BuildableCheck& check) {
+  std::vector<std::string> needs = check.needs;
+  if (!check.one_of.empty()) {
+    needs.push_back(fmt::format("one of {}", fmt::join(check.one_of, ", ")));
+  }
+  if (!check.input.empty()) {
+    needs.push_back(fmt::format("{}, else {}", check.input, check.standard));
+  }
+  return fmt::format("{}", fmt::join(needs, "; "));
+}
+
+Table mechanism_checks(const Mechanism& mechanism) {
+  Table table{.key = "checks",
+              .columns = {names("check", "name"), words("limits", "response"), data("side"),
+                          words("needs", "needs"), data("one_of"), data("input"),
+                          words("where it fails", "fault")}};
+  for (const auto& check : mechanism.checks) {
+    table.add({check.name,
+               {fmt::format("{} from {}", check.response, check.is_upper ? "above" : "below"),
+                check.response},
+               datum(check.is_upper ? "upper" : "lower"),
+               {needs_of(check), check.needs},
+               datum(check.one_of),
+               datum(check.input.empty() ? Json(nullptr) : Json(check.input)),
+               check.fault});
+  }
+  return table;
+}
+
+Table mechanism_inputs(const Mechanism& mechanism) {
+  Table table{.key = "inputs",
+              .columns = {names("of [buildable]", "name"), words("unit", "unit"),
+                          words("meaning", "meaning")}};
+  for (const auto& input : mechanism.inputs) table.add({input.name, input.unit, input.meaning});
+  return table;
+}
+
+}  // namespace
+
+Document mechanism_document(const Mechanism& mechanism) {
+  const std::string earlier{problems::earlier_name(mechanism)};
+  const Cell mover = mover_of(mechanism);
+  Document document;
+  document.add(Heading{mechanism.name});
+  document.say(fmt::format("{}.\nMoved by {}. Source: {}.\n", mechanism.title, mover.text,
+                           mechanism.source));
+  if (!earlier.empty()) {
+    document.say(fmt::format("Its earlier name, {}, is accepted too.\n", earlier));
+  }
+  document.fact("name", mechanism.name);
+  document.fact("earlier_name", earlier.empty() ? Json(nullptr) : Json(earlier));
+  document.fact("title", mechanism.title);
+  document.fact("source", mechanism.source);
+  document.fact("moved_by", mover.value);
+  add_apart(mechanism_parameters(mechanism), document);
+  add_apart(mechanism_responses(mechanism), document);
+  add_apart(mechanism_peaks(mechanism), document);
+  add_apart(mechanism_checks(mechanism), document);
+  add_apart(mechanism_inputs(mechanism), document);
+  return document;
+}
+
+Document mechanisms_document() {
+  Document document;
+  Table table{.columns = {words("mechanism"), words("moved by"), numbers("parameters"),
+                          numbers("responses"), words("title")}};
+  Json list = Json::array();
+  for (const Mechanism& m : problems::mechanisms()) {
+    table.add({m.name, mover_of(m), fmt::format("{}", m.parameters.size()),
+               fmt::format("{}", m.responses.size() + m.peaks.size()), m.title});
+    list.push_back(json_of(mechanism_document(m)));
+  }
+  document.add(std::move(table));
+  document.take_list(std::move(list));
+  document.say("\n'camlaw mechanisms NAME' lists one mechanism's parameters and responses.\n");
+  return document;
+}
+
+Document mechanisms_page() {
+  Document page;
+  page.add(Heading{"Mechanisms of problem files", 1});
+  page.say(
+      "Printed by `camlaw mechanisms --markdown` from the code. A file names one, sets or varies "
+      "its\nparameters and asks about its responses ([problem-files.md](problem-files.md)). A "
+      "curve is asked about as\n`peak`, `highest` or `lowest` of it.\n");
+  for (const Mechanism& m : problems::mechanisms()) page.add(mechanism_document(m));
+  return page;
+}
+
+Document formula_document(const Mechanism& mechanism, const std::string& asked) {
+  const problems::ResponseName name = find_response(mechanism, asked);
+  if (name.response == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("{} is a parameter of {}, which has no formula", asked, mechanism.name));
+  }
+  const std::string formula = formula_text(mechanism, *name.response);
+  Document document;
+  document.say(fmt::format("{}\nin {}; the formula counts in the units of the SI and in rad\n",
+                           formula, shown_unit(name.response->unit)));
+  document.fact("mechanism", mechanism.name);
+  document.fact("response", name.response->name);
+  document.fact("unit", name.response->unit);
+  document.fact("formula", formula);
+  return document;
+}
+
+}  // namespace camlaw::cli
