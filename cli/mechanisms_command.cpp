@@ -15,7 +15,7 @@ namespace {
 struct MechanismsOptions {
   std::string name;
   std::optional<std::string> formula;
-  bool json = false, markdown = false;
+  bool json = false, markdown = false, formulas = false;
 };
 
 /// What is asked for; without a name all of them.
@@ -33,7 +33,13 @@ int show_mechanisms(const MechanismsOptions& options) {
   if (options.markdown && !options.name.empty()) {
     throw std::invalid_argument("--markdown: the page has all mechanisms; leave out NAME");
   }
-  if (options.markdown) {
+  if (options.formulas && (options.name.empty() || options.formula || options.json)) {
+    throw std::invalid_argument(
+        "--formulas: the page has the formulas of one mechanism; write NAME --formulas");
+  }
+  if (options.formulas) {
+    print_data(markdown_of(formulas_page(problems::find_mechanism(options.name))));
+  } else if (options.markdown) {
     print_data(markdown_of(mechanisms_page()));
   } else {
     print(asked_for(options), options.json);
@@ -45,26 +51,34 @@ int show_mechanisms(const MechanismsOptions& options) {
 
 Command mechanisms_command() {
   const auto options = std::make_shared<MechanismsOptions>();
-  return {.name = "mechanisms",
-          .help = "List the mechanisms of problem files",
-          .options = {{"NAME", &options->name, takes::kMechanism,
-                       "one mechanism, with its parameters and responses"},
-                      json_switch(options->json),
-                      {.names = "--markdown",
-                       .target = &options->markdown,
-                       .takes = {},
-                       .help = "print the page docs/mechanisms.md",
-                       .excludes = "--json"},
-                      {.names = "--formula",
-                       .target = &options->formula,
-                       .takes = "RESPONSE",
-                       .help = "print the formula of one response of the mechanism"}},
-          .examples = {{"camlaw mechanisms", "what a problem file may be about"},
-                       {"camlaw mechanisms disc-cam-roller",
-                        "its parameters and responses, with units and meanings"},
-                       {"camlaw mechanisms die-press --formula running_stress",
-                        "how one response is worked out"}},
-          .run = [options] { return show_mechanisms(*options); }};
+  return {
+      .name = "mechanisms",
+      .help = "List the mechanisms of problem files",
+      .options =
+          {{"NAME", &options->name, takes::kMechanism,
+            "one mechanism, with its parameters and responses"},
+           json_switch(options->json),
+           {.names = "--markdown",
+            .target = &options->markdown,
+            .takes = {},
+            .help = "print the page docs/mechanisms.md",
+            .excludes = "--json"},
+           {.names = "--formulas",
+            .target = &options->formulas,
+            .takes = {},
+            .help =
+                "print a page of docs/machine-formulas: every formula of the mechanism, in LaTeX",
+            .excludes = "--markdown"},
+           {.names = "--formula",
+            .target = &options->formula,
+            .takes = "RESPONSE",
+            .help = "print the formula of one response of the mechanism"}},
+      .examples = {{"camlaw mechanisms", "what a problem file may be about"},
+                   {"camlaw mechanisms disc-cam-roller",
+                    "its parameters and responses, with units and meanings"},
+                   {"camlaw mechanisms die-press --formula running_stress",
+                    "how one response is worked out"}},
+      .run = [options] { return show_mechanisms(*options); }};
 }
 
 }  // namespace camlaw::cli

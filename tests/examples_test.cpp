@@ -2,11 +2,16 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "machines/registry.h"
+
 namespace {
+
+constexpr const char* kFormulas = CAMLAW_SOURCE_DIR "/docs/machine-formulas";
 
 std::string file_text(const std::string& path) {
   std::ifstream stream(path);
@@ -66,4 +71,17 @@ TEST_CASE("the page of mechanisms is what the program prints", "[documents]") {
   const std::string page = output_of(CAMLAW_PROGRAM " mechanisms --markdown");
   CHECK(page.find("## disc-cam-roller") != std::string::npos);
   CHECK(page == file_text(CAMLAW_SOURCE_DIR "/docs/mechanisms.md"));
+}
+
+TEST_CASE("the pages of the machines' formulas are what they are computed by", "[documents]") {
+  std::size_t pages = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kFormulas)) {
+    INFO(entry.path());
+    const std::string page =
+        output_of(CAMLAW_PROGRAM " mechanisms " + entry.path().stem().string() + " --formulas");
+    CHECK(page.find("&= ") != std::string::npos);
+    CHECK(page == file_text(entry.path()));
+    ++pages;
+  }
+  CHECK(pages == camlaw::problems::mechanisms().size());
 }

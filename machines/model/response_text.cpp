@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "machines/model/recorded_response.h"
 #include "numerics/formula/expression.h"
+#include "numerics/formula/formula_latex.h"
 #include "numerics/formula/formula_lines.h"
 #include "numerics/formula/unit_factor.h"
 #include "numerics/text/dimension.h"
@@ -20,9 +24,9 @@ bool scales_by(const std::vector<Step>& steps, const Step& step, double factor) 
          steps[step.a].value == factor;
 }
 
-}  // namespace
-
-std::string formula_text(const Mechanism& mechanism, const MechanismResponse& response) {
+/// The lines of a formula, the response's name before the last.
+std::vector<FormulaLines::Line> response_lines(const Mechanism& mechanism,
+                                               const MechanismResponse& response) {
   if (!response.write) {
     throw std::invalid_argument(
         fmt::format("{}: {} is not one formula: it is integrated over the cycle", mechanism.name,
@@ -47,11 +51,48 @@ std::string formula_text(const Mechanism& mechanism, const MechanismResponse& re
   auto value = static_cast<std::uint32_t>(steps.size() - 1);
   const UnitFactor from_si(si_unit(response.unit).unit, response.unit);
   if (scales_by(steps, steps[value], from_si.as<double>())) value = steps[value].b;
+  std::vector<FormulaLines::Line> lines = lines_of(formula, value, name_of).lines;
+  lines.back().name = response.name;
+  return lines;
+}
+
+/// A parameter by its symbol, the law's s, v, a, j as derivatives of s, t1, t2, ... with an index.
+std::string latex_name(const Mechanism& mechanism, const std::string& name) {
+  constexpr std::pair<std::string_view, const char*> kOfLaw[] = {
+      {"s", "s"}, {"v", "s'"}, {"a", "s''"}, {"j", "s'''"}, {"x", "x"}, {"angle", "\\varphi"}};
+  for (const auto& [ours, set] : kOfLaw) {
+    if (name == ours) return set;
+  }
+  for (const MechanismParameter& p : mechanism.parameters) {
+    if (p.name == name) return latex_symbol(p.symbol.empty() ? p.name : p.symbol);
+  }
+  const bool is_step = name.size() > 1 &&
+                       std::string_view("tuy").find(name[0]) != std::string_view::npos &&
+                       name.find_first_not_of("0123456789", 1) == std::string::npos;
+  if (is_step || name == "pi") return latex_symbol(name);
+  std::string words;
+  for (const char c : name) words += c == '_' ? ' ' : c;
+  return fmt::format("\\text{{{}}}", words);
+}
+
+}  // namespace
+
+std::string formula_text(const Mechanism& mechanism, const MechanismResponse& response) {
   std::string text;
-  for (const FormulaLines::Line& line : lines_of(formula, value, name_of).lines) {
-    text += fmt::format("{} = {}\n", line.name.empty() ? response.name : line.name, line.text);
+  for (const FormulaLines::Line& line : response_lines(mechanism, response)) {
+    text += fmt::format("{} = {}\n", line.name, line.text);
   }
   return text;
+}
+
+std::string formula_latex(const Mechanism& mechanism, const MechanismResponse& response) {
+  const auto set = [&](const std::string& name) { return latex_name(mechanism, name); };
+  std::string text;
+  for (const FormulaLines::Line& line : response_lines(mechanism, response)) {
+    text += fmt::format("{}{} &= {}", text.empty() ? "" : " \\\\\n", set(line.name),
+                        latex_of(parse_formula(line.text), set));
+  }
+  return fmt::format("\\begin{{aligned}}\n{}\n\\end{{aligned}}", text);
 }
 
 }  // namespace camlaw::problems

@@ -12,4 +12,8 @@ namespace camlaw::problems {
 /// where the response is not a formula.
 std::string formula_text(const Mechanism& mechanism, const MechanismResponse& response);
 
+/// The same in LaTeX, "\begin{aligned} ... \end{aligned}": parameters by their symbols, of the law
+/// s and its derivatives. Throws as formula_text.
+std::string formula_latex(const Mechanism& mechanism, const MechanismResponse& response);
+
 }  // namespace camlaw::problems

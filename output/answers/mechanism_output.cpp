@@ -180,8 +180,28 @@ Document mechanisms_page() {
   page.say(
       "Printed by `camlaw mechanisms --markdown` from the code. A file names one, sets or varies "
       "its\nparameters and asks about its responses ([problem-files.md](problem-files.md)). A "
-      "curve is asked about as\n`peak`, `highest` or `lowest` of it.\n");
+      "curve is asked about as\n`peak`, `highest` or `lowest` of it. The formulas of each are in "
+      "[machine-formulas](machine-formulas).\n");
   for (const Mechanism& m : problems::mechanisms()) page.add(mechanism_document(m));
+  return page;
+}
+
+Document formulas_page(const Mechanism& mechanism) {
+  Document page;
+  page.add(Heading{fmt::format("Formulas of {}", mechanism.name), 1});
+  page.say(fmt::format(
+      "Printed by `camlaw mechanisms {0} --formulas` from what is computed. Quantities are in the "
+      "units of the SI and\nangles in rad; a response is then given in the unit beside its name. "
+      "The symbols are those of\n[mechanisms.md](../mechanisms.md#{0}). $s$ is the displacement "
+      "in strokes over the cycle $x$ from 0 to 1, $\\varphi$ the angle of\na shaft. "
+      "$[\\dots]_{{y > 0}}$ has a value only where $y$ is positive.\n",
+      mechanism.name));
+  for (const auto& response : mechanism.responses) {
+    if (!response.write) continue;
+    page.say(fmt::format("\n`{}`, {}: {}\n\n$$\n{}\n$$\n", response.name,
+                         response.unit == "1" ? "a plain number" : response.unit, response.meaning,
+                         formula_latex(mechanism, response)));
+  }
   return page;
 }
 
@@ -199,6 +219,7 @@ Document formula_document(const Mechanism& mechanism, const std::string& asked) 
   document.fact("response", name.response->name);
   document.fact("unit", name.response->unit);
   document.fact("formula", formula);
+  document.fact("latex", formula_latex(mechanism, *name.response));
   return document;
 }
 

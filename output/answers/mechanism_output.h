@@ -13,6 +13,8 @@ namespace camlaw::cli {
 Document mechanisms_document();
 /// The page docs/mechanisms.md.
 Document mechanisms_page();
+/// A page of docs/machine-formulas: every formula of a mechanism.
+Document formulas_page(const problems::Mechanism& mechanism);
 /// One with its parameters, responses and checks.
 Document mechanism_document(const problems::Mechanism& mechanism);
 /// The formula of one response. Throws std::invalid_argument where it has none.
