@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 
 #include "problems/statement/parameters.h"
+#include "python/bindings/curve_blocks.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
 
@@ -83,92 +83,22 @@ struct BatchColumn {
   std::vector<double> values;
 };
 
-/// A curve of one design, sampled. The samples come from its record in blocks, which is many times
-/// faster than its derivatives, place by place.
+/// A curve of one design, sampled by itself.
 class SampledCurve {
  public:
-  explicit SampledCurve(std::unique_ptr<const optim::Trace> trace) : trace_(std::move(trace)) {
-    constexpr int kSamples = 144, kLeast = 8;
-    const std::vector<double> breaks = trace_->breaks();
-    const double cycle = breaks.back() - breaks.front();
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-      const double share = (breaks[k + 1] - breaks[k]) / cycle;
-      const int steps = std::max(kLeast, static_cast<int>(kSamples * share));
-      const auto here = optim::even_places(breaks[k], breaks[k + 1], steps);
-      begins_.push_back(places_.size());
-      places_.insert(places_.end(), here.begin(), here.end());
-    }
-    begins_.push_back(places_.size());
-    values_ = trace_->values(places_);
-  }
-
-  /// The highest of sign * curve, turned back. Samples tell where it is, Newton's method how high.
-  double highest(double sign) const {
-    double best = -optim::kInfinity;
-    for (const double value : values_) {
-      if (std::isnan(value)) return value;
-      best = std::max(best, sign * value);
-    }
-    if (!std::isfinite(best)) return sign * best;
-    const double seen = best;
-    for (std::size_t k = 0; k + 1 < begins_.size(); ++k) {
-      for (std::size_t i = begins_[k]; i < begins_[k + 1]; ++i) {
-        if (may_exceed(i, begins_[k], begins_[k + 1] - 1, sign, seen)) {
-          best = std::max(best, summit(i, begins_[k], begins_[k + 1] - 1, sign));
-        }
-      }
-    }
-    return sign * best;
-  }
+  explicit SampledCurve(std::unique_ptr<const optim::Trace> trace)
+      : trace_(std::move(trace)),
+        places_(trace_->breaks()),
+        values_(trace_->values(places_.places)) {}
 
   double extreme(optim::Part part) const {
-    if (part == optim::Part::Highest) return highest(1);
-    if (part == optim::Part::Lowest) return highest(-1);
-    const double up = highest(1), down = highest(-1);
-    return std::max(std::abs(up), std::abs(down));
+    const auto at = [&](optim::Place place, std::size_t) { return trace_->at(place); };
+    return Summits(places_, values_, at).extreme(part);
   }
 
  private:
-  double at(std::size_t i, double sign) const { return sign * values_[i]; }
-
-  /// Whether a sample is a local maximum from which the curve may rise to what was seen: a parabola
-  /// through it and its neighbours rises by no more than an eighth of their second difference.
-  bool may_exceed(std::size_t i, std::size_t first, std::size_t last, double sign,
-                  double seen) const {
-    const std::size_t before = i == first ? i + 1 : i - 1, after = i == last ? i - 1 : i + 1;
-    const double here = at(i, sign), left = at(before, sign), right = at(after, sign);
-    if (here < left || here < right) return false;
-    const bool level = here == left && here == right;
-    return !level && here + 0.5 * std::abs(left - 2 * here + right) >= seen;
-  }
-
-  double summit(std::size_t i, std::size_t first, std::size_t last, double sign) const {
-    constexpr int kSteps = 40;
-    constexpr double kClose = 1e-9;  // of the bracket: the value is then right to its square
-    double left = places_[i == first ? i : i - 1].angle;
-    double right = places_[i == last ? i : i + 1].angle;
-    const double close = kClose * (right - left);
-    optim::Place place = places_[i];
-    double best = -optim::kInfinity;
-    for (int step = 0; step < kSteps; ++step) {
-      const auto f = trace_->at(place);
-      best = std::max(best, sign * f[0]);
-      const double slope = sign * f[1], bend = sign * f[2];
-      const bool ends = (place.angle <= left && slope <= 0) || (place.angle >= right && slope >= 0);
-      if (ends || !(std::abs(slope) > 0)) break;
-      (slope > 0 ? left : right) = place.angle;
-      const double newton = place.angle - slope / bend;
-      const bool inside = bend < 0 && newton > left && newton < right;
-      const double next = inside ? newton : std::midpoint(left, right);
-      if (std::abs(next - place.angle) <= close) break;
-      place = {next};
-    }
-    return best;
-  }
-
   std::unique_ptr<const optim::Trace> trace_;
-  std::vector<optim::Place> places_;
-  std::vector<std::size_t> begins_;  ///< of the stretches among the places, and the end
+  SampledPlaces places_;
   std::vector<double> values_;
 };
 
@@ -190,6 +120,7 @@ class Batch {
       limits_.push_back(
           {c.response.name, c.response.unit, c.response.part, place_of(whole), c.lower, c.upper});
     }
+    gather();
   }
 
   const std::vector<VariableStatement>& variables() const { return bound_.statement().variables; }
@@ -213,28 +144,24 @@ class Batch {
 
   /// Works one design out.
   void look(optim::Design x, std::size_t row, std::vector<BatchColumn>& columns) const {
-    std::vector<std::optional<SampledCurve>> curves(responses_.size());
-    const auto curve = [&](std::size_t k) -> const SampledCurve& {
-      if (!curves[k]) curves[k].emplace(responses_[k].curve().trace(x));
-      return *curves[k];
-    };
+    const Curves curves(*this, x);
     std::size_t column = 0;
     const auto put = [&](double value) { columns[column++].values[row] = value; };
     for (const Asked& asked : asked_) {
       if (!responses_[asked.response].is_curve()) {
         put(responses_[asked.response].function().value(x));
       } else if (is_whole(asked)) {
-        put(curve(asked.response).highest(-1));
-        put(curve(asked.response).highest(1));
+        put(curves.extreme(asked.response, optim::Part::Lowest));
+        put(curves.extreme(asked.response, optim::Part::Highest));
       } else {
-        put(curve(asked.response).extreme(asked.part));
+        put(curves.extreme(asked.response, asked.part));
       }
     }
     for (const Limit& limit : limits_) {
       const optim::Response& response = responses_[limit.response];
       const auto at = [&](optim::Part part) {
         if (!response.is_curve()) return response.function().value(x);
-        return curve(limit.response).extreme(limit.part == optim::Part::Value ? part : limit.part);
+        return curves.extreme(limit.response, limit.part == optim::Part::Value ? part : limit.part);
       };
       double least = optim::kInfinity;
       if (limit.upper) least = std::min(least, *limit.upper - at(optim::Part::Highest));
@@ -256,6 +183,40 @@ class Batch {
         : Asked{std::move(n), std::move(u), p, r}, lower(low), upper(high) {}
     std::optional<double> lower, upper;
   };
+
+  /// The curves of one design: together, as far as they can be, else each by itself.
+  class Curves {
+   public:
+    Curves(const Batch& batch, optim::Design x)
+        : batch_(batch), x_(x), single_(batch.responses_.size()) {
+      if (batch.blocks_) together_ = batch.blocks_->at(x);
+    }
+
+    double extreme(std::size_t k, optim::Part part) const {
+      const std::optional<std::size_t>& block = batch_.in_blocks_[k];
+      if (together_ && block) return together_->extreme(*block, part);
+      if (!single_[k]) single_[k].emplace(batch_.responses_[k].curve().trace(x_));
+      return single_[k]->extreme(part);
+    }
+
+   private:
+    const Batch& batch_;
+    optim::Design x_;
+    std::optional<CurveBlocks::At> together_;
+    mutable std::vector<std::optional<SampledCurve>> single_;
+  };
+
+  /// Which curves are worked out together.
+  void gather() {
+    std::vector<const problems::MechanismResponse*> curves;
+    in_blocks_.resize(responses_.size());
+    for (std::size_t k = 0; k < responses_.size(); ++k) {
+      if (known_[k] == nullptr || !CurveBlocks::takes(*known_[k])) continue;
+      in_blocks_[k] = curves.size();
+      curves.push_back(known_[k]);
+    }
+    blocks_ = CurveBlocks::of(binding_, curves);
+  }
 
   std::vector<std::string> all_names() const {
     std::vector<std::string> names;
@@ -283,6 +244,8 @@ class Batch {
   problems::Binding binding_;
   std::vector<optim::Response> responses_;
   std::vector<const problems::MechanismResponse*> known_;
+  std::vector<std::optional<std::size_t>> in_blocks_;  ///< of each response, where it is there
+  std::unique_ptr<const CurveBlocks> blocks_;
   std::vector<Asked> asked_;
   std::vector<Limit> limits_;
 };

@@ -261,24 +261,20 @@ class Problem:
         problem = self.set(values, **more) if values or more else self
         return Evaluation(problem._native.evaluate())
 
-    def evaluate_many(self, values: Mapping[str, Any], responses: Sequence[str] | str | None = None) -> Any:
+    def evaluate_many(self, values: Mapping[str, Any], responses: Sequence[str] | None = None) -> Any:
         """Many designs at once: a table with a row for each, of responses and of limits' margins.
 
         `values` has arrays of one length by the names of variables, constants or coefficients of
         the law, in their listed units. `responses` names what is wanted, in the words of problem
-        files, or is "all"; by default what the problem seeks and limits. Of a curve there are
-        columns "lowest NAME" and "highest NAME". Values are searched as a search does, and not
-        proved.
+        files; by default all that the machine has. Of a curve there are columns "lowest NAME" and
+        "highest NAME". Values are searched as a search does, and not proved.
         """
         names = list(values)
         arrays = [np.ascontiguousarray(np.atleast_1d(v), dtype=np.float64) for v in values.values()]
         longest = max((len(a) for a in arrays), default=0)
         arrays = [np.full(longest, a[0]) if len(a) == 1 else a for a in arrays]
-        if responses is None:
-            asked = [name for name, *_ in self._native.objectives() + self._native.constraints()]
-            responses = list(dict.fromkeys(name.split(" over ")[0] for name in asked))
-        wanted = None if responses == "all" else list(responses)
-        found = native.evaluate_many(self._native, names, arrays, wanted)
+        found = native.evaluate_many(self._native, names, arrays,
+                                     None if responses is None else list(responses))
         given = dict(zip(names, arrays))
         return tables.of_columns(given | {name: column for name, _, column in found},
                                  {name: unit for name, unit, _ in found})

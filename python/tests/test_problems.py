@@ -84,7 +84,7 @@ def test_an_evaluation_is_the_programs():
 def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
     problem = cl.Problem.load(ROLLER)
     radii = np.linspace(30, 110, 7)
-    table = problem.evaluate_many({"base_radius": radii}, "all")
+    table = problem.evaluate_many({"base_radius": radii})
     for i, radius in enumerate(radii):
         one = problem.evaluate(base_radius=radius)
         for name in ("pressure_angle", "contact_stress", "pitch_curvature", "drive_torque"):
@@ -99,6 +99,23 @@ def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
         problem.evaluate_many({"base_radius": [1e6]})
     with pytest.raises(cl.InputError, match="did you mean|known|near"):
         problem.evaluate_many({"base_radios": [50.0]})
+
+
+@pytest.mark.parametrize("file", [
+    "cams/flat_least_base.toml", "cams/oscillating_least_peak_angle.toml", "die_press/least_approach.toml",
+    "own/slider_crank.toml", "motions/in_step.toml", "geneva/fastest.toml", "follower_train/quiet_rise.toml"])
+def test_many_designs_of_any_machine_are_those_that_are_proved(file):
+    problem = cl.Problem.load(PROBLEMS / file)
+    starts = {row["name"]: [row["start"]] for row in problem._native.variables()}
+    table, one = problem.evaluate_many(starts), problem.evaluate()
+    for name, row in one._rows.items():
+        if not row["curve"]:
+            assert table[name][0] == pytest.approx(row["value"], rel=1e-8, nan_ok=True), name
+            continue
+        size = max(abs(row["highest"]), abs(row["lowest"]), 1e-12)
+        if np.isfinite(size):
+            for side in ("highest", "lowest"):
+                assert abs(table[f"{side} {name}"][0] - row[side]) <= 1e-9 * size, (side, name)
 
 
 def test_a_check_says_what_the_program_says():
