@@ -87,7 +87,7 @@ class Expression:
             "a formula is written down once and has no value to decide by; "
             "write select(f, y, z): y where f is 0 or above, else z")
 
-    __lt__ = __le__ = __gt__ = __ge__ = lambda self, other: self.__bool__()  # type: ignore[assignment]
+    __lt__ = __le__ = __gt__ = __ge__ = lambda self, other: self.__bool__()
     __array_priority__ = 1000
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:

@@ -185,6 +185,9 @@ class Law:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self.name == other.name
 
+    def __reduce__(self) -> Any:
+        return law, (self.name,)
+
     def __hash__(self) -> int:
         return hash(self.name)
 

@@ -353,11 +353,18 @@ class Problem:
         text, _ = native.export_problem(self._native, _export_options(path, options))
         return _written(text, path)
 
+    def __reduce__(self) -> Any:
+        return _problem_again, (self.text, self._native.source, self.settings)
+
     def __repr__(self) -> str:
         return f"<camlaw problem {self.title or self.mechanism}: {len(self._native.variables())} variables>"
 
     def _repr_html_(self) -> str:
         return f"<p><b>{escape(self.title or self.mechanism)}</b></p>{self.check().html}"
+
+
+def _problem_again(text: str, source: str, settings: list[str]) -> Problem:
+    return Problem(_native=native.problem(text, source).with_settings(settings))
 
 
 def _written(text: str, path: str | Path | None) -> str:

@@ -2,6 +2,8 @@
 """What is shown is run: the blocks of docs/python.md, and the notebooks."""
 
 import re
+import subprocess
+import sys
 
 import pytest
 from conftest import ROOT, needs
@@ -21,6 +23,13 @@ def test_the_tutorials_blocks_run(tmp_path, monkeypatch):
         exec(compile(block, "docs/python.md", "exec"), names)
     assert names["result"].verdict == "certified optimum" and names["fit"].trusted
     assert (tmp_path / "cam.dxf").exists() and (tmp_path / "axis.csv").exists()
+
+
+def test_the_reference_is_what_the_package_says():
+    done = subprocess.run([sys.executable, ROOT / "python/tools/reference.py"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == (ROOT / "docs/python-api.md").read_text(), \
+        "./run python python/tools/reference.py > docs/python-api.md"
 
 
 def test_there_are_four_notebooks_without_outputs():

@@ -18,7 +18,7 @@ def component_name(name: str) -> str:
     return re.sub(r"\W+", "_", name).strip("_")
 
 
-class CamlawComponent(om.ExplicitComponent):  # type: ignore[misc]
+class CamlawComponent(om.ExplicitComponent):
     """Inputs are the variables, outputs the objectives and the margins of limits, each of which
     must not be below zero. Units are told where OpenMDAO knows them; numbers are in the problem's.
 

@@ -51,14 +51,8 @@ class PygmoProblem:
     def get_name(self) -> str:
         return self.model.problem.title or self.model.problem.mechanism
 
-    def __getstate__(self) -> tuple[str, str, list[str]]:
-        problem = self.model.problem
-        return problem.text, problem._native.source, problem.settings
-
-    def __setstate__(self, state: tuple[str, str, list[str]]) -> None:
-        text, source, settings = state
-        problem = Problem.from_text(text, source)
-        self.__init__(Problem(_native=problem._native.with_settings(settings)))  # type: ignore[misc]
+    def __reduce__(self) -> Any:
+        return PygmoProblem, (self.model.problem,)
 
     def __deepcopy__(self, memo: Any) -> PygmoProblem:
         return PygmoProblem(self.model.problem)

@@ -12,7 +12,7 @@ from ..problems import Problem
 from .model import Model
 
 
-class PymooProblem(_Base):  # type: ignore[misc]
+class PymooProblem(_Base):
     """Objectives, and margins as constraints G <= 0, of many designs at once. Integer variables are
     rounded."""
 
