@@ -119,16 +119,25 @@ void check_free(const problems::ProblemStatement& statement) {
                               : ": no law of the problem is free; write [law] name = \"free\""));
 }
 
+/// What an answer refers to.
+struct Searched {
+  explicit Searched(problems::BoundProblem of) : bound(std::move(of)), space(bound.space()) {}
+
+  problems::BoundProblem bound;
+  optim::ProblemSpace space;
+  optim::Optimum optimum;
+};
+
 StoredResult searched(const problems::ProblemStatement& statement, const SearchSettings& told,
                       bool synthesize, Work& work) {
   const auto began = std::chrono::steady_clock::now();
-  const auto bound = std::make_unique<problems::BoundProblem>(statement);
-  const optim::ProblemSpace space = bound->space();
+  const auto found = std::make_shared<Searched>(problems::BoundProblem(statement));
+  const optim::ProblemSpace& space = found->space;
   optim::OptimiseOptions search = options_of(told, statement.solver);
   search.stop = work.stop();
   search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
-  const optim::Optimum optimum = optim::optimise(space, search);
-  cli::Answer answer{*bound, space, optimum, search.solver, search.seed};
+  found->optimum = optim::optimise(space, search);
+  cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.warnings = cli::warnings_of(answer);
   answer.built = cli::buildability_of(answer);
   cli::Document document = cli::answer_document(answer);
@@ -145,7 +154,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
     design->stated = problems::stated_numbers(result.facts);
     result.design = std::move(*design);
   }
-  result.cycle = cli::cycle_figure(answer);
+  result.cycle = [found, answer] { return cli::cycle_figure(answer); };
   return result;
 }
 
@@ -262,7 +271,8 @@ void add_results(nb::module_& module) {
              const nb::gil_scoped_release released;
              return r.design ? cli::reviewed(*r.design).words() : std::vector<std::string>{};
            })
-      .def("cycle_figure", [](const StoredResult& r) { return dict_of(r.cycle); })
+      .def("cycle_figure",
+           [](const StoredResult& r) { return dict_of(r.cycle ? r.cycle() : cli::Figure{}); })
       .def("verify", &verified)
       .def("report", &report_of);
   module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),

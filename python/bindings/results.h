@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,8 @@ struct StoredResult {
   std::optional<problems::ReadDesign> design = {};  ///< none where the model gave no design
   std::optional<cli::Document> document = {};       ///< of a search; a file has facts alone
   std::string file = {};                            ///< as it was named
-  cli::Figure cycle = {};                           ///< what was limited and sought, over the cycle
+  /// Draws what was limited and sought, over the cycle; of a search alone.
+  std::function<cli::Figure()> cycle = {};
 };
 
 /// A result of these facts, which it seals, for a design that a problem's statement has.

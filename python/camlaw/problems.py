@@ -265,12 +265,12 @@ class Problem:
         """Many designs at once: a table with a row for each, of responses and of limits' margins.
 
         `values` has arrays of one length by the names of variables, constants or coefficients of
-        the law, in their listed units. `responses` names what is wanted, in the words of problem
+        the law, in their listed units, or quantities of pint. `responses` names what is wanted, in the words of problem
         files; by default all that the machine has. Of a curve there are columns "lowest NAME" and
         "highest NAME". Values are searched as a search does, and not proved.
         """
         names = list(values)
-        arrays = [np.ascontiguousarray(np.atleast_1d(v), dtype=np.float64) for v in values.values()]
+        arrays = [self._numbers(name, v) for name, v in values.items()]
         longest = max((len(a) for a in arrays), default=0)
         arrays = [np.full(longest, a[0]) if len(a) == 1 else a for a in arrays]
         found = native.evaluate_many(self._native, names, arrays,
@@ -278,6 +278,16 @@ class Problem:
         given = dict(zip(names, arrays))
         return tables.of_columns(given | {name: column for name, _, column in found},
                                  {name: unit for name, unit, _ in found})
+
+    def _numbers(self, name: str, values: Any) -> np.ndarray:
+        """An array in the listed unit of a variable or a constant."""
+        if units.is_pint(values):
+            unit = self.units.get(name)
+            if unit is None:
+                raise InputError(f"{name}: give plain numbers; it is not a size of the machine")
+            one = native.quantity(f"1 {units.pint_unit(values.units)}", unit, unit, name)
+            values = np.asarray(values.magnitude, dtype=np.float64) * one
+        return np.ascontiguousarray(np.atleast_1d(values), dtype=np.float64)
 
     def curves(self, points: int = 720) -> Any:
         """A table of every curve at even places of the cycle, "NAME [UNIT]"; the place first."""

@@ -7,7 +7,8 @@ from conftest import PROBLEMS, program, program_json, same
 import camlaw as cl
 
 FILES = ["cams/roller_least_base.toml", "cams/flat_least_base.toml", "spine_cutter/least_force.toml",
-         "own/slider_crank.toml", "balancing_cam/fewest_springs.toml", "motions/in_step.toml"]
+         "own/slider_crank.toml", "motions/in_step.toml",
+         pytest.param("balancing_cam/fewest_springs.toml", marks=pytest.mark.full)]
 
 
 @pytest.fixture(scope="module")

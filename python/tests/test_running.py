@@ -13,13 +13,13 @@ from conftest import PROBLEMS
 
 import camlaw as cl
 
-LONG = PROBLEMS / "cams/roller_four.toml"
 FRONT = PROBLEMS / "cams/roller_front.toml"
+QUICK = PROBLEMS / "spine_cutter/front.toml"
 
 
 def test_progress_is_told_and_ends_with_what_it_throws():
     told = []
-    cl.Problem.load(FRONT).pareto(points=6, workers=2, progress=lambda done, words: told.append((done, words)))
+    cl.Problem.load(QUICK).pareto(points=8, workers=2, progress=lambda done, words: told.append((done, words)))
     assert told and all(done is None or 0 <= done <= 1 for done, _ in told)
     assert any("searches" in words for _, words in told)
 
@@ -27,13 +27,13 @@ def test_progress_is_told_and_ends_with_what_it_throws():
         raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        cl.Problem.load(FRONT).pareto(points=40, workers=2, progress=refuse)
+        cl.Problem.load(QUICK).pareto(points=40, workers=2, progress=refuse)
 
 
 def test_a_bar_is_shown_where_it_is_asked_for(capsys):
     pytest.importorskip("tqdm")
-    cl.Problem.load(FRONT).pareto(points=4, workers=2, progress=True)
-    cl.Problem.load(FRONT).pareto(points=4, workers=2, progress=False)
+    cl.Problem.load(QUICK).pareto(points=12, workers=2, progress=True)
+    assert "searches" in capsys.readouterr().err
 
 
 def test_ctrl_c_stops_a_front_with_what_it_has():
@@ -48,6 +48,14 @@ def test_ctrl_c_stops_a_front_with_what_it_has():
     assert cl.law("cycloidal").C_v == pytest.approx(2)  # all goes on
 
 
+def test_ctrl_c_stops_a_fit():
+    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(cl.Interrupted) as stopped:
+        cl.fit(PROBLEMS / "cams/worn_cam.csv", mechanism="disc-cam-roller", set={"roller_radius": "8 mm"})
+    assert stopped.value.result is None
+
+
 def test_other_threads_run_while_a_search_does():
     counts, ended = [0], threading.Event()
 
@@ -60,7 +68,7 @@ def test_other_threads_run_while_a_search_does():
     other.start()
     before = counts[0]
     try:
-        cl.Problem.load(FRONT).pareto(points=6, workers=1)
+        cl.Problem.load(QUICK).pareto(points=16, workers=1)
     finally:
         ended.set()
         other.join()
