@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/response_text.h"
 #include "machines/registry.h"
+#include "optim/cycle/sizes.h"
+#include "optim/problem/check_derivatives.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/possible.h"
@@ -133,6 +136,81 @@ cli::Document checked(const ProblemStatement& statement) {
   return document;
 }
 
+nb::dict dict_of(const optim::DerivativeCheck& found, const std::string& label) {
+  nb::dict row;
+  row["problem"] = label;
+  row["derivatives"] = found.entries;
+  row["agrees"] = found.agrees && found.shapes.empty();
+  row["worst_error"] = found.worst.error;
+  row["response"] = found.worst.response;
+  row["variable"] = found.worst.variable;
+  row["second"] = found.worst.second;
+  row["shapes"] = found.shapes;
+  return row;
+}
+
+/// Every derivative against differences: of each law to choose from, and each objective.
+nb::list checked_derivatives(const StatedProblem& stated) {
+  const problems::BoundProblem bound(stated.statement);
+  const std::size_t laws = stated.statement.laws.empty() ? 1 : stated.statement.laws.size();
+  const auto& objectives = stated.statement.objectives;
+  nb::list result;
+  for (std::size_t i = 0; i < laws * objectives.size(); ++i) {
+    std::vector<std::size_t> chosen(bound.choices().size(), 0);
+    std::string label = objectives[i / laws].response.name;
+    if (stated.statement.chooses_law()) {
+      chosen.front() = i % laws;
+      label += ", law " + bound.choices().front().options[i % laws];
+    }
+    optim::DerivativeCheck found;
+    {
+      const nb::gil_scoped_release released;
+      const optim::Problem problem = bound.problem(chosen).alone(i / laws);
+      found = optim::check_derivatives(problem, problem.start());
+    }
+    result.append(dict_of(found, label));
+  }
+  return result;
+}
+
+/// What variables and limits are divided by, and their tolerances.
+nb::list scaling_of(const StatedProblem& stated) {
+  const problems::BoundProblem bound(stated.statement);
+  const optim::Problem problem =
+      bound.problem(std::vector<std::size_t>(bound.choices().size(), 0)).alone(0);
+  const optim::Sizes sizes = optim::sizes(problem, problem.start());
+  nb::list result;
+  const auto add = [&](const std::string& name, double size, double tolerance,
+                       const std::string& unit) {
+    nb::dict row;
+    row["scaling"] = name;
+    row["size"] = size;
+    row["tolerance"] = tolerance;
+    row["unit"] = unit;
+    result.append(row);
+  };
+  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+    add(problem.variables[i].name, sizes.variables[i], std::nan(""), problem.variables[i].unit);
+  }
+  const optim::Response& sought = problem.objective().response;
+  add(sought.name + " (objective)", sizes.objective, sizes.objective_tolerance, sought.unit);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    const optim::Response& limited = problem.constraints[i].response;
+    add(limited.name, sizes.constraints[i].size, sizes.constraints[i].tolerance, limited.unit);
+  }
+  return result;
+}
+
+/// The formula of a response as it is recorded.
+std::string formula_of(const problems::Mechanism& mechanism, const std::string& response) {
+  const auto name = problems::find_response(mechanism, response);
+  if (name.response == nullptr) {
+    throw std::invalid_argument(response + " is a parameter of " + mechanism.name +
+                                ", which has no formula");
+  }
+  return problems::formula_text(mechanism, *name.response);
+}
+
 nb::dict dict_of(const problems::Mechanism& mechanism) {
   nb::list parameters, responses, peaks;
   for (const problems::MechanismParameter& p : mechanism.parameters) {
@@ -253,6 +331,12 @@ void add_problems(nb::module_& module) {
       .def("constants", &constants_of)
       .def("objectives", &objectives_of)
       .def("constraints", &constraints_of)
+      .def("check_derivatives", &checked_derivatives)
+      .def("scaling", &scaling_of)
+      .def("formula",
+           [](const StatedProblem& p, const std::string& response) {
+             return formula_of(*p.statement.mechanism, response);
+           })
       .def("machine", [](const StatedProblem& p) { return dict_of(*p.statement.mechanism); })
       .def("evaluate", &evaluated)
       .def("check",
@@ -274,6 +358,9 @@ void add_problems(nb::module_& module) {
       [](const std::string& path) { return StatedProblem{problems::read_problem_file(path)}; },
       nb::arg("path"));
   module.def("mechanism_names", &mechanism_names);
+  module.def("formula", [](const std::string& mechanism, const std::string& response) {
+    return formula_of(problems::find_mechanism(mechanism), response);
+  });
   module.def("mechanism",
              [](const std::string& name) { return dict_of(problems::find_mechanism(name)); });
 }

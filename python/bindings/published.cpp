@@ -11,6 +11,7 @@
 #include "output/answers/study_fronts.h"
 #include "output/answers/study_output.h"
 #include "output/report/report.h"
+#include "problems/published/cam_shape/solve.h"
 #include "problems/published/systems.h"
 #include "python/bindings/module.h"
 #include "python/bindings/running.h"
@@ -42,6 +43,26 @@ nb::tuple reproduce(const std::string& name, nb::handle progress) {
   const bool interrupted =
       run_beside([&](Work&) { result = Reproduced{system->reproduce()}; }, progress);
   return nb::make_tuple(std::move(*result), interrupted);
+}
+
+/// One case of the cam shape, of any size.
+nb::dict solve_cam_shape(int n) {
+  problems::CamShapeCase solved;
+  {
+    const nb::gil_scoped_release released;
+    solved = problems::solve_cam_shape(n);
+  }
+  nb::dict result;
+  result["n"] = solved.n;
+  result["printed"] = solved.printed;
+  result["objective"] = solved.objective;
+  result["true_optimum"] = solved.true_optimum;
+  result["max_violation"] = solved.max_violation;
+  result["verdict"] = solved.verdict;
+  result["reason"] = solved.reason;
+  result["iterations"] = solved.iterations;
+  result["wall_s"] = solved.wall_s;
+  return result;
 }
 
 std::string report_of(const std::vector<Reproduced>& some) {
@@ -123,6 +144,7 @@ void add_published(nb::module_& module) {
       .def("figure", [](const Study& s) { return dict_of(s.trade_off); });
   module.def("system_names", &system_names);
   module.def("reproduce", &reproduce, nb::arg("name"), nb::arg("progress").none());
+  module.def("solve_cam_shape", &solve_cam_shape, nb::arg("n"));
   module.def("report_of_reproductions", &report_of, nb::arg("reproductions"));
   module.def("study", &study, nb::arg("system"), nb::arg("settings"), nb::arg("table"),
              nb::arg("workers").none(), nb::arg("progress").none());

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .motion_laws import Law, Motion, Peaks, law, law_file, laws
     from .machines import mechanism, mechanisms
     from .problems import Check, Evaluation, Problem
-    from .published import Reproduction, Study, reproduce, reproducible, study
+    from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
 
 # Where each name is; what is not asked for is not read.
@@ -37,7 +37,7 @@ _HOMES = {
     "laws": "motion_laws",
     "mechanism": "machines", "mechanisms": "machines",
     "Check": "problems", "Evaluation": "problems", "Problem": "problems",
-    "Reproduction": "published", "Study": "published", "reproduce": "published",
+    "cam_shape": "published", "Reproduction": "published", "Study": "published", "reproduce": "published",
     "reproducible": "published", "study": "published",
     "Result": "results", "Verification": "results",
 }

@@ -38,6 +38,10 @@ class Mechanism:
         """response, kind, unit, meaning."""
         return tables.of_rows(self._facts["responses"], index="response")
 
+    def formula(self, response: str) -> str:
+        """How a response is worked out, in the grammar of docs/formulas.md."""
+        return native.formula(self.name, response)
+
     def __repr__(self) -> str:
         return f"<camlaw mechanism {self.name}: {self.title}>"
 

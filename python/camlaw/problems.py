@@ -256,6 +256,19 @@ class Problem:
         facts, text, html = self._native.check()
         return Check(text, facts, html)
 
+    def check_derivatives(self) -> Any:
+        """A table of every derivative compared with differences, a row for each law and objective:
+        agrees, worst_error and of what it is, shapes that do not hold."""
+        return tables.of_rows(self._native.check_derivatives(), index="problem")
+
+    def scaling(self) -> Any:
+        """A table of what variables, objective and limits are divided by, and their tolerances."""
+        return tables.of_rows(self._native.scaling(), index="scaling")
+
+    def formula(self, response: str) -> str:
+        """How a response is worked out, in the grammar of docs/formulas.md."""
+        return self._native.formula(response)
+
     def evaluate(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Evaluation:
         """Every response at the variables' starts, or at these values, proved over the cycle."""
         problem = self.set(values, **more) if values or more else self

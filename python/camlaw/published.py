@@ -85,6 +85,11 @@ def reproduce(system: str, *, progress: Progress = None) -> Reproduction:
     return Reproduction(found)
 
 
+def cam_shape(n: int) -> dict[str, Any]:
+    """The COPS cam of n radii solved: objective, true optimum, verdict, iterations, time."""
+    return native.solve_cam_shape(n)
+
+
 def study(system: str, *, set: Mapping[str, Any] | None = None, table: bool = False,
           workers: int | None = None, progress: Progress = None) -> Study:
     """Laws compared on "spine-cutter" or "sheet-delivery". table: of the spine cutter the table of

@@ -87,6 +87,9 @@ def test_published_tables_come_out():
     assert found.counts["unexplained"] >= 0 and found.worsened == []
     assert same([found.facts], program_json("reproduce", "signature-feeder"))
     assert "signature feeder" in found._repr_html_()
+    solved = cl.cam_shape(50)
+    assert solved["verdict"] == "certified optimum" and solved["objective"] == pytest.approx(
+        solved["true_optimum"], rel=1e-8)
     with pytest.raises(cl.InputError, match="no system is called"):
         cl.reproduce("perpetuum-mobile")
 

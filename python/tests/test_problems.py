@@ -128,6 +128,15 @@ def test_a_check_says_what_the_program_says():
     assert text.startswith(str(cl.Problem.load(ROLLER).check()).rstrip("\n"))
 
 
+def test_derivatives_scaling_and_formulas_are_told():
+    problem = cl.Problem.load(ROLLER)
+    assert problem.check_derivatives()["agrees"].all()
+    assert "base_radius" in problem.scaling().index
+    text = program("mechanisms", "disc-cam-roller", "--formula", "pressure_angle")
+    assert text.startswith(problem.formula("pressure_angle").rstrip("\n"))
+    assert problem.formula("pressure_angle") == cl.mechanism("disc-cam-roller").formula("pressure_angle")
+
+
 def test_curves_are_those_of_the_programs_table(tmp_path):
     program("evaluate", ROLLER, "--curves", tmp_path / "curves.csv")
     theirs = np.genfromtxt(tmp_path / "curves.csv", delimiter=",", names=None, skip_header=1)

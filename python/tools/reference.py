@@ -16,7 +16,7 @@ ADAPTERS = {"model": ["Model", "Variable", "Output"], "scipy": ["ScipyObjective"
 CLASSES = ["Law", "Motion", "Peaks", "Problem", "Evaluation", "Check", "Result", "Verification",
            "Front", "Fit", "Reproduction", "Study", "Machine", "Response", "Expression"]
 FUNCTIONS = ["law", "law_file", "laws", "mechanism", "mechanisms", "fit", "fit_constants", "reproduce",
-             "reproducible", "study"]
+             "reproducible", "cam_shape", "study"]
 ERRORS = ["Error", "InputError", "MissingPackage", "Interrupted"]
 
 
