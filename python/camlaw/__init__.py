@@ -21,25 +21,41 @@ if TYPE_CHECKING:
     from .fits import Fit, fit, fit_constants
     from .formulas import Expression, Machine, Response
     from .fronts import Front
-    from .motion_laws import Law, Motion, Peaks, law, law_file, laws
     from .machines import mechanism, mechanisms
+    from .motion_laws import Law, Motion, Peaks, law, law_file, laws
     from .problems import Check, Evaluation, Problem
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
 
 # Where each name is; what is not asked for is not read.
 _HOMES = {
-    "Fit": "fits", "fit": "fits", "fit_constants": "fits",
-    "Expression": "formulas", "Machine": "formulas", "Response": "formulas",
+    "Fit": "fits",
+    "fit": "fits",
+    "fit_constants": "fits",
+    "Expression": "formulas",
+    "Machine": "formulas",
+    "Response": "formulas",
     "formulas": "formulas",
     "Front": "fronts",
-    "Law": "motion_laws", "Motion": "motion_laws", "Peaks": "motion_laws", "law": "motion_laws", "law_file": "motion_laws",
+    "Law": "motion_laws",
+    "Motion": "motion_laws",
+    "Peaks": "motion_laws",
+    "law": "motion_laws",
+    "law_file": "motion_laws",
     "laws": "motion_laws",
-    "mechanism": "machines", "mechanisms": "machines",
-    "Check": "problems", "Evaluation": "problems", "Problem": "problems",
-    "cam_shape": "published", "Reproduction": "published", "Study": "published", "reproduce": "published",
-    "reproducible": "published", "study": "published",
-    "Result": "results", "Verification": "results",
+    "mechanism": "machines",
+    "mechanisms": "machines",
+    "Check": "problems",
+    "Evaluation": "problems",
+    "Problem": "problems",
+    "cam_shape": "published",
+    "Reproduction": "published",
+    "Study": "published",
+    "reproduce": "published",
+    "reproducible": "published",
+    "study": "published",
+    "Result": "results",
+    "Verification": "results",
 }
 
 __all__ = ["Error", "InputError", "Interrupted", "MissingPackage", *sorted(_HOMES)]

@@ -23,5 +23,7 @@ class Interrupted(KeyboardInterrupt):
     """
 
     def __init__(self, result: Any = None) -> None:
-        super().__init__("stopped by Ctrl-C" + ("" if result is None else "; .result has the answer so far"))
+        super().__init__(
+            "stopped by Ctrl-C" + ("" if result is None else "; .result has the answer so far")
+        )
         self.result = result

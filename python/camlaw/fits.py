@@ -30,8 +30,10 @@ def _sample_table(data: Any) -> Any:
     if isinstance(data, (str, Path)):
         return native.sample_file(str(data))
     if not hasattr(data, "items"):
-        raise InputError("a table is wanted: a DataFrame, a dict of arrays or a file's path, with columns "
-                         "such as 'angle [deg]' and 'lift [mm]'")
+        raise InputError(
+            "a table is wanted: a DataFrame, a dict of arrays or a file's path, with columns "
+            "such as 'angle [deg]' and 'lift [mm]'"
+        )
     names, columns = [], []
     for title, values in data.items():
         name, unit = _name_and_unit(title)
@@ -50,8 +52,11 @@ def _sample_table(data: Any) -> Any:
 def _machine(mechanism: Any, settings: Mapping[str, Any] | None) -> Any:
     if mechanism is None:
         return None
-    problem = mechanism if isinstance(mechanism, Problem) else Problem(
-        _native=native.machine(str(mechanism)))
+    problem = (
+        mechanism
+        if isinstance(mechanism, Problem)
+        else Problem(_native=native.machine(str(mechanism)))
+    )
     return (problem.set(settings) if settings else problem)._native
 
 
@@ -129,10 +134,18 @@ class Fit:
         return self._native.html()
 
 
-def fit(data: Any, *, law: str | Law | None = None, mechanism: Any = None,
-        set: Mapping[str, Any] | None = None, response: str | None = None,
-        shift: str | Sequence[str] = (), loss: str = "none", time_limit: float | None = None,
-        progress: Progress = None) -> Fit:
+def fit(
+    data: Any,
+    *,
+    law: str | Law | None = None,
+    mechanism: Any = None,
+    set: Mapping[str, Any] | None = None,
+    response: str | None = None,
+    shift: str | Sequence[str] = (),
+    loss: str = "none",
+    time_limit: float | None = None,
+    progress: Progress = None,
+) -> Fit:
     """The law behind measured samples, a worn cam, or a machine behind a recorded curve.
 
     data: a DataFrame, a dict of arrays, or a file's path. Columns have names with their units,
@@ -148,15 +161,22 @@ def fit(data: Any, *, law: str | Law | None = None, mechanism: Any = None,
     name = law.name if isinstance(law, Law) else law
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
-        found, interrupted = native.fit(table, name, machine, response, shifts, loss, time_limit, tell)
+        found, interrupted = native.fit(
+            table, name, machine, response, shifts, loss, time_limit, tell
+        )
     answer = None if found is None else Fit(found)
     if interrupted or answer is None:
         raise Interrupted(answer)
     return answer
 
 
-def fit_constants(constants: str | Mapping[str, Any], *, law: str | Law | None = None,
-                  mechanism: Any = None, set: Mapping[str, Any] | None = None) -> Fit:
+def fit_constants(
+    constants: str | Mapping[str, Any],
+    *,
+    law: str | Law | None = None,
+    mechanism: Any = None,
+    set: Mapping[str, Any] | None = None,
+) -> Fit:
     """The law, or the sizes of a machine, behind printed constants: "B=1.6125, C=4.66".
 
     The digits count: give texts, {"B": "1.6125"}, where a last digit is a zero.

@@ -85,7 +85,8 @@ class Expression:
     def __bool__(self) -> bool:
         raise InputError(
             "a formula is written down once and has no value to decide by; "
-            "write select(f, y, z): y where f is 0 or above, else z")
+            "write select(f, y, z): y where f is 0 or above, else z"
+        )
 
     __lt__ = __le__ = __gt__ = __ge__ = lambda self, other: self.__bool__()
     __array_priority__ = 1000
@@ -140,21 +141,64 @@ def _call(name: str, *parts: Any) -> Expression:
     return Expression(f"{name}({', '.join(expression(part).text for part in parts)})")
 
 
-def sqrt(x: Any) -> Expression: return _call("sqrt", x)
-def absolute(x: Any) -> Expression: return _call("abs", x)
-def sign(x: Any) -> Expression: return _call("sign", x)
-def exp(x: Any) -> Expression: return _call("exp", x)
-def log(x: Any) -> Expression: return _call("log", x)
-def log10(x: Any) -> Expression: return _call("log10", x)
-def sin(x: Any) -> Expression: return _call("sin", x)
-def cos(x: Any) -> Expression: return _call("cos", x)
-def tan(x: Any) -> Expression: return _call("tan", x)
-def asin(x: Any) -> Expression: return _call("asin", x)
-def acos(x: Any) -> Expression: return _call("acos", x)
-def atan(x: Any) -> Expression: return _call("atan", x)
-def atan2(y: Any, x: Any) -> Expression: return _call("atan2", y, x)
-def minimum(x: Any, y: Any) -> Expression: return _call("min", x, y)
-def maximum(x: Any, y: Any) -> Expression: return _call("max", x, y)
+def sqrt(x: Any) -> Expression:
+    return _call("sqrt", x)
+
+
+def absolute(x: Any) -> Expression:
+    return _call("abs", x)
+
+
+def sign(x: Any) -> Expression:
+    return _call("sign", x)
+
+
+def exp(x: Any) -> Expression:
+    return _call("exp", x)
+
+
+def log(x: Any) -> Expression:
+    return _call("log", x)
+
+
+def log10(x: Any) -> Expression:
+    return _call("log10", x)
+
+
+def sin(x: Any) -> Expression:
+    return _call("sin", x)
+
+
+def cos(x: Any) -> Expression:
+    return _call("cos", x)
+
+
+def tan(x: Any) -> Expression:
+    return _call("tan", x)
+
+
+def asin(x: Any) -> Expression:
+    return _call("asin", x)
+
+
+def acos(x: Any) -> Expression:
+    return _call("acos", x)
+
+
+def atan(x: Any) -> Expression:
+    return _call("atan", x)
+
+
+def atan2(y: Any, x: Any) -> Expression:
+    return _call("atan2", y, x)
+
+
+def minimum(x: Any, y: Any) -> Expression:
+    return _call("min", x, y)
+
+
+def maximum(x: Any, y: Any) -> Expression:
+    return _call("max", x, y)
 
 
 def select(f: Any, y: Any, z: Any) -> Expression:
@@ -180,8 +224,12 @@ def unless_zero(f: Any, y: Any) -> Expression:
 _roots = 0
 
 
-def root(low: Any, high: Any, f: Callable[[Expression], Any],
-         level: Callable[[Expression], Any] | None = None) -> Expression:
+def root(
+    low: Any,
+    high: Any,
+    f: Callable[[Expression], Any],
+    level: Callable[[Expression], Any] | None = None,
+) -> Expression:
     """The first y between low and high at which f(y) is 0; of several that at which level(y) is
     highest, where that is given."""
     global _roots
@@ -198,12 +246,28 @@ def root(low: Any, high: Any, f: Callable[[Expression], Any],
 pi = Expression("pi")
 
 _UFUNCS: dict[str, Callable[..., Expression]] = {
-    "sqrt": sqrt, "absolute": absolute, "fabs": absolute, "sign": sign, "exp": exp, "log": log,
-    "log10": log10, "sin": sin, "cos": cos, "tan": tan, "arcsin": asin, "arccos": acos,
-    "arctan": atan, "arctan2": atan2, "minimum": minimum, "maximum": maximum,
-    "add": lambda a, b: _pair(a, "+", b, _SUM), "subtract": lambda a, b: _pair(a, "-", b, _SUM),
-    "multiply": lambda a, b: _pair(a, "*", b, _TERM), "divide": lambda a, b: _pair(a, "/", b, _TERM),
-    "power": lambda a, b: expression(a) ** b, "negative": lambda a: -expression(a),
+    "sqrt": sqrt,
+    "absolute": absolute,
+    "fabs": absolute,
+    "sign": sign,
+    "exp": exp,
+    "log": log,
+    "log10": log10,
+    "sin": sin,
+    "cos": cos,
+    "tan": tan,
+    "arcsin": asin,
+    "arccos": acos,
+    "arctan": atan,
+    "arctan2": atan2,
+    "minimum": minimum,
+    "maximum": maximum,
+    "add": lambda a, b: _pair(a, "+", b, _SUM),
+    "subtract": lambda a, b: _pair(a, "-", b, _SUM),
+    "multiply": lambda a, b: _pair(a, "*", b, _TERM),
+    "divide": lambda a, b: _pair(a, "/", b, _TERM),
+    "power": lambda a, b: expression(a) ** b,
+    "negative": lambda a: -expression(a),
     "square": lambda a: expression(a) ** 2,
 }
 
@@ -244,8 +308,9 @@ class Response:
     default the first line of the function's documentation.
     """
 
-    def __init__(self, formula: Callable[[Any], Any] | Expression | str, unit: str = "1",
-                 meaning: str = "") -> None:
+    def __init__(
+        self, formula: Callable[[Any], Any] | Expression | str, unit: str = "1", meaning: str = ""
+    ) -> None:
         if callable(formula):
             written = formula(Names())
             meaning = meaning or (inspect.getdoc(formula) or "").partition("\n")[0]
@@ -271,8 +336,14 @@ class Machine:
     wanted, unit, lower, upper, type, symbol, meaning.
     """
 
-    def __init__(self, name: str, moved_by: str = "nothing", parameters: dict[str, Any] | None = None,
-                 title: str | None = None, source: str | None = None) -> None:
+    def __init__(
+        self,
+        name: str,
+        moved_by: str = "nothing",
+        parameters: dict[str, Any] | None = None,
+        title: str | None = None,
+        source: str | None = None,
+    ) -> None:
         self.name = name
         self.moved_by = moved_by
         self.title = title
@@ -282,15 +353,22 @@ class Machine:
 
     def response(self, unit: str = "1", meaning: str = "", name: str | None = None) -> Any:
         """A decorator: the function is a response of the machine, called as it is."""
+
         def add(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
             self.responses[name or function.__name__] = Response(function, unit, meaning)
             return function
+
         return add
 
     def table(self) -> dict[str, Any]:
         """[machine] of a problem file."""
-        return {"name": self.name, "title": self.title, "source": self.source,
-                "moved_by": self.moved_by, "parameters": self.parameters}
+        return {
+            "name": self.name,
+            "title": self.title,
+            "source": self.source,
+            "moved_by": self.moved_by,
+            "parameters": self.parameters,
+        }
 
     def __repr__(self) -> str:
         return f"<camlaw machine {self.name}: {', '.join(self.responses)}>"

@@ -75,7 +75,9 @@ class Front:
         front has none."""
         k = self._native.knee()
         if k is None:
-            raise InputError("this front has no knee; no point lies below the line through its ends")
+            raise InputError(
+                "this front has no knee; no point lies below the line through its ends"
+            )
         return self[k]
 
     @property
@@ -89,7 +91,9 @@ class Front:
     def sensitivity(self, k: int, tolerances: Mapping[str, Any] | None = None) -> Check:
         """What becomes of a design that is not made as it was meant: `tolerances` by variable; by
         default hundredths."""
-        facts, text, html = self._native.sensitivity(k % len(self), units.settings_of(dict(tolerances or {})))
+        facts, text, html = self._native.sensitivity(
+            k % len(self), units.settings_of(dict(tolerances or {}))
+        )
         return Check(text, facts, html)
 
     def csv(self, path: str | Path | None = None) -> str:

@@ -118,10 +118,14 @@ class Law:
         except TypeError:
             array = np.ascontiguousarray(np.atleast_1d(x), dtype=np.float64)
             if array.ndim != 1:
-                raise InputError(f"x has {array.ndim} dimensions; an array of one is wanted") from None
+                raise InputError(
+                    f"x has {array.ndim} dimensions; an array of one is wanted"
+                ) from None
             return Motion(self._at(array))
 
-    def into(self, x: np.ndarray, s: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray) -> None:
+    def into(
+        self, x: np.ndarray, s: np.ndarray, v: np.ndarray, a: np.ndarray, j: np.ndarray
+    ) -> None:
         """The same into arrays of float64 that are there already."""
         self._native.at_into(x, [s, v, a, j])
 
@@ -131,7 +135,9 @@ class Law:
             return Peaks(**self._native.enclosures())
         if self._peaks is None:
             found = self._native.peaks()
-            self._peaks = Peaks(**{name: (Place(*high), Place(*low)) for name, (high, low) in found.items()})
+            self._peaks = Peaks(
+                **{name: (Place(*high), Place(*low)) for name, (high, low) in found.items()}
+            )
         return self._peaks
 
     def _largest(self, quantity: str) -> float:
@@ -172,7 +178,9 @@ class Law:
         """A table of x, s, v, a, j at even points."""
         x = np.linspace(0, 1, count)
         motion = self(x)
-        return tables.of_columns({"x": x, "s": motion.s, "v": motion.v, "a": motion.a, "j": motion.j})
+        return tables.of_columns(
+            {"x": x, "s": motion.s, "v": motion.v, "a": motion.a, "j": motion.j}
+        )
 
     def plot(self) -> Any:
         """s, v, a, j one above the other, drawn by matplotlib; returns the axes."""
@@ -200,8 +208,10 @@ class Law:
         if index is not None:
             rows.append(("lambda", index))
         cells = "".join(f"<td><b>{name}</b> {value:.6g}</td>" for name, value in rows)
-        return (f"<p><b>{escape(self._native.label)}</b>, {escape(self.ends)}: "
-                f"{escape(self.formula)}</p><table><tr>{cells}</tr></table>{self._native.svg()}")
+        return (
+            f"<p><b>{escape(self._native.label)}</b>, {escape(self.ends)}: "
+            f"{escape(self.formula)}</p><table><tr>{cells}</tr></table>{self._native.svg()}"
+        )
 
 
 def law(name: str | Law, /, **coefficients: Any) -> Law:

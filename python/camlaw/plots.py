@@ -23,11 +23,23 @@ def _title(axis: dict[str, Any]) -> str:
 
 def _draw_panel(panel: dict[str, Any], axes: Any) -> None:
     for line in panel["lines"]:
-        axes.plot(line["x"], line["y"], "--" if line["dashed"] else "-", color=line["colour"] or None,
-                  linewidth=0.8 * line["width"], label=line["name"] or None)
+        axes.plot(
+            line["x"],
+            line["y"],
+            "--" if line["dashed"] else "-",
+            color=line["colour"] or None,
+            linewidth=0.8 * line["width"],
+            label=line["name"] or None,
+        )
     for some in panel["markers"]:
-        axes.scatter(some["x"], some["y"], marker=_MARKERS[some["shape"]], s=4 * some["size"] ** 2,
-                     color=some["colour"] or None, label=some["name"] or None)
+        axes.scatter(
+            some["x"],
+            some["y"],
+            marker=_MARKERS[some["shape"]],
+            s=4 * some["size"] ** 2,
+            color=some["colour"] or None,
+            label=some["name"] or None,
+        )
         for x, y, label in zip(some["x"], some["y"], some["labels"]):
             if label:
                 axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=8)
@@ -50,8 +62,14 @@ def draw(figure: dict[str, Any], equal: bool = False) -> Any:
     columns = max(1, min(figure["columns"], len(panels)))
     rows = max(1, -(-len(panels) // columns))
     shared = columns == 1 and rows > 1
-    drawn, axes = plt.subplots(rows, columns, squeeze=False, sharex=shared, layout="constrained",
-                               figsize=(6.4 * columns, 4.8 if rows == 1 else 2.2 * rows + 0.8))
+    drawn, axes = plt.subplots(
+        rows,
+        columns,
+        squeeze=False,
+        sharex=shared,
+        layout="constrained",
+        figsize=(6.4 * columns, 4.8 if rows == 1 else 2.2 * rows + 0.8),
+    )
     flat = list(axes.flat)
     for panel, place in zip(panels, flat):
         _draw_panel(panel, place)
@@ -59,7 +77,7 @@ def draw(figure: dict[str, Any], equal: bool = False) -> Any:
             place.set_aspect("equal", adjustable="datalim")
         if shared and place is not flat[len(panels) - 1]:
             place.set_xlabel("")
-    for place in flat[len(panels):]:
+    for place in flat[len(panels) :]:
         place.set_visible(False)
     drawn.suptitle("\n".join(filter(None, (figure["title"], figure["subtitle"]))), fontsize=11)
     return flat[0] if len(flat) == 1 else axes[:, 0] if columns == 1 else axes

@@ -48,11 +48,19 @@ class Evaluation:
         """A number's value; of a curve its Range."""
         row = self._rows.get(response)
         if row is None:
-            raise InputError(f"no response is called '{response}'; there are {', '.join(self._rows)}")
+            raise InputError(
+                f"no response is called '{response}'; there are {', '.join(self._rows)}"
+            )
         if not row["curve"]:
             return float(row["value"])
-        return Range(row["lowest"], row["lowest_at"], row["highest"], row["highest_at"], row["unit"],
-                     row["proved"])
+        return Range(
+            row["lowest"],
+            row["lowest_at"],
+            row["highest"],
+            row["highest_at"],
+            row["unit"],
+            row["proved"],
+        )
 
     @property
     def responses(self) -> Any:
@@ -98,8 +106,9 @@ def _law_table(law: Any) -> Any:
     if isinstance(law, Law):
         if os.sep in law.name:
             return {"name": law.name}
-        return {"name": law.family} | {name: value for name, value in law.coefficients.items()
-                                       if value != []}
+        return {"name": law.family} | {
+            name: value for name, value in law.coefficients.items() if value != []
+        }
     if isinstance(law, (list, tuple)):
         return {"name": [item.name if isinstance(item, Law) else item for item in law]}
     return {"name": law} if isinstance(law, str) else law
@@ -108,12 +117,16 @@ def _law_table(law: Any) -> Any:
 def _bounds_table(bounds: Any) -> Any:
     if isinstance(bounds, (tuple, list)) and len(bounds) == 2:
         lower, upper = bounds
-        return {key: value for key, value in (("lower", lower), ("upper", upper)) if value is not None}
+        return {
+            key: value for key, value in (("lower", lower), ("upper", upper)) if value is not None
+        }
     return bounds
 
 
 def _segment_table(segment: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: value.name if isinstance(value, Law) else value for name, value in segment.items()}
+    return {
+        name: value.name if isinstance(value, Law) else value for name, value in segment.items()
+    }
 
 
 def _constraint_tables(constraints: Any) -> list[Any]:
@@ -147,15 +160,26 @@ class Problem:
     one's own, each a Response. Raises InputError.
     """
 
-    def __init__(self, mechanism: str | Machine | None = None, *, machine: Machine | None = None,
-                 title: str | None = None, constants: Mapping[str, Any] | None = None, law: Any = None,
-                 free: Mapping[str, Any] | None = None, program: Any = None,
-                 variables: Mapping[str, Any] | None = None, objective: Any = None,
-                 objectives: Sequence[Any] | None = None, constraints: Any = None,
-                 responses: Mapping[str, Any] | None = None,
-                 buildable: Mapping[str, Any] | None = None,
-                 solver: Mapping[str, Any] | None = None, source: str = "problem",
-                 _native: Any = None) -> None:
+    def __init__(
+        self,
+        mechanism: str | Machine | None = None,
+        *,
+        machine: Machine | None = None,
+        title: str | None = None,
+        constants: Mapping[str, Any] | None = None,
+        law: Any = None,
+        free: Mapping[str, Any] | None = None,
+        program: Any = None,
+        variables: Mapping[str, Any] | None = None,
+        objective: Any = None,
+        objectives: Sequence[Any] | None = None,
+        constraints: Any = None,
+        responses: Mapping[str, Any] | None = None,
+        buildable: Mapping[str, Any] | None = None,
+        solver: Mapping[str, Any] | None = None,
+        source: str = "problem",
+        _native: Any = None,
+    ) -> None:
         if _native is not None:
             self._native = _native
             return
@@ -175,10 +199,13 @@ class Problem:
             "law": _law_table(law) if law is not None else None,
             "free": free,
             "program": program,
-            "variables": {name: _bounds_table(b) for name, b in variables.items()} if variables else None,
+            "variables": {name: _bounds_table(b) for name, b in variables.items()}
+            if variables
+            else None,
             "objective": {"minimize": objective} if isinstance(objective, str) else objective,
             "objectives": [{"minimize": o} if isinstance(o, str) else o for o in objectives]
-            if objectives else None,
+            if objectives
+            else None,
             "constraints": _constraint_tables(constraints) if constraints else None,
             "buildable": buildable,
             "solver": solver,
@@ -198,7 +225,9 @@ class Problem:
     def save(self, path: str | Path) -> None:
         """Writes the problem's text. What set() has changed since is not in it."""
         if self.settings:
-            raise InputError(f"values were set beside the problem's text: {', '.join(self.settings)}")
+            raise InputError(
+                f"values were set beside the problem's text: {', '.join(self.settings)}"
+            )
         Path(path).write_text(self.text, encoding="utf-8")
 
     @property
@@ -274,7 +303,9 @@ class Problem:
         problem = self.set(values, **more) if values or more else self
         return Evaluation(problem._native.evaluate())
 
-    def evaluate_many(self, values: Mapping[str, Any], responses: Sequence[str] | None = None) -> Any:
+    def evaluate_many(
+        self, values: Mapping[str, Any], responses: Sequence[str] | None = None
+    ) -> Any:
         """Many designs at once: a table with a row for each, of responses and of limits' margins.
 
         `values` has arrays of one length by the names of variables, constants or coefficients of
@@ -286,11 +317,14 @@ class Problem:
         arrays = [self._numbers(name, v) for name, v in values.items()]
         longest = max((len(a) for a in arrays), default=0)
         arrays = [np.full(longest, a[0]) if len(a) == 1 else a for a in arrays]
-        found = native.evaluate_many(self._native, names, arrays,
-                                     None if responses is None else list(responses))
+        found = native.evaluate_many(
+            self._native, names, arrays, None if responses is None else list(responses)
+        )
         given = dict(zip(names, arrays))
-        return tables.of_columns(given | {name: column for name, _, column in found},
-                                 {name: unit for name, unit, _ in found})
+        return tables.of_columns(
+            given | {name: column for name, _, column in found},
+            {name: unit for name, unit, _ in found},
+        )
 
     def _numbers(self, name: str, values: Any) -> np.ndarray:
         """An array in the listed unit of a variable or a constant."""
@@ -306,43 +340,78 @@ class Problem:
         """A table of every curve at even places of the cycle, "NAME [UNIT]"; the place first."""
         return tables.of_columns(self._native.curves(points))
 
-    def _search(self, synthesize: bool, what: str, solver: str | None, starts: int | None,
-                seed: int | None, time_limit: float | None, memory: float | None,
-                start: Mapping[str, Any] | None, progress: Progress) -> Result:
+    def _search(
+        self,
+        synthesize: bool,
+        what: str,
+        solver: str | None,
+        starts: int | None,
+        seed: int | None,
+        time_limit: float | None,
+        memory: float | None,
+        start: Mapping[str, Any] | None,
+        progress: Progress,
+    ) -> Result:
         from .results import Result
 
         problem = self.set(start) if start else self
         with shown(progress, what) as tell:
-            found, interrupted = native.search(problem._native, synthesize, solver, starts, seed,
-                                               time_limit, memory, tell)
+            found, interrupted = native.search(
+                problem._native, synthesize, solver, starts, seed, time_limit, memory, tell
+            )
         result = Result(found)
         if interrupted:
             raise Interrupted(result)
         return result
 
-    def optimize(self, *, solver: str | None = None, starts: int | None = None,
-                 seed: int | None = None, time_limit: float | None = None,
-                 memory: float | None = None, start: Mapping[str, Any] | None = None,
-                 progress: Progress = None) -> Result:
+    def optimize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        memory: float | None = None,
+        start: Mapping[str, Any] | None = None,
+        progress: Progress = None,
+    ) -> Result:
         """The best design, with a verdict.
 
         What is not given is as the problem has it. starts: how many places to search from. start:
         the values to begin at. time_limit: seconds; the best so far is the answer then. memory:
         bytes that the search may take. Ctrl-C raises Interrupted, whose result is the best so far.
         """
-        return self._search(False, "optimize", solver, starts, seed, time_limit, memory, start, progress)
+        return self._search(
+            False, "optimize", solver, starts, seed, time_limit, memory, start, progress
+        )
 
-    def synthesize(self, *, solver: str | None = None, starts: int | None = None,
-                   seed: int | None = None, time_limit: float | None = None,
-                   memory: float | None = None, start: Mapping[str, Any] | None = None,
-                   progress: Progress = None) -> Result:
+    def synthesize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        memory: float | None = None,
+        start: Mapping[str, Any] | None = None,
+        progress: Progress = None,
+    ) -> Result:
         """The same of a problem with a free law, which is measured with what is possible and with
         the laws that have names: facts["rulers"]."""
-        return self._search(True, "synthesize", solver, starts, seed, time_limit, memory, start, progress)
+        return self._search(
+            True, "synthesize", solver, starts, seed, time_limit, memory, start, progress
+        )
 
-    def pareto(self, *, points: int = 50, workers: int | None = None, method: str = "auto",
-               record: str | Path | None = None, resume: bool = False,
-               progress: Progress = None) -> Front:
+    def pareto(
+        self,
+        *,
+        points: int = 50,
+        workers: int | None = None,
+        method: str = "auto",
+        record: str | Path | None = None,
+        resume: bool = False,
+        progress: Progress = None,
+    ) -> Front:
         """The front of two objectives or more.
 
         workers: processes at work side by side; the front does not depend on them. They are started
@@ -352,8 +421,15 @@ class Problem:
         from .fronts import Front
 
         with shown(progress, "pareto") as tell:
-            found, interrupted = native.pareto(self._native, points, method, workers,
-                                               "" if record is None else str(record), resume, tell)
+            found, interrupted = native.pareto(
+                self._native,
+                points,
+                method,
+                workers,
+                "" if record is None else str(record),
+                resume,
+                tell,
+            )
         front = Front(found)
         if interrupted:
             raise Interrupted(front)
@@ -402,13 +478,26 @@ def _written(text: str, path: str | Path | None) -> str:
     return text
 
 
-_EXPORT = {"format", "curve", "tolerance", "step", "form", "decimals", "tool", "feed", "clearance",
-           "depth", "slave"}
+_EXPORT = {
+    "format",
+    "curve",
+    "tolerance",
+    "step",
+    "form",
+    "decimals",
+    "tool",
+    "feed",
+    "clearance",
+    "depth",
+    "slave",
+}
 
 
 def _export_options(path: str | Path | None, options: Mapping[str, Any]) -> dict[str, str]:
     unknown = set(options) - _EXPORT
     if unknown:
-        raise InputError(f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_EXPORT))}")
+        raise InputError(
+            f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_EXPORT))}"
+        )
     told = {name: units.value_text(value) for name, value in options.items() if value is not None}
     return told | ({"out": str(path)} if path is not None else {})

@@ -33,8 +33,13 @@ def shown(progress: Progress, what: str) -> Iterator[Told | None]:
     except ImportError:
         yield None
         return
-    bar: Any = tqdm(total=1.0, desc=what, delay=0.5, leave=False,
-                    bar_format="{desc}: {percentage:3.0f}%|{bar}| {elapsed}{postfix}")
+    bar: Any = tqdm(
+        total=1.0,
+        desc=what,
+        delay=0.5,
+        leave=False,
+        bar_format="{desc}: {percentage:3.0f}%|{bar}| {elapsed}{postfix}",
+    )
 
     def tell(done: float | None, words: str) -> None:
         if done is not None and done > bar.n:

@@ -28,7 +28,9 @@ class Reproduction:
     @property
     def counts(self) -> dict[str, int]:
         """How many values are reproduced, explained and unexplained."""
-        return {name: getattr(self._native, name) for name in ("reproduced", "explained", "unexplained")}
+        return {
+            name: getattr(self._native, name) for name in ("reproduced", "explained", "unexplained")
+        }
 
     @property
     def worsened(self) -> list[str]:
@@ -90,12 +92,20 @@ def cam_shape(n: int) -> dict[str, Any]:
     return native.solve_cam_shape(n)
 
 
-def study(system: str, *, set: Mapping[str, Any] | None = None, table: bool = False,
-          workers: int | None = None, progress: Progress = None) -> Study:
+def study(
+    system: str,
+    *,
+    set: Mapping[str, Any] | None = None,
+    table: bool = False,
+    workers: int | None = None,
+    progress: Progress = None,
+) -> Study:
     """Laws compared on "spine-cutter" or "sheet-delivery". table: of the spine cutter the table of
     laws alone, without the proved fronts."""
     with shown(progress, f"study {system}") as tell:
-        found, interrupted = native.study(system, units.settings_of(dict(set or {})), table, workers, tell)
+        found, interrupted = native.study(
+            system, units.settings_of(dict(set or {})), table, workers, tell
+        )
     if interrupted:
         raise Interrupted(Study(found))
     return Study(found)

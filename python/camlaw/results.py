@@ -94,7 +94,9 @@ class Result:
         known = self.design.constants
         if name in known:
             return known[name]
-        raise InputError(f"the design has no '{name}'; it has {', '.join([*self.variables, *known])}")
+        raise InputError(
+            f"the design has no '{name}'; it has {', '.join([*self.variables, *known])}"
+        )
 
     @property
     def margins(self) -> Any:
@@ -142,8 +144,9 @@ class Result:
     def verify(self) -> Verification:
         """Judges the design and the claim again."""
         facts = self._native.verify()
-        return Verification(**{name: facts[name] for name in Verification._fields if name != "facts"},
-                            facts=facts)
+        return Verification(
+            **{name: facts[name] for name in Verification._fields if name != "facts"}, facts=facts
+        )
 
     def plot(self) -> Any:
         """The curves that are limited or sought, with their limits; of a result that was read, every

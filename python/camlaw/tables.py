@@ -15,8 +15,10 @@ class Columns(dict[str, Any]):
         names = list(self)
         rows = zip(*self.values()) if names else []
         head = "".join(f"<th>{escape(name)}</th>" for name in names)
-        body = "".join("<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>"
-                       for row in rows)
+        body = "".join(
+            "<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in row) + "</tr>"
+            for row in rows
+        )
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 
@@ -27,16 +29,18 @@ def _number(value: Any) -> Any:
 def _column(values: Sequence[Any]) -> Any:
     values = [_number(value) for value in values]
     numbers = [float("nan") if value is None else value for value in values]
-    if any(isinstance(value, (int, float)) and not isinstance(value, bool) for value in numbers) and all(
-            isinstance(value, (int, float)) and not isinstance(value, bool) for value in numbers):
+    if any(
+        isinstance(value, (int, float)) and not isinstance(value, bool) for value in numbers
+    ) and all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in numbers):
         return np.array(numbers)
     if values and all(isinstance(value, bool) for value in values):
         return np.array(values)
     return values
 
 
-def of_columns(columns: Mapping[str, Any], units: Mapping[str, str] | None = None,
-               index: str | None = None) -> Any:
+def of_columns(
+    columns: Mapping[str, Any], units: Mapping[str, str] | None = None, index: str | None = None
+) -> Any:
     """A table of arrays, which are not copied."""
     try:
         import pandas
@@ -50,10 +54,15 @@ def of_columns(columns: Mapping[str, Any], units: Mapping[str, str] | None = Non
     return frame
 
 
-def of_rows(rows: Sequence[Mapping[str, Any]], units: Mapping[str, str] | None = None,
-            index: str | None = None) -> Any:
+def of_rows(
+    rows: Sequence[Mapping[str, Any]],
+    units: Mapping[str, str] | None = None,
+    index: str | None = None,
+) -> Any:
     """A table of rows that have the same names, or some of them."""
     names: dict[str, None] = {}
     for row in rows:
         names.update(dict.fromkeys(row))
-    return of_columns({name: _column([row.get(name) for row in rows]) for name in names}, units, index)
+    return of_columns(
+        {name: _column([row.get(name) for row in rows]) for name in names}, units, index
+    )

@@ -13,6 +13,8 @@ PROBLEMS = ROOT / "problems"
 #: Nothing may be skipped for want of a library.
 FULL = os.environ.get("CAMLAW_FULL") == "1"
 
+os.chdir(ROOT)  # as the program is run: answers name files as they were given
+
 
 def pytest_collection_modifyitems(config, items):
     if FULL or config.option.markexpr:

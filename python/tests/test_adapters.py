@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Problems within the real libraries of others."""
 
+import camlaw as cl
 import numpy as np
 import pytest
 from conftest import PROBLEMS, needs
-
-import camlaw as cl
 
 ROLLER = PROBLEMS / "cams/roller_least_base.toml"
 BEST = 52.64791933
@@ -25,7 +24,9 @@ def test_derivatives_are_those_of_differences():
         ahead, behind = x.copy(), x.copy()
         ahead[k] += step
         behind[k] -= step
-        slope = (np.concatenate(model.values(ahead)) - np.concatenate(model.values(behind))) / (2 * step)
+        slope = (np.concatenate(model.values(ahead)) - np.concatenate(model.values(behind))) / (
+            2 * step
+        )
         assert np.allclose(exact[:, k], slope, rtol=1e-5, atol=1e-5)
     rows = model.values(np.array([x, x]))
     assert np.array_equal(rows[0][0], rows[0][1]) and rows[1].shape == (2, len(model.margins))
@@ -33,13 +34,18 @@ def test_derivatives_are_those_of_differences():
 
 def test_scipy_finds_the_optimum():
     needs("scipy")
+    from camlaw.adapters.scipy import ScipyObjective
     from scipy import optimize
 
-    from camlaw.adapters.scipy import ScipyObjective
-
     objective = ScipyObjective(cl.Problem.load(ROLLER))
-    found = optimize.minimize(objective, objective.start, jac=objective.gradient, bounds=objective.bounds,
-                              constraints=objective.constraints, method="SLSQP")
+    found = optimize.minimize(
+        objective,
+        objective.start,
+        jac=objective.gradient,
+        bounds=objective.bounds,
+        constraints=objective.constraints,
+        method="SLSQP",
+    )
     assert found.success and found.x[0] == pytest.approx(BEST, abs=1e-5)
     assert objective.model.design(found.x + 1e-6).evaluate().feasible
     with pytest.raises(cl.InputError, match="objectives"):
@@ -48,10 +54,9 @@ def test_scipy_finds_the_optimum():
 
 def test_pymoo_finds_the_front():
     needs("pymoo")
+    from camlaw.adapters.pymoo import PymooProblem
     from pymoo.algorithms.moo.nsga2 import NSGA2
     from pymoo.optimize import minimize
-
-    from camlaw.adapters.pymoo import PymooProblem
 
     problem = two_objectives()
     found = minimize(PymooProblem(problem), NSGA2(pop_size=24), ("n_gen", 12), seed=1)
@@ -64,7 +69,9 @@ def test_pygmo_finds_the_optimum():
     from camlaw.adapters.pygmo import PygmoProblem
 
     problem = pygmo.problem(PygmoProblem(cl.Problem.load(ROLLER)))
-    assert problem.get_nobj() == 1 and problem.get_nic() == len(PygmoProblem(cl.Problem.load(ROLLER)).model.margins)
+    assert problem.get_nobj() == 1 and problem.get_nic() == len(
+        PygmoProblem(cl.Problem.load(ROLLER)).model.margins
+    )
     start = pygmo.population(problem, size=0)
     start.push_back([80.0])
     found = pygmo.algorithm(pygmo.nlopt("mma")).evolve(start)
@@ -74,7 +81,6 @@ def test_pygmo_finds_the_optimum():
 def test_openmdao_finds_the_optimum_and_believes_the_partials():
     needs("openmdao")
     import openmdao.api as om
-
     from camlaw.adapters.openmdao import CamlawComponent
 
     group = om.Problem(reports=False)

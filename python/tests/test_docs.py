@@ -25,15 +25,28 @@ def test_the_tutorials_blocks_run(tmp_path, monkeypatch):
     assert (tmp_path / "cam.dxf").exists() and (tmp_path / "axis.csv").exists()
 
 
+@pytest.mark.full
+def test_the_readmes_block_runs(monkeypatch):
+    monkeypatch.chdir(ROOT)
+    (block,) = re.findall(r"^```python\n(.*?)^```", (ROOT / "README.md").read_text(), re.S | re.M)
+    names = {}
+    exec(compile(block, "README.md", "exec"), names)
+    assert names["result"].certified and len(names["front"]) >= 12
+
+
 def test_the_reference_is_what_the_package_says():
-    done = subprocess.run([sys.executable, ROOT / "python/tools/reference.py"], capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, ROOT / "python/tools/reference.py"], capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stderr
-    assert done.stdout == (ROOT / "docs/python-api.md").read_text(), \
+    assert done.stdout == (ROOT / "docs/python-api.md").read_text(), (
         "./run python python/tools/reference.py > docs/python-api.md"
+    )
 
 
 def test_there_are_four_notebooks_without_outputs():
     import json
+
     assert len(NOTEBOOKS) == 4
     for notebook in NOTEBOOKS:
         cells = json.loads(notebook.read_text())["cells"]
@@ -48,4 +61,6 @@ def test_a_notebook_runs(notebook, tmp_path):
     from nbclient import NotebookClient
 
     read = nbformat.read(notebook, as_version=4)
-    NotebookClient(read, timeout=300, resources={"metadata": {"path": str(notebook.parent)}}).execute()
+    NotebookClient(
+        read, timeout=300, resources={"metadata": {"path": str(notebook.parent)}}
+    ).execute()

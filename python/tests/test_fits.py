@@ -1,24 +1,22 @@
 # SPDX-License-Identifier: MIT
-import os
-
+import camlaw as cl
 import numpy as np
 import pytest
-from conftest import PROBLEMS, ROOT, program_json, same
-
-import camlaw as cl
+from conftest import program_json, same
 
 WORN = "problems/cams/worn_cam.csv"
 
 
 @pytest.fixture(scope="module")
 def worn():
-    os.chdir(ROOT)
     return cl.fit(WORN, mechanism="disc-cam-roller", set={"roller_radius": "8 mm"})
 
 
 def test_a_worn_cam_is_the_programs(worn):
-    assert same(worn.facts, program_json("fit", WORN, "--mechanism", "disc-cam-roller", "--set",
-                                         "roller_radius=8 mm"))
+    assert same(
+        worn.facts,
+        program_json("fit", WORN, "--mechanism", "disc-cam-roller", "--set", "roller_radius=8 mm"),
+    )
 
 
 def test_a_worn_cam_has_its_program(worn, tmp_path):
@@ -43,15 +41,16 @@ def test_a_table_is_what_the_file_is(tmp_path):
     x = np.linspace(0, 60, 61)
     lift = np.round(10 * cl.law("modified-sine")(x / 60).s, 3)
     path = tmp_path / "lift.csv"
-    path.write_text("angle [deg],lift [mm]\n" + "".join(f"{a!r},{b!r}\n" for a, b in
-                                                        zip(x.tolist(), lift.tolist())))
+    path.write_text(
+        "angle [deg],lift [mm]\n"
+        + "".join(f"{a!r},{b!r}\n" for a, b in zip(x.tolist(), lift.tolist()))
+    )
     from_file = cl.fit(path, law="modified-sine").facts
     from_arrays = cl.fit({"angle [deg]": x, "lift [mm]": lift}, law="modified-sine").facts
     assert same(from_file, from_arrays)
 
 
 def test_a_recorded_curve_gives_the_machine_behind_it():
-    os.chdir(ROOT)
     data, machine = "problems/cams/recorded_torque.csv", "problems/cams/recorded_torque.toml"
     found = cl.fit(data, mechanism=machine)
     assert same(found.facts, program_json("fit", data, "--mechanism", machine))
@@ -61,7 +60,9 @@ def test_a_recorded_curve_gives_the_machine_behind_it():
 def test_printed_constants_give_the_law():
     found = cl.fit_constants("B=1.6125, C=4.66", law="polynomial-5")
     assert found.facts
-    assert same(found.facts, program_json("fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5"))
+    assert same(
+        found.facts, program_json("fit", "--constants", "B=1.6125, C=4.66", "--law", "polynomial-5")
+    )
 
 
 def test_wrong_tables_are_refused():
@@ -89,7 +90,8 @@ def test_published_tables_come_out():
     assert "signature feeder" in found._repr_html_()
     solved = cl.cam_shape(50)
     assert solved["verdict"] == "certified optimum" and solved["objective"] == pytest.approx(
-        solved["true_optimum"], rel=1e-8)
+        solved["true_optimum"], rel=1e-8
+    )
     with pytest.raises(cl.InputError, match="no system is called"):
         cl.reproduce("perpetuum-mobile")
 

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 import threading
 
+import camlaw as cl
 import numpy as np
 import pytest
 from conftest import PROBLEMS, program, program_json, same
-
-import camlaw as cl
 
 CUTTER = PROBLEMS / "spine_cutter/front.toml"
 

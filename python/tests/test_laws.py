@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 import math
 
+import camlaw as cl
 import numpy as np
 import pytest
 from conftest import program_json, same
-
-import camlaw as cl
 
 
 def test_the_cycloidal_has_the_peaks_that_its_formula_has():

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 import pickle
 
+import camlaw as cl
 import numpy as np
 import pytest
 from conftest import PROBLEMS, program, program_json, same
-
-import camlaw as cl
 
 ROLLER = PROBLEMS / "cams/roller_least_base.toml"
 
@@ -14,17 +13,29 @@ def roller(**changes):
     stated = dict(
         mechanism="disc-cam-roller",
         title="Least base circle of a disc cam with a roller follower",
-        constants={"stroke": "30 mm", "roller_radius": "8 mm", "speed": "200 rpm", "mass": "1.2 kg",
-                   "spring_rate": "6 N/mm", "spring_preload": "60 N"},
-        program=[{"name": "rise", "angle": "80 deg", "law": "cycloidal"},
-                 {"name": "high", "angle": "60 deg"},
-                 {"name": "return", "angle": "100 deg", "law": cl.law("modified-sine")},
-                 {"name": "low"}],
+        constants={
+            "stroke": "30 mm",
+            "roller_radius": "8 mm",
+            "speed": "200 rpm",
+            "mass": "1.2 kg",
+            "spring_rate": "6 N/mm",
+            "spring_preload": "60 N",
+        },
+        program=[
+            {"name": "rise", "angle": "80 deg", "law": "cycloidal"},
+            {"name": "high", "angle": "60 deg"},
+            {"name": "return", "angle": "100 deg", "law": cl.law("modified-sine")},
+            {"name": "low"},
+        ],
         variables={"base_radius": {"lower": "10 mm", "upper": "120 mm", "start": "60 mm"}},
         objective="base_radius",
-        constraints={"pressure_angle": ("-40 deg", "30 deg"), "undercut": {"upper": 0.8},
-                     "follower_force": ("0 N", None)},
-        buildable={"require": True})
+        constraints={
+            "pressure_angle": ("-40 deg", "30 deg"),
+            "undercut": {"upper": 0.8},
+            "follower_force": ("0 N", None),
+        },
+        buildable={"require": True},
+    )
     return cl.Problem(**(stated | changes))
 
 
@@ -39,9 +50,14 @@ def test_a_problem_of_dicts_is_the_one_of_the_file():
 
 def test_quantities_of_pint_are_taken_with_their_units():
     units = pytest.importorskip("pint").UnitRegistry()
-    constants = {"stroke": 3 * units.cm, "roller_radius": 8 * units.mm, "speed": 200 * units.rpm,
-                 "mass": 1200 * units.g, "spring_rate": 6 * units.N / units.mm,
-                 "spring_preload": 60 * units.N}
+    constants = {
+        "stroke": 3 * units.cm,
+        "roller_radius": 8 * units.mm,
+        "speed": 200 * units.rpm,
+        "mass": 1200 * units.g,
+        "spring_rate": 6 * units.N / units.mm,
+        "spring_preload": 60 * units.N,
+    }
     assert roller(constants=constants).constants == pytest.approx(roller().constants, rel=1e-12)
     with pytest.raises(cl.InputError, match="a length is wanted"):
         roller(constants={"stroke": 3 * units.kg})
@@ -81,7 +97,11 @@ def test_an_evaluation_is_the_programs():
     for name, row in theirs["responses"].items():
         mine = found[name]
         value = row.get("value")
-        assert (mine == value or value in ("inf", None)) if "value" in row else mine.lowest == row["lowest"]
+        assert (
+            (mine == value or value in ("inf", None))
+            if "value" in row
+            else mine.lowest == row["lowest"]
+        )
     with pytest.raises(cl.InputError, match="no response is called"):
         found["nonsense"]
 
@@ -93,12 +113,18 @@ def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
     for i, radius in enumerate(radii):
         one = problem.evaluate(base_radius=radius)
         for name in ("pressure_angle", "contact_stress", "pitch_curvature", "drive_torque"):
-            assert table[f"highest {name}"][i] == pytest.approx(one[name].highest, rel=1e-9, abs=1e-9)
+            assert table[f"highest {name}"][i] == pytest.approx(
+                one[name].highest, rel=1e-9, abs=1e-9
+            )
             assert table[f"lowest {name}"][i] == pytest.approx(one[name].lowest, rel=1e-9, abs=1e-9)
         assert table["outer_radius"][i] == pytest.approx(one["outer_radius"], rel=1e-12)
         margins = one.margins
-        assert table["margin of undercut"][i] == pytest.approx(margins.loc["undercut", "margin"], rel=1e-9)
-    few = problem.evaluate_many({"base_radius": radii, "roller_radius": [8.0]}, ["peak pressure_angle"])
+        assert table["margin of undercut"][i] == pytest.approx(
+            margins.loc["undercut", "margin"], rel=1e-9
+        )
+    few = problem.evaluate_many(
+        {"base_radius": radii, "roller_radius": [8.0]}, ["peak pressure_angle"]
+    )
     assert np.allclose(few["peak pressure_angle"], table["peak_pressure_angle"], rtol=1e-12)
     with pytest.raises(cl.InputError, match="outside"):
         problem.evaluate_many({"base_radius": [1e6]})
@@ -106,9 +132,18 @@ def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
         problem.evaluate_many({"base_radios": [50.0]})
 
 
-@pytest.mark.parametrize("file", [
-    "cams/flat_least_base.toml", "cams/oscillating_least_peak_angle.toml", "die_press/least_approach.toml",
-    "own/slider_crank.toml", "motions/in_step.toml", "geneva/fastest.toml", "follower_train/quiet_rise.toml"])
+@pytest.mark.parametrize(
+    "file",
+    [
+        "cams/flat_least_base.toml",
+        "cams/oscillating_least_peak_angle.toml",
+        "die_press/least_approach.toml",
+        "own/slider_crank.toml",
+        "motions/in_step.toml",
+        "geneva/fastest.toml",
+        "follower_train/quiet_rise.toml",
+    ],
+)
 def test_many_designs_of_any_machine_are_those_that_are_proved(file):
     problem = cl.Problem.load(PROBLEMS / file)
     starts = {row["name"]: [row["start"]] for row in problem._native.variables()}
@@ -134,7 +169,9 @@ def test_derivatives_scaling_and_formulas_are_told():
     assert "base_radius" in problem.scaling().index
     text = program("mechanisms", "disc-cam-roller", "--formula", "pressure_angle")
     assert text.startswith(problem.formula("pressure_angle").rstrip("\n"))
-    assert problem.formula("pressure_angle") == cl.mechanism("disc-cam-roller").formula("pressure_angle")
+    assert problem.formula("pressure_angle") == cl.mechanism("disc-cam-roller").formula(
+        "pressure_angle"
+    )
 
 
 def test_curves_are_those_of_the_programs_table(tmp_path):
@@ -146,6 +183,7 @@ def test_curves_are_those_of_the_programs_table(tmp_path):
 
 def test_without_pandas_tables_are_dicts_of_arrays(monkeypatch):
     import sys
+
     monkeypatch.setitem(sys.modules, "pandas", None)
     curves = cl.Problem.load(ROLLER).curves(36)
     assert isinstance(curves, dict) and len(curves["pressure_angle [deg]"]) == 37

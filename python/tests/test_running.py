@@ -8,10 +8,9 @@ import sys
 import threading
 import time
 
+import camlaw as cl
 import pytest
 from conftest import PROBLEMS
-
-import camlaw as cl
 
 FRONT = PROBLEMS / "cams/roller_front.toml"
 QUICK = PROBLEMS / "spine_cutter/front.toml"
@@ -19,7 +18,9 @@ QUICK = PROBLEMS / "spine_cutter/front.toml"
 
 def test_progress_is_told_and_ends_with_what_it_throws():
     told = []
-    cl.Problem.load(QUICK).pareto(points=8, workers=2, progress=lambda done, words: told.append((done, words)))
+    cl.Problem.load(QUICK).pareto(
+        points=8, workers=2, progress=lambda done, words: told.append((done, words))
+    )
     assert told and all(done is None or 0 <= done <= 1 for done, _ in told)
     assert any("searches" in words for _, words in told)
 
@@ -52,7 +53,11 @@ def test_ctrl_c_stops_a_fit():
     timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(cl.Interrupted) as stopped:
-        cl.fit(PROBLEMS / "cams/worn_cam.csv", mechanism="disc-cam-roller", set={"roller_radius": "8 mm"})
+        cl.fit(
+            PROBLEMS / "cams/worn_cam.csv",
+            mechanism="disc-cam-roller",
+            set={"roller_radius": "8 mm"},
+        )
     assert stopped.value.result is None
 
 
@@ -79,8 +84,10 @@ def test_several_threads_get_the_bits_that_one_gets():
     problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
     alone = problem.optimize()["base_radius"]
     found = []
-    threads = [threading.Thread(target=lambda: found.append(problem.optimize()["base_radius"]))
-               for _ in range(4)]
+    threads = [
+        threading.Thread(target=lambda: found.append(problem.optimize()["base_radius"]))
+        for _ in range(4)
+    ]
     for thread in threads:
         thread.start()
     for thread in threads:
@@ -113,5 +120,12 @@ def test_speed():
     one = best(lambda: problem.evaluate(base_radius=50), 5, 5)
     assert 1000 * one > 20 * batch
     code = "import time; t = time.perf_counter(); import camlaw; print(time.perf_counter() - t)"
-    assert min(float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout)
-               for _ in range(5)) < 0.15
+    assert (
+        min(
+            float(
+                subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout
+            )
+            for _ in range(5)
+        )
+        < 0.15
+    )

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Tries an installed package: laws, a search, a front with workers, and where its libraries are.
 
-    python try_wheel.py FOLDER      of problem files
+python try_wheel.py FOLDER      of problem files
 """
 
 import sys
 from pathlib import Path
 
-import numpy as np
-
 import camlaw as cl
+import numpy as np
 
 problems = Path(sys.argv[1])
 package = Path(cl.__file__).parent

@@ -79,6 +79,8 @@ class Model:
 
     def design(self, x: Any) -> Problem:
         """The problem at a design, to be evaluated and proved."""
-        rounded = [round(float(value)) if v.integer else float(value)
-                   for v, value in zip(self.variables, x)]
+        rounded = [
+            round(float(value)) if v.integer else float(value)
+            for v, value in zip(self.variables, x)
+        ]
         return self.problem.set({v.name: value for v, value in zip(self.variables, rounded)})

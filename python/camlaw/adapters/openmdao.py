@@ -32,10 +32,12 @@ class CamlawComponent(om.ExplicitComponent):
         self._model = model = Model(self.options["problem"])
         self.input_names = [component_name(v.name) for v in model.variables]
         self.output_names = [component_name(o.name) for o in model.objectives] + [
-            "margin_" + component_name(o.name) for o in model.margins]
+            "margin_" + component_name(o.name) for o in model.margins
+        ]
         taken = set(self.input_names)
-        self.output_names = [name if name not in taken else "objective_" + name
-                             for name in self.output_names]
+        self.output_names = [
+            name if name not in taken else "objective_" + name for name in self.output_names
+        ]
         for name, variable in zip(self.input_names, model.variables):
             self.add_input(name, val=variable.start, units=self._unit(variable.unit))
         for name, output in zip(self.output_names, model.objectives + model.margins):
@@ -55,8 +57,9 @@ class CamlawComponent(om.ExplicitComponent):
     def _design(self, inputs: Any) -> np.ndarray:
         return np.array([inputs[name].item() for name in self.input_names])
 
-    def compute(self, inputs: Any, outputs: Any, discrete_inputs: Any = None,
-                discrete_outputs: Any = None) -> None:
+    def compute(
+        self, inputs: Any, outputs: Any, discrete_inputs: Any = None, discrete_outputs: Any = None
+    ) -> None:
         objectives, margins = self._model.values(self._design(inputs))
         signs = [o.sign for o in self._model.objectives]
         for name, value in zip(self.output_names, [*(objectives * signs), *margins]):

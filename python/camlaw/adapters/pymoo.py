@@ -19,8 +19,13 @@ class PymooProblem(_Base):
     def __init__(self, problem: Problem) -> None:
         self.model = Model(problem)
         self._whole = np.array([v.integer for v in self.model.variables])
-        super().__init__(n_var=len(self.model.variables), n_obj=len(self.model.objectives),
-                         n_ieq_constr=len(self.model.margins), xl=self.model.lower, xu=self.model.upper)
+        super().__init__(
+            n_var=len(self.model.variables),
+            n_obj=len(self.model.objectives),
+            n_ieq_constr=len(self.model.margins),
+            xl=self.model.lower,
+            xu=self.model.upper,
+        )
 
     def _evaluate(self, x: Any, out: dict[str, Any], *args: Any, **kwargs: Any) -> None:
         designs = np.where(self._whole, np.round(x), x)

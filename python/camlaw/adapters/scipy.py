@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A problem for scipy.optimize.
 
-    objective = ScipyObjective(problem)
-    found = scipy.optimize.minimize(objective, objective.start, jac=objective.gradient,
-                                    bounds=objective.bounds, constraints=objective.constraints)
+objective = ScipyObjective(problem)
+found = scipy.optimize.minimize(objective, objective.start, jac=objective.gradient,
+                                bounds=objective.bounds, constraints=objective.constraints)
 """
 
 from __future__ import annotations
@@ -23,7 +23,9 @@ class ScipyObjective:
     def __init__(self, problem: Problem) -> None:
         self.model = Model(problem)
         if len(self.model.objectives) != 1:
-            raise InputError(f"the problem has {len(self.model.objectives)} objectives; one is wanted")
+            raise InputError(
+                f"the problem has {len(self.model.objectives)} objectives; one is wanted"
+            )
 
     def __call__(self, x: Any) -> float:
         """To be made small."""
@@ -45,13 +47,19 @@ class ScipyObjective:
         """The margins, none below zero: for the methods SLSQP and COBYLA."""
         if not self.model.margins:
             return []
-        return [{"type": "ineq", "fun": lambda x: self.model.values(x)[1],
-                 "jac": lambda x: self.model.derivatives(x)[1]}]
+        return [
+            {
+                "type": "ineq",
+                "fun": lambda x: self.model.values(x)[1],
+                "jac": lambda x: self.model.derivatives(x)[1],
+            }
+        ]
 
     @property
     def nonlinear_constraint(self) -> Any:
         """The same for the method trust-constr and for differential_evolution."""
         from scipy.optimize import NonlinearConstraint
 
-        return NonlinearConstraint(lambda x: self.model.values(x)[1], 0, np.inf,
-                                   jac=lambda x: self.model.derivatives(x)[1])
+        return NonlinearConstraint(
+            lambda x: self.model.values(x)[1], 0, np.inf, jac=lambda x: self.model.derivatives(x)[1]
+        )
