@@ -21,38 +21,46 @@ def _title(axis: dict[str, Any]) -> str:
     return f"{axis['label']}, {axis['unit']}" if axis["unit"] else str(axis["label"])
 
 
-def _draw_panel(panel: dict[str, Any], axes: Any) -> None:
+def _draw_panel(panel: dict[str, Any], axes: Any, equal: bool) -> None:
     for line in panel["lines"]:
+        style = "--" if line["dashed"] else "-"
         axes.plot(
             line["x"],
             line["y"],
-            "--" if line["dashed"] else "-",
+            style,
             color=line["colour"] or None,
             linewidth=0.8 * line["width"],
             label=line["name"] or None,
         )
     for some in panel["markers"]:
-        axes.scatter(
+        shape = _MARKERS[some["shape"]]
+        axes.plot(
             some["x"],
             some["y"],
-            marker=_MARKERS[some["shape"]],
-            s=4 * some["size"] ** 2,
+            shape,
+            markersize=1.3 * some["size"],
             color=some["colour"] or None,
+            fillstyle="full" if some["filled"] else "none",
             label=some["name"] or None,
         )
-        for x, y, label in zip(some["x"], some["y"], some["labels"]):
+        for x, y, label in zip(some["x"], some["y"], some["labels"], strict=True):
             if label:
-                axes.annotate(label, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=8)
+                place = {"xytext": (4, 4), "textcoords": "offset points"}
+                axes.annotate(label, (x, y), fontsize=8, **place)
     axes.set_title(panel["title"], fontsize=10)
     axes.set_xlabel(_title(panel["x"]))
     axes.set_ylabel(_title(panel["y"]))
-    if panel["x"]["lower"] is not None:
+    if equal:
+        axes.set_aspect("equal", adjustable="datalim")
+    elif panel["x"]["lower"] is not None:
         axes.set_xlim(panel["x"]["lower"], panel["x"]["upper"])
-    if panel["y"]["lower"] is not None:
+    if not equal and panel["y"]["lower"] is not None:
         axes.set_ylim(panel["y"]["lower"], panel["y"]["upper"])
     axes.grid(True, alpha=0.3)
-    if any(part["name"] for part in panel["lines"] + panel["markers"]):
-        axes.legend(fontsize=8)
+    drawn, names = axes.get_legend_handles_labels()
+    if names:
+        once = dict(zip(reversed(names), reversed(drawn), strict=True))
+        axes.legend(once.values(), once.keys(), fontsize=8)
 
 
 def draw(figure: dict[str, Any], equal: bool = False) -> Any:
@@ -72,9 +80,7 @@ def draw(figure: dict[str, Any], equal: bool = False) -> Any:
     )
     flat = list(axes.flat)
     for panel, place in zip(panels, flat):
-        _draw_panel(panel, place)
-        if equal:
-            place.set_aspect("equal", adjustable="datalim")
+        _draw_panel(panel, place, equal)
         if shared and place is not flat[len(panels) - 1]:
             place.set_xlabel("")
     for place in flat[len(panels) :]:
