@@ -51,7 +51,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a table the "
        "master's step, by default a 360th of the cycle"},
       {"--as", &o.form,
-       one_of({form_name(CurveForm::Lines), form_name(CurveForm::Arcs), form_name(CurveForm::Spline)}),
+       one_of(
+           {form_name(CurveForm::Lines), form_name(CurveForm::Arcs), form_name(CurveForm::Spline)}),
        "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by default "
        "spline for dxf, arcs for gcode, else lines"},
       {"--decimals", &o.decimals, takes::kNumber,
