@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Brings a Debian 12 machine to the point where a CMake preset is built: packages, configuration, build.
 #   ./setup.sh PRESET [TARGET...]      PRESET is one of CMakePresets.json: release, dev, asan, ...
-# Packages are those of packages.txt and, where there is one, of packages-PRESET.txt.
+# Packages are those of packages.txt, of packages-PRESET.txt where there is one, and of packages-NAME.txt
+# for each NAME in the environment variable CAMLAW_PACKAGES.
 # Does nothing that is already done, and needs the network only while packages are missing.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,7 +17,10 @@ as_root() {
 install_packages() {
   local wanted installed missing
   local lists=(packages.txt)
-  [ -f "packages-$preset.txt" ] && lists+=("packages-$preset.txt")
+  local name
+  for name in "$preset" ${CAMLAW_PACKAGES:-}; do
+    [ -f "packages-$name.txt" ] && lists+=("packages-$name.txt")
+  done
   wanted=$(cat "${lists[@]}" | grep -v '^#' | sort)
   installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null |
     sed -n 's/^installed //p' | sort -u)

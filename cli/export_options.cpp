@@ -4,35 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "cli/files.h"
-#include "numerics/text/units.h"
 #include "output/export/plane_curve.h"
-#include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
 namespace {
 
 using problems::CurveForm;
-using Text = ExportOptions::Text;
-
-const std::vector<FormatRow>& formats() {
-  using F = CurveForm;
-  static const std::vector<FormatRow> rows{
-      {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
-      {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
-      {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
-      {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
-      {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
-      {ExportFormat::Table, "table", {}, {}, 6}};
-  return rows;
-}
-
-const char* name_of(CurveForm form) {
-  return form == CurveForm::Lines ? "lines" : form == CurveForm::Arcs ? "arcs" : "spline";
-}
 
 /// "{csv,dxf}", what help and completion show of an option that takes one of some words.
 std::string one_of(const std::vector<const char*>& words) {
@@ -41,7 +18,7 @@ std::string one_of(const std::vector<const char*>& words) {
 
 std::string format_words() {
   std::vector<const char*> words;
-  for (const FormatRow& row : formats()) words.push_back(row.name);
+  for (const FormatRow& row : export_formats()) words.push_back(row.name);
   return one_of(words);
 }
 
@@ -51,108 +28,7 @@ std::string curve_words() {
   return one_of(words);
 }
 
-/// A length or a feed in a range.
-double quantity(const Text& text, const char* name, const char* unit, double default_value,
-                double low, double high) {
-  if (!text) return default_value;
-  const double value = parse_quantity(*text, unit, unit, name);
-  if (value >= low && value <= high) return value;
-  throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", name,
-                                          value, unit, low, high, unit));
-}
-
 }  // namespace
-
-const FormatRow& format_of(const ExportOptions& options) {
-  std::vector<const char*> names;
-  const std::string ending = options.out ? ending_of(*options.out) : "";
-  for (const FormatRow& row : formats()) {
-    names.push_back(row.name);
-    const bool fits =
-        std::find(row.endings.begin(), row.endings.end(), ending) != row.endings.end();
-    if (options.format ? *options.format == row.name : fits) return row;
-  }
-  throw std::invalid_argument(
-      fmt::format("{}; accepted are {}",
-                  options.format ? fmt::format("--format: no format '{}'", *options.format)
-                                 : "--format is missing, and no ending of --out tells it",
-                  fmt::join(names, ", ")));
-}
-
-void check_options(const ExportOptions& o, const FormatRow& format) {
-  const bool table = format.format == ExportFormat::Table,
-             gcode = format.format == ExportFormat::Gcode;
-  const auto only = [&](const Text& option, const char* name, bool used, const char* whose) {
-    if (!option || used) return;
-    throw std::invalid_argument(fmt::format("{} is for {}, not for {}", name, whose, format.name));
-  };
-  only(o.slave, "--slave", table, "table");
-  only(o.feed, "--feed", gcode, "gcode");
-  only(o.clearance, "--clearance", gcode, "gcode");
-  only(o.depth, "--depth", gcode, "gcode");
-  for (const auto& [option, name] : {std::pair{&o.curve, "--curve"},
-                                     {&o.tolerance, "--tolerance"},
-                                     {&o.form, "--as"},
-                                     {&o.tool, "--tool"}}) {
-    only(*option, name, !table, "curves");
-  }
-  if (o.step && o.tolerance) {
-    throw std::invalid_argument("--step and --tolerance: give one of the two");
-  }
-  if (o.step && o.form && *o.form != "lines") {
-    throw std::invalid_argument(
-        "--step makes points with lines between them; --as lines alone "
-        "goes with it");
-  }
-}
-
-CurveForm form_of(const ExportOptions& options, const FormatRow& format) {
-  if (options.step) return CurveForm::Lines;
-  if (!options.form) return format.forms.front();
-  std::vector<const char*> names;
-  for (const CurveForm form : format.forms) {
-    names.push_back(name_of(form));
-    if (*options.form == names.back()) return form;
-  }
-  throw std::invalid_argument(
-      fmt::format("--as {}: {} takes {}", *options.form, format.name, fmt::join(names, ", ")));
-}
-
-problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& format) {
-  constexpr double kMostTolerance = 10;  // mm
-  problems::ExportAccuracy accuracy;
-  accuracy.decimals =
-      o.decimals ? static_cast<int>(problems::parse_integer(*o.decimals, 1, 9, "--decimals"))
-                 : format.decimals;
-  const double digit = std::pow(10.0, -accuracy.decimals);
-  accuracy.tolerance =
-      quantity(o.tolerance, "--tolerance", "mm", accuracy.tolerance, 0, kMostTolerance);
-  if (!o.step && accuracy.tolerance < 10 * digit) {
-    throw std::invalid_argument(fmt::format(
-        "--tolerance: {:.6g} mm is too fine for coordinates of {} decimals; at least {:.6g} mm, "
-        "or more --decimals",
-        accuracy.tolerance, accuracy.decimals, 10 * digit));
-  }
-  if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
-  if (o.step && format.format != ExportFormat::Table) {
-    accuracy.step = parse_quantity(*o.step, "deg", "deg", "--step");
-  }
-  return accuracy;
-}
-
-problems::GcodeSettings gcode_settings(const ExportOptions& o, int decimals) {
-  problems::GcodeSettings s;
-  s.decimals = decimals;
-  s.feed = quantity(o.feed, "--feed", "mm/min", s.feed, 1e-3, 1e6);
-  s.clearance = quantity(o.clearance, "--clearance", "mm", s.clearance, 0, 1e4);
-  s.depth = quantity(o.depth, "--depth", "mm", s.depth, 0, 1e4);
-  return s;
-}
-
-std::optional<double> tool_radius(const ExportOptions& o) {
-  if (!o.tool) return {};
-  return quantity(o.tool, "--tool", "mm", 0, 1e-3, 1e6);
-}
 
 std::vector<Option> export_options(ExportOptions& o) {
   return {
@@ -175,7 +51,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        "even steps of the cam angle in place of a tolerance, such as '1 deg'; of a table the "
        "master's step, by default a 360th of the cycle"},
       {"--as", &o.form,
-       one_of({name_of(CurveForm::Lines), name_of(CurveForm::Arcs), name_of(CurveForm::Spline)}),
+       one_of(
+           {form_name(CurveForm::Lines), form_name(CurveForm::Arcs), form_name(CurveForm::Spline)}),
        "lines, arcs (arcs and lines, tangent to each other) or spline (degree 3); by default "
        "spline for dxf, arcs for gcode, else lines"},
       {"--decimals", &o.decimals, takes::kNumber,

@@ -1,9 +1,13 @@
 # What every target of the project shares: language level, warnings, include root.
 
+# The libraries serve the program and the Python module alike, so that neither costs a second build.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
 function(camlaw_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_options(${target} PRIVATE
+    -fno-semantic-interposition  # functions of one source may be inlined, position-independent or not
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wdouble-promotion
     -Woverloaded-virtual -Wnon-virtual-dtor -Wold-style-cast -Wimplicit-fallthrough
     $<$<BOOL:${CAMLAW_WERROR}>:-Werror>)

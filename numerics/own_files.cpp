@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 #include <vector>
 
@@ -18,9 +19,22 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
+/// Those that were added.
+struct AddedFolders {
+  std::mutex mutex;
+  std::vector<fs::path> folders;
+};
+AddedFolders& added() {
+  static AddedFolders all;
+  return all;
+}
+
 /// Folders that nobody else can put files into unless the program's own can be replaced.
 std::vector<fs::path> own_folders() {
-  std::vector<fs::path> folders;
+  std::vector<fs::path> folders = [] {
+    const std::lock_guard lock(added().mutex);
+    return added().folders;
+  }();
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error && program.is_absolute()) {
@@ -49,5 +63,10 @@ std::optional<std::string> found(const std::string& name, int access_mode) {
 std::optional<std::string> own_file(const std::string& name) { return found(name, R_OK); }
 
 std::optional<std::string> own_program(const std::string& name) { return found(name, X_OK); }
+
+void add_own_folder(const std::string& folder) {
+  const std::lock_guard lock(added().mutex);
+  added().folders.emplace_back(folder);
+}
 
 }  // namespace camlaw

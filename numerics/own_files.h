@@ -15,4 +15,8 @@ std::optional<std::string> own_file(const std::string& name);
 /// The same for a file that can be executed.
 std::optional<std::string> own_program(const std::string& name);
 
+/// Has both looked for in this folder first, from now on and in every thread: of a library within
+/// a program that is not camlaw's, such as Python, the folder that its package brings.
+void add_own_folder(const std::string& folder);
+
 }  // namespace camlaw

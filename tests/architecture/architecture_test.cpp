@@ -31,6 +31,7 @@ const std::map<std::string, Names>& rooms() {
       all[room] = below;
       below.insert(room);
     }
+    all["python"] = all["cli"];  // the package for Python is beside the program
     return all;
   }();
   return known;
@@ -51,6 +52,7 @@ const std::map<std::string, Names>& libraries() {
       {"Clp", {"optim/solvers/clp.cpp"}},
       {"Coin", {"optim/solvers/clp.cpp"}},
       {"nlopt", {"optim/solvers/nlopt_methods.h"}},
+      {"nanobind/", {"python/bindings/"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
       // Matrices are everywhere; what factors them takes seconds to compile in each unit.

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/cam_export.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "numerics/text/units.h"
+#include "optim/verdict/verdict.h"
+#include "output/answers/buildable_output.h"
+#include "output/export/curve_svg.h"
+#include "output/export/dxf.h"
+#include "output/export/plane_curve.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/buildable.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/solver_settings.h"
+
+namespace camlaw::cli {
+
+using problems::CurveForm;
+using Text = ExportOptions::Text;
+
+const std::vector<FormatRow>& export_formats() {
+  using F = CurveForm;
+  static const std::vector<FormatRow> rows{
+      {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
+      {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
+      {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
+      {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
+      {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
+      {ExportFormat::Table, "table", {}, {}, 6}};
+  return rows;
+}
+
+const char* form_name(CurveForm form) {
+  return form == CurveForm::Lines ? "lines" : form == CurveForm::Arcs ? "arcs" : "spline";
+}
+
+namespace {
+
+/// A length or a feed in a range.
+double quantity(const Text& text, const char* name, const char* unit, double default_value,
+                double low, double high) {
+  if (!text) return default_value;
+  const double value = parse_quantity(*text, unit, unit, name);
+  if (value >= low && value <= high) return value;
+  throw std::invalid_argument(fmt::format("{}: {:.6g} {} is outside {:.6g} .. {:.6g} {}", name,
+                                          value, unit, low, high, unit));
+}
+
+/// The ending of a file's name in small letters.
+std::string small_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+}  // namespace
+
+const FormatRow& format_of(const ExportOptions& options) {
+  std::vector<const char*> names;
+  const std::string ending = options.out ? small_ending(*options.out) : "";
+  for (const FormatRow& row : export_formats()) {
+    names.push_back(row.name);
+    const bool fits =
+        std::find(row.endings.begin(), row.endings.end(), ending) != row.endings.end();
+    if (options.format ? *options.format == row.name : fits) return row;
+  }
+  throw std::invalid_argument(
+      fmt::format("{}; accepted are {}",
+                  options.format ? fmt::format("--format: no format '{}'", *options.format)
+                                 : "--format is missing, and no ending of --out tells it",
+                  fmt::join(names, ", ")));
+}
+
+void check_options(const ExportOptions& o, const FormatRow& format) {
+  const bool table = format.format == ExportFormat::Table,
+             gcode = format.format == ExportFormat::Gcode;
+  const auto only = [&](const Text& option, const char* name, bool used, const char* whose) {
+    if (!option || used) return;
+    throw std::invalid_argument(fmt::format("{} is for {}, not for {}", name, whose, format.name));
+  };
+  only(o.slave, "--slave", table, "table");
+  only(o.feed, "--feed", gcode, "gcode");
+  only(o.clearance, "--clearance", gcode, "gcode");
+  only(o.depth, "--depth", gcode, "gcode");
+  for (const auto& [option, name] : {std::pair{&o.curve, "--curve"},
+                                     {&o.tolerance, "--tolerance"},
+                                     {&o.form, "--as"},
+                                     {&o.tool, "--tool"}}) {
+    only(*option, name, !table, "curves");
+  }
+  if (o.step && o.tolerance) {
+    throw std::invalid_argument("--step and --tolerance: give one of the two");
+  }
+  if (o.step && o.form && *o.form != "lines") {
+    throw std::invalid_argument(
+        "--step makes points with lines between them; --as lines alone "
+        "goes with it");
+  }
+}
+
+namespace {
+
+/// What curves are replaced by.
+CurveForm form_of(const ExportOptions& options, const FormatRow& format) {
+  if (options.step) return CurveForm::Lines;
+  if (!options.form) return format.forms.front();
+  std::vector<const char*> names;
+  for (const CurveForm form : format.forms) {
+    names.push_back(form_name(form));
+    if (*options.form == names.back()) return form;
+  }
+  throw std::invalid_argument(
+      fmt::format("--as {}: {} takes {}", *options.form, format.name, fmt::join(names, ", ")));
+}
+
+problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& format) {
+  constexpr double kMostTolerance = 10;  // mm
+  problems::ExportAccuracy accuracy;
+  accuracy.decimals =
+      o.decimals ? static_cast<int>(problems::parse_integer(*o.decimals, 1, 9, "--decimals"))
+                 : format.decimals;
+  const double digit = std::pow(10.0, -accuracy.decimals);
+  accuracy.tolerance =
+      quantity(o.tolerance, "--tolerance", "mm", accuracy.tolerance, 0, kMostTolerance);
+  if (!o.step && accuracy.tolerance < 10 * digit) {
+    throw std::invalid_argument(fmt::format(
+        "--tolerance: {:.6g} mm is too fine for coordinates of {} decimals; at least {:.6g} mm, "
+        "or more --decimals",
+        accuracy.tolerance, accuracy.decimals, 10 * digit));
+  }
+  if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
+  if (o.step && format.format != ExportFormat::Table) {
+    accuracy.step = parse_quantity(*o.step, "deg", "deg", "--step");
+  }
+  return accuracy;
+}
+
+problems::GcodeSettings gcode_settings(const ExportOptions& o, int decimals) {
+  problems::GcodeSettings s;
+  s.decimals = decimals;
+  s.feed = quantity(o.feed, "--feed", "mm/min", s.feed, 1e-3, 1e6);
+  s.clearance = quantity(o.clearance, "--clearance", "mm", s.clearance, 0, 1e4);
+  s.depth = quantity(o.depth, "--depth", "mm", s.depth, 0, 1e4);
+  return s;
+}
+
+/// The radius of the tool that was asked for, mm; none where it was not.
+std::optional<double> tool_radius(const ExportOptions& o) {
+  if (!o.tool) return {};
+  return quantity(o.tool, "--tool", "mm", 0, 1e-3, 1e6);
+}
+
+/// What writing moves arcs and cubics by, mm; lines are rounded before they are measured.
+double written_rounding(ExportFormat format, CurveForm form, int decimals) {
+  if (form == CurveForm::Lines) return 0;
+  if (format == ExportFormat::Gcode) return problems::gcode_rounding(decimals);
+  return format == ExportFormat::Svg ? 2e-6 : 1e-9;
+}
+
+/// With --tool the path of a tool of that radius on the profile.
+void add_tool_path(const ExportOptions& o, const problems::ProblemStatement& statement,
+                   const std::string& asked, std::vector<problems::PlaneCurve>& curves) {
+  if (!o.tool || asked == "pitch") return;
+  if (!problems::cam_curves(statement, "cutter").empty()) {
+    throw std::invalid_argument(fmt::format(
+        "--tool: {} has its tool's radius as cutter_radius; write --set 'cutter_radius={}'",
+        statement.mechanism->name, *o.tool));
+  }
+  const auto profile =
+      problems::cam_curves(statement, asked == "second-profile" ? "second-profile" : "profile");
+  if (profile.empty()) return;
+  if (asked != "all") curves.clear();
+  curves.push_back(problems::path_of_tool(profile.front(), *tool_radius(o)));
+}
+
+/// What a mechanism without a profile has instead, in words.
+std::string instead(const problems::ProblemStatement& statement) {
+  if (statement.mechanism->moved_by != problems::MovedBy::Nothing) {
+    return "; --format table and json have its motion and law";
+  }
+  const bool moves = !problems::curves_of(statement).empty();
+  return moves ? "; --format table --slave NAME writes one of its curves" : "";
+}
+
+[[noreturn]] void refuse_without(const problems::ProblemStatement& statement,
+                                 const std::string& asked) {
+  const std::string& name = statement.mechanism->name;
+  std::vector<std::string> there;
+  for (const problems::CurveKind& kind : problems::curve_kinds()) {
+    if (!problems::cam_curves(statement, kind.option).empty()) there.push_back(kind.option);
+  }
+  if (there.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{} has no profile to export{}", name, instead(statement)));
+  }
+  throw std::invalid_argument(fmt::format(
+      "{} has no curve '{}' of its own; it has {}{}", name, asked, fmt::join(there, ", "),
+      asked == "cutter" ? ", and --tool '10 mm' gives the path of a tool of that radius" : ""));
+}
+
+std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
+                                               const problems::ProblemStatement& statement) {
+  const bool gcode = format.format == ExportFormat::Gcode;
+  const std::string asked = o.curve.value_or(gcode ? "cutter" : "all");
+  auto curves = problems::cam_curves(statement, asked);
+  add_tool_path(o, statement, asked, curves);
+  const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
+  const bool without = format.format == ExportFormat::JsonText && law && !o.curve;
+  if (curves.empty() && !without) refuse_without(statement, asked);
+  if (gcode && curves.size() > 1) {
+    throw std::invalid_argument("--curve all: a gcode program follows one curve");
+  }
+  return curves;
+}
+
+/// The curves as the file is to have them, with notes on those that no tool could follow.
+void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
+  const CurveForm form = form_of(o, format);
+  const double slack = written_rounding(format.format, form, e.accuracy.decimals);
+  auto inner = e.accuracy;
+  inner.tolerance -= slack;
+  for (const problems::PlaneCurve& curve : curves_asked(o, format, e.design.statement)) {
+    if (format.format == ExportFormat::Gcode) {
+      e.tool_path.emplace(e.design.statement, curve, form, inner);
+      e.curves.push_back(e.tool_path->exported());
+    } else {
+      for (std::string& note : problems::obstacles(curve)) e.notes.push_back(std::move(note));
+      e.curves.push_back(problems::exported(curve, form, inner));
+    }
+    std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
+  }
+}
+
+/// The radius of the tool, for who sets up the machine.
+std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement) {
+  if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
+  const double radius =
+      o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
+  const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
+                             : o.tool                                ? " beside the profile"
+                                                                     : "";
+  return fmt::format("tool radius {:.6g} mm{}; start spindle and coolant before", radius, beside);
+}
+
+std::string content(const ExportOptions& o, const FormatRow& format, Exported& e) {
+  if (format.format == ExportFormat::Table) {
+    return problems::table_text(
+        problems::motion_table(e.design.statement, o.slave, o.step, e.accuracy.decimals),
+        e.accuracy.decimals);
+  }
+  fit_curves(o, format, e);
+  std::vector<std::string> comments = comments_of(e);
+  switch (format.format) {
+    case ExportFormat::Csv:
+      return export_csv(e);
+    case ExportFormat::Dxf:
+      return problems::dxf_text(e.curves, comments);
+    case ExportFormat::Svg:
+      return problems::svg_text(e.curves, e.design.statement.title, comments);
+    case ExportFormat::Gcode:
+      comments.push_back(tool_line(o, e.design.statement));
+      return problems::gcode_text(*e.tool_path, gcode_settings(o, e.accuracy.decimals), comments);
+    default:
+      return export_json(e).dump(2) + "\n";
+  }
+}
+
+/// A design that its search could not bring within its limits is not to be made by oversight.
+std::vector<std::string> notes_on(const problems::ReadDesign& design,
+                                  const std::vector<std::string>& settings) {
+  if (design.verdict != to_string(optim::Verdict::Infeasible)) return {};
+  return {settings.empty() ? "the design does not meet its limits"
+                           : "before the changes the design did not meet its limits"};
+}
+
+}  // namespace
+
+ExportedText exported_text(const ExportOptions& options, const FormatRow& format,
+                           problems::ReadDesign design, const std::vector<std::string>& review) {
+  Exported e{.design = design,
+             .file = std::filesystem::path(options.file).filename().string(),
+             .settings = options.settings,
+             .accuracy = accuracy_of(options, format),
+             .notes = notes_on(design, options.settings)};
+  const problems::Buildability built = problems::buildability(design.statement);
+  if (std::string words = failure_text(built); !words.empty()) e.notes.push_back(std::move(words));
+  if (std::string words = buildable_words(built); !words.empty()) {
+    e.notes.push_back(std::move(words));
+  }
+  e.notes.insert(e.notes.end(), review.begin(), review.end());
+  if (!review.empty()) design.verdict.reset();  // it is not to be told as one
+  std::string text = content(options, format, e);
+  return {std::move(text), export_document(e)};
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "output/answers/cam_export.h"
+#include "python/bindings/module.h"
+#include "python/bindings/problems.h"
+#include "python/bindings/results.h"
+
+/// Drawings, G-code and tables, as 'camlaw export' writes them.
+namespace camlaw::python {
+namespace {
+
+cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
+  cli::ExportOptions options;
+  const std::map<std::string, cli::ExportOptions::Text*> known{
+      {"format", &options.format},       {"out", &options.out},     {"curve", &options.curve},
+      {"tolerance", &options.tolerance}, {"step", &options.step},   {"form", &options.form},
+      {"decimals", &options.decimals},   {"tool", &options.tool},   {"feed", &options.feed},
+      {"clearance", &options.clearance}, {"depth", &options.depth}, {"slave", &options.slave}};
+  for (const auto& [name, text] : told) *known.at(name) = text;
+  return options;
+}
+
+std::string exported(problems::ReadDesign design, const std::string& file,
+                     const std::map<std::string, std::string>& told) {
+  cli::ExportedText written;
+  {
+    const nb::gil_scoped_release released;
+    cli::ExportOptions options = options_of(told);
+    options.file = file;
+    const cli::FormatRow& format = cli::format_of(options);
+    cli::check_options(options, format);
+    const std::vector<std::string> review =
+        design.verdict ? cli::reviewed(design).words() : std::vector<std::string>{};
+    written = cli::exported_text(options, format, std::move(design), review);
+  }
+  return written.text;
+}
+
+}  // namespace
+
+void add_exports(nb::module_& module) {
+  module.def(
+      "export_result",
+      [](const StoredResult& result, const std::map<std::string, std::string>& told) {
+        if (!result.design) {
+          throw std::invalid_argument("the result has no design: its search found none");
+        }
+        return exported(*result.design, result.file.empty() ? "result" : result.file, told);
+      },
+      nb::arg("result"), nb::arg("options"));
+  module.def(
+      "export_problem",
+      [](const StatedProblem& problem, const std::map<std::string, std::string>& told) {
+        return exported({problem.statement}, problem.statement.source, told);
+      },
+      nb::arg("problem"), nb::arg("options"));
+}
+
+}  // namespace camlaw::python

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <nanobind/stl/unique_ptr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "optim/study/workers.h"
+#include "output/answers/front_output.h"
+#include "output/answers/tolerance_output.h"
+#include "output/document/short_version.h"
+#include "output/report/report.h"
+#include "problems/fronts/study_worker.h"
+#include "problems/results/design_json.h"
+#include "problems/results/seal.h"
+#include "python/bindings/laws.h"
+#include "python/bindings/module.h"
+#include "python/bindings/problems.h"
+#include "python/bindings/results.h"
+#include "python/bindings/running.h"
+
+namespace camlaw::python {
+namespace {
+
+namespace fs = std::filesystem;
+using problems::FrontStudy;
+
+/// A front with its study, which stay where they are: the answer refers to them.
+struct FoundFront {
+  FrontStudy study;
+  problems::StoredFront stored;
+  std::string file;  ///< of the record; empty where there is none
+  std::unique_ptr<const cli::FrontAnswer> answer = {};
+
+  const optim::Front& front() const { return stored.front; }
+  std::size_t point(std::size_t k) const {
+    if (k < front().points.size()) return k;
+    throw std::invalid_argument(
+        fmt::format("point {}: the front has {}, counted from 0", k, front().points.size()));
+  }
+};
+using FrontOwner = std::unique_ptr<FoundFront>;
+
+FrontOwner answered(FrontOwner front) {
+  front->answer = std::make_unique<const cli::FrontAnswer>(front->study, front->stored);
+  return front;
+}
+
+std::optional<optim::StudyRecord> record_of(const std::string& path, const FrontStudy& study,
+                                            bool resume) {
+  if (path.empty()) return std::nullopt;
+  if (resume && fs::exists(path)) {
+    study.check_same(optim::StudyRecord::read(path));  // first without a hand on it
+    std::optional<optim::StudyRecord> record = optim::StudyRecord::open(path);
+    const optim::StudySettings mine = study.settings();  // points and method may be others now
+    if (record->settings() != mine) record->put(mine);
+    return record;
+  }
+  return optim::StudyRecord::create(path, study.settings());
+}
+
+void search(FoundFront& found, int workers, bool resume, Work& work) {
+  FrontStudy& study = found.study;
+  study.options().solve.stop = work.stop();
+  study.options().progress = [&work](const optim::StudyProgress& p) {
+    const double done = static_cast<double>(p.points) / static_cast<double>(p.wanted);
+    work.tell(std::min(done, 1.0), fmt::format("{} of {} points, {} searches, hypervolume {:.6g}",
+                                               p.points, p.wanted, p.tasks, p.hypervolume));
+  };
+  auto record = record_of(found.file, study, resume);
+  optim::ProcessExecutor crew(study.space(), study.options().solve, workers,
+                              problems::worker_program(study));
+  if (!record) {
+    found.stored = {.front = study.run(crew)};
+  } else {
+    optim::RecordedExecutor recorded(study.space(), *record, &crew);
+    found.stored = {.front = study.run(recorded),
+                    .faults = recorded.faults(),
+                    .resuming = problems::Resuming::Works};
+    for (const optim::RecordFault& fault : found.stored.faults) {
+      found.stored.notes.push_back(problems::fault_words(
+          fault, found.front().stopped ? "resuming solves it again" : "it was solved again"));
+    }
+  }
+  study.options().progress = {};
+  study.options().solve.stop = nullptr;
+}
+
+nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::string& method,
+                 std::optional<int> workers, const std::string& record, bool resume,
+                 nb::handle progress) {
+  constexpr int kMostWorkers = 256;
+  if (points < 2 || points > problems::kMostPoints) {
+    throw std::invalid_argument(
+        fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
+  }
+  const int crew =
+      workers.value_or(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
+  if (crew < 1 || crew > kMostWorkers) {
+    throw std::invalid_argument(fmt::format("workers: {} is outside 1 .. {}", crew, kMostWorkers));
+  }
+  if (resume && record.empty()) throw std::invalid_argument("resume: name the record");
+  const problems::ProblemStatement& statement = problem.statement;
+  problems::FrontSettings settings{points, problems::parse_method(method), statement.settings};
+  settings.files = statement.files;
+  if (resume && fs::exists(record)) {
+    settings.scouts = problems::FrontStudy::settings_of(optim::StudyRecord::read(record)).scouts;
+  }
+  FrontOwner front(
+      new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
+  const bool interrupted = run_beside(
+      [&](Work& work) {
+        search(*front, crew, resume, work);
+        front = answered(std::move(front));
+      },
+      progress);
+  return nb::make_tuple(std::move(front), interrupted);
+}
+
+/// The front that a record holds, without a search.
+FrontOwner front_file(const std::string& path) {
+  const nb::gil_scoped_release released;
+  optim::StudyRecord record = optim::StudyRecord::read(path);
+  FrontOwner front(new FoundFront{FrontStudy::of(record), {}, path});
+  front->stored = problems::stored_front(front->study, record);
+  return answered(std::move(front));
+}
+
+/// Objectives and variables of each point, as numbers where they are, and its verdict.
+nb::list rows_of(const FoundFront& found) {
+  nb::list rows;
+  for (const optim::FrontPoint& point : found.front().points) {
+    nb::dict row;
+    for (std::size_t i = 0; i < point.objectives.size(); ++i) {
+      row[nb::cast(found.front().objectives[i].name)] = point.objectives[i];
+    }
+    const std::string law = found.answer->law(point);
+    if (!law.empty()) row["law"] = law;
+    for (const cli::DesignValue& value : found.answer->values(point)) {
+      const nb::object name = nb::cast(value.name);
+      if (row.contains(name)) continue;
+      row[name] = std::isnan(value.number) ? nb::cast(value.text) : nb::cast(value.number);
+    }
+    row["verdict"] = std::string(optim::to_string(point.verdict));
+    row["global"] = point.is_global;
+    rows.append(row);
+  }
+  return rows;
+}
+
+nb::dict units_of(const FoundFront& found) {
+  nb::dict units;
+  for (const optim::ObjectiveName& objective : found.front().objectives) {
+    units[nb::cast(objective.name)] = objective.unit;
+  }
+  if (found.front().points.empty()) return units;
+  for (const cli::DesignValue& value : found.answer->values(found.front().points.front())) {
+    const nb::object name = nb::cast(value.name);
+    if (!units.contains(name)) units[name] = value.unit;
+  }
+  return units;
+}
+
+std::optional<std::size_t> knee_of(const FoundFront& found) {
+  const auto knee = optim::knee(found.answer->costs(), found.front().tolerances);
+  if (!knee) return std::nullopt;
+  return knee->point;
+}
+
+/// A point as a result that stands alone.
+StoredResult result_at(const FoundFront& found, std::size_t k) {
+  const std::size_t point = found.point(k);
+  const optim::FrontPoint& chosen = found.front().points[point];
+  problems::Json object = {{"format", problems::kResultFormat.text()},
+                           {"program", cli::short_version()}};
+  cli::Document document = cli::point_document(*found.answer, point);
+  object.update(cli::json_of(document));
+  object["design"] = problems::recorded_design(found.study.bound(),
+                                               found.study.space().options(chosen.part), chosen.x);
+  problems::ReadDesign design{found.study.bound().statement()};
+  design.statement = found.study.design(chosen);
+  design.verdict = std::string(optim::to_string(chosen.verdict));
+  design.reason = chosen.reason;
+  design.global = chosen.is_global;
+  StoredResult result = result_of(std::move(object), std::move(design));
+  result.document = std::move(document);
+  return result;
+}
+
+}  // namespace
+
+void add_fronts(nb::module_& module) {
+  nb::class_<FoundFront>(module, "Front")
+      .def_prop_ro("file", [](const FoundFront& f) { return f.file; })
+      .def_prop_ro("size", [](const FoundFront& f) { return f.front().points.size(); })
+      .def_prop_ro("stopped", [](const FoundFront& f) { return f.front().stopped; })
+      .def_prop_ro("complete", [](const FoundFront& f) { return f.front().complete; })
+      .def_prop_ro("remark", [](const FoundFront& f) { return f.front().remark; })
+      .def_prop_ro("hypervolume", [](const FoundFront& f) { return f.front().hypervolume; })
+      .def_prop_ro("notes", [](const FoundFront& f) { return f.stored.notes; })
+      .def("rows", &rows_of)
+      .def("units", &units_of)
+      .def("knee", &knee_of)
+      .def("compromise",
+           [](const FoundFront& f, const std::vector<double>& weights) {
+             return optim::compromise(f.answer->costs(), weights, f.front().tolerances);
+           })
+      .def("result", &result_at, nb::arg("point"))
+      .def("design",
+           [](const FoundFront& f, std::size_t k) {
+             return StatedProblem{f.study.design(f.front().points[f.point(k)])};
+           })
+      .def("facts",
+           [](const FoundFront& f) {
+             return python_of(cli::json_of(cli::front_document(*f.answer)));
+           })
+      .def("text",
+           [](const FoundFront& f) { return plain(cli::text_of(cli::front_document(*f.answer))); })
+      .def("html", [](const FoundFront& f) { return html_of(cli::front_document(*f.answer)); })
+      .def("csv", [](const FoundFront& f) { return cli::front_csv(*f.answer); })
+      .def("figure", [](const FoundFront& f) { return dict_of(cli::front_figure(*f.answer)); })
+      .def("sensitivity",
+           [](const FoundFront& f, std::size_t k, const std::vector<std::string>& tolerances) {
+             const optim::FrontPoint& point = f.front().points[f.point(k)];
+             const cli::Document document = cli::tolerance_document(
+                 *f.answer, point, cli::tolerances_of(*f.answer, point, tolerances));
+             return nb::make_tuple(python_of(cli::json_of(document)), plain(cli::text_of(document)),
+                                   html_of(document));
+           })
+      .def("report", [](const FoundFront& f, const std::string& name) {
+        const nb::gil_scoped_release released;
+        return cli::page_html(cli::front_report(*f.answer, name));
+      });
+  module.def("pareto", &pareto, nb::arg("problem"), nb::arg("points"), nb::arg("method"),
+             nb::arg("workers").none(), nb::arg("record"), nb::arg("resume"),
+             nb::arg("progress").none());
+  module.def("front_file", &front_file, nb::arg("path"));
+}
+
+}  // namespace camlaw::python

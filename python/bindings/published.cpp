@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "output/answers/delivery_study.h"
+#include "output/answers/reproduction_output.h"
+#include "output/answers/study_fronts.h"
+#include "output/answers/study_output.h"
+#include "output/report/report.h"
+#include "problems/published/cam_shape/solve.h"
+#include "problems/published/systems.h"
+#include "python/bindings/module.h"
+#include "python/bindings/running.h"
+#include "python/bindings/values.h"
+
+/// Published tables computed again, and the studies of published machines.
+namespace camlaw::python {
+namespace {
+
+struct Reproduced {
+  problems::SystemReproduction result;
+};
+
+std::vector<std::string> system_names() {
+  std::vector<std::string> names;
+  for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
+  return names;
+}
+
+nb::tuple reproduce(const std::string& name, nb::handle progress) {
+  const auto& systems = problems::reproducible_systems();
+  const auto system =
+      std::find_if(systems.begin(), systems.end(), [&](const auto& s) { return s.name == name; });
+  if (system == systems.end()) {
+    throw std::invalid_argument(fmt::format("no system is called '{}'; there is {}", name,
+                                            fmt::join(system_names(), ", ")));
+  }
+  std::optional<Reproduced> result;
+  const bool interrupted =
+      run_beside([&](Work&) { result = Reproduced{system->reproduce()}; }, progress);
+  return nb::make_tuple(std::move(*result), interrupted);
+}
+
+/// One case of the cam shape, of any size.
+nb::dict solve_cam_shape(int n) {
+  problems::CamShapeCase solved;
+  {
+    const nb::gil_scoped_release released;
+    solved = problems::solve_cam_shape(n);
+  }
+  nb::dict result;
+  result["n"] = solved.n;
+  result["printed"] = solved.printed;
+  result["objective"] = solved.objective;
+  result["true_optimum"] = solved.true_optimum;
+  result["max_violation"] = solved.max_violation;
+  result["verdict"] = solved.verdict;
+  result["reason"] = solved.reason;
+  result["iterations"] = solved.iterations;
+  result["wall_s"] = solved.wall_s;
+  return result;
+}
+
+std::string report_of(const std::vector<Reproduced>& some) {
+  std::vector<problems::SystemReproduction> results;
+  for (const Reproduced& one : some) results.push_back(one.result);
+  return cli::page_html(cli::reproduction_report(results));
+}
+
+/// A study as what it says and what it shows.
+struct Study {
+  cli::Document answer;
+  cli::Figure trade_off;
+};
+
+Study studied_cutter(const std::vector<std::string>& settings, bool table, int workers,
+                     Work& work) {
+  SpineCutter<double> cutter;
+  for (const std::string& setting : settings) problems::set_given(cutter, setting);
+  const auto study = problems::study_spine_cutter(cutter);
+  Study result{.answer = {}, .trade_off = cli::trade_off_figure(study)};
+  if (!table) {
+    const auto fronts = problems::prove_fronts(
+        cutter, workers,
+        [&work](const std::string& front, double done) { work.tell(done, "front of " + front); });
+    cli::draw_fronts(fronts, result.trade_off.panels.front());
+    result.answer.add(cli::fronts_document(fronts));
+    result.answer.say("\n");
+  }
+  result.answer.add(cli::study_document(study));
+  return result;
+}
+
+nb::tuple study(const std::string& system, const std::vector<std::string>& settings, bool table,
+                std::optional<int> workers, nb::handle progress) {
+  const int crew =
+      workers.value_or(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
+  std::optional<Study> result;
+  const bool interrupted = run_beside(
+      [&](Work& work) {
+        if (system == "spine-cutter") {
+          result = studied_cutter(settings, table, crew, work);
+        } else if (system != "sheet-delivery") {
+          throw std::invalid_argument(fmt::format(
+              "no study is called '{}'; there are spine-cutter, sheet-delivery", system));
+        } else if (!settings.empty()) {
+          throw std::invalid_argument("the study of the sheet delivery has no givens to set");
+        } else {
+          const auto choices = problems::trade_off_sheet_delivery();
+          result = Study{cli::delivery_document(choices), cli::delivery_figure(choices)};
+        }
+      },
+      progress);
+  return nb::make_tuple(std::move(*result), interrupted);
+}
+
+}  // namespace
+
+void add_published(nb::module_& module) {
+  nb::class_<Reproduced>(module, "Reproduction")
+      .def_prop_ro("system", [](const Reproduced& r) { return r.result.system; })
+      .def_prop_ro("reproduced", [](const Reproduced& r) { return r.result.reproduced; })
+      .def_prop_ro("explained", [](const Reproduced& r) { return r.result.explained; })
+      .def_prop_ro("unexplained", [](const Reproduced& r) { return r.result.unexplained; })
+      .def_prop_ro("worsened", [](const Reproduced& r) { return problems::worsened(r.result); })
+      .def("facts",
+           [](const Reproduced& r) {
+             return python_of(cli::json_of(cli::reproduction_document(r.result)));
+           })
+      .def("text",
+           [](const Reproduced& r) {
+             return plain(cli::text_of(cli::reproduction_document(r.result)));
+           })
+      .def("html",
+           [](const Reproduced& r) { return html_of(cli::reproduction_document(r.result)); });
+  nb::class_<Study>(module, "Study")
+      .def("facts", [](const Study& s) { return python_of(cli::json_of(s.answer)); })
+      .def("text", [](const Study& s) { return plain(cli::text_of(s.answer)); })
+      .def("html", [](const Study& s) { return html_of(s.answer); })
+      .def("figure", [](const Study& s) { return dict_of(s.trade_off); });
+  module.def("system_names", &system_names);
+  module.def("reproduce", &reproduce, nb::arg("name"), nb::arg("progress").none());
+  module.def("solve_cam_shape", &solve_cam_shape, nb::arg("n"));
+  module.def("report_of_reproductions", &report_of, nb::arg("reproductions"));
+  module.def("study", &study, nb::arg("system"), nb::arg("settings"), nb::arg("table"),
+             nb::arg("workers").none(), nb::arg("progress").none());
+}
+
+}  // namespace camlaw::python

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "numerics/text/file_text.h"
+#include "optim/search/memory.h"
+#include "output/answers/buildable_output.h"
+#include "output/answers/cycle_figure.h"
+#include "output/answers/optimum_output.h"
+#include "output/answers/rulers.h"
+#include "output/answers/warnings.h"
+#include "output/document/short_version.h"
+#include "output/report/report.h"
+#include "problems/results/judged_design.h"
+#include "problems/results/seal.h"
+#include "problems/results/stated_numbers.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/solver_settings.h"
+#include "python/bindings/laws.h"
+#include "python/bindings/module.h"
+#include "python/bindings/problems.h"
+#include "python/bindings/running.h"
+
+namespace camlaw::python {
+namespace {
+
+using problems::Json;
+using problems::ReadDesign;
+
+/// How to search; what is not told is as the problem has it.
+struct SearchSettings {
+  std::optional<std::string> solver;
+  std::optional<int> starts;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> time_limit, memory;
+};
+
+optim::OptimiseOptions options_of(const SearchSettings& told,
+                                  const problems::SolverStatement& stated) {
+  optim::OptimiseOptions result;
+  result.solver = told.solver ? problems::find_solver_name(*told.solver)
+                              : stated.name.value_or(std::string("auto"));
+  result.starts = told.starts ? told.starts : stated.starts;
+  if (result.starts && (*result.starts < 1 || *result.starts > problems::kMostStarts)) {
+    throw std::invalid_argument(
+        fmt::format("starts: {} is outside 1 .. {}", *result.starts, problems::kMostStarts));
+  }
+  result.seed = told.seed.value_or(stated.seed.value_or(result.seed));
+  result.time_limit = told.time_limit ? told.time_limit : stated.time_limit;
+  if (result.time_limit && !(*result.time_limit > 0)) {
+    throw std::invalid_argument("time_limit: it is not above zero");
+  }
+  result.memory = told.memory;
+  result.native = stated.native;
+  return result;
+}
+
+std::string words_of(const optim::Progress& progress) {
+  return fmt::format("iteration {}, objective {:.8g}, violation {:.2e}", progress.iteration,
+                     progress.objective, progress.violation);
+}
+
+/// What a search for the best law adds: how far it is from what is possible, and from named laws.
+void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, Json& facts,
+             cli::Document& document) {
+  cli::Document more;
+  more.fact("rulers", Json(nullptr));
+  try {
+    if (!cli::free_segments(answer.bound.statement()).empty()) {
+      more.add("rulers", cli::segment_rulers(answer));
+    } else if (const auto measured = cli::rulers(answer, rest)) {
+      more.add("rulers", cli::rulers_document(answer, *measured));
+    }
+  } catch (const std::exception& error) {
+    more.say(fmt::format("\nthe law is not measured: {}\n", error.what()));
+  }
+  facts.update(cli::json_of(more));
+  document.add(std::move(more));
+}
+
+/// The design of an answer, as a result would give it back.
+std::optional<ReadDesign> design_of(const cli::Answer& answer) {
+  const optim::Found& found = answer.optimum.found;
+  if (found.x.size() != answer.optimum.problem.variables.size()) return std::nullopt;
+  try {
+    ReadDesign design{answer.bound.statement()};
+    design.statement = answer.bound.at(answer.optimum.options, found.x);
+    problems::check_laws(design.statement);
+    design.verdict = std::string(optim::to_string(found.assessment.verdict));
+    design.reason = found.assessment.reason;
+    design.blamed = found.assessment.blamed;
+    if (std::isfinite(found.assessment.objective.value)) {
+      design.objective = found.assessment.objective.value;
+    }
+    design.global = found.assessment.global.has_value();
+    return design;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // the design makes no law
+  }
+}
+
+void check_free(const problems::ProblemStatement& statement) {
+  const auto is_free = [](const Member& law) { return bool(law.family->listed); };
+  const bool program = statement.mechanism->moved_by == problems::MovedBy::Program;
+  if (program ? !cli::free_segments(statement).empty()
+              : std::any_of(statement.laws.begin(), statement.laws.end(), is_free)) {
+    return;
+  }
+  throw std::invalid_argument(
+      statement.source + (program
+                              ? ": no segment's law is free; write law = \"free\" in a segment"
+                              : ": no law of the problem is free; write [law] name = \"free\""));
+}
+
+/// What an answer refers to.
+struct Searched {
+  explicit Searched(problems::BoundProblem of) : bound(std::move(of)), space(bound.space()) {}
+
+  problems::BoundProblem bound;
+  optim::ProblemSpace space;
+  optim::Optimum optimum;
+};
+
+StoredResult searched(const problems::ProblemStatement& statement, const SearchSettings& told,
+                      bool synthesize, Work& work) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto found = std::make_shared<Searched>(problems::BoundProblem(statement));
+  const optim::ProblemSpace& space = found->space;
+  optim::OptimiseOptions search = options_of(told, statement.solver);
+  search.stop = work.stop();
+  search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
+  found->optimum = optim::optimise(space, search);
+  cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
+  answer.warnings = cli::warnings_of(answer);
+  answer.built = cli::buildability_of(answer);
+  cli::Document document = cli::answer_document(answer);
+  Json facts = cli::json_of(document);
+  if (synthesize) {
+    optim::OptimiseOptions rest = search;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+    if (rest.time_limit) rest.time_limit = *rest.time_limit - spent.count();
+    measure(answer, rest, facts, document);
+  }
+  problems::seal(facts);
+  StoredResult result{.facts = std::move(facts), .document = std::move(document)};
+  if (auto design = design_of(answer)) {
+    design->stated = problems::stated_numbers(result.facts);
+    result.design = std::move(*design);
+  }
+  result.cycle = [found, answer] { return cli::cycle_figure(answer); };
+  return result;
+}
+
+nb::tuple search(const StatedProblem& problem, bool synthesize, std::optional<std::string> solver,
+                 std::optional<int> starts, std::optional<std::uint64_t> seed,
+                 std::optional<double> time_limit, std::optional<double> memory,
+                 nb::handle progress) {
+  const SearchSettings told{std::move(solver), starts, seed, time_limit, memory};
+  if (synthesize) check_free(problem.statement);
+  std::optional<StoredResult> result;
+  const bool interrupted = run_beside(
+      [&](Work& work) { result = searched(problem.statement, told, synthesize, work); }, progress);
+  return nb::make_tuple(std::move(*result), interrupted);
+}
+
+StoredResult result_file(const std::string& path) {
+  const std::string text = problems::file_text(path, "result");
+  ReadDesign design = problems::read_result(text, path);
+  return {.facts = problems::parse_json(text), .design = std::move(design), .file = path};
+}
+
+const ReadDesign& design_in(const StoredResult& result) {
+  if (result.design) return *result.design;
+  throw std::invalid_argument("the result has no design: its search found none");
+}
+
+/// The claim of a result judged again.
+nb::dict verified(const StoredResult& result) {
+  problems::VerifiedDesign found;
+  std::vector<std::string> notes;
+  {
+    const nb::gil_scoped_release released;
+    found = problems::verified(design_in(result));
+    notes = problems::record_notes(*result.design, cli::short_version());
+  }
+  nb::dict object;
+  object["holds"] = found.disagreements.empty();
+  object["claimed"] = *result.design->verdict;
+  object["verdict"] = std::string(optim::to_string(found.found.verdict));
+  object["reason"] = found.found.reason;
+  object["global"] = found.found.global;
+  object["best_possible"] = found.found.best_possible;
+  object["objective"] = found.found.objective.value;
+  object["kkt_residual"] = found.found.kkt_residual;
+  object["limits"] = list_of(found.limits);
+  object["disagreements"] = found.disagreements;
+  object["not_judged"] = found.not_judged;
+  object["record"] = notes;
+  object["choices_held"] = !found.whole;
+  return object;
+}
+
+/// What a result says of the search that found it.
+cli::Facts facts_of_search(const Json& said) {
+  cli::Facts facts;
+  const auto add = [&](const char* name, const char* key) {
+    const auto at = said.find(key);
+    if (at == said.end() || at->is_null()) return;
+    facts.emplace_back(name, at->is_string() ? at->get<std::string>() : at->dump());
+  };
+  add("solver", "solver"), add("why", "why_solver"), add("seed", "seed"), add("starts", "starts");
+  add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
+  add("evaluations", "evaluations");
+  return facts;
+}
+
+std::string report_of(const StoredResult& result) {
+  const nb::gil_scoped_release released;
+  const ReadDesign& design = design_in(result);
+  return cli::page_html(cli::design_report({.read = design,
+                                            .file = result.file,
+                                            .facts = facts_of_search(result.facts),
+                                            .review = cli::reviewed(design)}));
+}
+
+std::string report_of_problem(const StatedProblem& problem) {
+  const nb::gil_scoped_release released;
+  const ReadDesign design{problem.statement};
+  return cli::page_html(
+      cli::design_report({.read = design, .file = problem.statement.source, .review = {}}));
+}
+
+}  // namespace
+
+StoredResult result_of(Json facts, ReadDesign design) {
+  problems::seal(facts);
+  design.stated = problems::stated_numbers(facts);
+  return {.facts = std::move(facts), .design = std::move(design)};
+}
+
+void add_results(nb::module_& module) {
+  nb::class_<StoredResult>(module, "Result")
+      .def_prop_ro("file", [](const StoredResult& r) { return r.file; })
+      .def("facts", [](const StoredResult& r) { return python_of(r.facts); })
+      .def("json_text", [](const StoredResult& r) { return r.facts.dump(2) + "\n"; })
+      .def("text",
+           [](const StoredResult& r) -> std::optional<std::string> {
+             if (!r.document) return std::nullopt;
+             return plain(cli::text_of(*r.document));
+           })
+      .def("html",
+           [](const StoredResult& r) -> std::optional<std::string> {
+             if (!r.document) return std::nullopt;
+             return html_of(*r.document);
+           })
+      .def("design",
+           [](const StoredResult& r) -> std::optional<StatedProblem> {
+             if (!r.design) return std::nullopt;
+             return StatedProblem{r.design->statement};
+           })
+      .def("problem", [](const StoredResult& r) { return StatedProblem{design_in(r).problem}; })
+      .def("review",
+           [](const StoredResult& r) {
+             const nb::gil_scoped_release released;
+             return r.design ? cli::reviewed(*r.design).words() : std::vector<std::string>{};
+           })
+      .def("cycle_figure",
+           [](const StoredResult& r) { return dict_of(r.cycle ? r.cycle() : cli::Figure{}); })
+      .def("verify", &verified)
+      .def("report", &report_of);
+  module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),
+             nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
+             nb::arg("memory").none(), nb::arg("progress").none());
+  module.def("result_file", &result_file, nb::arg("path"));
+  module.def("report_of_problem", &report_of_problem, nb::arg("problem"));
+}
+
+}  // namespace camlaw::python

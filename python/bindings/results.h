@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "output/answers/claim_output.h"
+#include "problems/results/recorded_design.h"
+#include "python/bindings/values.h"
+
+namespace camlaw::python {
+
+/// A design that was found, as a result has it: what --json gives, and what the design is.
+struct StoredResult {
+  problems::Json facts;                             ///< with the checksum
+  std::optional<problems::ReadDesign> design = {};  ///< none where the model gave no design
+  std::optional<cli::Document> document = {};       ///< of a search; a file has facts alone
+  std::string file = {};                            ///< as it was named
+  /// Draws what was limited and sought, over the cycle; of a search alone.
+  std::function<cli::Figure()> cycle = {};
+};
+
+/// A result of these facts, which it seals, for a design that a problem's statement has.
+StoredResult result_of(problems::Json facts, problems::ReadDesign design);
+
+}  // namespace camlaw::python

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "python/bindings/running.h"
+
+#include <nanobind/stl/string.h>
+
+#include <exception>
+#include <thread>
+
+namespace camlaw::python {
+namespace {
+
+/// Looks at Python; whether something was thrown there, which it keeps.
+bool throws(const std::function<void()>& action, std::optional<nb::python_error>& raised) {
+  try {
+    action();
+  } catch (nb::python_error& error) {
+    raised.emplace(std::move(error));
+  }
+  return raised.has_value();
+}
+
+void check_signals() {
+  if (PyErr_CheckSignals() != 0) throw nb::python_error();
+}
+
+}  // namespace
+
+void Work::tell(std::optional<double> done, std::string words) {
+  const std::lock_guard lock(mutex_);
+  told_ = Told{done, std::move(words)};
+}
+
+void Work::end() {
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  changed_.notify_all();
+}
+
+bool Work::wait() {
+  constexpr std::chrono::milliseconds kLook{50};
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, kLook, [this] { return ended_; });
+  return ended_;
+}
+
+std::optional<Work::Told> Work::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(told_, std::nullopt);
+}
+
+bool run_beside(const std::function<void(Work&)>& job, nb::handle progress) {
+  Work work;
+  std::exception_ptr failure;
+  std::optional<nb::python_error> raised;
+  std::thread thread([&] {
+    try {
+      job(work);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    work.end();
+  });
+  for (bool ended = false; !ended;) {
+    {
+      const nb::gil_scoped_release released;
+      ended = work.wait();
+    }
+    if (raised) continue;  // nothing is told to who has stopped it
+    if (!throws(check_signals, raised)) {
+      const auto told = work.take();
+      if (told && !progress.is_none()) {
+        throws([&] { progress(told->done ? nb::cast(*told->done) : nb::none(), told->words); },
+               raised);
+      }
+    }
+    if (raised) work.stop_ = true;
+  }
+  thread.join();
+  const bool interrupted = raised && raised->matches(PyExc_KeyboardInterrupt);
+  if (raised && !interrupted) throw std::move(*raised);
+  if (failure) std::rethrow_exception(failure);
+  return interrupted;
+}
+
+}  // namespace camlaw::python

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""Cam motion laws and mechanisms: choose, optimise, fit, check; every answer proved.
+
+    import camlaw as cl
+    law = cl.law("modified-sine", crossover=0.42)
+    problem = cl.Problem.load("roller.toml")
+    result = problem.optimize()
+
+docs/python.md is a tutorial. The names are those of the program's files and of docs/glossary.md.
+What is wrong with an input is said by InputError; all that the package raises by itself is an
+Error, but for Interrupted, which Ctrl-C brings.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .errors import Error, InputError, Interrupted, MissingPackage
+
+if TYPE_CHECKING:
+    from . import formulas
+    from .fits import Fit, fit, fit_constants
+    from .formulas import Expression, Machine, Response
+    from .fronts import Front
+    from .machines import mechanism, mechanisms
+    from .motion_laws import Law, Motion, Peaks, law, law_file, laws
+    from .problems import Check, Evaluation, Problem
+    from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
+    from .results import Result, Verification
+
+# Where each name is; what is not asked for is not read.
+_HOMES = {
+    "Fit": "fits",
+    "fit": "fits",
+    "fit_constants": "fits",
+    "Expression": "formulas",
+    "Machine": "formulas",
+    "Response": "formulas",
+    "formulas": "formulas",
+    "Front": "fronts",
+    "Law": "motion_laws",
+    "Motion": "motion_laws",
+    "Peaks": "motion_laws",
+    "law": "motion_laws",
+    "law_file": "motion_laws",
+    "laws": "motion_laws",
+    "mechanism": "machines",
+    "mechanisms": "machines",
+    "Check": "problems",
+    "Evaluation": "problems",
+    "Problem": "problems",
+    "cam_shape": "published",
+    "Reproduction": "published",
+    "Study": "published",
+    "reproduce": "published",
+    "reproducible": "published",
+    "study": "published",
+    "Result": "results",
+    "Verification": "results",
+}
+
+__all__ = ["Error", "InputError", "Interrupted", "MissingPackage", *sorted(_HOMES)]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from .native import native
+
+        return native.version().split()[-1]
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module 'camlaw' has no attribute '{name}'")
+    module = import_module(f".{home}", __name__)
+    value = module if name == home else getattr(module, name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__, "__version__"})

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""A problem as plain functions of an array, with exact derivatives."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import InputError
+from ..native import native
+from ..problems import Problem
+
+
+class Variable(NamedTuple):
+    """One number of a design. `integer`: only whole numbers, or some of them, can be made."""
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+    start: float
+    integer: bool
+
+
+class Output(NamedTuple):
+    """One function of a design. sign: of an objective -1 where the problem wants it large."""
+
+    name: str
+    unit: str
+    sign: float
+
+
+class Model:
+    """Objectives to be made small and margins to be kept at zero or above.
+
+    The variables are the problem's, all of them as continuous numbers; of laws to choose from it
+    has the first. A limit from above and one from below are a margin each; that of a curve is taken
+    at its peak over the cycle.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self._native = native.Model(problem._native)
+        self.variables = [Variable(*row) for row in self._native.variables()]
+        outputs = [Output(*row) for row in self._native.outputs()]
+        count = self._native.objectives
+        self.objectives = outputs[:count]
+        self.margins = [Output(name, unit, 1.0) for name, unit, _ in outputs[count:]]
+        if not self.variables:
+            raise InputError("nothing varies in the problem; it needs variables")
+
+    @property
+    def lower(self) -> np.ndarray:
+        return np.array([v.lower for v in self.variables])
+
+    @property
+    def upper(self) -> np.ndarray:
+        return np.array([v.upper for v in self.variables])
+
+    @property
+    def start(self) -> np.ndarray:
+        return np.array([v.start for v in self.variables])
+
+    def values(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Objectives and margins; of an array of designs, a row for each."""
+        designs = np.ascontiguousarray(x, dtype=np.float64)
+        found = self._native.values(np.atleast_2d(designs))
+        count = len(self.objectives)
+        if designs.ndim == 1:
+            return found[0, :count], found[0, count:]
+        return found[:, :count], found[:, count:]
+
+    def derivatives(self, x: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Of objectives and margins by the variables, a row for each function."""
+        found = self._native.jacobian(np.ascontiguousarray(x, dtype=np.float64))
+        count = len(self.objectives)
+        return found[:count], found[count:]
+
+    def design(self, x: Any) -> Problem:
+        """The problem at a design, to be evaluated and proved."""
+        rounded = [
+            round(float(value)) if v.integer else float(value)
+            for v, value in zip(self.variables, x)
+        ]
+        return self.problem.set({v.name: value for v, value in zip(self.variables, rounded)})

@@ -1,0 +1,374 @@
+# SPDX-License-Identifier: MIT
+"""Responses and machines of one's own, written as Python functions.
+
+A function is called once, with what stands for the machine, and writes down what it computes: a
+formula in the grammar of docs/formulas.md, which the library records as it records its own. No
+Python runs while a search does, and derivatives, enclosures and verdicts are those of any other
+response.
+
+    machine = cl.Machine("toggle press", moved_by="law", parameters={
+        "crank_radius": {"unit": "mm", "default": 40, "lower": 1, "upper": 500}, ...})
+
+    @machine.response(unit="N")
+    def inertia_force(m):
+        return 2 * m.crank_radius * m.moved_mass / m.cycle_time**2 * m.a
+
+Every quantity counts in the units of the SI, angles in radians.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any
+
+from .errors import InputError
+from .units import is_pint, pint_unit
+
+_SUM, _TERM, _SIGN, _POWER, _PRIMARY = range(1, 6)
+
+
+class Expression:
+    """A number of a formula that is being written down. It has no value.
+
+    It takes +, -, *, /, **, the functions of this module, and numpy's of the same names.
+    """
+
+    __slots__ = ("text", "_rank")
+
+    def __init__(self, text: str, rank: int = _PRIMARY) -> None:
+        self.text = text
+        self._rank = rank
+
+    def _within(self, rank: int) -> str:
+        return self.text if self._rank >= rank else f"({self.text})"
+
+    def __add__(self, other: Any) -> Expression:
+        return _pair(self, "+", other, _SUM)
+
+    def __radd__(self, other: Any) -> Expression:
+        return _pair(other, "+", self, _SUM)
+
+    def __sub__(self, other: Any) -> Expression:
+        return _pair(self, "-", other, _SUM)
+
+    def __rsub__(self, other: Any) -> Expression:
+        return _pair(other, "-", self, _SUM)
+
+    def __mul__(self, other: Any) -> Expression:
+        return _pair(self, "*", other, _TERM)
+
+    def __rmul__(self, other: Any) -> Expression:
+        return _pair(other, "*", self, _TERM)
+
+    def __truediv__(self, other: Any) -> Expression:
+        return _pair(self, "/", other, _TERM)
+
+    def __rtruediv__(self, other: Any) -> Expression:
+        return _pair(other, "/", self, _TERM)
+
+    def __pow__(self, other: Any) -> Expression:
+        return Expression(f"{self._within(_PRIMARY)}^{expression(other)._within(_PRIMARY)}", _POWER)
+
+    def __rpow__(self, other: Any) -> Expression:
+        return expression(other) ** self
+
+    def __neg__(self) -> Expression:
+        return Expression(f"-{self._within(_POWER)}", _SIGN)
+
+    def __pos__(self) -> Expression:
+        return self
+
+    def __abs__(self) -> Expression:
+        return absolute(self)
+
+    def __bool__(self) -> bool:
+        raise InputError(
+            "a formula is written down once and has no value to decide by; "
+            "write select(f, y, z): y where f is 0 or above, else z"
+        )
+
+    __lt__ = __le__ = __gt__ = __ge__ = lambda self, other: self.__bool__()
+    __array_priority__ = 1000
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        does = _UFUNCS.get(ufunc.__name__)
+        if method != "__call__" or kwargs or does is None:
+            return NotImplemented
+        return does(*inputs)
+
+    def __repr__(self) -> str:
+        return f"<{self.text}>"
+
+
+def expression(value: Any) -> Expression:
+    """A number, or a quantity of pint, as a part of a formula."""
+    if isinstance(value, Expression):
+        return value
+    if is_pint(value):
+        return quantity(value.magnitude, pint_unit(value.units))
+    if hasattr(value, "item"):
+        value = value.item()
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return _signed(repr(value))
+    raise InputError(f"{value!r} is no part of a formula; numbers are, and quantity('9.81 m/s^2')")
+
+
+def _signed(text: str) -> Expression:
+    return Expression(text, _SIGN if text.startswith("-") else _PRIMARY)
+
+
+def quantity(value: Any, unit: str | None = None) -> Expression:
+    """A number with a unit: quantity(9.81, "m/s^2"), quantity("30 mm")."""
+    if isinstance(value, str):
+        number, _, rest = value.strip().partition(" ")
+        unit = rest if unit is None else unit
+        try:
+            value = float(number)
+        except ValueError:
+            raise InputError(f"'{number}' is not a number; write quantity('9.81 m/s^2')") from None
+    if hasattr(value, "item"):
+        value = value.item()
+    return _signed(f"{value!r} [{unit}]" if unit else repr(value))
+
+
+def _pair(a: Any, sign: str, b: Any, rank: int) -> Expression:
+    left, right = expression(a), expression(b)
+    return Expression(f"{left._within(rank)} {sign} {right._within(rank + 1)}", rank)
+
+
+def _call(name: str, *parts: Any) -> Expression:
+    return Expression(f"{name}({', '.join(expression(part).text for part in parts)})")
+
+
+def sqrt(x: Any) -> Expression:
+    return _call("sqrt", x)
+
+
+def absolute(x: Any) -> Expression:
+    return _call("abs", x)
+
+
+def sign(x: Any) -> Expression:
+    return _call("sign", x)
+
+
+def exp(x: Any) -> Expression:
+    return _call("exp", x)
+
+
+def log(x: Any) -> Expression:
+    return _call("log", x)
+
+
+def log10(x: Any) -> Expression:
+    return _call("log10", x)
+
+
+def sin(x: Any) -> Expression:
+    return _call("sin", x)
+
+
+def cos(x: Any) -> Expression:
+    return _call("cos", x)
+
+
+def tan(x: Any) -> Expression:
+    return _call("tan", x)
+
+
+def asin(x: Any) -> Expression:
+    return _call("asin", x)
+
+
+def acos(x: Any) -> Expression:
+    return _call("acos", x)
+
+
+def atan(x: Any) -> Expression:
+    return _call("atan", x)
+
+
+def atan2(y: Any, x: Any) -> Expression:
+    return _call("atan2", y, x)
+
+
+def minimum(x: Any, y: Any) -> Expression:
+    return _call("min", x, y)
+
+
+def maximum(x: Any, y: Any) -> Expression:
+    return _call("max", x, y)
+
+
+def select(f: Any, y: Any, z: Any) -> Expression:
+    """y where f is 0 or above, else z."""
+    return _call("select", f, y, z)
+
+
+def where_positive(f: Any, y: Any) -> Expression:
+    """y where f is above 0, elsewhere no value."""
+    return _call("where_positive", f, y)
+
+
+def along(f: Any, y: Any) -> Expression:
+    """|y| with the sign of f."""
+    return _call("along", f, y)
+
+
+def unless_zero(f: Any, y: Any) -> Expression:
+    """y, but 0 where f is 0."""
+    return _call("unless_zero", f, y)
+
+
+_roots = 0
+
+
+def root(
+    low: Any,
+    high: Any,
+    f: Callable[[Expression], Any],
+    level: Callable[[Expression], Any] | None = None,
+) -> Expression:
+    """The first y between low and high at which f(y) is 0; of several that at which level(y) is
+    highest, where that is given."""
+    global _roots
+    _roots += 1
+    y = Expression(f"root_{_roots}")
+    try:
+        parts = [y, low, high, f(y)] + ([level(y)] if level else [])
+    finally:
+        _roots -= 1
+    return _call("root", *parts)
+
+
+#: 3.14159...
+pi = Expression("pi")
+
+_UFUNCS: dict[str, Callable[..., Expression]] = {
+    "sqrt": sqrt,
+    "absolute": absolute,
+    "fabs": absolute,
+    "sign": sign,
+    "exp": exp,
+    "log": log,
+    "log10": log10,
+    "sin": sin,
+    "cos": cos,
+    "tan": tan,
+    "arcsin": asin,
+    "arccos": acos,
+    "arctan": atan,
+    "arctan2": atan2,
+    "minimum": minimum,
+    "maximum": maximum,
+    "add": lambda a, b: _pair(a, "+", b, _SUM),
+    "subtract": lambda a, b: _pair(a, "-", b, _SUM),
+    "multiply": lambda a, b: _pair(a, "*", b, _TERM),
+    "divide": lambda a, b: _pair(a, "/", b, _TERM),
+    "power": lambda a, b: expression(a) ** b,
+    "negative": lambda a: -expression(a),
+    "square": lambda a: expression(a) ** 2,
+}
+
+
+class Names:
+    """What a formula may name, as attributes: parameters and responses by their names, and s, v, a,
+    j, x and angle of the motion. peak, highest and lowest take the name of a curve, or the curve."""
+
+    pi = pi
+
+    def __getattr__(self, name: str) -> Expression:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return Expression(name)
+
+    def __getitem__(self, name: str) -> Expression:
+        return Expression(name)
+
+    @staticmethod
+    def _part(part: str, curve: Any) -> Expression:
+        return Expression(f"{part} {curve.text if isinstance(curve, Expression) else curve}")
+
+    def peak(self, curve: Any) -> Expression:
+        """The highest |value| of a curve."""
+        return self._part("peak", curve)
+
+    def highest(self, curve: Any) -> Expression:
+        return self._part("highest", curve)
+
+    def lowest(self, curve: Any) -> Expression:
+        return self._part("lowest", curve)
+
+
+class Response:
+    """A response as a formula: a function of the machine's names, or the formula's text.
+
+    unit: what it is listed in; "1" for a plain number. meaning: a line for tables and reports; by
+    default the first line of the function's documentation.
+    """
+
+    def __init__(
+        self, formula: Callable[[Any], Any] | Expression | str, unit: str = "1", meaning: str = ""
+    ) -> None:
+        if callable(formula):
+            written = formula(Names())
+            meaning = meaning or (inspect.getdoc(formula) or "").partition("\n")[0]
+            formula = expression(written)
+        self.formula = formula.text if isinstance(formula, Expression) else formula
+        self.unit = unit
+        self.meaning = meaning
+
+    def table(self) -> dict[str, str]:
+        """[responses.NAME] of a problem file."""
+        table = {"formula": self.formula, "unit": self.unit}
+        return table | {"meaning": self.meaning} if self.meaning else table
+
+    def __repr__(self) -> str:
+        return f"camlaw.Response({self.formula!r}, unit={self.unit!r})"
+
+
+class Machine:
+    """A machine of one's own: parameters, and responses that are formulas.
+
+    moved_by: "law": curves run over x, from 0 to 1; "program": over the cam's angle; "nothing":
+    formulas know the angle of a shaft that turns evenly. A parameter is a dict of default and, where
+    wanted, unit, lower, upper, type, symbol, meaning.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        moved_by: str = "nothing",
+        parameters: dict[str, Any] | None = None,
+        title: str | None = None,
+        source: str | None = None,
+    ) -> None:
+        self.name = name
+        self.moved_by = moved_by
+        self.title = title
+        self.source = source
+        self.parameters: dict[str, Any] = dict(parameters or {})
+        self.responses: dict[str, Response] = {}
+
+    def response(self, unit: str = "1", meaning: str = "", name: str | None = None) -> Any:
+        """A decorator: the function is a response of the machine, called as it is."""
+
+        def add(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
+            self.responses[name or function.__name__] = Response(function, unit, meaning)
+            return function
+
+        return add
+
+    def table(self) -> dict[str, Any]:
+        """[machine] of a problem file."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "source": self.source,
+            "moved_by": self.moved_by,
+            "parameters": self.parameters,
+        }
+
+    def __repr__(self) -> str:
+        return f"<camlaw machine {self.name}: {', '.join(self.responses)}>"

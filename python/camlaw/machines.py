@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""The mechanisms that problems name: their parameters and responses."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any
+
+from . import tables
+from .native import native
+
+
+class Mechanism:
+    """A mechanism of the program: title, source, tables of parameters and responses."""
+
+    def __init__(self, facts: dict[str, Any]) -> None:
+        self._facts = facts
+
+    @property
+    def name(self) -> str:
+        return str(self._facts["name"])
+
+    @property
+    def title(self) -> str:
+        return str(self._facts["title"])
+
+    @property
+    def source(self) -> str:
+        return str(self._facts["source"])
+
+    @property
+    def parameters(self) -> Any:
+        """parameter, symbol, default, lower, upper, unit, integer, meaning."""
+        return tables.of_rows(self._facts["parameters"], index="parameter")
+
+    @property
+    def responses(self) -> Any:
+        """response, kind, unit, meaning."""
+        return tables.of_rows(self._facts["responses"], index="response")
+
+    def formula(self, response: str) -> str:
+        """How a response is worked out, in the grammar of docs/formulas.md."""
+        return native.formula(self.name, response)
+
+    def __repr__(self) -> str:
+        return f"<camlaw mechanism {self.name}: {self.title}>"
+
+    def _repr_html_(self) -> str:
+        parts = [f"<p><b>{escape(self.name)}</b>: {escape(self.title)}</p>"]
+        for table in (self.parameters, self.responses):
+            parts.append(table._repr_html_())
+        return "".join(parts)
+
+
+def mechanism(name: str) -> Mechanism:
+    """A mechanism by its name. Raises InputError with the known ones."""
+    return Mechanism(native.mechanism(name))
+
+
+def mechanisms() -> list[str]:
+    """The names of all mechanisms."""
+    return native.mechanism_names()

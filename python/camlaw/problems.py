@@ -1,0 +1,503 @@
+# SPDX-License-Identifier: MIT
+"""Problems: a machine, what may vary, what is wanted, what must hold."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import plots, tables, units
+from .errors import InputError, Interrupted
+from .formulas import Machine, Response
+from .motion_laws import Law
+from .native import native
+from .progress import Progress, shown
+from .toml_text import toml_text
+
+if TYPE_CHECKING:
+    from .fronts import Front
+    from .results import Result
+
+
+class Range(NamedTuple):
+    """What a curve does over the cycle: its extremes, where they are, and whether they are proved."""
+
+    lowest: float
+    lowest_at: float
+    highest: float
+    highest_at: float
+    unit: str
+    proved: bool
+
+
+class Evaluation:
+    """Every response of a design, how its limits stand, and whether it can be built."""
+
+    def __init__(self, facts: dict[str, Any]) -> None:
+        self._rows = {row["response"]: row for row in facts["responses"]}
+        self._limits = facts["limits"]
+        self.buildable: dict[str, Any] | None = facts["buildable"]
+        self.warnings: list[str] = facts["warnings"]
+
+    def __getitem__(self, response: str) -> float | Range:
+        """A number's value; of a curve its Range."""
+        row = self._rows.get(response)
+        if row is None:
+            raise InputError(
+                f"no response is called '{response}'; there are {', '.join(self._rows)}"
+            )
+        if not row["curve"]:
+            return float(row["value"])
+        return Range(
+            row["lowest"],
+            row["lowest_at"],
+            row["highest"],
+            row["highest_at"],
+            row["unit"],
+            row["proved"],
+        )
+
+    @property
+    def responses(self) -> Any:
+        """A table: value, lowest, lowest_at, highest, highest_at, unit, proved, meaning."""
+        return tables.of_rows(list(self._rows.values()), index="response")
+
+    @property
+    def margins(self) -> Any:
+        """A table of the limits: value, bound, side, margin, unit, at, met, proved."""
+        return tables.of_rows(self._limits, index="name")
+
+    @property
+    def feasible(self) -> bool:
+        """Whether every limit is met."""
+        return all(limit["met"] for limit in self._limits)
+
+    def __repr__(self) -> str:
+        met = sum(limit["met"] for limit in self._limits)
+        return f"<camlaw evaluation: {len(self._rows)} responses, {met} of {len(self._limits)} limits met>"
+
+    def _repr_html_(self) -> str:
+        return self.responses._repr_html_() + (self.margins._repr_html_() if self._limits else "")
+
+
+class Check(NamedTuple):
+    """A problem said back: in words, as facts, as HTML."""
+
+    text: str
+    facts: dict[str, Any]
+    html: str
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return self.html
+
+
+def _law_table(law: Any) -> Any:
+    if isinstance(law, Law):
+        if os.sep in law.name:
+            return {"name": law.name}
+        return {"name": law.family} | {
+            name: value for name, value in law.coefficients.items() if value != []
+        }
+    if isinstance(law, (list, tuple)):
+        return {"name": [item.name if isinstance(item, Law) else item for item in law]}
+    return {"name": law} if isinstance(law, str) else law
+
+
+def _bounds_table(bounds: Any) -> Any:
+    if isinstance(bounds, (tuple, list)) and len(bounds) == 2:
+        lower, upper = bounds
+        return {
+            key: value for key, value in (("lower", lower), ("upper", upper)) if value is not None
+        }
+    return bounds
+
+
+def _segment_table(segment: Mapping[str, Any]) -> dict[str, Any]:
+    return {
+        name: value.name if isinstance(value, Law) else value for name, value in segment.items()
+    }
+
+
+def _constraint_tables(constraints: Any) -> list[Any]:
+    if isinstance(constraints, Mapping):
+        return [{"response": name} | _bounds_table(bounds) for name, bounds in constraints.items()]
+    return list(constraints)
+
+
+def _response_table(response: Any) -> Any:
+    return response.table() if isinstance(response, Response) else response
+
+
+class Problem:
+    """A design problem, as a problem file states one (docs/problem-files.md).
+
+    Problem.load(path) reads a file. Otherwise it is stated by the same tables as a file has, as
+    dicts; values are numbers, texts with units such as "30 mm", or quantities of pint:
+
+        cl.Problem(mechanism="disc-cam-roller",
+                   constants={"stroke": "30 mm", "speed": "200 rpm"},
+                   program=[{"name": "rise", "angle": "80 deg", "law": "cycloidal"}, ...],
+                   variables={"base_radius": ("10 mm", "120 mm")},
+                   objective="base_radius",
+                   constraints={"pressure_angle": ("-40 deg", "30 deg")})
+
+    mechanism: the name of one; or machine: a Machine of one's own. law: a name, a Law, a list of
+    them to choose from, or the table [law]. program: its segments, or the table [program].
+    variables: (lower, upper), or a table of lower, upper, start, type, values. objective: what is
+    to be least, or {"minimize": ...} or {"maximize": ...}; objectives: a list of such, for a front.
+    constraints: a dict of (lower, upper) or tables, or a list of tables. responses: formulas of
+    one's own, each a Response. Raises InputError.
+    """
+
+    def __init__(
+        self,
+        mechanism: str | Machine | None = None,
+        *,
+        machine: Machine | None = None,
+        title: str | None = None,
+        constants: Mapping[str, Any] | None = None,
+        law: Any = None,
+        free: Mapping[str, Any] | None = None,
+        program: Any = None,
+        variables: Mapping[str, Any] | None = None,
+        objective: Any = None,
+        objectives: Sequence[Any] | None = None,
+        constraints: Any = None,
+        responses: Mapping[str, Any] | None = None,
+        buildable: Mapping[str, Any] | None = None,
+        solver: Mapping[str, Any] | None = None,
+        source: str = "problem",
+        _native: Any = None,
+    ) -> None:
+        if _native is not None:
+            self._native = _native
+            return
+        if isinstance(mechanism, Machine):
+            mechanism, machine = None, mechanism
+        stated = {name: _response_table(r) for name, r in (responses or {}).items()}
+        if machine is not None:
+            stated = {name: r.table() for name, r in machine.responses.items()} | stated
+        if isinstance(program, (list, tuple)):
+            program = {"segments": [_segment_table(segment) for segment in program]}
+        table = {
+            "title": title,
+            "mechanism": mechanism,
+            "machine": machine.table() if machine is not None else None,
+            "constants": dict(constants) if constants else None,
+            "responses": stated or None,
+            "law": _law_table(law) if law is not None else None,
+            "free": free,
+            "program": program,
+            "variables": {name: _bounds_table(b) for name, b in variables.items()}
+            if variables
+            else None,
+            "objective": {"minimize": objective} if isinstance(objective, str) else objective,
+            "objectives": [{"minimize": o} if isinstance(o, str) else o for o in objectives]
+            if objectives
+            else None,
+            "constraints": _constraint_tables(constraints) if constraints else None,
+            "buildable": buildable,
+            "solver": solver,
+        }
+        self._native = native.problem(toml_text(table), source)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Problem:
+        """Reads a problem file. Raises InputError with the line and what is accepted."""
+        return cls(_native=native.problem_file(str(path)))
+
+    @classmethod
+    def from_text(cls, text: str, source: str = "problem") -> Problem:
+        """Reads the text of a problem file; `source` names it in errors."""
+        return cls(_native=native.problem(text, source))
+
+    def save(self, path: str | Path) -> None:
+        """Writes the problem's text. What set() has changed since is not in it."""
+        if self.settings:
+            raise InputError(
+                f"values were set beside the problem's text: {', '.join(self.settings)}"
+            )
+        Path(path).write_text(self.text, encoding="utf-8")
+
+    @property
+    def text(self) -> str:
+        """The problem file."""
+        return self._native.text
+
+    @property
+    def title(self) -> str:
+        return self._native.title
+
+    @property
+    def mechanism(self) -> str:
+        return self._native.mechanism
+
+    @property
+    def settings(self) -> list[str]:
+        """What set() has changed, as the program's --set takes it."""
+        return self._native.settings
+
+    @property
+    def law(self) -> Law | None:
+        """Its law or motion program, of several the first; None of a machine that none moves."""
+        found = self._native.law()
+        return None if found is None else Law(found)
+
+    @property
+    def variables(self) -> Any:
+        """A table: name, unit, lower, upper, start, integer, values."""
+        return tables.of_rows(self._native.variables(), index="name")
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """Every parameter of the mechanism with its value, in its listed unit."""
+        return {name: value for name, (value, _) in self._native.constants().items()}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The listed unit of every parameter of the mechanism, and of the variables."""
+        known = {name: unit for name, (_, unit) in self._native.constants().items()}
+        return known | {row["name"]: row["unit"] for row in self._native.variables()}
+
+    @property
+    def responses(self) -> Any:
+        """A table of what the machine has: response, kind, unit, meaning."""
+        return tables.of_rows(self._native.machine()["responses"], index="response")
+
+    def set(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Problem:
+        """The problem with other starts of its variables, constants or coefficients of its law."""
+        settings = units.settings_of({**(values or {}), **more})
+        return Problem(_native=self._native.with_settings(settings))
+
+    def check(self) -> Check:
+        """Says the problem back in words, with what depends on what and in which shape."""
+        facts, text, html = self._native.check()
+        return Check(text, facts, html)
+
+    def check_derivatives(self) -> Any:
+        """A table of every derivative compared with differences, a row for each law and objective:
+        agrees, worst_error and of what it is, shapes that do not hold."""
+        return tables.of_rows(self._native.check_derivatives(), index="problem")
+
+    def scaling(self) -> Any:
+        """A table of what variables, objective and limits are divided by, and their tolerances."""
+        return tables.of_rows(self._native.scaling(), index="scaling")
+
+    def formula(self, response: str) -> str:
+        """How a response is worked out, in the grammar of docs/formulas.md."""
+        return self._native.formula(response)
+
+    def evaluate(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Evaluation:
+        """Every response at the variables' starts, or at these values, proved over the cycle."""
+        problem = self.set(values, **more) if values or more else self
+        return Evaluation(problem._native.evaluate())
+
+    def evaluate_many(
+        self, values: Mapping[str, Any], responses: Sequence[str] | None = None
+    ) -> Any:
+        """Many designs at once: a table with a row for each, of responses and of limits' margins.
+
+        `values` has arrays of one length by the names of variables, constants or coefficients of
+        the law, in their listed units, or quantities of pint. `responses` names what is wanted, in the words of problem
+        files; by default all that the machine has. Of a curve there are columns "lowest NAME" and
+        "highest NAME". Values are searched as a search does, and not proved.
+        """
+        names = list(values)
+        arrays = [self._numbers(name, v) for name, v in values.items()]
+        longest = max((len(a) for a in arrays), default=0)
+        arrays = [np.full(longest, a[0]) if len(a) == 1 else a for a in arrays]
+        found = native.evaluate_many(
+            self._native, names, arrays, None if responses is None else list(responses)
+        )
+        given = dict(zip(names, arrays))
+        return tables.of_columns(
+            given | {name: column for name, _, column in found},
+            {name: unit for name, unit, _ in found},
+        )
+
+    def _numbers(self, name: str, values: Any) -> np.ndarray:
+        """An array in the listed unit of a variable or a constant."""
+        if units.is_pint(values):
+            unit = self.units.get(name)
+            if unit is None:
+                raise InputError(f"{name}: give plain numbers; it is not a size of the machine")
+            one = native.quantity(f"1 {units.pint_unit(values.units)}", unit, unit, name)
+            values = np.asarray(values.magnitude, dtype=np.float64) * one
+        return np.ascontiguousarray(np.atleast_1d(values), dtype=np.float64)
+
+    def curves(self, points: int = 720) -> Any:
+        """A table of every curve at even places of the cycle, "NAME [UNIT]"; the place first."""
+        return tables.of_columns(self._native.curves(points))
+
+    def _search(
+        self,
+        synthesize: bool,
+        what: str,
+        solver: str | None,
+        starts: int | None,
+        seed: int | None,
+        time_limit: float | None,
+        memory: float | None,
+        start: Mapping[str, Any] | None,
+        progress: Progress,
+    ) -> Result:
+        from .results import Result
+
+        problem = self.set(start) if start else self
+        with shown(progress, what) as tell:
+            found, interrupted = native.search(
+                problem._native, synthesize, solver, starts, seed, time_limit, memory, tell
+            )
+        result = Result(found)
+        if interrupted:
+            raise Interrupted(result)
+        return result
+
+    def optimize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        memory: float | None = None,
+        start: Mapping[str, Any] | None = None,
+        progress: Progress = None,
+    ) -> Result:
+        """The best design, with a verdict.
+
+        What is not given is as the problem has it. starts: how many places to search from. start:
+        the values to begin at. time_limit: seconds; the best so far is the answer then. memory:
+        bytes that the search may take. Ctrl-C raises Interrupted, whose result is the best so far.
+        """
+        return self._search(
+            False, "optimize", solver, starts, seed, time_limit, memory, start, progress
+        )
+
+    def synthesize(
+        self,
+        *,
+        solver: str | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        memory: float | None = None,
+        start: Mapping[str, Any] | None = None,
+        progress: Progress = None,
+    ) -> Result:
+        """The same of a problem with a free law, which is measured with what is possible and with
+        the laws that have names: facts["rulers"]."""
+        return self._search(
+            True, "synthesize", solver, starts, seed, time_limit, memory, start, progress
+        )
+
+    def pareto(
+        self,
+        *,
+        points: int = 50,
+        workers: int | None = None,
+        method: str = "auto",
+        record: str | Path | None = None,
+        resume: bool = False,
+        progress: Progress = None,
+    ) -> Front:
+        """The front of two objectives or more.
+
+        workers: processes at work side by side; the front does not depend on them. They are started
+        afresh, so that it does not matter which threads are running here. record: a file that the
+        study is written to as it goes; with resume what is in it is not searched again.
+        """
+        from .fronts import Front
+
+        with shown(progress, "pareto") as tell:
+            found, interrupted = native.pareto(
+                self._native,
+                points,
+                method,
+                workers,
+                "" if record is None else str(record),
+                resume,
+                tell,
+            )
+        front = Front(found)
+        if interrupted:
+            raise Interrupted(front)
+        return front
+
+    def plot(self) -> Any:
+        """Every curve over the cycle, drawn by matplotlib; returns the axes."""
+        return plots.draw(self._native.curves_figure())
+
+    def plot_profile(self) -> Any:
+        """The cam's profile, pitch curve and path of the tool."""
+        return plots.draw(self._native.profile_figure(), equal=True)
+
+    def report(self, path: str | Path | None = None) -> str:
+        """A page for the browser on the design at the variables' starts; written to `path`."""
+        return _written(native.report_of_problem(self._native), path)
+
+    def export(self, path: str | Path | None = None, **options: Any) -> str:
+        """The cam's curves, motion or law as a file's text; see Result.export."""
+        text = native.export_problem(self._native, _export_options(path, options))
+        return _written(text, path)
+
+    def __reduce__(self) -> Any:
+        return _problem_again, (self.text, self._native.source, self.settings)
+
+    def __repr__(self) -> str:
+        return f"<camlaw problem {self.title or self.mechanism}: {len(self._native.variables())} variables>"
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{escape(self.title or self.mechanism)}</b></p>{self.check().html}"
+
+
+def _problem_again(text: str, source: str, settings: list[str]) -> Problem:
+    return Problem(_native=native.problem(text, source).with_settings(settings))
+
+
+def _written(text: str, path: str | Path | None) -> str:
+    if path is not None:
+        place = Path(path)
+        beside = place.with_name(f".{place.name}.{os.getpid()}")
+        try:
+            beside.write_text(text, encoding="utf-8")
+            os.replace(beside, place)
+        finally:
+            beside.unlink(missing_ok=True)
+    return text
+
+
+_EXPORT = {
+    "format",
+    "curve",
+    "tolerance",
+    "step",
+    "form",
+    "decimals",
+    "tool",
+    "feed",
+    "clearance",
+    "depth",
+    "slave",
+}
+
+
+def _export_options(path: str | Path | None, options: Mapping[str, Any]) -> dict[str, str]:
+    unknown = set(options) - _EXPORT
+    if unknown:
+        raise InputError(
+            f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_EXPORT))}"
+        )
+    told = {name: units.value_text(value) for name, value in options.items() if value is not None}
+    return told | ({"out": str(path)} if path is not None else {})

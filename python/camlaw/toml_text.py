@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Dicts as the text of a problem file, which is what the library reads."""
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from .errors import InputError
+from .units import is_pint, value_text
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def _key(name: str) -> str:
+    return name if _BARE.fullmatch(name) else json.dumps(name)
+
+
+def _text(value: str) -> str:
+    # A basic string of TOML; JSON's escapes are among its own.
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _value(value: Any, where: str) -> str:
+    if hasattr(value, "tolist") and not is_pint(value):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _text(value)
+    if is_pint(value):
+        return _text(value_text(value))
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(item, where) for item in value) + "]"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{_key(k)} = {_value(v, where)}" for k, v in value.items()) + "}"
+    raise InputError(f"{where}: {value!r} is not a number, a text, a list or a dict")
+
+
+def _is_tables(value: Any) -> bool:
+    return (
+        isinstance(value, (list, tuple))
+        and bool(value)
+        and all(isinstance(v, Mapping) for v in value)
+    )
+
+
+def _table(table: Mapping[str, Any], path: tuple[str, ...], lines: list[str]) -> None:
+    for name, value in table.items():
+        if value is None or isinstance(value, Mapping) or _is_tables(value):
+            continue
+        lines.append(f"{_key(name)} = {_value(value, '.'.join((*path, name)))}")
+    for name, value in table.items():
+        inner = (*path, name)
+        title = ".".join(map(_key, inner))
+        if isinstance(value, Mapping):
+            lines += ["", f"[{title}]"]
+            _table(value, inner, lines)
+        elif _is_tables(value):
+            for item in value:
+                lines += ["", f"[[{title}]]"]
+                _table(item, inner, lines)
+
+
+def toml_text(table: Mapping[str, Any]) -> str:
+    """The text of nested dicts; what is None is left out. Numbers keep every digit."""
+    lines: list[str] = []
+    _table(table, (), lines)
+    return "\n".join(lines) + "\n"

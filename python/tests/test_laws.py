@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+import math
+
+import camlaw as cl
+import numpy as np
+import pytest
+from conftest import program_json, same
+
+
+def test_the_cycloidal_has_the_peaks_that_its_formula_has():
+    law = cl.law("cycloidal")
+    assert law.C_v == pytest.approx(2, rel=1e-14)
+    assert law.C_a == pytest.approx(2 * math.pi, rel=1e-14)
+    assert law.C_j == pytest.approx(4 * math.pi**2, rel=1e-14)
+    assert law.ends == "R-R"
+
+
+def test_values_are_those_of_the_formula():
+    x = np.linspace(0, 1, 101)
+    s, v, a, j = cl.law("cycloidal")(x)
+    turn = 2 * np.pi * x
+    assert np.allclose(s, x - np.sin(turn) / (2 * np.pi), atol=1e-15)
+    assert np.allclose(v, 1 - np.cos(turn), atol=1e-14)
+    assert np.allclose(a, 2 * np.pi * np.sin(turn), atol=1e-13)
+    assert np.allclose(j, 4 * np.pi**2 * np.cos(turn), atol=1e-12)
+
+
+def test_arrays_share_their_numbers():
+    motion = cl.law("cycloidal")(np.linspace(0, 1, 9))
+    first, second = motion.s, motion.s
+    assert np.shares_memory(first, second)
+    del motion
+    assert first[-1] == 1
+
+
+def test_any_sequence_of_numbers_will_do():
+    law = cl.law("cycloidal")
+    assert law(0.5).s[0] == 0.5
+    assert law([0, 1]).s.tolist() == [0, 1]
+    assert law(np.arange(0, 10)[::5] / 10).s.tolist() == law([0, 0.5]).s.tolist()
+    assert np.isnan(law([2.0]).s[0])
+    with pytest.raises(cl.InputError, match="one is wanted"):
+        law(np.zeros((2, 2)))
+
+
+def test_values_go_into_arrays_that_are_there():
+    law, x = cl.law("modified-sine"), np.linspace(0, 1, 33)
+    rows = np.empty((4, 33))
+    law.into(x, *rows)
+    assert all(np.array_equal(mine, its) for mine, its in zip(rows, law(x)))
+
+
+def test_proved_peaks_hold_those_that_were_searched():
+    for name in ("modified-sine", "polynomial-5", "modified-trapezoid"):
+        law = cl.law(name)
+        for searched, proved in zip(law.peaks(), law.peaks(proved=True)):
+            for peak, (low, high) in zip(searched, proved):
+                assert low - 1e-12 <= peak.value <= high + 1e-12
+                assert high - low < 1e-8 or math.isinf(high)
+
+
+def test_coefficients_are_keywords_with_or_without_units():
+    assert cl.law("modified-sine", crossover=0.42).coefficients["crossover"] == 0.42
+    assert cl.law("modified-sine crossover=0.42") == cl.law("modified-sine", crossover=0.42)
+    assert cl.law("inclined-sinusoid", angle="75 deg") == cl.law("inclined-sinusoid", angle=75)
+    assert cl.law("fourier", a=[0.1, -0.05]).coefficients["a"] == [0.1, -0.05]
+
+
+def test_facts_are_those_of_the_program():
+    for name in ("modified-sine", "elliptic", "fourier"):
+        theirs = program_json("law", name)
+        mine = cl.law(name).facts()
+        assert same({key: theirs[key] for key in mine}, mine)
+
+
+def test_every_law_has_a_name_that_makes_it():
+    assert len(cl.laws()) > 30
+    for name in cl.laws():
+        assert cl.law(name).family == name
+
+
+def test_wrong_names_and_values_are_input_errors_with_the_programs_sentence():
+    with pytest.raises(cl.InputError, match="no law is named 'cosin'; near: cosine"):
+        cl.law("cosin")
+    with pytest.raises(ValueError, match="crossover"):
+        cl.law("modified-sine", crossover=7)
+
+
+def test_a_law_comes_back_from_its_file(tmp_path):
+    law = cl.law("modified-sine", crossover=0.3)
+    law.save(tmp_path / "mine.json")
+    again = cl.law_file(tmp_path / "mine.json")
+    x = np.linspace(0, 1, 64)
+    assert all(np.array_equal(a, b) for a, b in zip(law(x), again(x)))
+    assert again.C_a == law.C_a
+
+
+def test_it_shows_itself():
+    law = cl.law("modified-sine")
+    assert "C_a" in law._repr_html_() and "<svg" in law._repr_html_()
+    assert repr(law) == "camlaw.law('modified-sine')"
+    pytest.importorskip("matplotlib").use("Agg")
+    assert len(law.plot()) == 4

@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+import pickle
+
+import camlaw as cl
+import numpy as np
+import pytest
+from conftest import PROBLEMS, program, program_json, same
+
+ROLLER = PROBLEMS / "cams/roller_least_base.toml"
+
+
+def roller(**changes):
+    stated = dict(
+        mechanism="disc-cam-roller",
+        title="Least base circle of a disc cam with a roller follower",
+        constants={
+            "stroke": "30 mm",
+            "roller_radius": "8 mm",
+            "speed": "200 rpm",
+            "mass": "1.2 kg",
+            "spring_rate": "6 N/mm",
+            "spring_preload": "60 N",
+        },
+        program=[
+            {"name": "rise", "angle": "80 deg", "law": "cycloidal"},
+            {"name": "high", "angle": "60 deg"},
+            {"name": "return", "angle": "100 deg", "law": cl.law("modified-sine")},
+            {"name": "low"},
+        ],
+        variables={"base_radius": {"lower": "10 mm", "upper": "120 mm", "start": "60 mm"}},
+        objective="base_radius",
+        constraints={
+            "pressure_angle": ("-40 deg", "30 deg"),
+            "undercut": {"upper": 0.8},
+            "follower_force": ("0 N", None),
+        },
+        buildable={"require": True},
+    )
+    return cl.Problem(**(stated | changes))
+
+
+def without_design(facts):
+    return {key: value for key, value in facts.items() if key not in ("design", "checksum")}
+
+
+def test_a_problem_of_dicts_is_the_one_of_the_file():
+    ours, theirs = roller().optimize(), cl.Problem.load(ROLLER).optimize()
+    assert same(without_design(ours.facts), without_design(theirs.facts))
+
+
+def test_quantities_of_pint_are_taken_with_their_units():
+    units = pytest.importorskip("pint").UnitRegistry()
+    constants = {
+        "stroke": 3 * units.cm,
+        "roller_radius": 8 * units.mm,
+        "speed": 200 * units.rpm,
+        "mass": 1200 * units.g,
+        "spring_rate": 6 * units.N / units.mm,
+        "spring_preload": 60 * units.N,
+    }
+    assert roller(constants=constants).constants == pytest.approx(roller().constants, rel=1e-12)
+    with pytest.raises(cl.InputError, match="a length is wanted"):
+        roller(constants={"stroke": 3 * units.kg})
+    many = roller().evaluate_many({"base_radius": np.array([5, 6]) * units.cm}, ["outer_radius"])
+    assert many["base_radius"].tolist() == [50, 60]
+    with pytest.raises(cl.InputError, match="a length is wanted"):
+        roller().evaluate_many({"base_radius": np.array([5, 6]) * units.s})
+
+
+def test_errors_have_the_line_and_what_is_accepted():
+    with pytest.raises(cl.InputError, match=r"constants.stroke.*a length is wanted"):
+        roller(constants={"stroke": "30 N"})
+    with pytest.raises(cl.InputError, match="roller_radius"):
+        roller(constants={"roler_radius": "8 mm"})
+    with pytest.raises(cl.InputError, match="nothing.toml"):
+        cl.Problem.load("nothing.toml")
+    with pytest.raises(cl.InputError, match="is not a number"):
+        roller(constants={"stroke": object()})
+    with pytest.raises(cl.InputError, match="outside"):
+        cl.Problem.load(ROLLER).evaluate(base_radius="5 m")
+
+
+def test_texts_of_any_kind_come_through_the_statement():
+    title = 'A "roller" \\ of \u00fcmlauts \u043a\u0443\u043b\u0430\u0447\u043e\u043a'
+    assert roller(title=title).title == title
+
+
+def test_an_evaluation_is_the_programs():
+    problem = cl.Problem.load(ROLLER)
+    found = problem.evaluate(base_radius="55 mm")
+    assert found["outer_radius"] == pytest.approx(85, abs=1e-6)
+    angle = found["pressure_angle"]
+    assert angle.proved and angle.highest < 30 and angle.unit == "deg"
+    assert found.feasible and not problem.evaluate(base_radius=20).feasible
+    theirs = program_json("evaluate", ROLLER, "--set", "base_radius=55 mm")
+    assert angle.highest == theirs["responses"]["pressure_angle"]["highest"]
+    for name, row in theirs["responses"].items():
+        mine = found[name]
+        value = row.get("value")
+        assert (
+            (mine == value or value in ("inf", None))
+            if "value" in row
+            else mine.lowest == row["lowest"]
+        )
+    with pytest.raises(cl.InputError, match="no response is called"):
+        found["nonsense"]
+
+
+def test_many_designs_at_once_are_those_that_are_proved_one_by_one():
+    problem = cl.Problem.load(ROLLER)
+    radii = np.linspace(30, 110, 7)
+    table = problem.evaluate_many({"base_radius": radii})
+    for i, radius in enumerate(radii):
+        one = problem.evaluate(base_radius=radius)
+        for name in ("pressure_angle", "contact_stress", "pitch_curvature", "drive_torque"):
+            assert table[f"highest {name}"][i] == pytest.approx(
+                one[name].highest, rel=1e-9, abs=1e-9
+            )
+            assert table[f"lowest {name}"][i] == pytest.approx(one[name].lowest, rel=1e-9, abs=1e-9)
+        assert table["outer_radius"][i] == pytest.approx(one["outer_radius"], rel=1e-12)
+        margins = one.margins
+        assert table["margin of undercut"][i] == pytest.approx(
+            margins.loc["undercut", "margin"], rel=1e-9
+        )
+    few = problem.evaluate_many(
+        {"base_radius": radii, "roller_radius": [8.0]}, ["peak pressure_angle"]
+    )
+    assert np.allclose(few["peak pressure_angle"], table["peak_pressure_angle"], rtol=1e-12)
+    with pytest.raises(cl.InputError, match="outside"):
+        problem.evaluate_many({"base_radius": [1e6]})
+    with pytest.raises(cl.InputError, match="did you mean|known|near"):
+        problem.evaluate_many({"base_radios": [50.0]})
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        "cams/flat_least_base.toml",
+        "cams/oscillating_least_peak_angle.toml",
+        "die_press/least_approach.toml",
+        "own/slider_crank.toml",
+        "motions/in_step.toml",
+        "geneva/fastest.toml",
+        "follower_train/quiet_rise.toml",
+    ],
+)
+def test_many_designs_of_any_machine_are_those_that_are_proved(file):
+    problem = cl.Problem.load(PROBLEMS / file)
+    starts = {row["name"]: [row["start"]] for row in problem._native.variables()}
+    table, one = problem.evaluate_many(starts), problem.evaluate()
+    for name, row in one._rows.items():
+        if not row["curve"]:
+            assert table[name][0] == pytest.approx(row["value"], rel=1e-8, nan_ok=True), name
+            continue
+        size = max(abs(row["highest"]), abs(row["lowest"]), 1e-12)
+        if np.isfinite(size):
+            for side in ("highest", "lowest"):
+                assert abs(table[f"{side} {name}"][0] - row[side]) <= 1e-9 * size, (side, name)
+
+
+def test_a_check_says_what_the_program_says():
+    text = program("check", ROLLER)
+    assert text.startswith(str(cl.Problem.load(ROLLER).check()).rstrip("\n"))
+
+
+def test_derivatives_scaling_and_formulas_are_told():
+    problem = cl.Problem.load(ROLLER)
+    assert problem.check_derivatives()["agrees"].all()
+    assert "base_radius" in problem.scaling().index
+    text = program("mechanisms", "disc-cam-roller", "--formula", "pressure_angle")
+    assert text.startswith(problem.formula("pressure_angle").rstrip("\n"))
+    assert problem.formula("pressure_angle") == cl.mechanism("disc-cam-roller").formula(
+        "pressure_angle"
+    )
+
+
+def test_curves_are_those_of_the_programs_table(tmp_path):
+    program("evaluate", ROLLER, "--curves", tmp_path / "curves.csv")
+    theirs = np.genfromtxt(tmp_path / "curves.csv", delimiter=",", names=None, skip_header=1)
+    mine = cl.Problem.load(ROLLER).curves()
+    assert np.array_equal(np.column_stack([mine[name] for name in mine]), theirs, equal_nan=True)
+
+
+def test_without_pandas_tables_are_dicts_of_arrays(monkeypatch):
+    import sys
+
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    curves = cl.Problem.load(ROLLER).curves(36)
+    assert isinstance(curves, dict) and len(curves["pressure_angle [deg]"]) == 37
+    assert "<table>" in cl.Problem.load(ROLLER).evaluate()._repr_html_()
+
+
+def test_problems_and_laws_go_to_other_processes():
+    problem = cl.Problem.load(ROLLER).set(base_radius="55 mm")
+    again = pickle.loads(pickle.dumps(problem))
+    assert again.evaluate()["pressure_angle"] == problem.evaluate()["pressure_angle"]
+    law = cl.law("modified-sine", crossover=0.42)
+    assert pickle.loads(pickle.dumps(law)) == law
+
+
+def test_mechanisms_are_listed():
+    assert "disc-cam-roller" in cl.mechanisms()
+    cam = cl.mechanism("disc-cam-roller")
+    assert cam.parameters.loc["stroke", "unit"] == "mm"
+    assert "pressure_angle" in cam.responses.index
+    with pytest.raises(cl.InputError):
+        cl.mechanism("no-such-cam")

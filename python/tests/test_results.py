@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+import json
+
+import camlaw as cl
+import pytest
+from conftest import PROBLEMS, program, program_json, same
+
+FILES = [
+    "cams/roller_least_base.toml",
+    "cams/flat_least_base.toml",
+    "spine_cutter/least_force.toml",
+    "own/slider_crank.toml",
+    "motions/in_step.toml",
+    pytest.param("balancing_cam/fewest_springs.toml", marks=pytest.mark.full),
+]
+
+
+@pytest.fixture(scope="module")
+def roller():
+    return cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml").optimize()
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_an_optimum_is_the_programs_digit_for_digit(file, tmp_path):
+    path = f"problems/{file}"
+    mine = cl.Problem.load(path).optimize()
+    assert same(mine.facts, program_json("optimize", path))
+    mine.save(tmp_path / "result.json")
+    assert (tmp_path / "result.json").read_text() == program("optimize", path, "--json")
+
+
+def test_a_synthesis_is_the_programs():
+    path = "problems/free_law/least_acceleration_at_jerk.toml"
+    mine = cl.Problem.load(path).synthesize()
+    assert same(mine.facts, program_json("synthesize", path))
+    with pytest.raises(
+        cl.InputError, match="no law of the problem is free|no segment's law is free"
+    ):
+        cl.Problem.load("problems/spine_cutter/least_force.toml").synthesize()
+
+
+def test_a_result_tells_its_design(roller):
+    assert roller.verdict == "certified optimum" and roller.certified and roller.is_global
+    assert roller["base_radius"] == roller.objective == roller.variables["base_radius"]
+    assert roller["stroke"] == 30
+    assert (
+        roller.margins.loc["pressure_angle", "met"]
+        and roller.margins.loc["undercut", "margin"] > 0.6
+    )
+    assert len(roller.curves) == 721
+    assert roller.design.evaluate()["pressure_angle"].highest == pytest.approx(30, abs=1e-9)
+    with pytest.raises(cl.InputError, match="it has base_radius"):
+        roller["nonsense"]
+
+
+def test_a_result_comes_back_from_its_file_and_its_claim_holds(roller, tmp_path):
+    path = tmp_path / "result.json"
+    roller.save(path)
+    again = cl.Result.load(path)
+    assert same(again.facts, roller.facts) and again.review == []
+    for one in (roller, again):
+        claim = one.verify()
+        assert claim.holds and claim.claimed == claim.verdict == "certified optimum"
+    theirs = program_json("verify", path)
+    assert theirs["objective"] == again.verify().objective
+
+
+def test_a_result_that_was_changed_is_not_believed(roller, tmp_path):
+    path = tmp_path / "result.json"
+    facts = json.loads(json.dumps(roller.facts))
+    facts["design"]["variables"]["base_radius"] = 40.0
+    path.write_text(json.dumps(facts))
+    again = cl.Result.load(path)
+    assert any("not as it was written" in words for words in again.review)
+    assert not again.verify().holds
+
+
+def test_how_to_search_can_be_told():
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    result = problem.optimize(solver="ipopt", starts=2, seed=3, start={"base_radius": "80 mm"})
+    assert result.facts["solver_asked"] == "ipopt" and result.facts["seed"] == 3
+    assert result["base_radius"] == pytest.approx(52.6479193, rel=1e-7)
+    with pytest.raises(cl.InputError, match="solver"):
+        problem.optimize(solver="nonsense")
+    with pytest.raises(cl.InputError, match="starts"):
+        problem.optimize(starts=0)
+
+
+def test_what_cannot_be_met_is_named():
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    text = problem.text.replace('upper = "120 mm"', 'upper = "30 mm"').replace(
+        'start = "60 mm"', 'start = "20 mm"'
+    )
+    result = cl.Problem.from_text(text).optimize()
+    assert result.verdict == "infeasible" and "pressure_angle" in result.facts["blamed"]
+
+
+def test_a_report_is_one_page(roller, tmp_path):
+    page = roller.report(tmp_path / "cam.html")
+    assert page.startswith("<!DOCTYPE html>") and "certified optimum" in page
+    assert (tmp_path / "cam.html").read_text() == page
+    assert "base_radius" in cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml").report()
+
+
+@pytest.mark.parametrize(
+    "ending, options",
+    [
+        ("dxf", []),
+        ("csv", ["--step", "1 deg"]),
+        ("svg", []),
+        ("json", []),
+        ("nc", ["--tolerance", "2 um", "--decimals", "5"]),
+    ],
+)
+def test_exports_are_the_programs_byte_for_byte(roller, tmp_path, ending, options):
+    source = tmp_path / "result.json"
+    roller.save(source)
+    theirs = tmp_path / f"theirs.{ending}"
+    program("export", source, "--out", theirs, *options)
+    told = dict(zip((name.removeprefix("--") for name in options[::2]), options[1::2]))
+    cl.Result.load(source).export(tmp_path / f"mine.{ending}", **told)
+    assert (tmp_path / f"mine.{ending}").read_text() == theirs.read_text()
+
+
+def test_a_table_for_a_controller(roller):
+    table = roller.export(format="table", step="0.5 deg")
+    assert len(table.splitlines()) >= 720
+    with pytest.raises(cl.InputError, match="there are clearance"):
+        roller.export(format="csv", colour="red")
+    with pytest.raises(cl.InputError, match="format"):
+        roller.export()
+
+
+def test_it_shows_itself(roller):
+    assert "certified optimum" in roller._repr_html_() and "<table>" in roller._repr_html_()
+    assert str(roller).splitlines()[1].startswith("certified optimum")
+    pytest.importorskip("matplotlib").use("Agg")
+    roller.plot()
+    roller.plot_profile()

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Long work: it is told of, it can be stopped, and other threads go on meanwhile."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import camlaw as cl
+import pytest
+from conftest import PROBLEMS
+
+FRONT = PROBLEMS / "cams/roller_front.toml"
+QUICK = PROBLEMS / "spine_cutter/front.toml"
+
+
+def test_progress_is_told_and_ends_with_what_it_throws():
+    told = []
+    cl.Problem.load(QUICK).pareto(
+        points=8, workers=2, progress=lambda done, words: told.append((done, words))
+    )
+    assert told and all(done is None or 0 <= done <= 1 for done, _ in told)
+    assert any("searches" in words for _, words in told)
+
+    def refuse(done, words):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        cl.Problem.load(QUICK).pareto(points=40, workers=2, progress=refuse)
+
+
+def test_a_bar_is_shown_where_it_is_asked_for(capsys):
+    pytest.importorskip("tqdm")
+    cl.Problem.load(QUICK).pareto(points=12, workers=2, progress=True)
+    assert "searches" in capsys.readouterr().err
+
+
+def test_ctrl_c_stops_a_front_with_what_it_has():
+    timer = threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt) as stopped:
+        cl.Problem.load(FRONT).pareto(points=400, workers=2)
+    assert time.monotonic() - began < 8
+    assert isinstance(stopped.value, cl.Interrupted)
+    assert stopped.value.result is None or stopped.value.result.stopped
+    assert cl.law("cycloidal").C_v == pytest.approx(2)  # all goes on
+
+
+def test_ctrl_c_stops_a_fit():
+    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(cl.Interrupted) as stopped:
+        cl.fit(
+            PROBLEMS / "cams/worn_cam.csv",
+            mechanism="disc-cam-roller",
+            set={"roller_radius": "8 mm"},
+        )
+    assert stopped.value.result is None
+
+
+def test_other_threads_run_while_a_search_does():
+    counts, ended = [0], threading.Event()
+
+    def count():
+        while not ended.is_set():
+            counts[0] += 1
+            time.sleep(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    before = counts[0]
+    try:
+        cl.Problem.load(QUICK).pareto(points=16, workers=1)
+    finally:
+        ended.set()
+        other.join()
+    assert counts[0] - before > 20
+
+
+def test_several_threads_get_the_bits_that_one_gets():
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    alone = problem.optimize()["base_radius"]
+    found = []
+    threads = [
+        threading.Thread(target=lambda: found.append(problem.optimize()["base_radius"]))
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == [alone] * 4
+
+
+@pytest.mark.full
+def test_speed():
+    import numpy as np
+
+    def best(action, rounds=30, each=50):
+        least = 1e9
+        for _ in range(rounds):
+            began = time.perf_counter()
+            for _ in range(each):
+                action()
+            least = min(least, (time.perf_counter() - began) / each)
+        return least
+
+    x = np.linspace(0, 1, 4096)
+    for name in ("polynomial-5", "cycloidal", "modified-sine"):
+        law = cl.law(name)
+        assert best(lambda: law(x)) < 1.2 * law._native.loop_seconds(4096, 30)
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    radii = np.linspace(40, 100, 1000)
+    began = time.perf_counter()
+    problem.evaluate_many({"base_radius": radii})
+    batch = time.perf_counter() - began
+    one = best(lambda: problem.evaluate(base_radius=50), 5, 5)
+    assert 1000 * one > 20 * batch
+    code = "import time; t = time.perf_counter(); import camlaw; print(time.perf_counter() - t)"
+    assert (
+        min(
+            float(
+                subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout
+            )
+            for _ in range(5)
+        )
+        < 0.15
+    )
