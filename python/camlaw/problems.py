@@ -292,7 +292,7 @@ class Problem:
 
     def scaling(self) -> Any:
         """A table of what variables, objective and limits are divided by, and their tolerances."""
-        return tables.of_rows(self._native.scaling(), index="scaling")
+        return tables.of_rows(self._native.scaling(), index="of")
 
     def formula(self, response: str) -> str:
         """How a response is worked out, in the grammar of docs/formulas.md."""
