@@ -36,6 +36,10 @@ bool is_symmetric(const Law<double>& law) {
 }
 
 Ends natural_ends(const Law<double>& law) {
+  return natural_ends(law.pieces().front(), law.pieces().back());
+}
+
+Ends natural_ends(const Piece<double>& first, const Piece<double>& last) {
   const auto kind = [](const Piece<double>& piece, double x) {
     const auto here = detail::break_side(piece, x);
     const auto at_rest = detail::beyond(End::Rest, here);
@@ -44,7 +48,7 @@ Ends natural_ends(const Law<double>& law) {
     if (still) return steady ? End::Rest : End::Reversal;
     return steady ? End::Velocity : End::Motion;
   };
-  return {kind(law.pieces().front(), 0), kind(law.pieces().back(), 1)};
+  return {kind(first, 0), kind(last, 1)};
 }
 
 }  // namespace camlaw

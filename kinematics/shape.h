@@ -21,5 +21,7 @@ bool is_symmetric(const Law<double>& law);
 /// The ends that a law's own values at 0 and 1 fit: v = 0 and a = 0 rest, a = 0 constant velocity,
 /// v = 0 reversal, else motion.
 Ends natural_ends(const Law<double>& law);
+/// The same of the first and the last piece.
+Ends natural_ends(const Piece<double>& first, const Piece<double>& last);
 
 }  // namespace camlaw

@@ -27,6 +27,9 @@ struct Parameter {
   bool list = false;        ///< takes any number of values
   bool structural = false;  ///< shapes the law's data (a degree, an exponent): no derivatives by it
   bool linear = false;      ///< s is affine in all such parameters of the family together
+  /// Of a list in which s is affine, where it is known: elements that lie so many places apart move
+  /// no piece together. 0: nothing is known.
+  std::size_t reach = 0;
   std::string also = {};    ///< an older name that is accepted
 
   bool is_called(std::string_view asked) const {

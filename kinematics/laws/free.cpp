@@ -220,6 +220,9 @@ Member free_law(const FreeLaw& shape, const Law<double>& start) {
                                      starting_coefficients(shape, start),
                                      "of the spline, but those that the ends decide", true, false,
                                      true}};
+  // A piece is moved by degree + 1 neighbours, and by those that an end decides from these.
+  constexpr std::size_t kDecided = 3;
+  parameters.back().reach = static_cast<std::size_t>(shape.degree) + 1 + kDecided;
   if (shape.moving_knots) {
     const auto end = shape.knots.begin() + static_cast<std::ptrdiff_t>(own_knots(shape));
     parameters.push_back(

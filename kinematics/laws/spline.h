@@ -54,14 +54,14 @@ std::vector<T> clamped(int degree, const std::vector<T>& interior) {
 }
 
 /// de Boor's algorithm at x in the span `span` (index of its left knot) for coefficients of a
-/// spline of the given degree whose knots start at `knots[skip]`.
+/// spline of the given degree whose knots start at `knots[skip]`; `d` is room for it.
 template <class T>
 T de_boor(std::size_t span, int degree, std::size_t skip, const std::vector<T>& knots,
-          const std::vector<T>& coefficients, const T& x) {
+          const std::vector<T>& coefficients, const T& x, std::vector<T>& d) {
   const auto p = static_cast<std::size_t>(degree);
   const std::size_t first = span - p - skip;
-  std::vector<T> d(coefficients.begin() + static_cast<std::ptrdiff_t>(first),
-                   coefficients.begin() + static_cast<std::ptrdiff_t>(first + p + 1));
+  d.assign(coefficients.begin() + static_cast<std::ptrdiff_t>(first),
+           coefficients.begin() + static_cast<std::ptrdiff_t>(first + p + 1));
   for (std::size_t r = 1; r <= p; ++r) {
     for (std::size_t i = p; i >= r; --i) {
       const T& left = knots[first + i + skip];
@@ -71,6 +71,13 @@ T de_boor(std::size_t span, int degree, std::size_t skip, const std::vector<T>& 
     }
   }
   return d[p];
+}
+
+template <class T>
+T de_boor(std::size_t span, int degree, std::size_t skip, const std::vector<T>& knots,
+          const std::vector<T>& coefficients, const T& x) {
+  std::vector<T> room;
+  return de_boor(span, degree, skip, knots, coefficients, x, room);
 }
 
 /// Coefficients of the derivative of a spline of this degree; `skip` as in de_boor.
@@ -101,6 +108,8 @@ Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>
                                                      levels.back()));
   }
   std::vector<Piece<T>> pieces;
+  pieces.reserve(interior.size() + 1);
+  std::vector<T> room;
   for (std::size_t j = static_cast<std::size_t>(degree); j + 1 < knots.size(); ++j) {
     if (!(value_of(knots[j]) < value_of(knots[j + 1]))) continue;
     // Powers about an end lose digits as fast as the degree grows. Up to degree 8 they keep all but
@@ -108,18 +117,19 @@ Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>
     constexpr int kAboutBegin = 8;
     const T origin = degree <= kAboutBegin ? knots[j] : number<T>(0.5) * (knots[j] + knots[j + 1]);
     Piece<T> piece{knots[j], knots[j + 1], origin, {}, {}, {}};
+    piece.polynomial.reserve(static_cast<std::size_t>(degree) + 1);
     double factorial = 1;
     for (int k = 0; k <= degree; ++k) {
       if (k > 1) factorial *= k;
       const auto level = static_cast<std::size_t>(k);
       piece.polynomial.push_back(
-          detail::de_boor(j, degree - k, level, knots, levels[level], origin) /
+          detail::de_boor(j, degree - k, level, knots, levels[level], origin, room) /
           number<T>(factorial));
     }
     pieces.push_back(std::move(piece));
   }
-  const Law<T> law(std::move(pieces), {});
-  return law.with_ends(natural_ends(law.template as<double>()));
+  const Ends ends = natural_ends(piece_as<double>(pieces.front()), piece_as<double>(pieces.back()));
+  return Law<T>(std::move(pieces), ends);
 }
 
 template <class T>

@@ -48,23 +48,20 @@ PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cyc
       stretch_(cycle.stretch_at(place)),
       part_(cycle.part_of(stretch_)),
       place_(law_place(stretch_, place)) {
-  std::vector<double> own;
-  for (const LawVariable& v : law_->variables()) {
-    own.push_back(law_->member().arguments.list(v.parameter)[v.element]);
+  if (!law_->is_linear()) {
+    for (std::size_t i = 0; i < law_->variables().size(); ++i) variables_.push_back(i);
+    return;
   }
-  if (law_->is_linear()) {
-    expansion_ = follower_motion(stretch_, law_->motion(place_.x, place_.side, own, 1));
+  const SparseMotion motion = law_->linear_motion_at(place_.x, place_.side);
+  MotionDerivatives here{motion.value, {}, {}};
+  for (const SparseMotion::Slope& slope : motion.slopes) {
+    if (!matters(slope.by, uses)) continue;
+    const LawVariable& v = law_->variables()[slope.input];
+    here.gradient.push_back(slope.by);
+    origin_.push_back(law_->member().arguments.list(v.parameter)[v.element]);
+    variables_.push_back(slope.input);
   }
-  std::vector<Four> kept;
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    if (law_->is_linear()) {
-      if (!matters(expansion_.gradient[i], uses)) continue;
-      kept.push_back(expansion_.gradient[i]);
-      origin_.push_back(own[i]);
-    }
-    variables_.push_back(i);
-  }
-  expansion_.gradient = std::move(kept);
+  expansion_ = follower_motion(stretch_, std::move(here));
 }
 
 PlaceMotion::PlaceMotion(std::shared_ptr<const LawBinding> law, const Cycle& cycle,

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "machines/model/law_looks.h"
+#include "machines/model/linear_law.h"
 #include "machines/model/recent.h"
 #include "optim/problem/function.h"
 
@@ -64,37 +65,7 @@ void check_variable(const Member& member, const LawVariable& variable) {
   }
 }
 
-/// Whether anything of a piece changes with the parameters of its block. Of a law that is linear in
-/// them breaks, frequencies and shapes do not.
-bool moves(const Piece<Dual>& piece) {
-  const auto moves = [](const Dual& c) { return !c.v.isZero(0); };
-  return std::any_of(piece.polynomial.begin(), piece.polynomial.end(), moves) ||
-         std::any_of(piece.harmonics.begin(), piece.harmonics.end(),
-                     [&](const auto& h) { return moves(h.sine) || moves(h.cosine); }) ||
-         std::any_of(piece.curves.begin(), piece.curves.end(),
-                     [&](const auto& c) { return moves(c.amplitude); });
-}
-
 }  // namespace
-
-/// A law that is linear in all that varies: its derivatives, the same for every design.
-struct LinearLaw {
-  std::vector<double> own;                       ///< the member's own values
-  std::vector<Law<Dual>> laws;                   ///< at these, one for each block
-  std::vector<std::vector<std::size_t>> blocks;  ///< of each piece: those that move it, or one
-
-  LinearLaw(std::vector<double> values, std::vector<Law<Dual>> of_blocks)
-      : own(std::move(values)), laws(std::move(of_blocks)) {
-    if (laws.empty()) return;
-    blocks.resize(laws.front().pieces().size());
-    for (std::size_t piece = 0; piece < blocks.size(); ++piece) {
-      for (std::size_t block = 0; block < laws.size(); ++block) {
-        if (moves(laws[block].pieces()[piece])) blocks[piece].push_back(block);
-      }
-      if (blocks[piece].empty()) blocks[piece].push_back(0);
-    }
-  }
-};
 
 /// Laws in the scalars that carry derivatives: one for each block of parameters, or each pair of
 /// blocks; none where the values make no law.
@@ -204,14 +175,14 @@ MotionDerivatives seen_linear(const LinearLaw& linear, const Look& look, std::si
   d.value.fill(kNaN);
   d.gradient.assign(values.size(), {});
   std::array<double, 4> change{};  // from the own values
-  for (const std::size_t block : linear.blocks[piece]) {
-    const auto motion = look(linear.laws[block].pieces()[piece]);
+  for (const LinearLaw::Part& part : linear.parts[piece]) {
+    const auto motion = look(part.piece);
     for (std::size_t m = 0; m < 4; ++m) {
       d.value[m] = motion[m].a;
-      for (const std::size_t i : block_of(block, values.size())) {
-        const double slope = motion[m].v[static_cast<int>(i % kWidth)];
-        d.gradient[i][m] = slope;
-        change[m] += (values[i] - linear.own[i]) * slope;
+      for (std::size_t k = 0; k < part.count; ++k) {
+        const double slope = motion[m].v[static_cast<int>(k)];
+        d.gradient[part.inputs[k]][m] = slope;
+        change[m] += (values[part.inputs[k]] - linear.own[part.inputs[k]]) * slope;
       }
     }
   }
@@ -221,10 +192,9 @@ MotionDerivatives seen_linear(const LinearLaw& linear, const Look& look, std::si
 
 MotionDerivatives linear_motion(const LinearLaw& linear, double x, Side side,
                                 std::span<const double> values, std::size_t first) {
-  if (linear.laws.empty() || !(x >= 0 && x <= 1)) return unknown(values.size());
-  const double at = at_break(linear.laws.front(), x);
-  return seen_linear(linear, AtPiecePlace{at, first}, linear.laws.front().piece_at(at, side),
-                     values);
+  if (!linear.law || !(x >= 0 && x <= 1)) return unknown(values.size());
+  const double at = at_break(*linear.law, x);
+  return seen_linear(linear, AtPiecePlace{at, first}, linear.law->piece_at(at, side), values);
 }
 
 }  // namespace
@@ -266,7 +236,7 @@ std::vector<Law<Dual>> LawBinding::first_laws(std::span<const double> values) co
 
 const LinearLaw* LawBinding::linear_law() const {
   if (!linear_ || values_.empty()) return nullptr;
-  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(values_, first_laws(values_)); });
+  std::call_once(laws_->linear_made, [&] { laws_->linear.emplace(*this); });
   return &*laws_->linear;
 }
 
@@ -288,13 +258,37 @@ MotionDerivatives LawBinding::end_derivative(PieceEnd end, std::size_t order,
                                              int derivatives) const {
   const AtEnd look{end, order};
   const LinearLaw* linear = linear_law();
-  const bool known = linear != nullptr && end.piece < linear->blocks.size();
+  const bool known = linear != nullptr && end.piece < linear->parts.size();
   return known ? seen_linear(*linear, look, end.piece, values) : seen(look, values, derivatives);
 }
 
 MotionDerivatives LawBinding::end_place(PieceEnd end, std::span<const double> values,
                                         int derivatives) const {
   return seen(AtEndPlace{end}, values, derivatives);
+}
+
+SparseMotion LawBinding::linear_motion_at(double x, Side side) const {
+  SparseMotion result;
+  const LinearLaw* linear = linear_law();
+  if (linear == nullptr || !linear->law || !(x >= 0 && x <= 1)) {
+    result.value = linear == nullptr ? motion(x, side, values_, 0).value : unknown(0).value;
+    return result;
+  }
+  const double at = at_break(*linear->law, x);
+  const AtPiecePlace look{at, 0};
+  for (const LinearLaw::Part& part : linear->parts[linear->law->piece_at(at, side)]) {
+    const auto motion = look(part.piece);
+    for (std::size_t m = 0; m < 4; ++m) result.value[m] = motion[m].a;
+    for (std::size_t k = 0; k < part.count; ++k) {
+      const int lane = static_cast<int>(k);
+      result.slopes.push_back(
+          {part.inputs[k],
+           {motion[0].v[lane], motion[1].v[lane], motion[2].v[lane], motion[3].v[lane]}});
+    }
+  }
+  std::sort(result.slopes.begin(), result.slopes.end(),
+            [](const auto& a, const auto& b) { return a.input < b.input; });
+  return result;
 }
 
 MotionDerivatives LawBinding::motion_rate(double x, Side side,

@@ -27,6 +27,17 @@ struct MotionDerivatives {
   std::vector<std::array<double, 4>> hessian;   ///< packed; empty where the law is linear
 };
 
+/// s, v, a, j of a law that is linear in what varies, at one x and at its own values, with the
+/// derivatives by those varying parameters that move it there.
+struct SparseMotion {
+  struct Slope {
+    std::size_t input;  ///< of the varying parameters, increasing
+    std::array<double, 4> by;
+  };
+  std::array<double, 4> value;
+  std::vector<Slope> slopes;
+};
+
 /// An end of a piece of a law.
 struct PieceEnd {
   std::size_t piece;
@@ -97,6 +108,10 @@ class LawBinding {
   static constexpr std::size_t kEndOrders = 8;
   /// The x of an end of a piece, wherever that moves, in [0] of value, gradient and hessian.
   MotionDerivatives end_place(PieceEnd end, std::span<const double> values, int derivatives) const;
+  /// Of a law that is linear in what varies.
+  SparseMotion linear_motion_at(double x, Side side) const;
+  /// The same over every x; null where the law is not linear in what varies, or nothing does.
+  const LinearLaw* linear_law() const;
   /// v, a, j and the derivative of j: the motion's own derivatives by x, with theirs by the varying
   /// parameters, first order.
   MotionDerivatives motion_rate(double x, Side side, std::span<const double> values) const;
@@ -104,9 +119,6 @@ class LawBinding {
  private:
   template <class Look>
   MotionDerivatives seen(const Look& look, std::span<const double> values, int order) const;
-  /// None where the law is not linear in what varies, or nothing does.
-  const LinearLaw* linear_law() const;
-
   Member member_;
   std::vector<LawVariable> variables_;
   bool linear_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/affine_curve.h"
 #include "machines/model/arguments.h"
 #include "machines/model/curve_row.h"
 #include "machines/model/law_of.h"
@@ -18,7 +19,10 @@ constexpr std::size_t kMostPieces = 1U << 16U;  // of a law
 }  // namespace
 
 MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::Shape shape)
-    : parts_(std::move(parts)), variables_(binding.variables), law_(binding.law), shape_(shape) {}
+    : parts_(std::make_shared<const CurveParts>(std::move(parts))),
+      variables_(binding.variables),
+      law_(binding.law),
+      shape_(shape) {}
 
 /// Joints are those inside the stretches, each of which runs the whole law: that of piece i in
 /// stretch k is k times the most pieces, and i.
@@ -26,8 +30,8 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
   if (law_->is_linear()) return place;
   const auto law = law_of<double>(law_->member_at(x));
   if (!law) return place;
-  const Stretch& stretch = parts_.cycle.stretch_at(place);
-  const auto index = static_cast<std::size_t>(&stretch - parts_.cycle.stretches.data());
+  const Stretch& stretch = parts_->cycle.stretch_at(place);
+  const auto index = static_cast<std::size_t>(&stretch - parts_->cycle.stretches.data());
   const double at = law_place(stretch, place).x;
   constexpr double kBeside = 1e-14;
   for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
@@ -38,26 +42,47 @@ optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
 }
 
 std::vector<optim::Rest> MechanismCurve::rests(double bound, optim::Design x) const {
-  return rests_of(parts_, variables_, law_, bound, x);
+  const AffineCurve* known = affine();
+  if (known != nullptr && !known->may_rest(bound, x)) return {};
+  return rests_of(*parts_, variables_, law_, bound, x);
 }
 
 PlaceMotion MechanismCurve::motion_at(optim::Place place) const {
   if (place.joint < 0) {
-    return {law_, parts_.cycle, place, parts_.uses};
+    return {law_, parts_->cycle, place, parts_->uses};
   }
   const std::size_t joint = static_cast<std::size_t>(place.joint);
-  return {law_, parts_.cycle, joint / kMostPieces, joint % kMostPieces,
+  return {law_, parts_->cycle, joint / kMostPieces, joint % kMostPieces,
           place.from_left ? Side::Left : Side::Right};
 }
 
+const AffineCurve* MechanismCurve::affine() const {
+  std::call_once(affine_asked_,
+                 [&] { affine_ = AffineCurve::of(*parts_, variables_, *law_, shape_); });
+  return affine_.get();
+}
+
+std::optional<double> MechanismCurve::largest_change(const std::vector<double>& scales, int places,
+                                                     double shortest) const {
+  const AffineCurve* known = affine();
+  if (known == nullptr) return {};
+  return known->largest_change(scales, places, shortest);
+}
+
+double MechanismCurve::largest(optim::Design x) const {
+  const AffineCurve* known = affine();
+  return known == nullptr ? Curve::largest(x) : known->largest(x);
+}
+
 optim::Function MechanismCurve::at(optim::Place place) const {
+  if (const AffineCurve* known = affine()) return known->at(place);
   PlaceMotion motion = motion_at(place);
   std::vector<std::size_t> variables = variables_;
   for (const std::size_t i : motion.variables()) {
     variables.push_back(law_->variables()[i].variable);
   }
-  auto row = std::make_shared<CurveRow>(parts_.point, variables_.size(), std::move(motion),
-                                        parts_.uses_place);
+  auto row = std::make_shared<CurveRow>(parts_->point, variables_.size(), std::move(motion),
+                                        parts_->uses_place);
   return function_of(variables, std::move(row), shape_);
 }
 
@@ -66,22 +91,22 @@ optim::Function MechanismCurve::at(optim::Place place) const {
 ///   d f_angle / dp = rate * (q_p^T f_qq q' + f_q q'_p),
 /// the place counting among q, which moves evenly and not with p.
 std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::Design x) const {
-  const Stretch& stretch = parts_.cycle.stretch_at(place);
+  const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto [at, side] = law_place(stretch, place);
   const std::vector<double> values = law_->values_at(x);
   const MotionDerivatives motion = follower_motion(stretch, law_->motion(at, side, values, 1));
   const MotionDerivatives rate = follower_rate(stretch, law_->motion_rate(at, side, values));
   const std::size_t machine = variables_.size();
-  const std::size_t inner = machine + (parts_.uses_place ? 5 : 4);
+  const std::size_t inner = machine + (parts_->uses_place ? 5 : 4);
   std::vector<double> u, g(inner), h(optim::packed_size(inner));
   for (const std::size_t variable : variables_) u.push_back(x[variable]);
   u.insert(u.end(), motion.value.begin(), motion.value.end());
-  const Cycle::Part part = parts_.cycle.part_of(stretch);
-  if (parts_.uses_place) u.push_back(part.at(at));
-  parts_.point->hessian(u, g, h);
+  const Cycle::Part part = parts_->cycle.part_of(stretch);
+  if (parts_->uses_place) u.push_back(part.at(at));
+  parts_->point->hessian(u, g, h);
   // The place itself is the last argument where it is one.
   const auto by_place = [&](std::size_t k) {
-    return parts_.uses_place ? part.slope<double>() * h[optim::packed(machine + 4, k)] : 0.0;
+    return parts_->uses_place ? part.slope<double>() * h[optim::packed(machine + 4, k)] : 0.0;
   };
   std::array<double, 4> bent{};  // f_qq q'
   std::vector<double> result(x.size(), 0.0);
@@ -107,12 +132,19 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
 }
 
 std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
+  const auto whole = [parts = parts_](const Member& member, const std::vector<double>& arguments) {
+    return std::make_unique<MechanismTrace>(
+        parts->cycle, parts->uses, law_of<double>(member),
+        [member] { return law_of<Interval>(member); }, parts->formula(arguments));
+  };
+  if (const AffineCurve* known = affine()) {  // of a law alone
+    const std::vector<double> design(x.begin(), x.end());
+    return known->trace(x,
+                        [whole, law = law_, design] { return whole(law->member_at(design), {}); });
+  }
   std::vector<double> arguments;
   for (const std::size_t variable : variables_) arguments.push_back(x[variable]);
-  const Member member = law_->member_at(x);
-  return std::make_unique<MechanismTrace>(
-      parts_.cycle, parts_.uses, law_of<double>(member),
-      [member] { return law_of<Interval>(member); }, parts_.formula(arguments));
+  return whole(law_->member_at(x), arguments);
 }
 
 }  // namespace camlaw::problems

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "machines/model/curve_formula.h"
@@ -14,6 +15,7 @@
 
 namespace camlaw::problems {
 
+class AffineCurve;
 class PlaceMotion;
 
 /// What a curve of a mechanism is made of.
@@ -39,15 +41,23 @@ class MechanismCurve final : public optim::Curve {
   optim::Place tied(optim::Place place, optim::Design x) const override;
   std::vector<optim::Rest> rests(double bound, optim::Design x) const override;
   std::unique_ptr<optim::Trace> trace(optim::Design x) const override;
+  std::optional<double> largest_change(const std::vector<double>& scales, int places,
+                                       double shortest) const override;
+  double largest(optim::Design x) const override;
+  bool is_light() const override { return affine() != nullptr; }
   optim::Shape shape() const override { return shape_; }
 
  private:
   PlaceMotion motion_at(optim::Place place) const;
+  const AffineCurve* affine() const;
 
-  CurveParts parts_;
+  std::shared_ptr<const CurveParts> parts_;
   std::vector<std::size_t> variables_;  ///< behind the machine's arguments
   std::shared_ptr<const LawBinding> law_;
   optim::Shape shape_;
+  /// Worked out when it is first asked for.
+  mutable std::once_flag affine_asked_;
+  mutable std::shared_ptr<const AffineCurve> affine_;
 };
 
 }  // namespace camlaw::problems

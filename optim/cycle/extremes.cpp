@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace camlaw::optim {
 namespace {
@@ -71,67 +72,82 @@ Sample climbed(const Turned& curve, const Sample& from, double left, double righ
 }
 
 /// Even samples of one smooth stretch, from its right and left ends.
-std::vector<Sample> samples_of(const Turned& curve, double from, double to, int count) {
-  std::vector<Sample> result;
-  const auto values = curve.trace.even(from, to, count);
-  for (int i = 0; i <= count; ++i) {
-    auto f = values[static_cast<std::size_t>(i)];
-    for (double& value : f) value *= curve.sign;
-    result.push_back({even_place(from, to, count, i), f});
-  }
-  return result;
-}
+class Samples {
+ public:
+  Samples(const Turned& curve, double from, double to, int count)
+      : curve_(curve), from_(from), to_(to), values_(curve.trace.even(from, to, count)) {}
 
-void add_stretch(const Turned& curve, const std::vector<Sample>& s, std::vector<Extreme>& found) {
-  const std::size_t last = s.size() - 1;
+  std::size_t last() const { return values_.size() - 1; }
+  double value(std::size_t i) const { return curve_.sign * values_[i][0]; }
+  double slope(std::size_t i) const { return curve_.sign * values_[i][1]; }
+  Place place(std::size_t i) const {
+    return even_place(from_, to_, static_cast<int>(last()), static_cast<int>(i));
+  }
+  Sample operator[](std::size_t i) const {
+    auto f = values_[i];
+    for (double& v : f) v *= curve_.sign;
+    return {place(i), f};
+  }
+  /// The first whose value is not a number; none where all are.
+  std::optional<std::size_t> first_undefined() const {
+    const auto at = std::find_if(values_.begin(), values_.end(),
+                                 [](const auto& f) { return std::isnan(f[0]); });
+    if (at == values_.end()) return {};
+    return static_cast<std::size_t>(at - values_.begin());
+  }
+
+ private:
+  const Turned& curve_;
+  double from_, to_;
+  std::vector<std::array<double, 3>> values_;
+};
+
+void add_stretch(const Turned& curve, const Samples& s, std::vector<Extreme>& found) {
+  const std::size_t last = s.last();
   const auto add = [&](const Sample& sample) {
     found.push_back({sample.place, curve.sign * sample.f[0]});
   };
   for (std::size_t i = 0; i <= last; ++i) {
-    const bool above_left = i == 0 || s[i].f[0] > s[i - 1].f[0];
-    const bool above_right = i == last || s[i].f[0] >= s[i + 1].f[0];
+    const bool above_left = i == 0 || s.value(i) > s.value(i - 1);
+    const bool above_right = i == last || s.value(i) >= s.value(i + 1);
     if (!above_left || !above_right) continue;
-    const bool rises = s[i].f[1] > 0;
-    if ((i == 0 && !rises) || (i == last && s[i].f[1] >= 0)) {
+    const bool rises = s.slope(i) > 0;
+    if ((i == 0 && !rises) || (i == last && s.slope(i) >= 0)) {
       add(s[i]);
       continue;
     }
+    const auto angle = [&](std::size_t k) { return s.place(k).angle; };
     if (i == 0 || i == last) {
-      add(climbed(curve, s[i], s[i == 0 ? 0 : i - 1].place.angle, s[i == 0 ? 1 : i].place.angle));
+      add(climbed(curve, s[i], angle(i == 0 ? 0 : i - 1), angle(i == 0 ? 1 : i)));
     } else {
-      add(polished(curve, s[i - 1].place.angle, s[i + 1].place.angle, s[i]));
+      add(polished(curve, angle(i - 1), angle(i + 1), s[i]));
     }
   }
 }
 
 /// The ends of a stretch that is level at its maximum, for then one place does not tell all: adds
 /// each end that stands as high as the highest found from `first` on.
-void add_level_ends(const Turned& curve, const std::vector<Sample>& s, std::size_t first,
+void add_level_ends(const Turned& curve, const Samples& s, std::size_t first,
                     std::vector<Extreme>& found) {
   constexpr double kLevel = 1e-9;
-  const double near = 1e-6 * (s.back().place.angle - s.front().place.angle);
+  const double near = 1e-6 * (s.place(s.last()).angle - s.place(0).angle);
   double highest = -kInfinity;
   for (std::size_t i = first; i < found.size(); ++i) {
     highest = std::max(highest, curve.sign * found[i].value);
   }
-  for (const Sample* end : {&s.front(), &s.back()}) {
+  for (const std::size_t end : {std::size_t{0}, s.last()}) {
+    const Place place = s.place(end);
     const bool known = std::any_of(
         found.begin() + static_cast<std::ptrdiff_t>(first), found.end(),
-        [&](const Extreme& e) { return std::abs(e.place.angle - end->place.angle) <= near; });
-    if (known || !(end->f[0] >= highest - kLevel * std::abs(highest))) continue;
-    found.push_back({end->place, curve.sign * end->f[0]});
+        [&](const Extreme& e) { return std::abs(e.place.angle - place.angle) <= near; });
+    if (known || !(s.value(end) >= highest - kLevel * std::abs(highest))) continue;
+    found.push_back({place, curve.sign * s.value(end)});
   }
-}
-
-const Sample* first_undefined(const std::vector<Sample>& samples) {
-  const auto at = std::find_if(samples.begin(), samples.end(),
-                               [](const Sample& sample) { return std::isnan(sample.f[0]); });
-  return at == samples.end() ? nullptr : &*at;
 }
 
 }  // namespace
 
-std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) {
+std::vector<Extreme> searched_maxima(const Trace& trace, double sign, int samples) {
   constexpr int kFewest = 8;
   const Turned curve{trace, sign};
   const std::vector<double> breaks = trace.breaks();
@@ -140,13 +156,21 @@ std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) 
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double share = (breaks[k + 1] - breaks[k]) / cycle;
     const int count = std::max(kFewest, static_cast<int>(std::lround(share * samples)));
-    const auto stretch = samples_of(curve, breaks[k], breaks[k + 1], count);
-    if (const Sample* bad = first_undefined(stretch)) return {{bad->place, bad->f[0]}};
+    const Samples stretch(curve, breaks[k], breaks[k + 1], count);
+    if (const auto bad = stretch.first_undefined()) {
+      return {{stretch.place(*bad), stretch.value(*bad)}};
+    }
     const std::size_t first = found.size();
     add_stretch(curve, stretch, found);
     add_level_ends(curve, stretch, first, found);
   }
   return found;
+}
+
+std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples) {
+  const auto* memory = dynamic_cast<const RemembersMaxima*>(&trace);
+  if (memory != nullptr) return memory->maxima(sign, samples);
+  return searched_maxima(trace, sign, samples);
 }
 
 Extreme highest_of(const std::vector<Extreme>& maxima, double sign) {

@@ -22,6 +22,17 @@ struct Extreme {
 /// the first is returned alone.
 std::vector<Extreme> local_maxima(const Trace& trace, double sign, int samples = 256);
 
+/// The same without asking the trace for what it remembers.
+std::vector<Extreme> searched_maxima(const Trace& trace, double sign, int samples);
+
+/// A trace that keeps the maxima found on it.
+class RemembersMaxima {
+ public:
+  virtual ~RemembersMaxima() = default;
+  /// local_maxima of it.
+  virtual const std::vector<Extreme>& maxima(double sign, int samples) const = 0;
+};
+
 /// The first of the highest of sign * value.
 Extreme highest_of(const std::vector<Extreme>& maxima, double sign);
 

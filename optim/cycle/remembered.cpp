@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "optim/cycle/extremes.h"
 #include "optim/cycle/forwarding_curve.h"
 
 namespace camlaw::optim {
@@ -13,7 +14,7 @@ namespace {
 
 using Values = std::vector<std::array<double, 3>>;
 
-/// One design's trace and the samples taken of it.
+/// One design's trace, the samples taken of it and the maxima found among them.
 struct Memory {
   struct Stretch {
     double from, to;
@@ -24,9 +25,16 @@ struct Memory {
   std::unique_ptr<Trace> trace;
   std::vector<double> breaks;
   std::vector<Stretch> stretches;
+  std::size_t next = 0;  ///< a stretch that is likely to be asked for: stretches come in turn
+  struct Maxima {
+    double sign;
+    int samples;
+    std::vector<Extreme> found;
+  };
+  std::vector<Maxima> maxima;
 };
 
-class RememberedTrace final : public Trace {
+class RememberedTrace final : public Trace, public RemembersMaxima {
  public:
   explicit RememberedTrace(std::shared_ptr<Memory> memory) : memory_(std::move(memory)) {}
 
@@ -37,12 +45,25 @@ class RememberedTrace final : public Trace {
   }
   Values even(double from, double to, int count) const override {
     auto& known = memory_->stretches;
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Memory::Stretch& s) {
+    const auto is_asked_for = [&](const Memory::Stretch& s) {
       return s.from == from && s.to == to && s.count == count;
-    });
-    if (found != known.end()) return found->values;
+    };
+    std::size_t at = memory_->next < known.size() ? memory_->next : 0;
+    if (at >= known.size() || !is_asked_for(known[at])) {
+      at = static_cast<std::size_t>(std::find_if(known.begin(), known.end(), is_asked_for) -
+                                    known.begin());
+    }
+    memory_->next = at + 1;
+    if (at < known.size()) return known[at].values;
     known.push_back({from, to, count, memory_->trace->even(from, to, count)});
     return known.back().values;
+  }
+  const std::vector<Extreme>& maxima(double sign, int samples) const override {
+    for (const Memory::Maxima& known : memory_->maxima) {
+      if (known.sign == sign && known.samples == samples) return known.found;
+    }
+    memory_->maxima.push_back({sign, samples, searched_maxima(*this, sign, samples)});
+    return memory_->maxima.back().found;
   }
 
  private:
@@ -53,7 +74,15 @@ class RememberedCurve final : public ForwardingCurve {
  public:
   using ForwardingCurve::ForwardingCurve;
 
+  double largest(Design x) const override { return curve().largest(x); }
+  std::optional<double> largest_change(const std::vector<double>& scales, int places,
+                                       double shortest) const override {
+    return curve().largest_change(scales, places, shortest);
+  }
+  bool is_light() const override { return curve().is_light(); }
+
   Function at(Place place) const override {
+    if (is_light()) return curve().at(place);
     const auto key = std::tuple(place.angle, place.from_left, place.joint);
     const auto found = functions_.find(key);
     if (found != functions_.end()) return found->second;

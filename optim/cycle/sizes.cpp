@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "optim/cycle/maxima_at.h"
 #include "optim/problem/starts.h"
@@ -88,8 +89,7 @@ class Changes {
   double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
     std::vector<double> values;
     for (const auto& x : box_) {
-      MaximaAt there(x);
-      const double value = magnitude(curve, there, x, own);
+      const double value = curve.curve().largest(x);
       if (std::isfinite(value)) values.push_back(value);
     }
     return std::max(median(std::move(values)), or_zero(magnitude(curve, here, about_, own)));
@@ -132,7 +132,8 @@ void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::v
 
 /// What is known of each curve, which many limits may be on.
 struct CurveChange {
-  double at_design, whole;
+  double at_design, here;
+  std::optional<double> whole;  ///< worked out where it decides
 };
 using CurveChanges = std::map<const Curve*, CurveChange>;
 
@@ -148,11 +149,15 @@ double size_of(const Constraint& c, const Changes& changes, MaximaAt& maxima,
   }
   auto curve = known.find(&c.response.curve());
   if (curve == known.end()) {
-    const CurveChange fresh{changes.at_design(c.response), changes.whole(c.response, maxima, own)};
+    const double here = magnitude(c.response, maxima, {}, own);
+    const CurveChange fresh{changes.at_design(c.response), std::isfinite(here) ? here : 0, {}};
     curve = known.emplace(&c.response.curve(), fresh).first;
   }
-  const double change = std::max(curve->second.at_design, kLeast * bound);
-  const double whole = std::max(bound, curve->second.whole);
+  CurveChange& its = curve->second;
+  const double change = std::max(its.at_design, kLeast * bound);
+  if (change <= kMost * std::max(bound, its.here)) return or_one(change);
+  if (!its.whole) its.whole = changes.whole(c.response, maxima, own);
+  const double whole = std::max(bound, *its.whole);
   return or_one(whole > 0 ? std::min(change, kMost * whole) : change);
 }
 
@@ -204,6 +209,7 @@ double typical_change(const Response& response, Design x, const std::vector<doub
   if (!response.is_curve()) return typical_change(response.function(), x, scales);
   constexpr int kPlaces = 5;       // in each smooth stretch
   constexpr double kShort = 1e-6;  // of the cycle: what goes on in less has no size of its own
+  if (const auto known = response.curve().largest_change(scales, kPlaces, kShort)) return *known;
   const auto breaks = response.curve().trace(x)->breaks();
   const double shortest = kShort * (breaks.back() - breaks.front());
   double largest = 0;

@@ -42,6 +42,12 @@ class WatchedCurve final : public ForwardingCurve {
   std::unique_ptr<Trace> trace(Design x) const override {
     return std::make_unique<WatchedTrace>(curve().trace(x), angles_);
   }
+  double largest(Design x) const override { return curve().largest(x); }
+  std::optional<double> largest_change(const std::vector<double>& scales, int places,
+                                       double shortest) const override {
+    return curve().largest_change(scales, places, shortest);
+  }
+  bool is_light() const override { return curve().is_light(); }
 
  private:
   std::vector<double> angles_;

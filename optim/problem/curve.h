@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -103,11 +106,38 @@ class Curve {
   virtual std::vector<Rest> rests(double /*bound*/, Design) const { return {}; }
   /// The response of one design, over the angle.
   virtual std::unique_ptr<Trace> trace(Design x) const = 0;
+  /// The largest |value| of one design among some even places of each smooth stretch; not a number
+  /// where one of them is none.
+  virtual double largest(Design x) const;
+  /// Whether at() costs no more than to look up what it gave before, and neither does what it
+  /// gives.
+  virtual bool is_light() const { return false; }
+  /// Of a curve that changes alike at every design: the largest |slope by a variable| * scale at so
+  /// many places, even about the middle, of each smooth stretch that is no shorter than a share of
+  /// the cycle. None where that is known from at() only.
+  virtual std::optional<double> largest_change(const std::vector<double>& /*scales*/,
+                                               int /*places*/, double /*shortest*/) const {
+    return {};
+  }
   /// The shape of at(place), the same for every place.
   virtual Shape shape() const = 0;
   /// Bytes that it keeps, at most, for values and derivatives at all places of the designs that
   /// were asked for last; curves of one machine keep the same ones. 0 for what is small.
   virtual double memory() const { return 0; }
 };
+
+inline double Curve::largest(Design x) const {
+  constexpr int kSteps = 8;
+  const auto one = trace(x);
+  const std::vector<double> breaks = one->breaks();
+  double largest = 0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    for (const auto& at : one->even(breaks[k], breaks[k + 1], kSteps)) {
+      if (std::isnan(at[0])) return at[0];
+      largest = std::max(largest, std::abs(at[0]));
+    }
+  }
+  return largest;
+}
 
 }  // namespace camlaw::optim

@@ -27,6 +27,10 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
   return options;
 }
 
+/// Of more variables the conditions of optimality of a linear problem are left to the verdict: to
+/// look at them takes about as long as to solve it.
+constexpr std::size_t kManyVariables = 150, kSmall = 30;
+
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
 /// Point and multipliers of one solve as the start of the next, whose groups of rows have grown at
@@ -110,7 +114,11 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    if (settled || attempt.rounds > 1) {
+    // A vertex of many variables is as exact as the rows that it is made of; of few, one peak that
+    // moves tells.
+    const bool at_vertex = program.is_linear() && attempt.status == Status::Solved;
+    if (settled && at_vertex && problem.variables.size() > kManyVariables) return;
+    if (!(at_vertex && problem.variables.size() > kSmall) && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
       if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {

@@ -93,8 +93,18 @@ class InterruptibleCurve final : public ForwardingCurve {
 
   Function at(Place place) const override {
     check(deadline_);
-    return interruptible(curve().at(place), deadline_);
+    return is_light() ? curve().at(place) : interruptible(curve().at(place), deadline_);
   }
+  double largest(Design x) const override {
+    check(deadline_);
+    return curve().largest(x);
+  }
+  std::optional<double> largest_change(const std::vector<double>& scales, int places,
+                                       double shortest) const override {
+    check(deadline_);
+    return curve().largest_change(scales, places, shortest);
+  }
+  bool is_light() const override { return curve().is_light(); }
   std::vector<double> slope_gradient(Place place, Design x) const override {
     check(deadline_);
     return curve().slope_gradient(place, x);

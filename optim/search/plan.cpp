@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "optim/solvers/interior.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -17,6 +19,16 @@ bool has_linear_limits(const Problem& problem) {
 bool is_linear(const Problem& problem) {
   return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
 }
+
+bool has_equations(const Problem& problem) {
+  return std::any_of(
+      problem.constraints.begin(), problem.constraints.end(),
+      [](const Constraint& c) { return c.lower && c.upper && *c.lower == *c.upper; });
+}
+
+/// From so many variables on a linear problem takes an interior-point method less time than the
+/// simplex method: at 100 they take as long.
+constexpr std::size_t kManyVariables = 150;
 
 std::string variables_text(std::size_t n) {
   return fmt::format("{} variable{}", n, n == 1 ? "" : "s");
@@ -36,6 +48,11 @@ Plan plan(const Problem& problem, const std::string& wanted) {
     return {{&chosen}, "as asked for"};
   }
   const bool small = n <= kSmall && m <= kSmall;
+  if (is_linear(problem) && n > kManyVariables && !has_equations(problem)) {
+    return {{&interior_solver(), &clp_solver(), &ipopt},
+            fmt::format("interior: linear, of {}; clp and ipopt where that is not enough",
+                        variables_text(n))};
+  }
   if (is_linear(problem)) {
     const Solver& next = small ? slsqp : ipopt;
     return {{&clp_solver(), &next},
@@ -55,7 +72,9 @@ std::vector<const Solver*> least_violation_plan(const Problem& problem) {
   const Solver& ipopt = ipopt_solver();
   const bool small = problem.variables.size() + problem.constraints.size() <= kSmall;
   std::vector<const Solver*> solvers;
-  if (has_linear_limits(problem)) solvers.push_back(&clp_solver());
+  const bool linear = has_linear_limits(problem);
+  if (linear && problem.variables.size() > kManyVariables) solvers.push_back(&interior_solver());
+  if (linear) solvers.push_back(&clp_solver());
   if (small) solvers.push_back(&find_solver("slsqp"));
   solvers.push_back(&ipopt);
   return solvers;

@@ -103,6 +103,39 @@ void begin_at(const Program& program, const WarmStart& warm, ClpSimplex& model) 
   }
 }
 
+/// The basis of a start that is a vertex, or lies on an edge between two: what stands at its bound
+/// is there in the basis too. False where the start is no such place.
+bool begin_at_vertex(const Program& program, const LinearProgram& linear, std::span<const double> y,
+                     ClpSimplex& model) {
+  constexpr double kStands = 1e-9;
+  using Status = ClpSimplex::Status;
+  const std::size_t n = program.variables(), m = program.rows();
+  const auto status_of = [&](double value, double lower, double upper) {
+    if (std::abs(value - lower) <= kStands * (1 + std::abs(lower))) return Status::atLowerBound;
+    if (std::abs(value - upper) <= kStands * (1 + std::abs(upper))) return Status::atUpperBound;
+    return Status::basic;
+  };
+  std::vector<double> activity(m, 0.0);
+  linear.matrix.times(y.data(), activity.data());
+  std::vector<Status> columns, rows;
+  for (std::size_t i = 0; i < n; ++i)
+    columns.push_back(status_of(y[i], program.lower()[i], program.upper()[i]));
+  for (std::size_t r = 0; r < m; ++r)
+    rows.push_back(status_of(activity[r], linear.lower[r], linear.upper[r]));
+  const auto stand = [](const std::vector<Status>& all) {
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](Status s) { return s != Status::basic; }));
+  };
+  const std::size_t standing = stand(columns) + stand(rows);
+  constexpr std::size_t kFew = 30;  // variables: there is little to gain
+  if (n <= kFew || standing > n || 4 * standing < 3 * n) return false;
+  model.createStatus();
+  model.setColSolution(y.data());
+  for (std::size_t i = 0; i < n; ++i) model.setColumnStatus(static_cast<int>(i), columns[i]);
+  for (std::size_t r = 0; r < m; ++r) model.setRowStatus(static_cast<int>(r), rows[r]);
+  return true;
+}
+
 NativeRule reserved(const char* name, const char* why) { return {.name = name, .reserved = why}; }
 
 /// Options by the names of Clp's own functions.
@@ -178,8 +211,12 @@ void follow_ray(const ClpSimplex& model, std::vector<double>& y) {
 
 /// Pivots until an optimum is found, or most of them are made; how many they were. The primal
 /// method ends what the dual one's scaling may leave.
-int pivoted(ClpSimplex& model, int most) {
+int pivoted(ClpSimplex& model, int most, bool primal_first) {
   model.setMaximumIterations(most);
+  if (primal_first) {
+    model.primal();
+    if (model.status() == 0) return model.numberIterations();
+  }
   model.dual();
   const int first = model.numberIterations();
   if ((model.status() != 0 && model.status() != 10) || first >= most) return first;
@@ -240,8 +277,13 @@ class ClpSolver final : public Solver {
     load(program, linear, options, model);
     const EndOnRequest handler(options, began);
     model.passInEventHandler(&handler);
-    if (warm != nullptr && !warm->rows.empty()) begin_at(program, *warm, model);
-    const int pivots = pivoted(model, most_pivots(options));
+    bool at_vertex = false;
+    if (warm != nullptr && !warm->rows.empty()) {
+      begin_at(program, *warm, model);
+    } else {
+      at_vertex = begin_at_vertex(program, linear, start, model);
+    }
+    const int pivots = pivoted(model, most_pivots(options), at_vertex);
     const RunEnd end = run_end(model, options);
     solution.status = end.status;
     solution.message = end.message;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "optim/solvers/interior.h"
 #include "optim/solvers/solver.h"
 
 /// The solvers by name: camlaw's own and those that a program registers.
@@ -32,6 +33,7 @@ Registry& registry() {
     auto* made = new Registry;
     made->all.push_back({ipopt_solver().name(), &ipopt_solver()});
     made->all.push_back({clp_solver().name(), &clp_solver()});
+    made->all.push_back({interior_solver().name(), &interior_solver()});
     for (const Solver* solver : nlopt_solvers()) made->all.push_back({solver->name(), solver});
     made->built_in = made->all.size();
     return made;

@@ -105,6 +105,15 @@ bool has_flat_push(const Problem& problem, const Weighed& weighed, double violat
   return false;
 }
 
+/// Whether a lower bound leaves nothing better: then multipliers need not be sharper.
+bool is_tight(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
+              const Weighed& weighed, Optimality optimality) {
+  constexpr double kSharp = 0.5;  // of what a design may leave to gain and be called global
+  if (optimality != Optimality::Objective) return false;
+  const auto gain = largest_gain(problem, sizes, x, layout, weighed);
+  return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem, sizes, x);
+}
+
 }  // namespace
 
 bool is_global_valley(const Problem& problem, double objective_slope) {
@@ -125,6 +134,8 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
     Weighed weighed = weigh(problem, sizes, x, optimality, layout, net);
     if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
     if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
+    if (best.residual <= kKktTolerance && is_tight(problem, sizes, x, layout, best, optimality))
+      break;
   }
   const bool least_violation = optimality == Optimality::LeastViolation;
   Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);

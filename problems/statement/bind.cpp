@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <stdexcept>
 #include <tuple>
 
@@ -95,6 +96,54 @@ optim::Response constant(const std::string& name, const std::string& unit, doubl
   return {name, unit, function_of({}, kernel, optim::Shape::Linear)};
 }
 
+/// Curves that objectives and limits may be on, each over the whole cycle or a window.
+using Over = std::tuple<const MechanismResponse*, std::string, double, double>;
+using SharedCurves = std::map<Over, optim::Response>;
+
+/// Of responses on one curve each has the same one.
+void share_curve(const ResponseName& name, optim::Response& response, SharedCurves& curves) {
+  if (!response.is_curve()) return;
+  const CycleWindow window = name.window.value_or(CycleWindow{});
+  const Over over{name.response, window.segment, window.from, window.to};
+  response.measure = curves.emplace(over, response).first->second.measure;
+}
+
+std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
+                                              const Binding& binding, SharedCurves& curves) {
+  std::vector<optim::Constraint> result;
+  std::map<std::string, int> seen;
+  for (const ConstraintStatement& c : statement.constraints) {
+    result.push_back(limit_on(*statement.mechanism, c, binding));
+    share_curve(c.response, result.back().response, curves);
+    const int number = ++seen[c.response.name];
+    if (number > 1) result.back().response.name += fmt::format(" ({})", number);
+  }
+  return result;
+}
+
+/// The problems of the combinations that were asked for first. They are pure, and what they have
+/// worked out of themselves serves each search.
+class KnownProblems {
+ public:
+  template <class Make>
+  optim::Problem get(const std::vector<std::size_t>& options, const Make& make) {
+    constexpr std::size_t kKept = 64;
+    {
+      const std::lock_guard lock(guard_);
+      const auto found = known_.find(options);
+      if (found != known_.end()) return found->second;
+    }
+    optim::Problem made = make();
+    const std::lock_guard lock(guard_);
+    if (known_.size() < kKept) known_.emplace(options, made);
+    return made;
+  }
+
+ private:
+  std::mutex guard_;
+  std::map<std::vector<std::size_t>, optim::Problem> known_;
+};
+
 }  // namespace
 
 struct BoundProblem::Slot {
@@ -149,7 +198,10 @@ optim::ProblemSpace BoundProblem::front_space() const {
            "there is one objective, which has an optimum, not a front; "
            "'camlaw optimize' finds it");
   }
-  return {choices_, [bound = *this](const auto& options) { return bound.problem(options); }};
+  return {choices_,
+          [bound = *this, known = std::make_shared<KnownProblems>()](const auto& options) {
+            return known->get(options, [&] { return bound.problem(options); });
+          }};
 }
 
 std::optional<std::vector<double>> BoundProblem::reference() const {
@@ -248,11 +300,13 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
   if (!has_room && !choices_.empty()) return without_designs(chosen, varying, std::move(problem));
   const Binding bound = binding(options);
   const Mechanism& mechanism = *statement_.mechanism;
+  SharedCurves curves;
   for (const ObjectiveStatement& objective : statement_.objectives) {
     problem.objectives.push_back({make_response(mechanism, objective.response, bound),
                                   objective.sense, objective.response.part, objective.tolerance});
+    share_curve(objective.response, problem.objectives.back().response, curves);
   }
-  problem.constraints = constraints_of(statement_, bound);
+  problem.constraints = constraints_of(statement_, bound, curves);
   return problem;
 }
 
@@ -295,23 +349,8 @@ ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim
 
 std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
                                               const Binding& binding) {
-  std::vector<optim::Constraint> result;
-  std::map<std::string, int> seen;
-  // Curves that many limits may be on, each over the whole cycle or a window.
-  using Over = std::tuple<const MechanismResponse*, std::string, double, double>;
-  std::map<Over, optim::Response> curves;
-  for (const ConstraintStatement& c : statement.constraints) {
-    result.push_back(limit_on(*statement.mechanism, c, binding));
-    if (result.back().response.is_curve()) {
-      const CycleWindow window = c.response.window.value_or(CycleWindow{});
-      const Over over{c.response.response, window.segment, window.from, window.to};
-      const auto known = curves.emplace(over, result.back().response).first;
-      result.back().response.measure = known->second.measure;
-    }
-    const int number = ++seen[c.response.name];
-    if (number > 1) result.back().response.name += fmt::format(" ({})", number);
-  }
-  return result;
+  SharedCurves curves;
+  return constraints_of(statement, binding, curves);
 }
 
 }  // namespace camlaw::problems

@@ -62,7 +62,7 @@ const std::map<std::string, Names>& libraries() {
       {"Eigen/LU", {"numerics/linear/dense.cpp"}},
       {"Eigen/QR", {"numerics/linear/dense.cpp"}},
       {"Eigen/SVD", {"numerics/linear/dense.cpp"}},
-      {"Eigen/SparseCholesky", {"optim/verdict/second_order.cpp"}},
+      {"Eigen/SparseCholesky", {"optim/solvers/interior.cpp", "optim/verdict/second_order.cpp"}},
       {"Eigen/SparseLU", {"kinematics/laws/spline.cpp"}},
       {"boost/multiprecision/", {"kinematics/laws/polynomial.cpp"}},
       {"boost/math/quadrature/gauss.hpp", {"numerics/polynomial/gauss_legendre.cpp"}},
