@@ -29,7 +29,13 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
 
 /// Of more variables the conditions of optimality of a linear problem are left to the verdict: to
 /// look at them takes about as long as to solve it.
-constexpr std::size_t kManyVariables = 150, kSmall = 30;
+constexpr std::size_t kManyVariables = 280, kSmall = 30, kPolished = 128;
+
+/// Whether a vertex needs no polish: of few variables one peak that moves tells, of many the
+/// rounding of the simplex method does.
+bool is_middling(const Problem& problem) {
+  return problem.variables.size() > kSmall && problem.variables.size() <= kPolished;
+}
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
@@ -114,11 +120,9 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    // A vertex of many variables is as exact as the rows that it is made of; of few, one peak that
-    // moves tells.
     const bool at_vertex = program.is_linear() && attempt.status == Status::Solved;
     if (settled && at_vertex && problem.variables.size() > kManyVariables) return;
-    if (!(at_vertex && problem.variables.size() > kSmall) && (settled || attempt.rounds > 1)) {
+    if (!(at_vertex && is_middling(problem)) && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
       if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {

@@ -276,7 +276,7 @@ class InteriorSolver final : public Solver {
   /// Steps until the gap is closed or nothing is gained.
   static RunEnd followed(Interior& interior, const Program& program, const SolverOptions& options,
                          int& iterations) {
-    constexpr double kGap = 1e-9, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
+    constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
     constexpr int kPatience = 8, kMost = 200;
     const auto began = InteriorClock::now();
     double least = kInfinity;

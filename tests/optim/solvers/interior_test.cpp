@@ -99,8 +99,8 @@ TEST_CASE("rows that contradict one another, and no bound at all, are not called
 
 TEST_CASE("linear problems of many variables go to the interior-point method", "[interior]") {
   Problem problem;
-  for (int i = 0; i < 200; ++i) problem.variables.push_back({.name = "x", .lower = 0, .upper = 1});
-  problem.objectives = {{{"sum", "1", sum_of({0, 199}, {1, 1})}}};
+  for (int i = 0; i < 300; ++i) problem.variables.push_back({.name = "x", .lower = 0, .upper = 1});
+  problem.objectives = {{{"sum", "1", sum_of({0, 299}, {1, 1})}}};
   CHECK(plan(problem, "auto").solvers.front()->name() == "interior");
   problem.constraints.push_back({{"first", "1", sum_of({0}, {1})}, 0.5, 0.5});
   CHECK(plan(problem, "auto").solvers.front()->name() == "clp");
