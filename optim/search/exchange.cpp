@@ -29,10 +29,10 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
 
 /// Of more variables the conditions of optimality of a linear problem are left to the verdict: to
 /// look at them takes about as long as to solve it.
-constexpr std::size_t kManyVariables = 280, kSmall = 30, kPolished = 128;
+constexpr std::size_t kManyVariables = 280, kSmall = 30, kPolished = 280;
 
-/// Whether a vertex needs no polish: of few variables one peak that moves tells, of many the
-/// rounding of the simplex method does.
+/// Whether a vertex needs no polish, and no look at its conditions of optimality between rounds,
+/// which takes longer than a few rounds more: of few variables one peak that moves tells.
 bool is_middling(const Problem& problem) {
   return problem.variables.size() > kSmall && problem.variables.size() <= kPolished;
 }
@@ -105,6 +105,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
+  constexpr double kFinestAtVertex = 1e-2;  // the simplex method's own rounding lies below
   double share = 0.1;  // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
@@ -133,12 +134,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     // Peaks that pass their limits by less than counts may keep the conditions of optimality from
     // holding: then the exchange goes after them too.
-    while (settled && share > kFinest) {
+    const double finest = at_vertex && is_middling(problem) ? kFinestAtVertex : kFinest;
+    while (settled && share > finest) {
       share *= 0.1;
       settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     }
     if (settled) return;
-    const bool refined = share < 0.1 && aim == Aim::Optimum;
+    const bool refined = share < 0.1 && aim == Aim::Optimum && !(at_vertex && is_middling(problem));
     if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;
