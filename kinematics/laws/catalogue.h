@@ -30,7 +30,7 @@ struct Parameter {
   /// Of a list in which s is affine, where it is known: elements that lie so many places apart move
   /// no piece together. 0: nothing is known.
   std::size_t reach = 0;
-  std::string also = {};    ///< an older name that is accepted
+  std::string also = {};  ///< an older name that is accepted
 
   bool is_called(std::string_view asked) const {
     return asked == name || (!also.empty() && asked == also);

@@ -106,7 +106,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
   constexpr double kFinestAtVertex = 1e-2;  // the simplex method's own rounding lies below
-  double share = 0.1;  // of a tolerance: what the exchange goes after
+  double share = 0.1;                       // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
