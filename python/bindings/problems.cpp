@@ -9,9 +9,9 @@
 #include "optim/cycle/sizes.h"
 #include "optim/problem/check_derivatives.h"
 #include "output/answers/buildable_output.h"
+#include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/possible.h"
-#include "output/answers/shape_output.h"
 #include "output/answers/warnings.h"
 #include "output/figure/profile_figure.h"
 #include "problems/statement/buildable.h"
@@ -117,23 +117,6 @@ nb::dict evaluated(const StatedProblem& problem) {
   result["buildable"] = python_of(cli::buildable_json(built));
   result["warnings"] = warnings;
   return result;
-}
-
-/// The file said back in words, and what depends on what, in which shape.
-cli::Document checked(const ProblemStatement& statement) {
-  cli::Document document;
-  document.say(problems::in_words(statement));
-  if (!statement.objectives.empty()) {
-    problems::BoundProblem{statement};  // or says why not
-    document.say("\n");
-    cli::Table shapes = cli::shape_table(statement);
-    if (shapes.key.empty()) shapes.key = "shapes";
-    document.add(std::move(shapes));
-  }
-  const cli::Warnings doubts = cli::doubts_of(statement);
-  document.say(cli::warnings_text(doubts));
-  document.fact("warnings", doubts);
-  return document;
 }
 
 nb::dict dict_of(const optim::DerivativeCheck& found, const std::string& label) {
@@ -341,7 +324,8 @@ void add_problems(nb::module_& module) {
       .def("evaluate", &evaluated)
       .def("check",
            [](const StatedProblem& p) {
-             const cli::Document document = checked(p.statement);
+             const cli::Document document =
+                 cli::checked_problem(p.statement, {}, p.statement.source).document;
              return nb::make_tuple(python_of(cli::json_of(document)), plain(cli::text_of(document)),
                                    html_of(document));
            })
