@@ -61,8 +61,9 @@ Arguments<double> Family::defaults() const {
 std::size_t Family::parameter(std::string_view parameter_name) const {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const bool older = parameters[i].is_called(parameter_name);
-    if (older || folded(parameters[i].name) == folded(parameter_name)) return i;
+    const Parameter& p = parameters[i];
+    const bool is_older = !p.also.empty() && folded(p.also) == folded(parameter_name);
+    if (is_older || folded(p.name) == folded(parameter_name)) return i;
     known.push_back(parameters[i].name);
   }
   throw std::invalid_argument(

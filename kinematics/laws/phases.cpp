@@ -40,21 +40,21 @@ std::vector<Room> s_curve_rooms() {
     return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
   };
   return {
-      {"1 - 1/C_v - C_v/C_a",
+      {"1 - 1/B - B/C",
        []<class S>(const Arguments<S>& a) {
          const S one = number<S>(1);
          return one - one / a.scalar(0) - a.scalar(0) / a.scalar(1);
        },
        false},
-      {"C_v/C_a - C_a/C_j",
+      {"B/C - C/D",
        []<class S>(const Arguments<S>& a) {
          return a.scalar(0) / a.scalar(1) - a.scalar(1) / s_curve_jerk(a);
        },
        false},
-      {"2/C_v - 1",
+      {"2/B - 1",
        []<class S>(const Arguments<S>& a) { return number<S>(2) / a.scalar(0) - number<S>(1); },
        false},
-      {"1 - 1/C_v - C_v/C_a - C_a/C_j",
+      {"1 - 1/B - B/C - C/D",
        [sum]<class S>(const Arguments<S>& a) { return a.list(2).empty() ? number<S>(0) : sum(a); },
        false, true}};
 }
@@ -97,7 +97,8 @@ std::vector<Family> straight_phases() {
       rest_to_rest(
           {"s-curve",
            {"seven-phase S-curve", "double S"},
-           "seven phases of constant jerk; 1/C_v + C_v/C_a + C_a/C_j = 1",
+           "seven phases of constant jerk with peaks B = C_v, C = C_a, D = C_j; 1/B + B/C + C/D = "
+           "1",
            2,
            true,
            "drive controllers; lambda = 1",

@@ -50,8 +50,12 @@ bool has_no_pulse(const CurveParts& parts, const LawBinding& law, const LinearLa
 /// constant + sum of slopes * u.
 class AffineRow final : public optim::Kernel {
  public:
-  AffineRow(double constant, std::vector<double> slopes)
-      : constant_(constant), slopes_(std::move(slopes)) {}
+  /// `behind` and `slopes_behind`: what the constant and any slope are summed from, in |terms|.
+  AffineRow(double constant, std::vector<double> slopes, double behind, double slopes_behind)
+      : constant_(constant),
+        slopes_(std::move(slopes)),
+        behind_(behind),
+        slopes_behind_(slopes_behind) {}
 
   double value(std::span<const double> u) const override {
     double sum = constant_;
@@ -71,11 +75,12 @@ class AffineRow final : public optim::Kernel {
     constexpr double kRounding = 1e-12;  // of the terms of the sum, and of those behind them
     optim::BoxRange result{{}, {}};
     Interval sum(constant_);
-    double terms = std::abs(constant_);
+    double terms = behind_;
+    const double widened = kRounding * slopes_behind_;
     for (std::size_t i = 0; i < box.size(); ++i) {
       sum += slopes_[i] * Interval(box[i].lower, box[i].upper);
-      terms += std::abs(slopes_[i]) * std::max(std::abs(box[i].lower), std::abs(box[i].upper));
-      result.slopes.push_back({slopes_[i], slopes_[i]});
+      terms += slopes_behind_ * std::max(std::abs(box[i].lower), std::abs(box[i].upper));
+      result.slopes.push_back({slopes_[i] - widened, slopes_[i] + widened});
     }
     sum += kRounding * terms * Interval(-1, 1);
     result.value = optim::bounds_of(sum);
@@ -85,6 +90,7 @@ class AffineRow final : public optim::Kernel {
  private:
   double constant_;
   std::vector<double> slopes_;
+  double behind_, slopes_behind_;
 };
 
 }  // namespace
@@ -179,17 +185,22 @@ void AffineCurve::add_section(Section section, const Gains& gains,
   section.first = constants_.size();
   section.count = terms > least ? terms - least : 1;
   for (const Input& input : inputs) section.inputs.push_back(input.variable);
+  std::vector<double> slope_terms(inputs.size(), 0.0);  // |t| is at most 1
   for (std::size_t k = 0; k < section.count; ++k) {
     double constant = gains.combined(k, terms, [&](std::size_t n) { return polynomial[n].a; });
     if (k == 0) constant += gains.constant;
-    for (const Input& input : inputs) {
+    section.terms += std::abs(constant);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
       const double slope =
-          gains.combined(k, terms, [&](std::size_t power) { return input.slope(power); });
+          gains.combined(k, terms, [&](std::size_t power) { return inputs[i].slope(power); });
       section.slopes.push_back(slope);
-      constant -= slope * input.own;
+      slope_terms[i] += std::abs(slope);
+      section.terms += std::abs(slope * inputs[i].own);
+      constant -= slope * inputs[i].own;
     }
     constants_.push_back(constant);
   }
+  for (const double sum : slope_terms) section.slope_terms = std::max(section.slope_terms, sum);
   breaks_.push_back(section.begin);
   sections_.push_back(std::move(section));
 }
@@ -257,7 +268,10 @@ optim::Function AffineCurve::at(optim::Place place) const {
     inputs.push_back(section.inputs[i]);
     kept.push_back(slopes[i]);
   }
-  return {std::move(inputs), std::make_shared<AffineRow>(constant, std::move(kept)), Shape::Linear};
+  return {
+      std::move(inputs),
+      std::make_shared<AffineRow>(constant, std::move(kept), section.terms, section.slope_terms),
+      Shape::Linear};
 }
 
 double AffineCurve::largest_change(const std::vector<double>& scales, int places,

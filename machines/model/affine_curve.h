@@ -45,6 +45,8 @@ class AffineCurve : public std::enable_shared_from_this<AffineCurve> {
     std::size_t first, count;              ///< coefficients
     std::vector<std::size_t> inputs = {};  ///< variables that move it, increasing
     std::vector<double> slopes = {};       ///< of each coefficient by each input, row by row
+    double terms = 0;  ///< at least the sum of |terms| that the constant at a place is summed from
+    double slope_terms = 0;  ///< the same of any slope
   };
 
   struct Gains;

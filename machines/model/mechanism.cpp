@@ -55,13 +55,6 @@ std::string_view listed_name(std::string_view name) {
   return name;
 }
 
-/// By its name, else by another one that it has.
-template <class Named>
-const Named* find_called(const std::vector<Named>& all, std::string_view name) {
-  const Named* found = find_named(all, name);
-  return found != nullptr ? found : find_named(all, listed_name(name));
-}
-
 /// Parts that people ask for in words.
 struct PartWord {
   std::string_view word;
@@ -87,7 +80,8 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
   for (const auto& [word, part] : kPartWords) {
     if (!name.starts_with(word)) continue;
     const std::string_view curve = trimmed(name.substr(word.size()));
-    const MechanismResponse* response = find_called(mechanism.responses, curve);
+    const MechanismResponse* response = find_named(mechanism.responses, curve);
+    if (response == nullptr) response = find_named(mechanism.responses, listed_name(curve));
     if (response == nullptr) {
       std::vector<std::string> curves;
       for (const auto& r : mechanism.responses) {
@@ -100,6 +94,18 @@ ResponseName find_part(const Mechanism& mechanism, std::string_view name) {
           fmt::format("'{}': {} is a number, it has no parts", name, response->name));
     }
     return response_name(name, *response, part);
+  }
+  return {};
+}
+
+/// A response or a named peak by the name that it is listed by.
+std::optional<ResponseName> find_exactly(const Mechanism& mechanism, std::string_view listed,
+                                         std::string_view asked) {
+  if (const auto* response = find_named(mechanism.responses, listed)) {
+    return response_name(asked, *response, Part::Value);
+  }
+  if (const NamedPeak* peak = find_named(mechanism.peaks, listed)) {
+    return response_name(asked, *find_named(mechanism.responses, peak->curve), peak->part);
   }
   return {};
 }
@@ -131,17 +137,13 @@ std::size_t Mechanism::parameter(std::string_view parameter_name) const {
 
 ResponseName find_response(const Mechanism& mechanism, std::string_view asked) {
   const std::string_view name = trimmed(asked);
-  if (const auto* response = find_called(mechanism.responses, name)) {
-    return response_name(name, *response, Part::Value);
-  }
-  if (const NamedPeak* peak = find_called(mechanism.peaks, name)) {
-    return response_name(name, *find_named(mechanism.responses, peak->curve), peak->part);
-  }
+  if (auto found = find_exactly(mechanism, name, name)) return *std::move(found);
   if (const auto* parameter = find_parameter(mechanism, name)) {
     return {.name = parameter->name,
             .parameter = static_cast<std::size_t>(parameter - mechanism.parameters.data()),
             .unit = parameter->unit};
   }
+  if (auto found = find_exactly(mechanism, listed_name(name), name)) return *std::move(found);
   if (ResponseName part = find_part(mechanism, name); part.response != nullptr) return part;
   refuse_name(fmt::format("{}: no response or parameter is called", mechanism.name), name,
               known_responses(mechanism),

@@ -48,9 +48,9 @@ class Setter {
       case Kind::Negate:
         return {"-" + inside(parts[0], kSigned), kSigned};
       case Kind::Add:
-        return {inside(parts[0], kLoosest) + " + " + inside(parts[1], kJoined), kLoosest};
+        return {inside(parts[0], kLoosest) + " + " + factor(parts[1]), kLoosest};
       case Kind::Subtract:
-        return {inside(parts[0], kLoosest) + " - " + inside(parts[1], kJoined), kLoosest};
+        return {inside(parts[0], kLoosest) + " - " + factor(parts[1]), kLoosest};
       case Kind::Multiply:
         return product(inside(parts[0], kJoined), factor(parts[1]));
       case Kind::Divide:

@@ -121,8 +121,10 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    const bool at_vertex = program.is_linear() && attempt.status == Status::Solved;
-    if (settled && at_vertex && problem.variables.size() > kManyVariables) return;
+    const bool solved = program.is_linear() && attempt.status == Status::Solved;
+    const bool at_vertex = solved && solver.name() == "clp";
+    const bool sharp = at_vertex || (solved && solver.name() == "interior");
+    if (settled && sharp && problem.variables.size() > kManyVariables) return;
     if (!(at_vertex && is_middling(problem)) && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);

@@ -111,8 +111,11 @@ bool begin_at_vertex(const Program& program, const LinearProgram& linear, std::s
   using Status = ClpSimplex::Status;
   const std::size_t n = program.variables(), m = program.rows();
   const auto status_of = [&](double value, double lower, double upper) {
-    if (std::abs(value - lower) <= kStands * (1 + std::abs(lower))) return Status::atLowerBound;
-    if (std::abs(value - upper) <= kStands * (1 + std::abs(upper))) return Status::atUpperBound;
+    const auto stands = [&](double bound) {
+      return std::isfinite(bound) && std::abs(value - bound) <= kStands * (1 + std::abs(bound));
+    };
+    if (stands(lower)) return Status::atLowerBound;
+    if (stands(upper)) return Status::atUpperBound;
     return Status::basic;
   };
   std::vector<double> activity(m, 0.0);
@@ -212,13 +215,17 @@ void follow_ray(const ClpSimplex& model, std::vector<double>& y) {
 /// Pivots until an optimum is found, or most of them are made; how many they were. The primal
 /// method ends what the dual one's scaling may leave.
 int pivoted(ClpSimplex& model, int most, bool primal_first) {
+  constexpr int kEnded = 5;  // by the event handler
   model.setMaximumIterations(most);
+  int begun = 0;
   if (primal_first) {
     model.primal();
-    if (model.status() == 0) return model.numberIterations();
+    begun = model.numberIterations();
+    if (model.status() == 0 || model.status() == kEnded || begun >= most) return begun;
+    model.setMaximumIterations(most - begun);
   }
   model.dual();
-  const int first = model.numberIterations();
+  const int first = begun + model.numberIterations();
   if ((model.status() != 0 && model.status() != 10) || first >= most) return first;
   model.setMaximumIterations(most - first);
   model.primal();

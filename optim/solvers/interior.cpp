@@ -265,6 +265,10 @@ class InteriorSolver final : public Solver {
       solution.message = "not a number at the start";
       return solution;
     }
+    if (sides.count() == 0) {
+      solution.message = "nothing is bounded";
+      return solution;
+    }
     Interior interior(sides, start);
     const RunEnd end = followed(interior, program, options, solution.iterations);
     solution.status = end.status;

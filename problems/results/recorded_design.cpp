@@ -51,12 +51,25 @@ std::vector<std::string> settings_of(const Json& record) {
   return settings;
 }
 
+/// Whether a name is a law's, by the names that its parameters had in an older program too.
+bool is_called(const Member& law, const std::string& name) {
+  if (law.name() == name) return true;
+  const bool has_older = std::any_of(law.family->parameters.begin(), law.family->parameters.end(),
+                                     [](const Parameter& p) { return !p.also.empty(); });
+  if (!has_older || !name.starts_with(law.family->name + " ")) return false;
+  try {
+    return find_law(name).name() == law.name();
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 /// Leaves the law that was chosen.
 void choose_law(const Json& record, ProblemStatement& statement) {
   if (statement.laws.size() < 2) return;
   const std::string name = text_of(record, "law");
   const auto chosen = std::find_if(statement.laws.begin(), statement.laws.end(),
-                                   [&](const Member& law) { return law.name() == name; });
+                                   [&](const Member& law) { return is_called(law, name); });
   if (chosen == statement.laws.end()) {
     refuse(fmt::format("its design has the law '{}', which its problem has not", name));
   }
@@ -75,13 +88,29 @@ std::optional<NamedParameter> parameter_of(const ProblemStatement& statement,
   return has ? std::optional(result) : std::nullopt;
 }
 
+/// The number of a variable, by the name that its parameter had in an older program where it is
+/// there by that.
+const Json* number_of(const Json& numbers, const ProblemStatement& statement,
+                      const VariableStatement& variable) {
+  auto number = numbers.find(variable.name);
+  if (number == numbers.end() && variable.of_law) {
+    const Family& family = *statement.laws.front().family;
+    const Parameter& p = family.parameters[*index_in(family, variable.law_parameter)];
+    std::string older = variable.name;
+    const std::size_t at = older.find(p.name);
+    if (p.also.empty() || at == std::string::npos) return nullptr;
+    number = numbers.find(older.replace(at, p.name.size(), p.also));
+  }
+  return number == numbers.end() || !number->is_number() ? nullptr : &*number;
+}
+
 void set_variables(const Json& record, ProblemStatement& statement) {
   const Json& numbers = key(record, "variables", &Json::is_object, "object");
   for (VariableStatement& variable : statement.variables) {
     const auto parameter = parameter_of(statement, variable);
     if (!parameter) continue;
-    const auto number = numbers.find(variable.name);
-    if (number == numbers.end() || !number->is_number()) {
+    const Json* const number = number_of(numbers, statement, variable);
+    if (number == nullptr) {
       refuse(fmt::format("its design has no number for {}", variable.name));
     }
     const auto value = number->get<double>();

@@ -49,6 +49,8 @@ VariableStatement variable_of(const ProblemStatement& statement, const std::stri
 }  // namespace
 
 ProblemStatement with_variables(ProblemStatement statement, const std::vector<std::string>& names) {
+  // Of several laws the first moves the machine, so that names are looked up in it alone.
+  if (statement.laws.size() > 1) statement.laws = std::vector<Member>{statement.laws.front()};
   std::vector<VariableStatement> variables;
   for (const std::string& name : names) {
     variables.push_back(variable_of(statement, name));
@@ -56,7 +58,6 @@ ProblemStatement with_variables(ProblemStatement statement, const std::vector<st
     variables.back().values.clear();
   }
   statement.variables = std::move(variables);
-  statement.laws.resize(1, statement.laws.front());
   return statement;
 }
 

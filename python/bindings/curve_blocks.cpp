@@ -6,6 +6,7 @@
 #include "kinematics/peaks.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/law_of.h"
+#include "machines/model/pulse.h"
 #include "machines/model/recorded_response.h"
 
 namespace camlaw::python {
@@ -50,11 +51,12 @@ std::unique_ptr<const CurveBlocks> CurveBlocks::of(
   if (curves.empty() || !binding.law || !binding.law->variables().empty()) return nullptr;
   const auto law = problems::law_of<double>(binding.law->member());
   if (!law) return nullptr;
-  const Jumps found = jumps(*law);
   const bool one_cycle = std::all_of(curves.begin(), curves.end(), [&](const auto* curve) {
     return same_cycle(*curve->cycle, *curves.front()->cycle);
   });
-  if (found.velocity || found.acceleration || !one_cycle) return nullptr;
+  const bool pulses =
+      problems::pulse_place(*curves.front()->cycle, *law, {true, true, true, true}).has_value();
+  if (pulses || !one_cycle) return nullptr;
   return std::unique_ptr<const CurveBlocks>(new CurveBlocks(binding, *law, curves));
 }
 

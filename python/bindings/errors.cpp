@@ -28,7 +28,9 @@ void add_errors(nb::module_&) {
       PyErr_SetString(PyExc_MemoryError, "there is not enough memory for this");
     } catch (const std::logic_error& error) {
       raise("Error", error);
-    } catch (const std::runtime_error& error) {
+    } catch (const nb::python_error&) {
+      throw;
+    } catch (const std::exception& error) {
       raise("Error", error);
     }
   });

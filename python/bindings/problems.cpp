@@ -158,6 +158,9 @@ nb::list checked_derivatives(const StatedProblem& stated) {
 
 /// What variables and limits are divided by, and their tolerances.
 nb::list scaling_of(const StatedProblem& stated) {
+  if (stated.statement.objectives.empty()) {
+    throw std::invalid_argument("scaling: the problem has no objective, so that nothing is scaled");
+  }
   const problems::BoundProblem bound(stated.statement);
   const optim::Problem problem =
       bound.problem(std::vector<std::size_t>(bound.choices().size(), 0)).alone(0);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
@@ -469,7 +470,7 @@ def _problem_again(text: str, source: str, settings: list[str]) -> Problem:
 def _written(text: str, path: str | Path | None) -> str:
     if path is not None:
         place = Path(path)
-        beside = place.with_name(f".{place.name}.{os.getpid()}")
+        beside = place.with_name(f".{place.name}.{os.getpid()}.{threading.get_ident()}")
         try:
             beside.write_text(text, encoding="utf-8")
             os.replace(beside, place)
