@@ -33,7 +33,7 @@ done
 step cmake -S "$source/tests/install/project" -B "$folder/project" -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DOWN_SOLVER="$own_solver" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"
 step cmake --build "$folder/project"
-"$folder/project/example" | grep '^C is proved' >/dev/null || fail "the example does not run"
+"$folder/project/example" | grep '^C_a is proved' >/dev/null || fail "the example does not run"
 "$folder/project/own_solver" | grep 'by compass: certified' >/dev/null || fail "a solver of one's own"
 radius=$("$folder/project/design" "$source/problems/spine_cutter/least_radius.toml")
 [ "$radius" = 33.08 ] || fail "least radius: $radius, not 33.08"
