@@ -12,6 +12,7 @@
 #include "numerics/text/file_text.h"
 #include "output/answers/claim_output.h"
 #include "output/document/printing.h"
+#include "output/report/provenance.h"
 #include "output/report/report.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
@@ -24,21 +25,6 @@ struct ReportOptions {
   std::optional<std::string> output;
   std::vector<std::string> settings;
 };
-
-/// What a result says of the search that found it.
-Facts facts_of(const std::string& result) {
-  const Json said = problems::parse_json(problems::file_text(result, "result"));
-  Facts facts;
-  const auto add = [&](const char* name, const char* key) {
-    const auto at = said.find(key);
-    if (at == said.end() || at->is_null()) return;
-    facts.emplace_back(name, at->is_string() ? at->get<std::string>() : at->dump());
-  };
-  add("solver", "solver"), add("why", "why_solver"), add("seed", "seed"), add("starts", "starts");
-  add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
-  add("evaluations", "evaluations");
-  return facts;
-}
 
 /// A design with values of its own: what a result says of its search holds no longer.
 problems::ReadDesign with_settings(const problems::ReadDesign& read,
@@ -61,7 +47,10 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
   const ClaimReview review = reviewed(read);
   say_review(input, review);
   if (!settings.empty()) read = with_settings(read, settings);
-  Facts facts = read.verdict ? facts_of(input) : Facts{};
+  Facts facts;
+  if (read.verdict) {
+    facts = facts_of_search(problems::parse_json(problems::file_text(input, "result")));
+  }
   return {
       design_report(
           {.read = std::move(read), .file = input, .facts = std::move(facts), .review = review}),

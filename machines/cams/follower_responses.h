@@ -142,15 +142,14 @@ std::vector<MechanismResponse> follower_numbers() {
   return {
       follower_rms<M>({"torque_rms", "N m", "N m", "root of the torque's mean square"}, C::Torque),
       follower_rms<M>({"power_rms", "W", "W", "root of the power's mean square"}, C::Power),
-      peak_number<M>(
-          {"contact_loss_speed", "rpm", "rad/s",
-           "speed from which on a spring-closed follower leaves the cam; no number where "
-           "nothing holds it, or nothing lifts it"},
-          follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio), optim::Part::Highest,
-          [](const auto&, const auto& ratio) {
-            using std::sqrt;
-            return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
-          })};
+      peak_number<M>({"contact_loss_speed", "rpm", "rad/s",
+                      "speed above which a spring-loaded follower jumps; undefined where "
+                      "nothing holds it, or nothing lifts it"},
+                     follower_response<M>({"lift_ratio", "s2", "s2", ""}, C::LiftRatio),
+                     optim::Part::Highest, [](const auto&, const auto& ratio) {
+                       using std::sqrt;
+                       return number<std::decay_t<decltype(ratio)>>(1) / sqrt(ratio);
+                     })};
 }
 
 /// The responses of a machine M with over_angle(), follower() and angular_speed.

@@ -7,10 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "machines/model/affine_row.h"
 #include "machines/model/linear_law.h"
 #include "machines/model/pulse.h"
-#include "numerics/scalar/interval.h"
-#include "optim/problem/automatic.h"
 
 namespace camlaw::problems {
 namespace {
@@ -46,52 +45,6 @@ bool has_no_pulse(const CurveParts& parts, const LawBinding& law, const LinearLa
   }
   return true;
 }
-
-/// constant + sum of slopes * u.
-class AffineRow final : public optim::Kernel {
- public:
-  /// `behind` and `slopes_behind`: what the constant and any slope are summed from, in |terms|.
-  AffineRow(double constant, std::vector<double> slopes, double behind, double slopes_behind)
-      : constant_(constant),
-        slopes_(std::move(slopes)),
-        behind_(behind),
-        slopes_behind_(slopes_behind) {}
-
-  double value(std::span<const double> u) const override {
-    double sum = constant_;
-    for (std::size_t i = 0; i < u.size(); ++i) sum += slopes_[i] * u[i];
-    return sum;
-  }
-  double gradient(std::span<const double> u, std::span<double> g) const override {
-    std::copy(slopes_.begin(), slopes_.end(), g.begin());
-    return value(u);
-  }
-  double hessian(std::span<const double> u, std::span<double> g,
-                 std::span<double> h) const override {
-    std::fill_n(h.begin(), optim::packed_size(u.size()), 0.0);
-    return gradient(u, g);
-  }
-  optim::BoxRange range(std::span<const optim::Bounds> box) const override {
-    constexpr double kRounding = 1e-12;  // of the terms of the sum, and of those behind them
-    optim::BoxRange result{{}, {}};
-    Interval sum(constant_);
-    double terms = behind_;
-    const double widened = kRounding * slopes_behind_;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-      sum += slopes_[i] * Interval(box[i].lower, box[i].upper);
-      terms += slopes_behind_ * std::max(std::abs(box[i].lower), std::abs(box[i].upper));
-      result.slopes.push_back({slopes_[i] - widened, slopes_[i] + widened});
-    }
-    sum += kRounding * terms * Interval(-1, 1);
-    result.value = optim::bounds_of(sum);
-    return result;
-  }
-
- private:
-  double constant_;
-  std::vector<double> slopes_;
-  double behind_, slopes_behind_;
-};
 
 }  // namespace
 
@@ -252,11 +205,8 @@ void AffineCurve::slopes_at(const Section& section, double t, std::vector<double
 
 optim::Function AffineCurve::at(optim::Place place) const {
   const Section& section = section_at(place);
-  const double t = (place.angle - section.stretch_begin) / section.length - section.origin;
-  double constant = 0;
-  for (std::size_t k = section.count; k-- > 0;) {
-    constant = constant * t + constants_[section.first + k];
-  }
+  const double t = section.t(place.angle);
+  const double constant = value_at(section, t, constants_);
   std::vector<double> slopes;
   slopes_at(section, t, slopes);
   std::vector<std::size_t> inputs;
@@ -283,7 +233,7 @@ double AffineCurve::largest_change(const std::vector<double>& scales, int places
     if (section.end - section.begin < least) continue;
     for (int i = 0; i < places; ++i) {
       const double angle = section.begin + (section.end - section.begin) * (i + 0.5) / places;
-      slopes_at(section, (angle - section.stretch_begin) / section.length - section.origin, slopes);
+      slopes_at(section, section.t(angle), slopes);
       for (std::size_t k = 0; k < slopes.size(); ++k) {
         const double change = std::abs(slopes[k]) * scales[section.inputs[k]];
         if (std::isfinite(change)) largest = std::max(largest, change);
@@ -322,7 +272,7 @@ double AffineCurve::largest(optim::Design x) const {
     const int steps = section.count <= 2 ? 1 : 8;  // what is straight is largest at an end
     for (int i = 0; i <= steps; ++i) {
       const double angle = section.begin + (section.end - section.begin) * i / steps;
-      const double t = (angle - section.stretch_begin) / section.length - section.origin;
+      const double t = section.t(angle);
       const double value = value_at(section, t, coefficients);
       if (std::isnan(value)) return value;
       largest = std::max(largest, std::abs(value));
@@ -338,7 +288,7 @@ bool AffineCurve::may_rest(double bound, optim::Design x) const {
   std::vector<double> slopes;
   for (const Section& section : sections_) {
     for (const double angle : {section.begin, section.end}) {
-      const double t = (angle - section.stretch_begin) / section.length - section.origin;
+      const double t = section.t(angle);
       const double value = value_at(section, t, coefficients);
       if (std::abs(value - bound) > kNear * whole) continue;
       slopes_at(section, t, slopes);
@@ -383,7 +333,7 @@ class AffineTrace final : public optim::Trace {
 
  private:
   std::array<double, 3> in(const AffineCurve::Section& section, double angle) const {
-    const double t = (angle - section.stretch_begin) / section.length - section.origin;
+    const double t = section.t(angle);
     double value = 0, slope = 0, bend = 0;
     for (std::size_t k = section.count; k-- > 0;) {
       bend = bend * t + slope;

@@ -47,6 +47,8 @@ class AffineCurve : public std::enable_shared_from_this<AffineCurve> {
     std::vector<double> slopes = {};       ///< of each coefficient by each input, row by row
     double terms = 0;  ///< at least the sum of |terms| that the constant at a place is summed from
     double slope_terms = 0;  ///< the same of any slope
+
+    double t(double angle) const { return (angle - stretch_begin) / length - origin; }
   };
 
   struct Gains;

@@ -58,7 +58,7 @@ void check_constraint(const Constraint& c) {
   if (c.lower && c.upper && *c.lower > *c.upper) {
     refuse(what, fmt::format("lower {:.6g} exceeds upper {:.6g}", *c.lower, *c.upper));
   }
-  if (c.response.is_curve() && c.lower && c.upper && *c.lower == *c.upper) {
+  if (c.response.is_curve() && c.is_equation()) {
     refuse(what, "a curve cannot be held at one value over the whole cycle");
   }
   check_tolerance(what, c.tolerance);
@@ -192,8 +192,7 @@ bool convex_set(const Problem& problem) {
   return std::all_of(
       problem.constraints.begin(), problem.constraints.end(), [](const Constraint& c) {
         const Shape shape = c.response.shape();
-        const bool equation = c.lower && c.upper && *c.lower == *c.upper;
-        if (equation) return shape == Shape::Linear || shape == Shape::Quasilinear;
+        if (c.is_equation()) return shape == Shape::Linear || shape == Shape::Quasilinear;
         return (!c.upper || convex_below(shape)) && (!c.lower || convex_above(shape));
       });
 }

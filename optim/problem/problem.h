@@ -63,6 +63,8 @@ struct Constraint {
   std::optional<double> upper = {};
   std::optional<double> tolerance = {};  ///< in the unit; by default 1e-6 of the bound
   std::optional<double> scale = {};      ///< a typical change; by default from the gradient
+
+  bool is_equation() const { return lower && upper && *lower == *upper; }
 };
 
 /// An answer known from elsewhere.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optim/cycle/peak_function.h"
+#include "optim/search/plan.h"
 #include "optim/search/polish.h"
 #include "optim/search/working_set.h"
 #include "optim/verdict/verdict.h"
@@ -27,14 +28,19 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
   return options;
 }
 
-/// Of more variables the conditions of optimality of a linear problem are left to the verdict: to
-/// look at them takes about as long as to solve it.
-constexpr std::size_t kManyVariables = 280, kSmall = 30, kPolished = 280;
+/// What became of a linear program; Near of any other, and of one that was not solved.
+LinearEnd end_of(const Program& program, const Solver& solver, Status status) {
+  const bool solved = program.is_linear() && status == Status::Solved;
+  return solved ? solver.linear_end() : LinearEnd::Near;
+}
 
-/// Whether a vertex needs no polish, and no look at its conditions of optimality between rounds,
-/// which takes longer than a few rounds more: of few variables one peak that moves tells.
-bool is_middling(const Problem& problem) {
-  return problem.variables.size() > kSmall && problem.variables.size() <= kPolished;
+/// Whether a vertex was found that needs no polish, and no look at its conditions of optimality
+/// between rounds, which takes longer than a few rounds more: of few variables one peak that moves
+/// tells.
+bool is_good_vertex(const Problem& problem, LinearEnd end) {
+  constexpr std::size_t kSmall = 30;
+  const std::size_t n = problem.variables.size();
+  return end == LinearEnd::Vertex && n > kSmall && n <= kManyVariables;
 }
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
@@ -121,11 +127,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    const bool solved = program.is_linear() && attempt.status == Status::Solved;
-    const bool at_vertex = solved && solver.name() == "clp";
-    const bool sharp = at_vertex || (solved && solver.name() == "interior");
-    if (settled && sharp && problem.variables.size() > kManyVariables) return;
-    if (!(at_vertex && is_middling(problem)) && (settled || attempt.rounds > 1)) {
+    const LinearEnd end = end_of(program, solver, attempt.status);
+    // Of many variables the conditions of optimality are left to the verdict: to look at them takes
+    // about as long as to solve the program.
+    const bool many = problem.variables.size() > kManyVariables;
+    if (settled && many && end != LinearEnd::Near) return;
+    const bool good = is_good_vertex(problem, end);
+    if (!good && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
       if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {
@@ -136,13 +144,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     // Peaks that pass their limits by less than counts may keep the conditions of optimality from
     // holding: then the exchange goes after them too.
-    const double finest = at_vertex && is_middling(problem) ? kFinestAtVertex : kFinest;
+    const double finest = good ? kFinestAtVertex : kFinest;
     while (settled && share > finest) {
       share *= 0.1;
       settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     }
     if (settled) return;
-    const bool refined = share < 0.1 && aim == Aim::Optimum && !(at_vertex && is_middling(problem));
+    const bool refined = share < 0.1 && aim == Aim::Optimum && !good;
     if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;

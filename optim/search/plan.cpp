@@ -21,14 +21,9 @@ bool is_linear(const Problem& problem) {
 }
 
 bool has_equations(const Problem& problem) {
-  return std::any_of(
-      problem.constraints.begin(), problem.constraints.end(),
-      [](const Constraint& c) { return c.lower && c.upper && *c.lower == *c.upper; });
+  return std::any_of(problem.constraints.begin(), problem.constraints.end(),
+                     [](const Constraint& c) { return c.is_equation(); });
 }
-
-/// From so many variables on a linear problem goes to the interior-point method first. Between 150
-/// and 250 the multipliers of its answers were seen to be found only after long.
-constexpr std::size_t kManyVariables = 280;
 
 std::string variables_text(std::size_t n) {
   return fmt::format("{} variable{}", n, n == 1 ? "" : "s");

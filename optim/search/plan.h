@@ -9,6 +9,10 @@
 
 namespace camlaw::optim {
 
+/// A linear problem of more variables goes to the interior-point method first. Between 150 and 250
+/// the multipliers of its answers were seen to be found only after long.
+inline constexpr std::size_t kManyVariables = 280;
+
 /// The methods to try in turn, and why.
 struct Plan {
   std::vector<const Solver*> solvers;

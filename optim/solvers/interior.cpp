@@ -241,6 +241,7 @@ class InteriorSolver final : public Solver {
  public:
   std::string name() const override { return "interior"; }
   bool is_global() const override { return false; }
+  LinearEnd linear_end() const override { return LinearEnd::Sharp; }
   std::optional<std::string> refusal(const Program& program) const override {
     if (!program.is_linear()) {
       return "interior takes linear problems alone, and this one is not known to be linear";

@@ -53,7 +53,7 @@ class Collector {
     const Constraint& c = problem_.constraints[i];
     const ConstraintSize& size = sizes_.constraints[i];
     const double reach = std::max(net_.width * size.size, 2 * size.tolerance);
-    const bool equation = c.lower && c.upper && *c.lower == *c.upper;
+    const bool equation = c.is_equation();
     const double eased = violation_ * size.size;
     const auto add = [&](double sign, double bound) {
       const Level level{sign, bound + sign * eased, size.size, reach};

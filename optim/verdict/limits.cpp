@@ -63,7 +63,7 @@ LimitReport report(const Constraint& c, const ConstraintSize& size, MaximaAt& ma
   LimitReport result;
   result.name = c.response.name;
   result.unit = c.response.unit;
-  result.is_equation = c.lower && c.upper && *c.lower == *c.upper;
+  result.is_equation = c.is_equation();
   result.tolerance = size.tolerance;
   result.margin = kInfinity;
   result.proved = prove;

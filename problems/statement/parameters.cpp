@@ -94,6 +94,17 @@ std::optional<std::size_t> find_variable(const ProblemStatement& problem,
   return {};
 }
 
+VariableStatement new_variable(const NamedParameter& parameter, std::size_t index) {
+  VariableStatement variable;
+  variable.name = parameter.element_name(index);
+  variable.unit = parameter.unit;
+  variable.of_law = parameter.of_law;
+  variable.parameter = parameter.parameter;
+  variable.law_parameter = parameter.law_parameter;
+  variable.element = index;
+  return variable;
+}
+
 double onto_range(double value, double low, double high) {
   for (const double end : {low, high}) {
     if (std::abs(value - end) <= kRounding * std::abs(end)) return end;

@@ -62,6 +62,10 @@ double constant_of(const ProblemStatement& problem, std::string_view name);
 std::optional<std::size_t> find_variable(const ProblemStatement& problem,
                                          const NamedParameter& parameter, std::size_t index);
 
+/// One number of a parameter as a variable, with the names, the unit and the place in the
+/// statement.
+VariableStatement new_variable(const NamedParameter& parameter, std::size_t index);
+
 /// A value that rounding in a change of units has left beside an end of the range: that end.
 double onto_range(double value, double low, double high);
 /// Why a parameter cannot have a value, in words; empty where it can.

@@ -109,18 +109,6 @@ double read_start(const Entry* start, const Element& element, const VariableStat
   return variable.integer ? std::floor(middle) : middle;
 }
 
-/// The parameter's part in the statement, before anything is read of it.
-VariableStatement new_variable(const NamedParameter& parameter, std::size_t in_list) {
-  VariableStatement variable;
-  variable.name = parameter.element_name(in_list);
-  variable.unit = parameter.unit;
-  variable.of_law = parameter.of_law;
-  variable.parameter = parameter.parameter;
-  variable.law_parameter = parameter.law_parameter;
-  variable.element = in_list;
-  return variable;
-}
-
 void read_element(const Entry& table, const Element& element, ProblemStatement& problem) {
   const NamedParameter& parameter = element.parameter;
   const std::size_t in_list = parameter.element.value_or(element.index);

@@ -33,13 +33,7 @@ VariableStatement variable_of(const ProblemStatement& statement, const std::stri
   if (const auto known = problems::find_variable(statement, parameter, element)) {
     return statement.variables[*known];
   }
-  VariableStatement variable;
-  variable.name = parameter.element_name(element);
-  variable.unit = parameter.unit;
-  variable.of_law = parameter.of_law;
-  variable.parameter = parameter.parameter;
-  variable.law_parameter = parameter.law_parameter;
-  variable.element = element;
+  VariableStatement variable = problems::new_variable(parameter, element);
   variable.lower = parameter.low;
   variable.upper = parameter.high;
   variable.start = problems::values_of(statement, parameter)[element];

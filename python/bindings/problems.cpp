@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/model/response_text.h"
 #include "machines/registry.h"
-#include "optim/cycle/sizes.h"
 #include "optim/problem/check_derivatives.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
+#include "output/answers/mechanism_output.h"
+#include "output/answers/optimum_output.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
 #include "output/figure/profile_figure.h"
@@ -157,44 +157,19 @@ nb::list checked_derivatives(const StatedProblem& stated) {
 }
 
 /// What variables and limits are divided by, and their tolerances.
-nb::list scaling_of(const StatedProblem& stated) {
+nb::object scaling_of(const StatedProblem& stated) {
   if (stated.statement.objectives.empty()) {
     throw std::invalid_argument("scaling: the problem has no objective, so that nothing is scaled");
   }
   const problems::BoundProblem bound(stated.statement);
   const optim::Problem problem =
       bound.problem(std::vector<std::size_t>(bound.choices().size(), 0)).alone(0);
-  const optim::Sizes sizes = optim::sizes(problem, problem.start());
-  nb::list result;
-  const auto add = [&](const std::string& name, double size, double tolerance,
-                       const std::string& unit) {
-    nb::dict row;
-    row["of"] = name;
-    row["scale"] = size;
-    row["tolerance"] = tolerance;
-    row["unit"] = unit;
-    result.append(row);
-  };
-  for (std::size_t i = 0; i < problem.variables.size(); ++i) {
-    add(problem.variables[i].name, sizes.variables[i], std::nan(""), problem.variables[i].unit);
-  }
-  const optim::Response& sought = problem.objective().response;
-  add(sought.name + " (objective)", sizes.objective, sizes.objective_tolerance, sought.unit);
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
-    const optim::Response& limited = problem.constraints[i].response;
-    add(limited.name, sizes.constraints[i].size, sizes.constraints[i].tolerance, limited.unit);
-  }
-  return result;
+  return python_of(cli::json_of(cli::scaling_table(problem)));
 }
 
 /// The formula of a response as it is recorded.
 std::string formula_of(const problems::Mechanism& mechanism, const std::string& response) {
-  const auto name = problems::find_response(mechanism, response);
-  if (name.response == nullptr) {
-    throw std::invalid_argument(response + " is a parameter of " + mechanism.name +
-                                ", which has no formula");
-  }
-  return problems::formula_text(mechanism, *name.response);
+  return cli::json_of(cli::formula_document(mechanism, response))["formula"].get<std::string>();
 }
 
 nb::dict dict_of(const problems::Mechanism& mechanism) {

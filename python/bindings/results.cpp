@@ -17,6 +17,7 @@
 #include "output/answers/rulers.h"
 #include "output/answers/warnings.h"
 #include "output/document/short_version.h"
+#include "output/report/provenance.h"
 #include "output/report/report.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
@@ -207,26 +208,12 @@ nb::dict verified(const StoredResult& result) {
   return object;
 }
 
-/// What a result says of the search that found it.
-cli::Facts facts_of_search(const Json& said) {
-  cli::Facts facts;
-  const auto add = [&](const char* name, const char* key) {
-    const auto at = said.find(key);
-    if (at == said.end() || at->is_null()) return;
-    facts.emplace_back(name, at->is_string() ? at->get<std::string>() : at->dump());
-  };
-  add("solver", "solver"), add("why", "why_solver"), add("seed", "seed"), add("starts", "starts");
-  add("starts that agreed", "agreed"), add("combinations of choices", "combinations");
-  add("evaluations", "evaluations");
-  return facts;
-}
-
 std::string report_of(const StoredResult& result) {
   const nb::gil_scoped_release released;
   const ReadDesign& design = design_in(result);
   return cli::page_html(cli::design_report({.read = design,
                                             .file = result.file,
-                                            .facts = facts_of_search(result.facts),
+                                            .facts = cli::facts_of_search(result.facts),
                                             .review = cli::reviewed(design)}));
 }
 

@@ -352,7 +352,7 @@ class Machine:
         self.responses: dict[str, Response] = {}
 
     def response(self, unit: str = "1", meaning: str = "", name: str | None = None) -> Any:
-        """A decorator: the function is a response of the machine, called as it is."""
+        """A decorator: makes the function a response of the machine, under its own name."""
 
         def add(function: Callable[[Any], Any]) -> Callable[[Any], Any]:
             self.responses[name or function.__name__] = Response(function, unit, meaning)

@@ -73,7 +73,7 @@ def test_other_threads_run_while_a_search_does():
     other.start()
     before = counts[0]
     try:
-        cl.Problem.load(QUICK).pareto(points=16, workers=1)
+        cl.Problem.load(QUICK).pareto(points=400, workers=1)
     finally:
         ended.set()
         other.join()
