@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
+#include <string>
 
-#include "output/document/json.h"
+#include "output/answers/search_facts.h"
 #include "output/report/page.h"
 
 namespace camlaw::cli {
-
-using Facts = std::vector<std::pair<std::string, std::string>>;
-
-/// What a result says of the search that found it: solver, why, seed, starts, evaluations.
-Facts facts_of_search(const Json& result);
 
 /// Where a report comes from: the program and its libraries, these facts, when it was written, and
 /// the text of the input. The time is that of SOURCE_DATE_EPOCH where that is set, so that reports

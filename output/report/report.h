@@ -5,8 +5,8 @@
 
 #include "output/answers/claim_output.h"
 #include "output/answers/front_answer.h"
+#include "output/answers/search_facts.h"
 #include "output/report/page.h"
-#include "output/report/provenance.h"
 #include "problems/published/table/reproduction.h"
 #include "problems/results/recorded_design.h"
 
