@@ -15,6 +15,7 @@
 #include "output/report/figure_json.h"
 #include "output/report/html.h"
 #include "output/report/problem_sections.h"
+#include "output/report/provenance.h"
 #include "output/report/report.h"
 #include "output/report/scene.h"
 #include "output/report/sensitivity_section.h"

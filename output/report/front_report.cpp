@@ -14,6 +14,7 @@
 #include "output/report/front_data.h"
 #include "output/report/html.h"
 #include "output/report/problem_sections.h"
+#include "output/report/provenance.h"
 #include "output/report/report.h"
 #include "output/report/sensitivity_section.h"
 

@@ -4,6 +4,7 @@
 
 #include "output/answers/reproduction_output.h"
 #include "output/report/html.h"
+#include "output/report/provenance.h"
 #include "output/report/report.h"
 #include "problems/published/systems.h"
 
