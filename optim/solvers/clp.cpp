@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 
+#include "optim/solvers/read_off.h"
 #include "optim/solvers/run_end.h"
 
 /// Clp: the simplex method for linear programs. What a program's functions are is asked for once,
@@ -19,46 +20,31 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// minimise cost . y where lower <= A y <= upper and y is within its bounds.
-struct LinearProgram {
-  std::vector<double> cost, lower, upper;
-  CoinPackedMatrix matrix;
-  bool is_finite = true;
-};
-
 double open_end(double bound) {
   return std::isinf(bound) ? std::copysign(COIN_DBL_MAX, bound) : bound;
 }
 
-std::vector<double> open_ends(std::span<const double> bounds) {
-  std::vector<double> result(bounds.size());
+std::vector<double> open_ends(const Eigen::VectorXd& bounds) {
+  std::vector<double> result(static_cast<std::size_t>(bounds.size()));
   std::transform(bounds.begin(), bounds.end(), result.begin(), open_end);
   return result;
 }
 
-/// Rows as A y + rest, read off at a point.
-LinearProgram read_off(const Program& program, std::span<const double> y) {
-  const Pattern& pattern = program.jacobian_pattern();
-  std::vector<double> entries(pattern.size()), rest(program.rows());
-  program.jacobian(y, entries);
-  program.row_values(y, rest);
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    rest[static_cast<std::size_t>(pattern.rows[k])] -=
-        entries[k] * y[static_cast<std::size_t>(pattern.columns[k])];
-  }
-  LinearProgram result;
-  result.cost.resize(program.variables());
-  program.gradient(y, result.cost);
-  result.is_finite = all_finite(entries) && all_finite(rest) && all_finite(result.cost);
-  for (std::size_t r = 0; r < program.rows(); ++r) {
-    result.lower.push_back(open_end(program.row_lower()[r] - rest[r]));
-    result.upper.push_back(open_end(program.row_upper()[r] - rest[r]));
-  }
-  result.matrix = CoinPackedMatrix(true, pattern.rows.data(), pattern.columns.data(),
-                                   entries.data(), static_cast<CoinBigIndex>(entries.size()));
-  result.matrix.setDimensions(static_cast<int>(program.rows()),
-                              static_cast<int>(program.variables()));
-  return result;
+/// By rows, as Clp takes it.
+CoinPackedMatrix matrix_of(const LinearProgram& linear) {
+  const auto& rows = linear.rows;
+  std::vector<CoinBigIndex> begins(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
+  std::vector<int> lengths;
+  for (std::size_t r = 0; r + 1 < begins.size(); ++r)
+    lengths.push_back(begins[r + 1] - begins[r]);
+  return {false,
+          static_cast<int>(rows.cols()),
+          static_cast<int>(rows.rows()),
+          static_cast<CoinBigIndex>(rows.nonZeros()),
+          rows.valuePtr(),
+          rows.innerIndexPtr(),
+          begins.data(),
+          lengths.data()};
 }
 
 /// Ends a run when the user or the clock says so.
@@ -118,13 +104,13 @@ bool begin_at_vertex(const Program& program, const LinearProgram& linear, std::s
     if (stands(upper)) return Status::atUpperBound;
     return Status::basic;
   };
-  std::vector<double> activity(m, 0.0);
-  linear.matrix.times(y.data(), activity.data());
+  const Eigen::VectorXd activity =
+      linear.rows * Eigen::Map<const Eigen::VectorXd>(y.data(), linear.cost.size());
   std::vector<Status> columns, rows;
   for (std::size_t i = 0; i < n; ++i)
     columns.push_back(status_of(y[i], program.lower()[i], program.upper()[i]));
-  for (std::size_t r = 0; r < m; ++r)
-    rows.push_back(status_of(activity[r], linear.lower[r], linear.upper[r]));
+  for (Eigen::Index r = 0; r < activity.size(); ++r)
+    rows.push_back(status_of(activity[r], linear.row_lower[r], linear.row_upper[r]));
   const auto stand = [](const std::vector<Status>& all) {
     return static_cast<std::size_t>(
         std::count_if(all.begin(), all.end(), [](Status s) { return s != Status::basic; }));
@@ -232,13 +218,12 @@ int pivoted(ClpSimplex& model, int most, bool primal_first) {
   return first + model.numberIterations();
 }
 
-void load(const Program& program, const LinearProgram& linear, const SolverOptions& options,
-          ClpSimplex& model) {
+void load(const LinearProgram& linear, const SolverOptions& options, ClpSimplex& model) {
   constexpr double kTightest = 1e-10;
   model.setLogLevel(0);
-  model.loadProblem(linear.matrix, open_ends(program.lower()).data(),
-                    open_ends(program.upper()).data(), linear.cost.data(), linear.lower.data(),
-                    linear.upper.data());
+  model.loadProblem(matrix_of(linear), open_ends(linear.lower).data(),
+                    open_ends(linear.upper).data(), linear.cost.data(),
+                    open_ends(linear.row_lower).data(), open_ends(linear.row_upper).data());
   model.setPrimalTolerance(std::max(options.tolerance, kTightest));
   model.setDualTolerance(std::max(options.tolerance, kTightest));
   set_native_options(options.native, model);
@@ -276,13 +261,13 @@ class ClpSolver final : public Solver {
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
     const LinearProgram linear = read_off(program, start);
     solution.evaluations = 1;
-    if (!linear.is_finite) {
+    if (!is_finite(linear)) {
       solution.status = Status::NonFiniteStart;
       solution.message = "not a number at the start";
       return solution;
     }
     ClpSimplex model;
-    load(program, linear, options, model);
+    load(linear, options, model);
     const EndOnRequest handler(options, began);
     model.passInEventHandler(&handler);
     bool at_vertex = false;

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "numerics/linear/linear_program.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace camlaw::optim {
+namespace {
+
+using Eigen::VectorXd;
+
+/// minimise cost . y where G y <= h: each row of the program with a side for each of its bounds,
+/// then the bounds of the variables. Rows are kept once; sides refer to them.
+class Sides {
+ public:
+  explicit Sides(const LinearProgram& program)
+      : cost(program.cost), variables_(static_cast<std::size_t>(program.cost.size())) {
+    const auto& rows = program.rows;
+    entries_.assign(rows.valuePtr(), rows.valuePtr() + rows.nonZeros());
+    columns_.assign(rows.innerIndexPtr(), rows.innerIndexPtr() + rows.nonZeros());
+    begins_.assign(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
+    const auto m = static_cast<std::size_t>(rows.rows());
+    for (Eigen::Index r = 0; r < rows.rows(); ++r)
+      add(static_cast<std::size_t>(r), program.row_lower[r], program.row_upper[r]);
+    for (std::size_t i = 0; i < variables_; ++i) {
+      entries_.push_back(1);
+      columns_.push_back(static_cast<int>(i));
+      begins_.push_back(entries_.size());
+      const auto at = static_cast<Eigen::Index>(i);
+      add(m + i, program.lower[at], program.upper[at]);
+    }
+    level = Eigen::Map<const VectorXd>(levels_.data(), static_cast<Eigen::Index>(levels_.size()));
+  }
+
+  std::size_t rows() const { return begins_.size() - 1; }
+  Eigen::Index count() const { return level.size(); }
+  std::size_t row(Eigen::Index side) const { return rows_[static_cast<std::size_t>(side)]; }
+  double sign(Eigen::Index side) const { return signs_[static_cast<std::size_t>(side)]; }
+
+  /// G y.
+  VectorXd times(const VectorXd& y) const {
+    std::vector<double> at(rows(), 0.0);
+    for (std::size_t r = 0; r < rows(); ++r) {
+      for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k)
+        at[r] += entries_[k] * y[columns_[k]];
+    }
+    VectorXd result(count());
+    for (Eigen::Index i = 0; i < count(); ++i) result[i] = sign(i) * at[row(i)];
+    return result;
+  }
+  /// G^T z.
+  VectorXd transposed(const VectorXd& z) const {
+    std::vector<double> of_row(rows(), 0.0);
+    for (Eigen::Index i = 0; i < count(); ++i) of_row[row(i)] += sign(i) * z[i];
+    VectorXd result = VectorXd::Zero(static_cast<Eigen::Index>(variables_));
+    for (std::size_t r = 0; r < rows(); ++r) {
+      if (of_row[r] == 0) continue;
+      for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k)
+        result[columns_[k]] += entries_[k] * of_row[r];
+    }
+    return result;
+  }
+
+  /// Entries of G^T W G, lower triangle: one list of places for all weights.
+  void lay_out(Eigen::SparseMatrix<double>& K, std::vector<int>& places) const {
+    std::vector<Eigen::Triplet<double>> triplets;
+    each_pair([&](int i, int j, double) { triplets.emplace_back(i, j, 1.0); });
+    K.resize(static_cast<Eigen::Index>(variables_), static_cast<Eigen::Index>(variables_));
+    K.setFromTriplets(triplets.begin(), triplets.end());
+    K.makeCompressed();
+    places.clear();
+    each_pair([&](int i, int j, double) {
+      const int* begin = K.innerIndexPtr() + K.outerIndexPtr()[j];
+      const int* end = K.innerIndexPtr() + K.outerIndexPtr()[j + 1];
+      places.push_back(static_cast<int>(std::lower_bound(begin, end, i) - K.innerIndexPtr()));
+    });
+  }
+  void weigh(const VectorXd& weights, Eigen::SparseMatrix<double>& K,
+             const std::vector<int>& places) const {
+    std::vector<double> of_row(rows(), 0.0);
+    for (Eigen::Index i = 0; i < count(); ++i) of_row[row(i)] += weights[i];
+    std::fill_n(K.valuePtr(), K.nonZeros(), 0.0);
+    std::size_t next = 0;
+    for (std::size_t r = 0; r < rows(); ++r) {
+      for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k) {
+        for (std::size_t l = begins_[r]; l <= k; ++l)
+          K.valuePtr()[places[next++]] += of_row[r] * entries_[k] * entries_[l];
+      }
+    }
+  }
+
+  VectorXd cost, level;
+
+ private:
+  void add(std::size_t row, double lower, double upper) {
+    if (std::isfinite(upper)) rows_.push_back(row), signs_.push_back(1), levels_.push_back(upper);
+    if (std::isfinite(lower)) rows_.push_back(row), signs_.push_back(-1), levels_.push_back(-lower);
+  }
+  template <class Take>
+  void each_pair(const Take& take) const {
+    for (std::size_t r = 0; r < rows(); ++r) {
+      for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k) {
+        for (std::size_t l = begins_[r]; l <= k; ++l) {
+          take(std::max(columns_[k], columns_[l]), std::min(columns_[k], columns_[l]), 0);
+        }
+      }
+    }
+  }
+
+  std::size_t variables_ = 0;
+  std::vector<std::size_t> begins_;
+  std::vector<int> columns_;
+  std::vector<double> entries_;
+  std::vector<std::size_t> rows_;  ///< of the sides
+  std::vector<double> signs_, levels_;
+};
+
+/// Point, slacks and multipliers on the way.
+class Interior {
+ public:
+  struct Step {
+    VectorXd y, s, z;
+  };
+
+  Interior(const Sides& sides, const VectorXd& start) : sides_(sides) {
+    now_.y = start;
+    // Slacks of order one, as rows are scaled to be; small multipliers, which were seen to take
+    // fewer iterations than those of order one.
+    constexpr double kSlack = 1, kMultiplier = 1e-3;
+    now_.s = (sides.level - sides.times(now_.y)).cwiseMax(kSlack);
+    now_.z = VectorXd::Constant(sides.count(), kMultiplier);
+    sides.lay_out(K_, places_);
+    cholesky_.analyzePattern(K_);
+  }
+
+  const Step& now() const { return now_; }
+  double objective() const { return sides_.cost.dot(now_.y); }
+  double gap() const { return now_.s.dot(now_.z); }
+  /// The largest residual of a row; of a column.
+  double primal() const {
+    return (sides_.times(now_.y) + now_.s - sides_.level).cwiseAbs().maxCoeff();
+  }
+  double dual() const { return (sides_.cost + sides_.transposed(now_.z)).cwiseAbs().maxCoeff(); }
+
+  bool step() {
+    const VectorXd weights = now_.z.cwiseQuotient(now_.s);
+    sides_.weigh(weights, K_, places_);
+    for (Eigen::Index i = 0; i < K_.cols(); ++i) {
+      double& d = K_.valuePtr()[K_.outerIndexPtr()[i]];
+      d += 1e-15 * d + 1e-300;
+    }
+    cholesky_.factorize(K_);
+    if (cholesky_.info() != Eigen::Success) return false;
+    const VectorXd dual = sides_.cost + sides_.transposed(now_.z);
+    const VectorXd primal = sides_.times(now_.y) + now_.s - sides_.level;
+    const double mean = gap() / static_cast<double>(now_.s.size());
+    const VectorXd products = now_.s.cwiseProduct(now_.z);
+    const Step foresight = solve(dual, primal, products);
+    const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
+                             .dot(now_.z + reach(now_.z, foresight.z) * foresight.z) /
+                         static_cast<double>(now_.s.size());
+    const double centring = std::pow(std::max(ahead, 0.0) / mean, 3);
+    const VectorXd aimed = products + foresight.s.cwiseProduct(foresight.z) -
+                           VectorXd::Constant(now_.s.size(), centring * mean);
+    const Step step = solve(dual, primal, aimed);
+    if (!step.y.allFinite() || !step.z.allFinite()) return false;
+    const double primal_reach = short_of(reach(now_.s, step.s));
+    const double dual_reach = short_of(reach(now_.z, step.z));
+    now_.y += primal_reach * step.y;
+    now_.s += primal_reach * step.s;
+    now_.z += dual_reach * step.z;
+    return std::max(primal_reach, dual_reach) > 1e-8;
+  }
+
+ private:
+  static double reach(const VectorXd& x, const VectorXd& step) {
+    double result = 1;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (step[i] < 0) result = std::min(result, -x[i] / step[i]);
+    }
+    return result;
+  }
+  static double short_of(double reach) { return reach < 1 ? 0.995 * reach : 1; }
+
+  /// G dy + ds = -primal, G^T dz = -dual, z ds + s dz = -products.
+  Step solve(const VectorXd& dual, const VectorXd& primal, const VectorXd& products) const {
+    // Once more for what rounding left: normal equations square the condition.
+    Step step = solve_once(dual, primal, products);
+    const Step more =
+        solve_once(dual + sides_.transposed(step.z), primal + sides_.times(step.y) + step.s,
+                   products + now_.z.cwiseProduct(step.s) + now_.s.cwiseProduct(step.z));
+    step.y += more.y;
+    step.s += more.s;
+    step.z += more.z;
+    return step;
+  }
+  Step solve_once(const VectorXd& dual, const VectorXd& primal, const VectorXd& products) const {
+    Step step;
+    const VectorXd pull = (now_.z.cwiseProduct(primal) - products).cwiseQuotient(now_.s);
+    step.y = cholesky_.solve(-dual - sides_.transposed(pull));
+    step.s = -primal - sides_.times(step.y);
+    step.z = (-products - now_.z.cwiseProduct(step.s)).cwiseQuotient(now_.s);
+    return step;
+  }
+
+  const Sides& sides_;
+  Step now_;
+  Eigen::SparseMatrix<double> K_;
+  std::vector<int> places_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
+};
+
+InteriorSolution with_multipliers(const Sides& sides, const Interior::Step& now,
+                                  Eigen::Index rows) {
+  const Eigen::Index variables = now.y.size();
+  InteriorSolution solution{now.y, VectorXd::Zero(rows), VectorXd::Zero(variables),
+                            VectorXd::Zero(variables)};
+  for (Eigen::Index i = 0; i < sides.count(); ++i) {
+    const auto row = static_cast<Eigen::Index>(sides.row(i));
+    if (row < rows) {
+      solution.row_multipliers[row] += sides.sign(i) * now.z[i];
+    } else {
+      (sides.sign(i) > 0 ? solution.upper_multipliers
+                         : solution.lower_multipliers)[row - rows] += now.z[i];
+    }
+  }
+  return solution;
+}
+
+/// Steps until the gap is closed or nothing is gained.
+InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
+  constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
+  constexpr int kPatience = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int idle = 0;;) {
+    const double gap =
+        interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
+    const double primal = interior.primal();
+    const double left = std::max(primal, interior.dual());
+    if (gap <= kGap && left <= kLeft) return InteriorEnd::Optimal;
+    idle = gap < kGain * least ? 0 : idle + 1;
+    least = std::min(least, gap);
+    if (iterations >= options.most_iterations) return InteriorEnd::IterationLimit;
+    if (idle > kPatience || !interior.step()) {
+      const bool good = gap <= kGood && left <= kGood;
+      return good ? InteriorEnd::Acceptable : InteriorEnd::Stalled;
+    }
+    ++iterations;
+    if (options.goes_on && !options.goes_on(iterations, interior.objective(), interior.primal()))
+      return InteriorEnd::Ended;
+  }
+}
+
+}  // namespace
+
+InteriorSolution solve_by_interior_point(const LinearProgram& program, const VectorXd& start,
+                                         const InteriorOptions& options) {
+  const Sides sides(program);
+  Interior interior(sides, start);
+  int iterations = 0;
+  const InteriorEnd end = followed(interior, options, iterations);
+  InteriorSolution solution = with_multipliers(sides, interior.now(), program.rows.rows());
+  solution.end = end;
+  solution.iterations = iterations;
+  return solution;
+}
+
+}  // namespace camlaw::optim

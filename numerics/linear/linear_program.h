@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <functional>
+
+/// Linear programs of many variables whose rows are local, each in a few of them.
+namespace camlaw::optim {
+
+/// minimise cost . y where row_lower <= rows y <= row_upper and lower <= y <= upper. Bounds may be
+/// infinite.
+struct LinearProgram {
+  Eigen::VectorXd cost;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows;
+  Eigen::VectorXd row_lower, row_upper, lower, upper;
+};
+
+/// How an interior-point method ends.
+enum class InteriorEnd {
+  Optimal,         ///< to about ten digits
+  Acceptable,      ///< no more progress, but optimal to about seven digits
+  Stalled,         ///< no more progress
+  IterationLimit,  ///< more iterations than were allowed
+  Ended            ///< by the one who watched
+};
+
+/// A point with its multipliers. At an optimum cost + rows^T row_multipliers - lower_multipliers +
+/// upper_multipliers is zero. Multipliers of bounds are not negative; that of a row is positive
+/// where its upper bound holds it, negative where the lower one does.
+struct InteriorSolution {
+  Eigen::VectorXd y, row_multipliers, lower_multipliers, upper_multipliers;
+  InteriorEnd end = InteriorEnd::Stalled;
+  int iterations = 0;
+};
+
+struct InteriorOptions {
+  int most_iterations = 200;
+  /// The gap between the objective and its lower bound counts over the objective, or over this
+  /// where the objective is nearer to zero.
+  double least_objective = 1e-9;
+  /// Asked after each iteration with its number, the objective and the largest residual of a row:
+  /// whether to go on.
+  std::function<bool(int, double, double)> goes_on = {};
+};
+
+/// Mehrotra's predictor and corrector (1992) on sparse normal equations. Rows and costs are to be
+/// scaled so that changes of order one count. Takes no equations: no row and no variable with equal
+/// bounds. There must be a bound.
+InteriorSolution solve_by_interior_point(const LinearProgram& program, const Eigen::VectorXd& start,
+                                         const InteriorOptions& options = {});
+
+}  // namespace camlaw::optim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "optim/solvers/read_off.h"
+
+namespace camlaw::optim {
+namespace {
+
+Eigen::VectorXd vector_of(std::span<const double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+LinearProgram read_off(const Program& program, std::span<const double> y) {
+  const Pattern& pattern = program.jacobian_pattern();
+  const auto n = static_cast<Eigen::Index>(program.variables());
+  const auto m = static_cast<Eigen::Index>(program.rows());
+  std::vector<double> entries(pattern.size());
+  program.jacobian(y, entries);
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    triplets.emplace_back(pattern.rows[k], pattern.columns[k], entries[k]);
+  LinearProgram result;
+  result.rows.resize(m, n);
+  result.rows.setFromTriplets(triplets.begin(), triplets.end());
+  result.cost.resize(n);
+  program.gradient(y, {result.cost.data(), program.variables()});
+  Eigen::VectorXd rest(m);
+  program.row_values(y, {rest.data(), program.rows()});
+  rest -= result.rows * vector_of(y);
+  result.row_lower = vector_of(program.row_lower()) - rest;
+  result.row_upper = vector_of(program.row_upper()) - rest;
+  result.lower = vector_of(program.lower());
+  result.upper = vector_of(program.upper());
+  return result;
+}
+
+bool is_finite(const LinearProgram& program) {
+  const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(),
+                                                  program.rows.nonZeros());
+  return entries.allFinite() && program.cost.allFinite() &&
+         (program.row_lower.array() < kInfinity).all() &&
+         (program.row_upper.array() > -kInfinity).all();
+}
+
+}  // namespace camlaw::optim
