@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/linear/linear_program.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace camlaw::optim {
@@ -11,8 +13,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// minimise cost . y where G y <= h: each row of the program with a side for each of its bounds,
-/// then the bounds of the variables. Rows are kept once; sides refer to them.
+/// minimise cost . y where G y <= h and E y = e: each row of the program with a side for each of
+/// its bounds, then the bounds of the variables. Rows are kept once; sides refer to them. Equations
+/// are few.
 class Sides {
  public:
   explicit Sides(const LinearProgram& program)
@@ -22,8 +25,19 @@ class Sides {
     columns_.assign(rows.innerIndexPtr(), rows.innerIndexPtr() + rows.nonZeros());
     begins_.assign(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
     const auto m = static_cast<std::size_t>(rows.rows());
-    for (Eigen::Index r = 0; r < rows.rows(); ++r)
-      add(static_cast<std::size_t>(r), program.row_lower[r], program.row_upper[r]);
+    std::vector<double> demanded;
+    for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+      if (program.row_lower[r] == program.row_upper[r]) {
+        equations_.push_back(r);
+        demanded.push_back(program.row_upper[r]);
+      } else {
+        add(static_cast<std::size_t>(r), program.row_lower[r], program.row_upper[r]);
+      }
+    }
+    equations.resize(static_cast<Eigen::Index>(equations_.size()), rows.cols());
+    for (std::size_t k = 0; k < equations_.size(); ++k)
+      equations.row(static_cast<Eigen::Index>(k)) = rows.row(equations_[k]);
+    values = Eigen::Map<const VectorXd>(demanded.data(), equations.rows());
     for (std::size_t i = 0; i < variables_; ++i) {
       entries_.push_back(1);
       columns_.push_back(static_cast<int>(i));
@@ -91,7 +105,12 @@ class Sides {
     }
   }
 
+  /// The rows that are equations, in order.
+  const std::vector<Eigen::Index>& equation_rows() const { return equations_; }
+
   VectorXd cost, level;
+  Eigen::MatrixXd equations;  ///< equations y = values
+  VectorXd values;
 
  private:
   void add(std::size_t row, double lower, double upper) {
@@ -113,6 +132,7 @@ class Sides {
   std::vector<std::size_t> begins_;
   std::vector<int> columns_;
   std::vector<double> entries_;
+  std::vector<Eigen::Index> equations_;
   std::vector<std::size_t> rows_;  ///< of the sides
   std::vector<double> signs_, levels_;
 };
@@ -122,15 +142,18 @@ class Interior {
  public:
   struct Step {
     VectorXd y, s, z;
+    VectorXd w = {};  ///< multipliers of the equations
   };
 
   Interior(const Sides& sides, const VectorXd& start) : sides_(sides) {
     now_.y = start;
     // Slacks of order one, as rows are scaled to be; small multipliers, which were seen to take
-    // fewer iterations than those of order one.
+    // fewer iterations than those of order one. Mehrotra's own start takes a tenth fewer where it
+    // works, and was seen to stall.
     constexpr double kSlack = 1, kMultiplier = 1e-3;
     now_.s = (sides.level - sides.times(now_.y)).cwiseMax(kSlack);
     now_.z = VectorXd::Constant(sides.count(), kMultiplier);
+    now_.w = VectorXd::Zero(sides.values.size());
     sides.lay_out(K_, places_);
     cholesky_.analyzePattern(K_);
   }
@@ -140,37 +163,34 @@ class Interior {
   double gap() const { return now_.s.dot(now_.z); }
   /// The largest residual of a row; of a column.
   double primal() const {
-    return (sides_.times(now_.y) + now_.s - sides_.level).cwiseAbs().maxCoeff();
+    const double rows = (sides_.times(now_.y) + now_.s - sides_.level).cwiseAbs().maxCoeff();
+    if (now_.w.size() == 0) return rows;
+    return std::max(rows, (sides_.equations * now_.y - sides_.values).cwiseAbs().maxCoeff());
   }
-  double dual() const { return (sides_.cost + sides_.transposed(now_.z)).cwiseAbs().maxCoeff(); }
+  double dual() const { return dual_residual().cwiseAbs().maxCoeff(); }
 
   bool step() {
-    const VectorXd weights = now_.z.cwiseQuotient(now_.s);
-    sides_.weigh(weights, K_, places_);
-    for (Eigen::Index i = 0; i < K_.cols(); ++i) {
-      double& d = K_.valuePtr()[K_.outerIndexPtr()[i]];
-      d += 1e-15 * d + 1e-300;
-    }
-    cholesky_.factorize(K_);
-    if (cholesky_.info() != Eigen::Success) return false;
-    const VectorXd dual = sides_.cost + sides_.transposed(now_.z);
+    if (!factor(now_.z.cwiseQuotient(now_.s))) return false;
+    const VectorXd dual = dual_residual();
     const VectorXd primal = sides_.times(now_.y) + now_.s - sides_.level;
+    const VectorXd equation = sides_.equations * now_.y - sides_.values;
     const double mean = gap() / static_cast<double>(now_.s.size());
     const VectorXd products = now_.s.cwiseProduct(now_.z);
-    const Step foresight = solve(dual, primal, products);
+    const Step foresight = solve(dual, primal, equation, products);
     const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
                              .dot(now_.z + reach(now_.z, foresight.z) * foresight.z) /
                          static_cast<double>(now_.s.size());
     const double centring = std::pow(std::max(ahead, 0.0) / mean, 3);
     const VectorXd aimed = products + foresight.s.cwiseProduct(foresight.z) -
                            VectorXd::Constant(now_.s.size(), centring * mean);
-    const Step step = solve(dual, primal, aimed);
-    if (!step.y.allFinite() || !step.z.allFinite()) return false;
+    const Step step = solve(dual, primal, equation, aimed);
+    if (!step.y.allFinite() || !step.z.allFinite() || !step.w.allFinite()) return false;
     const double primal_reach = short_of(reach(now_.s, step.s));
     const double dual_reach = short_of(reach(now_.z, step.z));
     now_.y += primal_reach * step.y;
     now_.s += primal_reach * step.s;
     now_.z += dual_reach * step.z;
+    now_.w += dual_reach * step.w;
     return std::max(primal_reach, dual_reach) > 1e-8;
   }
 
@@ -184,22 +204,50 @@ class Interior {
   }
   static double short_of(double reach) { return reach < 1 ? 0.995 * reach : 1; }
 
-  /// G dy + ds = -primal, G^T dz = -dual, z ds + s dz = -products.
-  Step solve(const VectorXd& dual, const VectorXd& primal, const VectorXd& products) const {
+  /// K = G^T W G, and what the equations need of it.
+  bool factor(const VectorXd& weights) {
+    sides_.weigh(weights, K_, places_);
+    for (Eigen::Index i = 0; i < K_.cols(); ++i) {
+      double& d = K_.valuePtr()[K_.outerIndexPtr()[i]];
+      d += 1e-15 * d + 1e-300;
+    }
+    cholesky_.factorize(K_);
+    if (cholesky_.info() != Eigen::Success) return false;
+    if (sides_.values.size() == 0) return true;
+    along_ = cholesky_.solve(sides_.equations.transpose());
+    across_.compute(sides_.equations * along_);
+    return true;
+  }
+
+  VectorXd dual_residual() const {
+    return sides_.cost + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
+  }
+
+  /// G dy + ds = -primal, E dy = -equation, G^T dz + E^T dw = -dual, z ds + s dz = -products.
+  Step solve(const VectorXd& dual, const VectorXd& primal, const VectorXd& equation,
+             const VectorXd& products) const {
     // Once more for what rounding left: normal equations square the condition.
-    Step step = solve_once(dual, primal, products);
+    Step step = solve_once(dual, primal, equation, products);
     const Step more =
-        solve_once(dual + sides_.transposed(step.z), primal + sides_.times(step.y) + step.s,
+        solve_once(dual + sides_.transposed(step.z) + sides_.equations.transpose() * step.w,
+                   primal + sides_.times(step.y) + step.s, equation + sides_.equations * step.y,
                    products + now_.z.cwiseProduct(step.s) + now_.s.cwiseProduct(step.z));
     step.y += more.y;
     step.s += more.s;
     step.z += more.z;
+    step.w += more.w;
     return step;
   }
-  Step solve_once(const VectorXd& dual, const VectorXd& primal, const VectorXd& products) const {
+  Step solve_once(const VectorXd& dual, const VectorXd& primal, const VectorXd& equation,
+                  const VectorXd& products) const {
     Step step;
     const VectorXd pull = (now_.z.cwiseProduct(primal) - products).cwiseQuotient(now_.s);
     step.y = cholesky_.solve(-dual - sides_.transposed(pull));
+    step.w = VectorXd::Zero(equation.size());
+    if (equation.size() > 0) {
+      step.w = across_.solve(sides_.equations * step.y + equation);
+      step.y -= along_ * step.w;
+    }
     step.s = -primal - sides_.times(step.y);
     step.z = (-products - now_.z.cwiseProduct(step.s)).cwiseQuotient(now_.s);
     return step;
@@ -210,6 +258,9 @@ class Interior {
   Eigen::SparseMatrix<double> K_;
   std::vector<int> places_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
+  /// Of the equations: K^-1 E^T, and E K^-1 E^T.
+  Eigen::MatrixXd along_;
+  Eigen::LDLT<Eigen::MatrixXd> across_;
 };
 
 InteriorSolution with_multipliers(const Sides& sides, const Interior::Step& now,
@@ -222,26 +273,29 @@ InteriorSolution with_multipliers(const Sides& sides, const Interior::Step& now,
     if (row < rows) {
       solution.row_multipliers[row] += sides.sign(i) * now.z[i];
     } else {
-      (sides.sign(i) > 0 ? solution.upper_multipliers
-                         : solution.lower_multipliers)[row - rows] += now.z[i];
+      (sides.sign(i) > 0 ? solution.upper_multipliers : solution.lower_multipliers)[row - rows] +=
+          now.z[i];
     }
   }
+  for (std::size_t k = 0; k < sides.equation_rows().size(); ++k)
+    solution.row_multipliers[sides.equation_rows()[k]] = now.w[static_cast<Eigen::Index>(k)];
   return solution;
 }
 
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
   constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
-  constexpr int kPatience = 8;
-  double least = std::numeric_limits<double>::infinity();
+  constexpr int kPatience = 15;
+  double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
   for (int idle = 0;;) {
     const double gap =
         interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
     const double primal = interior.primal();
     const double left = std::max(primal, interior.dual());
     if (gap <= kGap && left <= kLeft) return InteriorEnd::Optimal;
-    idle = gap < kGain * least ? 0 : idle + 1;
-    least = std::min(least, gap);
+    idle = gap < kGain * least_gap || left < kGain * least_left ? 0 : idle + 1;
+    least_gap = std::min(least_gap, gap);
+    least_left = std::min(least_left, left);
     if (iterations >= options.most_iterations) return InteriorEnd::IterationLimit;
     if (idle > kPatience || !interior.step()) {
       const bool good = gap <= kGood && left <= kGood;
@@ -258,6 +312,10 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
 InteriorSolution solve_by_interior_point(const LinearProgram& program, const VectorXd& start,
                                          const InteriorOptions& options) {
   const Sides sides(program);
+  if (sides.count() == 0) {
+    const auto none = [](Eigen::Index size) { return VectorXd::Zero(size).eval(); };
+    return {start, none(program.rows.rows()), none(start.size()), none(start.size())};
+  }
   Interior interior(sides, start);
   int iterations = 0;
   const InteriorEnd end = followed(interior, options, iterations);

@@ -37,15 +37,15 @@ struct InteriorOptions {
   int most_iterations = 200;
   /// The gap between the objective and its lower bound counts over the objective, or over this
   /// where the objective is nearer to zero.
-  double least_objective = 1e-9;
+  double least_objective = 1e-2;
   /// Asked after each iteration with its number, the objective and the largest residual of a row:
   /// whether to go on.
   std::function<bool(int, double, double)> goes_on = {};
 };
 
 /// Mehrotra's predictor and corrector (1992) on sparse normal equations. Rows and costs are to be
-/// scaled so that changes of order one count. Takes no equations: no row and no variable with equal
-/// bounds. There must be a bound.
+/// scaled so that changes of order one count. Rows whose bounds are equal are equations, which are
+/// to be few; no variable may have equal bounds. Stalls at once where there is no inequality.
 InteriorSolution solve_by_interior_point(const LinearProgram& program, const Eigen::VectorXd& start,
                                          const InteriorOptions& options = {});
 

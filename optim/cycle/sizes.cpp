@@ -65,16 +65,20 @@ class Changes {
       : scales_(free_scales(problem, typical_scales(problem, about))),
         about_(about.begin(), about.end()) {
     constexpr std::size_t kSampled = 300;
-    constexpr int kDesigns = 8;
-    if (scales_.size() > kSampled) return;
-    box_ = starts(neighbourhood(problem, about, scales_), kDesigns + 1, 1);
+    constexpr int kDesigns = 8, kFewDesigns = 2;  // of many variables, for curves alone
+    const bool few = scales_.size() > kSampled;
+    const Response& sought = problem.objective().response;
+    if (few && !sought.is_curve()) return;
+    const int designs = few ? kFewDesigns : kDesigns;
+    box_ = starts(neighbourhood(problem, about, scales_), designs + 1, 1);
     box_.erase(box_.begin());
+    samples_changes_ = !few;
   }
 
   /// About the design: the median of what is a number and not zero; zero where there is none.
   double typical(const Response& response) const {
     // What is linear, and changes nowhere else, changes alike at every design.
-    if (box_.empty()) return 0;
+    if (!samples_changes_) return 0;
     if (is_alike(response)) return or_zero(typical_change(response, about_, scales_));
     std::vector<double> changes;
     for (const auto& x : box_) {
@@ -84,15 +88,17 @@ class Changes {
     return median(std::move(changes));
   }
 
-  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
-  /// those about it (a curve may be brought to zero); zero where it is not a number.
-  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+  /// How large a curve is: its highest |value| at the design or, where that is more, a share of the
+  /// median of those about it (a curve may be brought to zero); zero where it is not a number.
+  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own,
+               double share = 1) const {
     std::vector<double> values;
     for (const auto& x : box_) {
       const double value = curve.curve().largest(x);
       if (std::isfinite(value)) values.push_back(value);
     }
-    return std::max(median(std::move(values)), or_zero(magnitude(curve, here, about_, own)));
+    return std::max(share * median(std::move(values)),
+                    or_zero(magnitude(curve, here, about_, own)));
   }
 
   double at_design(const Response& response) const {
@@ -112,6 +118,7 @@ class Changes {
 
   std::vector<double> scales_, about_;
   std::vector<std::vector<double>> box_;
+  bool samples_changes_ = false;
 };
 
 double larger_bound(const Constraint& c) {
@@ -163,11 +170,15 @@ double size_of(const Constraint& c, const Changes& changes, MaximaAt& maxima,
 
 /// What a change of the objective is a share of where its value is near zero: a typical change, of
 /// a curve no more than how large it is. Beside a pole, such as the acceleration of a phase that
-/// hardly lasts, a slope says nothing of that.
+/// hardly lasts, a slope says nothing of that. Designs about one by all n variables are rougher the
+/// more there are, by n^2 where the curve is a second derivative: 1 / n^2 of theirs counts.
 double objective_typical(const Objective& objective, double typical, const Changes& changes,
                          MaximaAt& maxima, const std::vector<double>& own) {
   if (!objective.response.is_curve()) return typical;
-  const double whole = changes.whole(objective.response, maxima, own);
+  constexpr double kLeast = 1e-3;  // less is nearer to zero than solvers come
+  const auto n = static_cast<double>(std::max<std::size_t>(own.size(), 1));
+  const double about = std::max(kLeast, 1 / (n * n));
+  const double whole = changes.whole(objective.response, maxima, own, about);
   return whole > 0 ? std::min(typical, whole) : typical;
 }
 

@@ -47,8 +47,8 @@ double largest_violation(const Problem& problem, const Sizes& sizes, Design x);
 /// response's own magnitude, where that is more); where the bounds are zero, 1e-6 of the response's
 /// own magnitude at the design: of a curve its highest |value|, of a number the
 /// sum of |df/dx_i| times the variables' own magnitudes. Of the objective as stated, else 1e-7 of
-/// the larger of |value| and a typical change, of a curve no more than how large it is there and
-/// about.
+/// the larger of |value| and a typical change, of a curve no more than how large it is there and,
+/// divided by the number of variables squared (to a thousandth), about.
 Sizes sizes(const Problem& problem, Design about);
 
 /// The same sizes, with tolerances and own magnitudes as they are at another design.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "optim/pareto/costs.h"
+#include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -133,7 +134,8 @@ Assessment assessed_on_front(const Problem& multi, Design x, std::size_t sought)
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (i != sought) problem.constraints.push_back(at_most(multi.objectives[i], own[i]));
   }
-  return assess(problem, sizes(problem, x), x, true);
+  const Sizes there = sizes(problem, x);
+  return assess(problem, there, x, true, told_at(problem, there, x));
 }
 
 FrontPoint judged_again(const Problem& multi, const FrontPoint& point) {

@@ -34,13 +34,48 @@ LinearEnd end_of(const Program& program, const Solver& solver, Status status) {
   return solved ? solver.linear_end() : LinearEnd::Near;
 }
 
-/// Whether a vertex was found that needs no polish, and no look at its conditions of optimality
-/// between rounds, which takes longer than a few rounds more: of few variables one peak that moves
-/// tells.
-bool is_good_vertex(const Problem& problem, LinearEnd end) {
-  constexpr std::size_t kSmall = 30;
-  const std::size_t n = problem.variables.size();
-  return end == LinearEnd::Vertex && n > kSmall && n <= kManyVariables;
+/// Whether an optimum of a linear program was found that needs no polish, and whose conditions of
+/// optimality are left to the verdict: to look at them takes longer than a few rounds more. Of few
+/// variables one peak that moves tells.
+bool is_sharp(const Problem& problem, LinearEnd end) {
+  return end != LinearEnd::Near && problem.variables.size() > kManyVariables;
+}
+
+/// What holds the solution of a program, in the problem's words.
+std::vector<Push> told_by(const Problem& problem, const Program& program,
+                          const Solution& solution) {
+  constexpr double kNothing = 1e-14;  // of a multiplier: an interior-point method's idle rows
+  std::vector<Push> told;
+  const double unit = program.objective_size();
+  for (std::size_t r = 0; r < solution.rows.size(); ++r) {
+    const double multiplier = solution.rows[r];
+    if (!(std::abs(multiplier) > kNothing)) continue;
+    const Row& row = program.row_list()[r];
+    const bool equation = row.lower == row.upper;
+    told.push_back({.constraint = row.constraint,
+                    .variable = {},
+                    .function = row.function,
+                    .sign = multiplier > 0 || equation ? 1.0 : -1.0,
+                    .size = row.size,
+                    .at_rest = row.at_rest,
+                    .price = (equation ? multiplier : std::abs(multiplier)) * unit / row.size});
+  }
+  for (std::size_t k = 0; k < solution.lower.size(); ++k) {
+    const std::size_t variable = program.column(k);
+    if (variable >= problem.variables.size()) continue;
+    const double scale = program.columns()[variable].scale;
+    const auto add = [&](double sign, double multiplier) {
+      if (!(multiplier > kNothing)) return;
+      told.push_back({.constraint = {},
+                      .variable = variable,
+                      .function = {},
+                      .sign = sign,
+                      .size = scale,
+                      .price = multiplier * unit / scale});
+    };
+    add(1, solution.upper[k]), add(-1, solution.lower[k]);
+  }
+  return told;
 }
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
@@ -111,8 +146,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
-  constexpr double kFinestAtVertex = 1e-2;  // the simplex method's own rounding lies below
-  double share = 0.1;                       // of a tolerance: what the exchange goes after
+  double share = 0.1;  // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
@@ -123,17 +157,17 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const auto groups = working.row_groups();
     const Solution solution = solver.solve(program, left, warm ? &*warm : nullptr);
     const double auxiliary = take(problem, program, solution, attempt);
-    const bool usable = went_well(attempt.status) || attempt.status == Status::Stalled ||
+    const bool usable = went_well(attempt.status) ||
+                        (attempt.status == Status::Stalled && !program.is_linear()) ||
                         attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    const LinearEnd end = end_of(program, solver, attempt.status);
-    // Of many variables the conditions of optimality are left to the verdict: to look at them takes
-    // about as long as to solve the program.
-    const bool many = problem.variables.size() > kManyVariables;
-    if (settled && many && end != LinearEnd::Near) return;
-    const bool good = is_good_vertex(problem, end);
-    if (!good && (settled || attempt.rounds > 1)) {
+    const bool sharp = is_sharp(problem, end_of(program, solver, attempt.status));
+    attempt.told.clear();
+    if (program.is_linear() && went_well(attempt.status))
+      attempt.told = told_by(problem, program, solution);
+    if (settled && sharp) return;
+    if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
       if (better && is_no_worse(problem, sizes, *better, attempt.x, aim, settled)) {
@@ -144,13 +178,12 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     // Peaks that pass their limits by less than counts may keep the conditions of optimality from
     // holding: then the exchange goes after them too.
-    const double finest = good ? kFinestAtVertex : kFinest;
-    while (settled && share > finest) {
+    while (settled && share > kFinest) {
       share *= 0.1;
       settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     }
     if (settled) return;
-    const bool refined = share < 0.1 && aim == Aim::Optimum && !good;
+    const bool refined = share < 0.1 && aim == Aim::Optimum;
     if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;

@@ -7,6 +7,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/problem/problem.h"
 #include "optim/solvers/solver.h"
+#include "optim/verdict/kkt.h"
 
 /// One local search: a problem whose limits hold over the whole cycle, solved as a sequence of
 /// programs with limits at a few angles each (the exchange method; docs/optimisation.md, "Exchange
@@ -26,6 +27,8 @@ struct Attempt {
   int iterations = 0;
   long evaluations = 0;  ///< of the objective
   std::size_t rows = 0;  ///< of the last program
+  /// What held the design in the last program, where that was linear.
+  std::vector<Push> told;
   std::exception_ptr error = {};
 };
 

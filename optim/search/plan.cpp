@@ -20,11 +20,6 @@ bool is_linear(const Problem& problem) {
   return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
 }
 
-bool has_equations(const Problem& problem) {
-  return std::any_of(problem.constraints.begin(), problem.constraints.end(),
-                     [](const Constraint& c) { return c.is_equation(); });
-}
-
 std::string variables_text(std::size_t n) {
   return fmt::format("{} variable{}", n, n == 1 ? "" : "s");
 }
@@ -43,7 +38,7 @@ Plan plan(const Problem& problem, const std::string& wanted) {
     return {{&chosen}, "as asked for"};
   }
   const bool small = n <= kSmall && m <= kSmall;
-  if (is_linear(problem) && n > kManyVariables && !has_equations(problem)) {
+  if (is_linear(problem) && n > kManyVariables) {
     return {{&interior_solver(), &clp_solver(), &ipopt},
             fmt::format("interior: linear, of {}; clp and ipopt where that is not enough",
                         variables_text(n))};

@@ -9,9 +9,10 @@
 
 namespace camlaw::optim {
 
-/// A linear problem of more variables goes to the interior-point method first. Between 150 and 250
-/// the multipliers of its answers were seen to be found only after long.
-inline constexpr std::size_t kManyVariables = 280;
+/// A linear problem of more variables goes to the interior-point method first: where limits leave
+/// room, its answers stay amid it, and vertices pass them in many places that the exchange has to
+/// add one by one.
+inline constexpr std::size_t kManyVariables = 30;
 
 /// The methods to try in turn, and why.
 struct Plan {

@@ -65,7 +65,7 @@ std::optional<std::vector<double>> polished(const Problem& problem, const Sizes&
   std::vector<double> best, x(start.begin(), start.end());
   double residual = kInfinity;
   for (int step = 0; step < kSteps; ++step) {
-    const Weighed weighed = weigh(problem, sizes, x, optimality, layout, {width});
+    const Weighed weighed = weigh(problem, sizes, x, optimality, layout, Net{width});
     const bool met = free || worst_violation(limit_reports(problem, sizes, x, false)) <= kMet;
     if (met && weighed.residual < residual) best = x, residual = weighed.residual;
     if (residual <= kDone) break;

@@ -30,6 +30,7 @@ std::string words_of(const std::exception_ptr& error, const std::string& who = "
 struct Trail {
   Found found;                    ///< the best design, and the work of all attempts
   std::string message = {};       ///< of the solve that led to the best design
+  std::vector<Push> told = {};    ///< by that solve
   Sizes sizes = {};               ///< those in which problems are scaled and designs judged
   std::vector<double> last = {};  ///< where the last attempt ended
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw

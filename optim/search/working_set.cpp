@@ -103,8 +103,15 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
   const Objective& objective = problem.objective();
   if (aim == Aim::Optimum && objective.response.is_curve()) {
     const auto add = [&](double sign) {
-      sides_.push_back(
-          {&objective.response, sign, 0, true, sizes.objective, sizes.objective_tolerance, {}, {}});
+      sides_.push_back({&objective.response,
+                        sign,
+                        0,
+                        true,
+                        sizes.objective,
+                        sizes.objective_tolerance,
+                        {},
+                        {},
+                        {}});
     };
     if (objective.part != Part::Lowest) add(1);
     if (objective.part != Part::Highest) add(-1);
@@ -115,7 +122,7 @@ WorkingSet::WorkingSet(const Problem& problem, const Sizes& sizes, Aim aim)
     if (!c.response.is_curve()) continue;
     const ConstraintSize& size = sizes.constraints[i];
     const auto add = [&](double sign, double bound) {
-      add_side({&c.response, sign, bound, false, size.size, size.tolerance, {}, {}}, known);
+      add_side({&c.response, sign, bound, false, size.size, size.tolerance, i, {}, {}}, known);
     };
     if (c.upper) add(1, *c.upper);
     if (c.lower) add(-1, *c.lower);
@@ -159,7 +166,8 @@ void WorkingSet::begin_side(CurveSide& side, Design x) {
   const RestWeights weights = weights_of(side, x);
   for (const Rest& rest : weights.rests()) {
     const double size = typical_change(rest.leading, x, sizes_.variables);
-    if (size > 0 && std::isfinite(size)) rests_.push_back({rest.leading, side.sign, size});
+    if (size > 0 && std::isfinite(size))
+      rests_.push_back({rest.leading, side.sign, size, *side.constraint});
   }
   const auto is_moved = [&](Place place) {
     if (side.of_peak || aim_ == Aim::LeastViolation) return true;
@@ -204,12 +212,13 @@ std::size_t WorkingSet::add_violated(Design x, double auxiliary, double share) {
   return added;
 }
 
-Row WorkingSet::number_row(const Constraint& constraint, const ConstraintSize& size) const {
-  return {constraint.response.function(),
-          constraint.lower.value_or(-kInfinity),
-          constraint.upper.value_or(kInfinity),
-          size.size,
-          {}};
+Row WorkingSet::number_row(std::size_t constraint) const {
+  const Constraint& c = problem_.constraints[constraint];
+  return {.function = c.response.function(),
+          .lower = c.lower.value_or(-kInfinity),
+          .upper = c.upper.value_or(kInfinity),
+          .size = sizes_.constraints[constraint].size,
+          .constraint = constraint};
 }
 
 void WorkingSet::add_rows(std::vector<Row>& rows) const {
@@ -217,28 +226,33 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
   for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
     const Constraint& c = problem_.constraints[i];
     if (c.response.is_curve()) continue;
-    const Row row = number_row(c, sizes_.constraints[i]);
+    const Row row = number_row(i);
     if (aim_ == Aim::Optimum) {
       rows.push_back(row);
       continue;
     }
     // Either side may be passed by the same share of the size.
-    if (c.upper)
-      rows.push_back({row.function, -kInfinity, row.upper, row.size, {{auxiliary, -row.size}}});
-    if (c.lower)
-      rows.push_back({row.function, row.lower, kInfinity, row.size, {{auxiliary, row.size}}});
+    const auto add = [&](double sign) {
+      rows.push_back(row);
+      (sign > 0 ? rows.back().lower : rows.back().upper) = -sign * kInfinity;
+      rows.back().auxiliary = {{auxiliary, -sign * row.size}};
+    };
+    if (c.upper) add(1);
+    if (c.lower) add(-1);
   }
   for (const RestRow& rest : rests_) {
-    rows.push_back({rest.leading,
-                    rest.sign > 0 ? -kInfinity : 0,
-                    rest.sign > 0 ? 0 : kInfinity,
-                    rest.size,
-                    {}});
+    rows.push_back({.function = rest.leading,
+                    .lower = rest.sign > 0 ? -kInfinity : 0,
+                    .upper = rest.sign > 0 ? 0 : kInfinity,
+                    .size = rest.size,
+                    .constraint = rest.constraint,
+                    .at_rest = true});
   }
   for (const CurveSide& side : sides_) {
     for (std::size_t k = 0; k < side.places.size(); ++k) {
-      const double size = side.size * side.weights[k];
-      Row row{side.response->curve().at(side.places[k]), -kInfinity, kInfinity, size, {}};
+      Row row{.function = side.response->curve().at(side.places[k]),
+              .size = side.size * side.weights[k],
+              .constraint = side.constraint};
       const bool magnitude = side.of_peak && problem_.objective().part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};

@@ -24,6 +24,7 @@ struct CurveSide {
   bool of_peak;
   double size;  ///< of the response
   double tolerance;
+  std::optional<std::size_t> constraint;  ///< none for a peak
   std::vector<Place> places;
   std::vector<double> weights;  ///< of the places: what their rows' size is multiplied by
 };
@@ -36,6 +37,7 @@ struct RestRow {
   Function leading;
   double sign;
   double size;
+  std::size_t constraint;
 };
 
 /// The program's rows and the places that they stand for.
@@ -63,7 +65,7 @@ class WorkingSet {
   RestWeights weights_of(const CurveSide& side, Design x) const;
   double auxiliary_start(Design x) const;
   void add_rows(std::vector<Row>& rows) const;
-  Row number_row(const Constraint& constraint, const ConstraintSize& size) const;
+  Row number_row(std::size_t constraint) const;
 
   const Problem& problem_;
   const Sizes& sizes_;

@@ -23,7 +23,6 @@ class InteriorSolver final : public Solver {
     if (!program.is_linear()) {
       return "interior takes linear problems alone, and this one is not known to be linear";
     }
-    if (program.has_equations()) return "interior takes no equations";
     return {};
   }
 
@@ -43,10 +42,6 @@ class InteriorSolver final : public Solver {
       solution.message = "not a number at the start";
       return solution;
     }
-    if (program.rows() == 0 && !has_bounds(linear)) {
-      solution.message = "nothing is bounded";
-      return solution;
-    }
     RunEnd cut_short{Status::Stopped, "stopped"};
     const InteriorSolution found = solve_by_interior_point(
         linear, Eigen::Map<const Eigen::VectorXd>(start.data(), linear.cost.size()),
@@ -63,12 +58,8 @@ class InteriorSolver final : public Solver {
     return solution;
   }
 
-  static bool has_bounds(const LinearProgram& linear) {
-    return linear.lower.maxCoeff() > -kInfinity || linear.upper.minCoeff() < kInfinity;
-  }
-
-  /// Tells of each iteration, and ends the run when the user or the clock says so; why, it leaves in
-  /// `cut_short`.
+  /// Tells of each iteration, and ends the run when the user or the clock says so; why, it leaves
+  /// in `cut_short`.
   static std::function<bool(int, double, double)> watch(const Program& program,
                                                         const SolverOptions& options,
                                                         RunEnd& cut_short) {

@@ -6,7 +6,7 @@
 namespace camlaw::optim {
 
 /// An interior-point method of camlaw's own, for linear programs of many variables with local rows
-/// and without equations.
+/// and few equations.
 const Solver& interior_solver();
 
 }  // namespace camlaw::optim

@@ -20,6 +20,8 @@ struct Row {
   double size = 1;  ///< in the response's unit: what counts as a change of order one
   /// A variable that enters linearly beside the function (a peak's bound, a violation).
   std::optional<std::pair<std::size_t, double>> auxiliary = {};
+  std::optional<std::size_t> constraint = {};  ///< of the problem; none: the objective's peak
+  bool at_rest = false;                        ///< a leading coefficient (cycle/rest_weights.h)
 };
 
 /// A variable of the program. Fixed variables (lower == upper) are not seen by the solvers.
@@ -79,6 +81,9 @@ class Program {
   double unscaled_objective(double value) const { return sign_ * objective_size_ * value; }
   const std::vector<Row>& row_list() const { return rows_; }
   const std::vector<Column>& columns() const { return columns_; }
+  /// The column of an entry of y.
+  std::size_t column(std::size_t variable) const { return free_[variable]; }
+  double objective_size() const { return objective_size_; }
 
  private:
   void lay_out();

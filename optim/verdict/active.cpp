@@ -18,14 +18,51 @@ class Collector {
 
   std::vector<ActiveLimit> collect() {
     const bool least_violation = optimality_ == Optimality::LeastViolation;
-    if (least_violation) violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
+    take_violation();
     if (!least_violation && problem_.objective().response.is_curve()) add_objective();
     for (std::size_t i = 0; i < problem_.constraints.size(); ++i) add_constraint(i);
     for (std::size_t i = 0; i < problem_.variables.size(); ++i) add_bounds(i);
     return std::move(limits_);
   }
 
+  std::vector<ActiveLimit> collect(const std::vector<Push>& told) {
+    take_violation();
+    for (const Push& push : told) add(push);
+    return std::move(limits_);
+  }
+
  private:
+  void take_violation() {
+    if (optimality_ == Optimality::LeastViolation)
+      violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
+  }
+
+  void add(const Push& push) {
+    if (push.variable) {
+      add_bound(*push.variable, push.sign);
+      limits_.back().is_told = true;
+      return;
+    }
+    const bool eased = optimality_ == Optimality::LeastViolation;
+    double bound = 0;
+    if (!push.constraint) {
+      bound = objective_value(problem_.objective(), x_);
+      if (problem_.objective().part == Part::Magnitude) bound *= push.sign;
+    } else if (!push.at_rest) {
+      const Constraint& c = problem_.constraints[*push.constraint];
+      bound = push.sign > 0 ? *c.upper : *c.lower;
+      if (eased) bound += push.sign * violation_ * push.size;
+    }
+    ActiveLimit limit = gradient_of(*push.function, {push.sign, bound, push.size, kInfinity});
+    limit.constraint = push.constraint;
+    limit.at_rest = push.at_rest;
+    limit.is_told = true;
+    limit.is_equation =
+        !eased && push.constraint && problem_.constraints[*push.constraint].is_equation();
+    if (!push.constraint || eased) limit.auxiliary = -1;
+    limits_.push_back(std::move(limit));
+  }
+
   struct Level {
     double sign, bound, size, reach;  ///< reach: the largest margin that counts as active
   };
@@ -234,19 +271,24 @@ class Collector {
   void add_bounds(std::size_t i) {
     const Variable& v = problem_.variables[i];
     if (v.lower == v.upper) return;
-    const auto add = [&](double sign, double bound) {
-      const double margin = sign * (bound - x_[i]) / sizes_.variables[i];
-      if (!(margin <= std::max(net_.width, 1e-7))) return;
-      ActiveLimit limit;
-      limit.gradient = {{i, sign}};
-      limit.margin = margin;
-      limit.size = sizes_.variables[i];
-      limit.sign = sign;
-      limit.variable = i;
-      limits_.push_back(std::move(limit));
-    };
-    add(1, v.upper);
-    add(-1, v.lower);
+    for (const double sign : {1.0, -1.0}) {
+      if (bound_margin(i, sign) <= std::max(net_.width, 1e-7)) add_bound(i, sign);
+    }
+  }
+
+  double bound_margin(std::size_t i, double sign) const {
+    const Variable& v = problem_.variables[i];
+    return sign * ((sign > 0 ? v.upper : v.lower) - x_[i]) / sizes_.variables[i];
+  }
+
+  void add_bound(std::size_t i, double sign) {
+    ActiveLimit limit;
+    limit.gradient = {{i, sign}};
+    limit.margin = bound_margin(i, sign);
+    limit.size = sizes_.variables[i];
+    limit.sign = sign;
+    limit.variable = i;
+    limits_.push_back(std::move(limit));
   }
 
   /// What a leading coefficient may lie beyond zero, over its size.
@@ -267,6 +309,11 @@ class Collector {
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
                                        Optimality optimality, Net net) {
   return Collector(problem, sizes, x, optimality, net).collect();
+}
+
+std::vector<ActiveLimit> told_limits(const Problem& problem, const Sizes& sizes, Design x,
+                                     Optimality optimality, const std::vector<Push>& told) {
+  return Collector(problem, sizes, x, optimality, Net{0}).collect(told);
 }
 
 }  // namespace camlaw::optim

@@ -30,6 +30,7 @@ struct ActiveLimit {
   /// The leading coefficient of a limit that vanishes at a rest (Rest::leading): its size is not
   /// one of the response.
   bool at_rest = false;
+  bool is_told = false;  ///< by a method (Push): the design need not stand at it
 };
 
 /// How wide the net is cast for limits that hold a design.
@@ -44,5 +45,9 @@ struct Net {
 /// (docs/optimisation.md, "Limits that vanish"). What no variable moves is not a limit.
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
                                        Optimality optimality, Net net);
+
+/// The limits that were told, whatever their margin.
+std::vector<ActiveLimit> told_limits(const Problem& problem, const Sizes& sizes, Design x,
+                                     Optimality optimality, const std::vector<Push>& told);
 
 }  // namespace camlaw::optim

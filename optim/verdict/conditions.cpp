@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/linear/column_factors.h"
 #include "numerics/linear/least_squares.h"
 
 namespace camlaw::optim {
@@ -51,6 +52,81 @@ std::vector<double> reaches(const Problem& problem, const Sizes& sizes, const La
     const bool through_box = optimality == Optimality::LeastViolation && std::isfinite(range);
     result[static_cast<std::size_t>(layout.row[i])] =
         (through_box ? range : sizes.own[i]) / sizes.variables[i];
+  }
+  return result;
+}
+
+/// How far the conditions are from holding with the multipliers; `left` is what these leave of the
+/// objective's gradient.
+double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+                   const Layout& layout, const Weighed& weighed, const Eigen::VectorXd& left) {
+  double open = 0;
+  for (std::size_t j = 0; j < weighed.limits.size(); ++j)
+    open += std::abs(weighed.multipliers[j] * weighed.limits[j].margin);
+  const auto reach = reaches(problem, sizes, layout, optimality);
+  double largest = 0, sum = 0;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const double entry = std::abs(left[static_cast<Eigen::Index>(i)]) * reach[i];
+    largest = std::max(largest, entry);
+    sum += entry;
+  }
+  // By the sum a least violation is bounded from below (docs/optimisation.md, (N3)).
+  const bool least = optimality == Optimality::LeastViolation;
+  const double residual = least ? (sum + open) / largest_violation(problem, sizes, x)
+                                : std::max(largest, open) / objective_measure(problem, sizes, x);
+  // A slope that is not a number shows nothing; std::max passes over it, the sums do not.
+  return std::isfinite(sum + open) && residual >= 0 ? residual : kInfinity;
+}
+
+/// The objective's gradient above the rows of limits with a margin.
+Eigen::VectorXd target_of(const Problem& problem, const Sizes& sizes, Design x,
+                          const Layout& layout, Eigen::Index rows) {
+  Eigen::VectorXd target = Eigen::VectorXd::Zero(rows);
+  target.head(layout.rows) = objective_gradient(problem, sizes, x, layout);
+  return target;
+}
+
+/// Multipliers that a method has told, by columns of length one.
+struct Told {
+  std::vector<ActiveLimit> limits;
+  std::vector<double> lengths;
+  Eigen::SparseMatrix<double> A;
+  Eigen::VectorXd multipliers;
+
+  /// All but the idle rows of an interior-point method.
+  std::vector<int> pushing() const {
+    const double least = kIdle * multipliers.cwiseAbs().maxCoeff();
+    std::vector<int> columns;
+    for (int j = 0; j < multipliers.size(); ++j) {
+      if (std::abs(multipliers[j]) > least) columns.push_back(j);
+    }
+    return columns;
+  }
+};
+
+Told told_by(std::vector<ActiveLimit> limits, const std::vector<Push>& pushes, double unit,
+             const Layout& layout) {
+  Told told;
+  told.A = limit_gradients(limits, layout, told.lengths);
+  told.multipliers.resize(told.A.cols());
+  for (std::size_t j = 0; j < limits.size(); ++j) {
+    const double multiplier = pushes[j].price * limits[j].size / unit * told.lengths[j];
+    told.multipliers[static_cast<Eigen::Index>(j)] =
+        limits[j].is_equation ? multiplier : std::max(multiplier, 0.0);
+  }
+  told.limits = std::move(limits);
+  return told;
+}
+
+/// Fitted once more, for what a method's rounding left, as far as signs allow.
+Eigen::VectorXd refined(const Told& told, const std::vector<int>& pushing,
+                        const ColumnFactors& factors, const Eigen::VectorXd& target) {
+  Eigen::VectorXd result = told.multipliers;
+  const Eigen::VectorXd change = factors.solve(-(told.A * result + target));
+  for (std::size_t k = 0; k < pushing.size(); ++k) {
+    const int j = pushing[k];
+    result[j] += change[static_cast<Eigen::Index>(k)];
+    if (!told.limits[static_cast<std::size_t>(j)].is_equation) result[j] = std::max(result[j], 0.0);
   }
   return result;
 }
@@ -105,31 +181,38 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
     result.residual = 0;
     return result;
   }
-  Eigen::VectorXd target = Eigen::VectorXd::Zero(A.rows());
-  target.head(layout.rows) = objective_gradient(problem, sizes, x, layout);
-  const auto solved = bounded_least_squares(A, target, free);
+  const auto solved =
+      bounded_least_squares(A, target_of(problem, sizes, x, layout, A.rows()), free);
   result.multipliers = solved.multipliers;
   result.condition = solved.condition;
-  double open = 0;
-  for (std::size_t j = 0; j < lengths.size(); ++j) {
-    result.multipliers[j] /= lengths[j];
-    open += std::abs(result.multipliers[j] * result.limits[j].margin);
-  }
-  const auto reach = reaches(problem, sizes, layout, optimality);
-  double largest = 0, sum = 0;
-  for (std::size_t i = 0; i < reach.size(); ++i) {
-    const double left = std::abs(solved.left[static_cast<Eigen::Index>(i)]) * reach[i];
-    largest = std::max(largest, left);
-    sum += left;
-  }
-  // By the sum a least violation is bounded from below (docs/optimisation.md, (N3)).
-  const bool least = optimality == Optimality::LeastViolation;
-  result.residual = least ? (sum + open) / largest_violation(problem, sizes, x)
-                          : std::max(largest, open) / objective_measure(problem, sizes, x);
-  // A slope that is not a number shows nothing; std::max passes over it, the sums do not.
-  if (!std::isfinite(sum + open)) result.residual = kInfinity;
-  if (!(result.residual >= 0)) result.residual = kInfinity;
+  for (std::size_t j = 0; j < lengths.size(); ++j) result.multipliers[j] /= lengths[j];
+  result.residual = residual_of(problem, sizes, x, optimality, layout, result, solved.left);
   return result;
+}
+
+Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+              const Layout& layout, const std::vector<Push>& pushes) {
+  const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
+  const Told told =
+      told_by(told_limits(problem, sizes, x, optimality, pushes), pushes, unit, layout);
+  const Eigen::VectorXd target = target_of(problem, sizes, x, layout, told.A.rows());
+  const auto with = [&](const Eigen::VectorXd& multipliers) {
+    Weighed weighed{told.limits};
+    for (std::size_t j = 0; j < told.lengths.size(); ++j) {
+      weighed.multipliers.push_back(multipliers[static_cast<Eigen::Index>(j)] / told.lengths[j]);
+    }
+    const Eigen::VectorXd left = told.A * multipliers + target;
+    weighed.residual = residual_of(problem, sizes, x, optimality, layout, weighed, left);
+    return weighed;
+  };
+  Weighed best = with(told.multipliers);
+  const std::vector<int> pushing = told.pushing();
+  if (pushing.empty()) return best;
+  const auto factors = cheaper_factors(told.A)(pushing);
+  Weighed sharper = with(refined(told, pushing, *factors, target));
+  if (sharper.residual < best.residual) best = std::move(sharper);
+  best.condition = factors->condition();
+  return best;
 }
 
 }  // namespace camlaw::optim

@@ -37,5 +37,12 @@ struct Weighed {
 /// Of the limits in the net.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, Net net);
+/// With the multipliers that were told, of which there are some.
+Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+              const Layout& layout, const std::vector<Push>& pushes);
+
+/// A multiplier that was told and is no more than this share of the largest says nothing of its
+/// limit: an interior-point method leaves some to all.
+inline constexpr double kIdle = 1e-9;
 
 }  // namespace camlaw::optim

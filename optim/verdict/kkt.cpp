@@ -30,8 +30,12 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
   result.active_lower.assign(variables, false);
   result.active_upper.assign(variables, false);
   const double sense = problem.objective().sense == Sense::Minimize ? 1 : -1;
+  double largest = 0;
+  for (const double multiplier : weighed.multipliers)
+    largest = std::max(largest, std::abs(multiplier));
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
+    if (limit.is_told && std::abs(weighed.multipliers[j]) <= kIdle * largest) continue;
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
     if (limit.constraint && weighed.multipliers[j] > std::max(kPushes, most[*limit.constraint])) {
       most[*limit.constraint] = weighed.multipliers[j];
@@ -105,14 +109,78 @@ bool has_flat_push(const Problem& problem, const Weighed& weighed, double violat
   return false;
 }
 
-/// Whether a lower bound leaves nothing better: then multipliers need not be sharper.
-bool is_tight(const Problem& problem, const Sizes& sizes, Design x, const Layout& layout,
-              const Weighed& weighed, Optimality optimality) {
-  constexpr double kSharp = 0.5;  // of what a design may leave to gain and be called global
-  if (optimality != Optimality::Objective) return false;
-  const auto gain = largest_gain(problem, sizes, x, layout, weighed);
-  return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem, sizes, x);
-}
+/// Tells how well the conditions hold at a design with multipliers that were found in one or
+/// another way.
+class Weighing {
+ public:
+  Weighing(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+           const Layout& layout)
+      : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), layout_(layout) {}
+
+  /// The multipliers with which the conditions hold best. Those that were told come first where the
+  /// search for others is long, else last.
+  Weighed best(const std::vector<Push>& told) const {
+    constexpr int kMany = 60;  // rows
+    if (told.empty() || layout_.rows == 0) return best_of_nets();
+    const bool many = layout_.rows > kMany;
+    Weighed own;
+    if (!many) own = best_of_nets();
+    if (!many && holds(own)) return own;
+    Weighed as_told = with_idle(weigh(problem_, sizes_, x_, optimality_, layout_, told));
+    if (many && !holds(as_told)) own = best_of_nets();
+    return as_told.residual <= own.residual ? as_told : own;
+  }
+
+ private:
+  static constexpr double kGood = 1e-10;  // nothing is gained by less
+
+  /// A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
+  /// slack times multiplier counts against them.
+  Weighed best_of_nets() const {
+    constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, 8}, {1e-4, 64}};
+    // What is farther from optimal than this no closer look brings nearer.
+    constexpr double kWorthwhile = 1e-4;
+    Weighed best;
+    for (const Net& net : kNets) {
+      Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, net);
+      if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
+      if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
+      if (best.residual <= kKktTolerance && is_tight(best)) break;
+    }
+    return best;
+  }
+
+  bool holds(const Weighed& weighed) const {
+    if (optimality_ == Optimality::LeastViolation) return weighed.residual <= kLeastViolation;
+    return weighed.residual <= kGood || is_tight(weighed);
+  }
+
+  /// Whether a lower bound leaves nothing better: then multipliers need not be sharper.
+  bool is_tight(const Weighed& weighed) const {
+    constexpr double kSharp = 0.5;  // of what a design may leave to gain and be called global
+    if (optimality_ != Optimality::Objective) return false;
+    const auto gain = largest_gain(problem_, sizes_, x_, layout_, weighed);
+    return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem_, sizes_, x_);
+  }
+
+  /// The limits that the design stands at come beside those that were told, with no multiplier.
+  Weighed with_idle(Weighed weighed) const {
+    for (ActiveLimit& limit : active_limits(problem_, sizes_, x_, optimality_, {0})) {
+      weighed.limits.push_back(std::move(limit));
+      weighed.multipliers.push_back(0);
+    }
+    return weighed;
+  }
+
+  /// Of the violation: what shows that it is least, of convex limits and of others.
+  static constexpr double kLeastViolation = 1e-3;
+
+  const Problem& problem_;
+  const Sizes& sizes_;
+  Design x_;
+  Optimality optimality_;
+  const Layout& layout_;
+};
 
 }  // namespace
 
@@ -121,22 +189,10 @@ bool is_global_valley(const Problem& problem, double objective_slope) {
   return why_convex(problem) && (!needs_slope(problem) || objective_slope > kSlopes);
 }
 
-Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality) {
-  // A solver leaves active limits a little slack. Wider nets are cast until the conditions hold;
-  // slack times multiplier counts against them.
-  constexpr double kGood = 1e-10;
-  constexpr Net kNets[] = {{0}, {1e-4}, {1e-4, 8}, {1e-4, 64}};
-  // What is farther from optimal than this no closer look brings nearer.
-  constexpr double kWorthwhile = 1e-4;
+Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
+        const std::vector<Push>& told) {
   const Layout layout = lay_out(problem, optimality);
-  Weighed best;
-  for (const Net& net : kNets) {
-    Weighed weighed = weigh(problem, sizes, x, optimality, layout, net);
-    if (weighed.residual < best.residual || net.width == 0) best = std::move(weighed);
-    if (best.residual <= kGood || (net.places > 1 && best.residual > kWorthwhile)) break;
-    if (best.residual <= kKktTolerance && is_tight(problem, sizes, x, layout, best, optimality))
-      break;
-  }
+  const Weighed best = Weighing(problem, sizes, x, optimality, layout).best(told);
   const bool least_violation = optimality == Optimality::LeastViolation;
   Kkt result = in_units(problem, best, least_violation ? 1 : sizes.objective);
   if (least_violation) {
@@ -149,6 +205,11 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
       worth_of_tolerances(sizes, best) / objective_measure(problem, sizes, x);
   if (const auto gain = largest_gain(problem, sizes, x, layout, best)) {
     result.largest_gain = *gain * sizes.objective;
+    const Objective& objective = problem.objective();
+    const bool least_magnitude =
+        objective.part == Part::Magnitude && objective.sense == Sense::Minimize;
+    if (least_magnitude)  // which is not below zero
+      result.largest_gain = std::min(*result.largest_gain, objective_value(objective, x));
   }
   result.second_order = is_global_valley(problem, result.objective_slope);
   if (!result.second_order) {

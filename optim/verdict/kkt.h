@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optim/cycle/sizes.h"
+#include "optim/problem/function.h"
 
 /// Conditions of optimality (Karush, Kuhn, Tucker) at a design, from the problem alone
 /// (docs/optimisation.md, "Conditions of optimality").
@@ -14,6 +15,18 @@ namespace camlaw::optim {
 /// What the conditions are checked for: the objective's optimum, or the least of the largest
 /// violation (counted in the constraints' sizes).
 enum class Optimality { Objective, LeastViolation };
+
+/// A limit that holds a design, with its multiplier, as a method for linear programs tells it: a
+/// hint where to look, of which the conditions of optimality believe nothing.
+struct Push {
+  std::optional<std::size_t> constraint, variable;  ///< neither: the objective's peak
+  std::optional<Function> function;                 ///< none for a variable's bound
+  double sign = 1;                                  ///< 1 the upper bound, -1 the lower one
+  double size = 1;                                  ///< in the response's unit
+  bool at_rest = false;
+  /// Objective gained per unit of the bound, not negative; of an equation either.
+  double price = 0;
+};
 
 struct Kkt {
   /// Largest entry of the Lagrangian's gradient, by the variables' own magnitudes, and what
@@ -45,8 +58,9 @@ struct Kkt {
 /// objective must slope there.
 bool is_global_valley(const Problem& problem, double objective_slope);
 
-/// At a design that meets every limit (for LeastViolation: any design).
+/// At a design that meets every limit (for LeastViolation: any design). Where the conditions hold
+/// with the multipliers that were told, there is no search for others.
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x,
-        Optimality optimality = Optimality::Objective);
+        Optimality optimality = Optimality::Objective, const std::vector<Push>& told = {});
 
 }  // namespace camlaw::optim

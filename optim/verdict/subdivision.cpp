@@ -100,9 +100,9 @@ class Division {
   void take_rows() {
     const Objective& objective = problem_.objective();
     const Layout layout = lay_out(problem_, Optimality::Objective);
-    const Weighed weighed = layout.rows > 0
-                                ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, {1e-4})
-                                : Weighed{};
+    const Weighed weighed =
+        layout.rows > 0 ? weigh(problem_, sizes_, x_, Optimality::Objective, layout, Net{1e-4})
+                        : Weighed{};
     if (objective.part == Part::Value) {
       rows_.push_back({objective.response.function(), sense_, 0, true, 1});
     }

@@ -263,11 +263,12 @@ Assessment assess_in_haste(const Problem& problem, Design x) {
   return assess_in_haste(problem, sizes, x);
 }
 
-Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove) {
+Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove,
+                  const std::vector<Push>& told) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result = where_it_stands(problem, sizes, x, prove);
   if (result.verdict == Verdict::Failed) return result;
-  const Kkt conditions = kkt(problem, sizes, x);
+  const Kkt conditions = kkt(problem, sizes, x, Optimality::Objective, told);
   take_conditions(problem, sizes, conditions, result);
   show_pushing_sides(problem, conditions, x, result);
   take_bound(problem, sizes, conditions, x, result);
@@ -309,7 +310,8 @@ bool has_convex_pushes(const Problem& problem, const Kkt& conditions) {
 
 }  // namespace
 
-Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x) {
+Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x,
+                                  const std::vector<Push>& told) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result;
   result.variables = variable_reports(problem, x);
@@ -319,7 +321,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
     result.reason = undefined_at(problem, x, "the design of least violation");
     return result;
   }
-  const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation);
+  const Kkt conditions = kkt(problem, sizes, x, Optimality::LeastViolation, told);
   take_conditions(problem, sizes, conditions, result);
   constexpr double kBlamed = 1e-4;
   result.blamed = active_names(problem, sizes, conditions, kBlamed);
@@ -361,7 +363,7 @@ bool is_feasible(const Assessment& a) {
 }
 
 bool is_settled(const Assessment& a) {
-  return is_feasible(a) && a.kkt_residual <= kKktTolerance && a.second_order;
+  return is_feasible(a) && (is_bounded(a) || (a.kkt_residual <= kKktTolerance && a.second_order));
 }
 
 bool better(const Problem& problem, const Assessment& a, const Assessment& b) {

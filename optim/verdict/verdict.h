@@ -16,7 +16,9 @@ inline constexpr double kKktTolerance = 1e-7;
 /// (judged_at). `prove` asks for interval proofs over the cycle, for an answer; without, a design
 /// that passes is Feasible at best. A design that passes a limit
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
-Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove);
+/// `told`: as of kkt().
+Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove,
+                  const std::vector<Push>& told = {});
 
 /// The same without proofs and without the conditions of optimality, for a design on which no more
 /// time is to be spent: Feasible where every limit is met as far as was looked.
@@ -31,7 +33,8 @@ void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivis
 
 /// Judges a design as the one whose largest violation is least: Infeasible, with the limits to
 /// blame, where the conditions for that hold.
-Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x);
+Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x,
+                                  const std::vector<Push>& told = {});
 
 /// Strict weak order: a feasible design before others, among those the better objective; of others
 /// the smaller violation (what is not a number counts as infinite).

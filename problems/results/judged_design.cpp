@@ -11,6 +11,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/pareto/costs.h"
 #include "optim/pareto/judged_again.h"
+#include "optim/search/told.h"
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 #include "problems/statement/parameters.h"
@@ -50,7 +51,8 @@ std::string words_of(const optim::Problem& problem, const std::vector<double>& x
 optim::Assessment judged(const HeldProblem& held) {
   const optim::Problem problem = held.problem.alone(0);
   const optim::Sizes sizes = optim::sizes(problem, held.x);
-  optim::Assessment found = optim::assess(problem, sizes, held.x, true);
+  optim::Assessment found =
+      optim::assess(problem, sizes, held.x, true, optim::told_at(problem, sizes, held.x));
   if (optim::is_feasible(found) && !found.global) {
     const auto division = optim::subdivided(problem, sizes, held.x);
     if (division && !division->better) {
@@ -64,10 +66,14 @@ optim::Assessment judged(const HeldProblem& held) {
   // A search weighs limits by their sizes where it began, which the result does not hold. Any
   // weights show that the limits contradict one another about this design, and of convex limits
   // that they do everywhere, which is told apart.
-  optim::Assessment least = optim::assess_least_violation(problem, sizes, held.x);
+  const auto least_by = [&](const optim::Sizes& weights) {
+    return optim::assess_least_violation(
+        problem, weights, held.x,
+        optim::told_at(problem, weights, held.x, optim::Aim::LeastViolation));
+  };
+  optim::Assessment least = least_by(sizes);
   if (least.verdict != optim::Verdict::Infeasible) {
-    const optim::Sizes alike = optim::broken_alike(problem, sizes, held.x);
-    least = optim::assess_least_violation(problem, alike, held.x);
+    least = least_by(optim::broken_alike(problem, sizes, held.x));
   }
   return least.verdict == optim::Verdict::Infeasible ? least : found;
 }

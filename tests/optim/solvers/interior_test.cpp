@@ -77,9 +77,6 @@ TEST_CASE("the interior-point method says what it does not take", "[interior]") 
   const Program nonlinear({{0, 1, 0.5, 1}}, bent, 1, 1, {});
   CHECK(interior_solver().refusal(nonlinear).has_value());
   CHECK(interior_solver().solve(nonlinear, {}).status == Status::Failed);
-  const Program equation({{0, 1, 0.5, 1}}, sum_of({0}, {1}), 1, 1,
-                         {{sum_of({0}, {1}), 0.5, 0.5, 1, {}}});
-  CHECK(interior_solver().refusal(equation) == "interior takes no equations");
   std::atomic<bool> stop = true;
   SolverOptions options;
   options.stop = &stop;
@@ -97,12 +94,43 @@ TEST_CASE("rows that contradict one another, and no bound at all, are not called
   CHECK(interior_solver().solve(open, {}).status != Status::Solved);
 }
 
+TEST_CASE("equations hold, and have their prices", "[interior]") {
+  // The mean of 100 numbers within [0, 1 + i] is 10 where their sum by weights is least: by the
+  // weights' order the first are full, of a price that is the weight of the last.
+  std::vector<Column> columns;
+  std::vector<std::size_t> all;
+  std::vector<double> weights, ones;
+  for (std::size_t i = 0; i < 100; ++i) {
+    columns.push_back({0, 1.0 + static_cast<double>(i), 0.5, 1});
+    all.push_back(i);
+    weights.push_back(1 + static_cast<double>(i) / 100);
+    ones.push_back(1);
+  }
+  const Program program(columns, sum_of(all, weights), 1, 1,
+                        {{sum_of(all, ones), 1000, 1000, 1, {}}});
+  const Solution s = interior_solver().solve(program, {});
+  REQUIRE(s.status == Status::Solved);
+  const std::vector<double> x = program.design(s.y);
+  // 1 + 2 + ... + 44 = 990: the 45th takes the last ten.
+  CHECK(x[43] == Approx(44).epsilon(1e-7));
+  CHECK(x[44] == Approx(10).epsilon(1e-7));
+  CHECK(x[45] == Approx(0).margin(1e-7));
+  CHECK(s.rows[0] == Approx(-1.44).epsilon(1e-7));
+}
+
+TEST_CASE("without inequalities there is nothing to step by", "[interior]") {
+  const Program program({{-kInfinity, kInfinity, 0, 1}}, sum_of({0}, {1}), 1, 1,
+                        {{sum_of({0}, {1}), 2, 2, 1, {}}});
+  CHECK(interior_solver().solve(program, {}).status == Status::Stalled);
+}
+
 TEST_CASE("linear problems of many variables go to the interior-point method", "[interior]") {
   Problem problem;
   for (int i = 0; i < 300; ++i) problem.variables.push_back({.name = "x", .lower = 0, .upper = 1});
   problem.objectives = {{{"sum", "1", sum_of({0, 299}, {1, 1})}}};
   CHECK(plan(problem, "auto").solvers.front()->name() == "interior");
-  problem.constraints.push_back({{"first", "1", sum_of({0}, {1})}, 0.5, 0.5});
+  problem.variables.resize(20);
+  problem.objectives = {{{"sum", "1", sum_of({0, 19}, {1, 1})}}};
   CHECK(plan(problem, "auto").solvers.front()->name() == "clp");
 }
 

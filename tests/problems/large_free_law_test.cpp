@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Free laws of many knots: linear problems whose multipliers are found by the solver that knows
+// them, and judged by the verdict.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "optim/cycle/sizes.h"
+#include "optim/search/optimise.h"
+#include "optim/search/told.h"
+#include "optim/verdict/verdict.h"
+#include "problems/statement/bind.h"
+
+namespace camlaw::problems::large_free_law_test {
+namespace {
+
+using optim::Optimum;
+using optim::Verdict;
+
+std::string law(const std::string& rest) {
+  return "mechanism = 'law'\n[law]\nname = 'free'\n[free]\n" + rest;
+}
+
+std::string limit(const std::string& response, const std::string& rest) {
+  return "[[constraints]]\nresponse = '" + response + "'\n" + rest + "\n";
+}
+
+Optimum solved(const std::string& text) {
+  return optim::optimise(BoundProblem(read_problem(text, "f.toml")).space());
+}
+
+/// The optimum, which must be certified and global.
+double global_value(const Optimum& optimum) {
+  const optim::Assessment& a = optimum.found.assessment;
+  INFO(a.reason);
+  CHECK(a.verdict == Verdict::Certified);
+  CHECK(a.global.has_value());
+  return a.objective.value;
+}
+
+/// The same design judged without its search.
+optim::Assessment judged_alone(const Optimum& optimum) {
+  const optim::Problem& problem = optimum.problem;
+  const std::vector<double>& x = optimum.found.x;
+  const optim::Sizes sizes = optim::sizes(problem, x);
+  return optim::assess(problem, sizes, x, true, optim::told_at(problem, sizes, x));
+}
+
+}  // namespace
+
+TEST_CASE("Free laws of high degree and many knots are certified", "[free][large]") {
+  const Optimum optimum = solved(law("degree = 5\nknots = 290\nbegin = 'R'\nend = 'R'\n"
+                                     "[objective]\nminimize = 'C_v'\n") +
+                                 limit("acceleration", "upper = 6.5\nlower = -6.5"));
+  const double peak = global_value(optimum);
+  // Without a limit on the jerk the velocity is a trapezium: C - C^2 / a = 1.
+  const double limit_of_all = 0.5 * (6.5 - std::sqrt(6.5 * 6.5 - 4 * 6.5));
+  CHECK(peak > limit_of_all);
+  CHECK(peak < 1.005 * limit_of_all);
+  const optim::Assessment again = judged_alone(optimum);
+  CHECK(again.verdict == Verdict::Certified);
+  CHECK(again.global.has_value());
+}
+
+TEST_CASE("Free segments of a program are certified though most of their room is idle",
+          "[free][large]") {
+  const Optimum optimum = solved(
+      "[machine]\nname = 'p'\nmoved_by = 'program'\n"
+      "[responses.vel]\nformula = 'v'\n[responses.acc]\nformula = 'a'\n"
+      "[responses.mix]\nformula = '9.7*s + 1.7*v + 2*a'\n"
+      "[[program.segments]]\nname = 's0'\nangle = '60 deg'\nlaw = 'free'\nto = 1.0\n"
+      "[[program.segments]]\nname = 's1'\nlaw = 'free'\nto = 0.0\n"
+      "[free]\ndegree = 5\nknots = 60\n"
+      "[objective]\nminimize = 'highest mix'\nfrom = '183 deg'\nto = '323 deg'\n" +
+      limit("vel", "from = '77 deg'\nto = '115 deg'\nupper = 7.6") +
+      limit("acc", "from = '15 deg'\nto = '72 deg'\nupper = 208\nlower = -234") +
+      limit("mix", "from = '295 deg'\nto = '328 deg'\nupper = 278\nlower = -286"));
+  global_value(optimum);
+}
+
+TEST_CASE("Linear limits that contradict one another by a little are called infeasible",
+          "[free][large]") {
+  // By another solver the least peak acceleration at these jerks is 1 % more than 5.06.
+  const std::string knots = GENERATE("degree = 4\nknots = 30", "degree = 4\nknots = 120");
+  const Optimum optimum = solved(
+      law(knots + "\n[objective]\nminimize = 'highest displacement'\nfrom = 0.3\nto = 0.6\n") +
+      limit("velocity", "upper = 1.6") + limit("acceleration", "upper = 5.0\nlower = -5.0") +
+      limit("jerk", "upper = 90\nlower = -90"));
+  const optim::Assessment& a = optimum.found.assessment;
+  INFO(a.reason);
+  CHECK(a.verdict == Verdict::Infeasible);
+  CHECK(a.global.has_value());
+}
+
+TEST_CASE("An optimum of zero is certified: a magnitude is not below it", "[free][large]") {
+  const std::string knots = GENERATE("knots = 60", "knots = 340");
+  const Optimum optimum = solved(law("degree = 4\n" + knots +
+                                     "\nbegin = 'G'\nend = 'B'\n"
+                                     "[objective]\nminimize = 'C_j'\n") +
+                                 limit("velocity", "upper = 2.9"));
+  CHECK(std::abs(global_value(optimum)) < 1e-2);
+  CHECK(*optimum.found.assessment.best_possible >= 0);
+  CHECK(judged_alone(optimum).verdict == Verdict::Certified);
+}
+
+}  // namespace camlaw::problems::large_free_law_test
