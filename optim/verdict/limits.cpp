@@ -106,6 +106,17 @@ double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, doub
   return kInfinity;
 }
 
+/// What sign * curve reaches at the place of its peak, rounding included: the value that was found
+/// there, less `least`, or what encloses it.
+double attained(const Trace& trace, const ObjectiveReport& report, double value, double least) {
+  const double angle = *report.angle;
+  double from = angle;  // beside a break the piece on the left is told by what lies in it
+  for (int i = 0; i < 4 && report.from_left; ++i) from = std::nextafter(from, -kInfinity);
+  const Bounds there = trace.enclose(from, angle);
+  const double lower = report.sign > 0 ? there.lower : -there.upper;
+  return std::min(-above(-report.sign * value, least), lower);
+}
+
 }  // namespace
 
 std::vector<LimitReport> limit_reports(const Problem& problem, const Sizes& sizes, Design x,
@@ -148,9 +159,8 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
     const double one = prove_peak(*trace, result.sign, result, found, least);
     const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);
-    result.proved =
-        lowest ? Bounds{-most, above(found, least)} : Bounds{-above(-std::abs(found), least), most};
-    if (!lowest && !magnitude) result.proved.lower = -above(-found, least);
+    const double reached = attained(*trace, result, found, least);
+    result.proved = lowest ? Bounds{-most, -reached} : Bounds{reached, most};
   }
   if (magnitude) result.value = std::abs(result.value);
   return result;

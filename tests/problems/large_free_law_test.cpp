@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Free laws of many knots: linear problems whose multipliers are found by the solver that knows
 // them, and judged by the verdict.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -101,6 +102,37 @@ TEST_CASE("An optimum of zero is certified: a magnitude is not below it", "[free
   CHECK(std::abs(global_value(optimum)) < 1e-2);
   CHECK(*optimum.found.assessment.best_possible >= 0);
   CHECK(judged_alone(optimum).verdict == Verdict::Certified);
+}
+
+TEST_CASE("What is proved of a peak holds for the spline that its coefficients say",
+          "[free][large]") {
+  // Third differences of 290 knots lose eight digits. Of degree 4 they are the jerk at the knots.
+  const BoundProblem bound(
+      read_problem(law("degree = 4\nknots = 290\nbegin = 'U'\nend = 'G'\n"
+                       "[objective]\nminimize = 'highest jerk'\ntolerance = 1e-9\n") +
+                       limit("acceleration", "upper = 5.7"),
+                   "f.toml"));
+  const Optimum optimum = optim::optimise(bound.space());
+  const Member member = bound.at(optimum.options, optimum.found.x).laws.front();
+  const std::vector<double>& inner = member.arguments.list(1);
+  std::vector<long double> knots(5, 0.0L),
+      c(member.arguments.list(2).begin(), member.arguments.list(2).end());
+  knots.insert(knots.end(), inner.begin(), inner.end());
+  knots.insert(knots.end(), 5, 1.0L);
+  for (std::size_t order = 1; order <= 3; ++order) {
+    const std::size_t degree = 5 - order;
+    for (std::size_t i = 0; i + 1 < c.size(); ++i) {
+      c[i] = static_cast<long double>(degree) * (c[i + 1] - c[i]) /
+             (knots[i + order + degree] - knots[i + order]);
+    }
+    c.pop_back();
+  }
+  const auto highest = static_cast<double>(*std::max_element(c.begin(), c.end()));
+  const optim::Assessment& a = optimum.found.assessment;
+  CHECK(highest == Approx(-3).epsilon(1e-6));
+  CHECK(a.objective.proved.lower <= highest);
+  CHECK(a.objective.proved.upper >= highest);
+  CHECK(a.objective.proved.upper - a.objective.proved.lower < 1e-6);
 }
 
 }  // namespace camlaw::problems::large_free_law_test
