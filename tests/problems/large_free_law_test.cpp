@@ -114,9 +114,8 @@ TEST_CASE("What is proved of a peak holds for the spline that its coefficients s
                    "f.toml"));
   const Optimum optimum = optim::optimise(bound.space());
   const Member member = bound.at(optimum.options, optimum.found.x).laws.front();
-  const std::vector<double>& inner = member.arguments.list(1);
-  std::vector<long double> knots(5, 0.0L),
-      c(member.arguments.list(2).begin(), member.arguments.list(2).end());
+  const std::vector<double> inner = member.arguments.list(1), all = member.arguments.list(2);
+  std::vector<long double> knots(5, 0.0L), c(all.begin(), all.end());
   knots.insert(knots.end(), inner.begin(), inner.end());
   knots.insert(knots.end(), 5, 1.0L);
   for (std::size_t order = 1; order <= 3; ++order) {
