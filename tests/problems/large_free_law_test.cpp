@@ -113,7 +113,7 @@ TEST_CASE("What is proved of a peak holds for the spline that its coefficients s
                        limit("acceleration", "upper = 5.7"),
                    "f.toml"));
   const Optimum optimum = optim::optimise(bound.space());
-  const Member member = bound.at(optimum.options, optimum.found.x).laws.front();
+  const Member member = bound.at(optimum.options, optimum.found.x).laws.front().listed();
   const std::vector<double> inner = member.arguments.list(1), all = member.arguments.list(2);
   std::vector<long double> knots(5, 0.0L), c(all.begin(), all.end());
   knots.insert(knots.end(), inner.begin(), inner.end());
