@@ -176,7 +176,7 @@ class Interior {
     const VectorXd equation = sides_.equations * now_.y - sides_.values;
     const double mean = gap() / static_cast<double>(now_.s.size());
     const VectorXd products = now_.s.cwiseProduct(now_.z);
-    const Step foresight = solve(dual, primal, equation, products);
+    const Step foresight = solve_once(dual, primal, equation, products);
     const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
                              .dot(now_.z + reach(now_.z, foresight.z) * foresight.z) /
                          static_cast<double>(now_.s.size());
@@ -291,6 +291,10 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
     const double gap =
         interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
     const double primal = interior.primal();
+    if (iterations > 0 && options.goes_on &&
+        !options.goes_on(iterations, interior.objective(), primal)) {
+      return InteriorEnd::Ended;
+    }
     const double left = std::max(primal, interior.dual());
     if (gap <= kGap && left <= kLeft) return InteriorEnd::Optimal;
     idle = gap < kGain * least_gap || left < kGain * least_left ? 0 : idle + 1;
@@ -302,8 +306,6 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
       return good ? InteriorEnd::Acceptable : InteriorEnd::Stalled;
     }
     ++iterations;
-    if (options.goes_on && !options.goes_on(iterations, interior.objective(), interior.primal()))
-      return InteriorEnd::Ended;
   }
 }
 
