@@ -25,9 +25,11 @@ class Sides {
     columns_.assign(rows.innerIndexPtr(), rows.innerIndexPtr() + rows.nonZeros());
     begins_.assign(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
     const auto m = static_cast<std::size_t>(rows.rows());
+    counts_.assign(m + variables_, true);
     std::vector<double> demanded;
     for (Eigen::Index r = 0; r < rows.rows(); ++r) {
       if (program.row_lower[r] == program.row_upper[r]) {
+        counts_[static_cast<std::size_t>(r)] = false;
         equations_.push_back(r);
         demanded.push_back(program.row_upper[r]);
       } else {
@@ -80,12 +82,12 @@ class Sides {
   /// Entries of G^T W G, lower triangle: one list of places for all weights.
   void lay_out(Eigen::SparseMatrix<double>& K, std::vector<int>& places) const {
     std::vector<Eigen::Triplet<double>> triplets;
-    each_pair([&](int i, int j, double) { triplets.emplace_back(i, j, 1.0); });
+    each_pair([&](int i, int j) { triplets.emplace_back(i, j, 1.0); });
     K.resize(static_cast<Eigen::Index>(variables_), static_cast<Eigen::Index>(variables_));
     K.setFromTriplets(triplets.begin(), triplets.end());
     K.makeCompressed();
     places.clear();
-    each_pair([&](int i, int j, double) {
+    each_pair([&](int i, int j) {
       const int* begin = K.innerIndexPtr() + K.outerIndexPtr()[j];
       const int* end = K.innerIndexPtr() + K.outerIndexPtr()[j + 1];
       places.push_back(static_cast<int>(std::lower_bound(begin, end, i) - K.innerIndexPtr()));
@@ -98,6 +100,7 @@ class Sides {
     std::fill_n(K.valuePtr(), K.nonZeros(), 0.0);
     std::size_t next = 0;
     for (std::size_t r = 0; r < rows(); ++r) {
+      if (!counts_[r]) continue;
       for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k) {
         for (std::size_t l = begins_[r]; l <= k; ++l)
           K.valuePtr()[places[next++]] += of_row[r] * entries_[k] * entries_[l];
@@ -120,9 +123,10 @@ class Sides {
   template <class Take>
   void each_pair(const Take& take) const {
     for (std::size_t r = 0; r < rows(); ++r) {
+      if (!counts_[r]) continue;
       for (std::size_t k = begins_[r]; k < begins_[r + 1]; ++k) {
         for (std::size_t l = begins_[r]; l <= k; ++l) {
-          take(std::max(columns_[k], columns_[l]), std::min(columns_[k], columns_[l]), 0);
+          take(std::max(columns_[k], columns_[l]), std::min(columns_[k], columns_[l]));
         }
       }
     }
@@ -132,6 +136,7 @@ class Sides {
   std::vector<std::size_t> begins_;
   std::vector<int> columns_;
   std::vector<double> entries_;
+  std::vector<bool> counts_;  ///< whether a row counts in G^T W G: all but equations do
   std::vector<Eigen::Index> equations_;
   std::vector<std::size_t> rows_;  ///< of the sides
   std::vector<double> signs_, levels_;
@@ -314,7 +319,7 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
 InteriorSolution solve_by_interior_point(const LinearProgram& program, const VectorXd& start,
                                          const InteriorOptions& options) {
   const Sides sides(program);
-  if (sides.count() == 0) {
+  if (sides.count() == 0 || start.size() == 0) {
     const auto none = [](Eigen::Index size) { return VectorXd::Zero(size).eval(); };
     return {start, none(program.rows.rows()), none(start.size()), none(start.size())};
   }

@@ -45,7 +45,8 @@ struct InteriorOptions {
 
 /// Mehrotra's predictor and corrector (1992) on sparse normal equations. Rows and costs are to be
 /// scaled so that changes of order one count. Rows whose bounds are equal are equations, which are
-/// to be few; no variable may have equal bounds. Stalls at once where there is no inequality.
+/// to be few; no variable may have equal bounds, and each is to be in an inequality. Stalls at once
+/// where there is no inequality at all.
 InteriorSolution solve_by_interior_point(const LinearProgram& program, const Eigen::VectorXd& start,
                                          const InteriorOptions& options = {});
 

@@ -66,13 +66,13 @@ class Changes {
         about_(about.begin(), about.end()) {
     constexpr std::size_t kSampled = 300;
     constexpr int kDesigns = 8, kFewDesigns = 2;  // of many variables, for curves alone
-    const bool few = scales_.size() > kSampled;
+    const bool many = scales_.size() > kSampled;
     const Response& sought = problem.objective().response;
-    if (few && !sought.is_curve()) return;
-    const int designs = few ? kFewDesigns : kDesigns;
+    if (many && !sought.is_curve()) return;
+    const int designs = many ? kFewDesigns : kDesigns;
     box_ = starts(neighbourhood(problem, about, scales_), designs + 1, 1);
     box_.erase(box_.begin());
-    samples_changes_ = !few;
+    samples_changes_ = !many;
   }
 
   /// About the design: the median of what is a number and not zero; zero where there is none.
@@ -88,17 +88,19 @@ class Changes {
     return median(std::move(changes));
   }
 
-  /// How large a curve is: its highest |value| at the design or, where that is more, a share of the
-  /// median of those about it (a curve may be brought to zero); zero where it is not a number.
-  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own,
-               double share = 1) const {
-    std::vector<double> values;
-    for (const auto& x : box_) {
-      const double value = curve.curve().largest(x);
-      if (std::isfinite(value)) values.push_back(value);
-    }
-    return std::max(share * median(std::move(values)),
-                    or_zero(magnitude(curve, here, about_, own)));
+  /// How large a curve is: its highest |value| at the design or, where that is more, the median of
+  /// those about it (a curve may be brought to zero); zero where it is not a number.
+  double whole(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+    return std::max(samples_changes_ ? about(curve) : 0, magnitude_here(curve, here, own));
+  }
+
+  /// The same, but of what lies about a share.
+  double sought(const Response& curve, MaximaAt& here, const std::vector<double>& own) const {
+    constexpr double kLeast = 1e-3;  // less is nearer to zero than solvers come
+    const auto n = static_cast<double>(
+        std::count_if(scales_.begin(), scales_.end(), [](double scale) { return scale > 0; }));
+    const double share = std::max(kLeast, 1 / std::max(1.0, n * n));
+    return std::max(share * about(curve), magnitude_here(curve, here, own));
   }
 
   double at_design(const Response& response) const {
@@ -115,6 +117,19 @@ class Changes {
     return response.shape() == Shape::Linear && !moves;
   }
   static double or_zero(double change) { return std::isfinite(change) ? change : 0; }
+
+  double about(const Response& curve) const {
+    std::vector<double> values;
+    for (const auto& x : box_) {
+      const double value = curve.curve().largest(x);
+      if (std::isfinite(value)) values.push_back(value);
+    }
+    return median(std::move(values));
+  }
+  double magnitude_here(const Response& curve, MaximaAt& here,
+                        const std::vector<double>& own) const {
+    return or_zero(magnitude(curve, here, about_, own));
+  }
 
   std::vector<double> scales_, about_;
   std::vector<std::vector<double>> box_;
@@ -175,10 +190,7 @@ double size_of(const Constraint& c, const Changes& changes, MaximaAt& maxima,
 double objective_typical(const Objective& objective, double typical, const Changes& changes,
                          MaximaAt& maxima, const std::vector<double>& own) {
   if (!objective.response.is_curve()) return typical;
-  constexpr double kLeast = 1e-3;  // less is nearer to zero than solvers come
-  const auto n = static_cast<double>(std::max<std::size_t>(own.size(), 1));
-  const double about = std::max(kLeast, 1 / (n * n));
-  const double whole = changes.whole(objective.response, maxima, own, about);
+  const double whole = changes.sought(objective.response, maxima, own);
   return whole > 0 ? std::min(typical, whole) : typical;
 }
 

@@ -134,8 +134,8 @@ Assessment assessed_on_front(const Problem& multi, Design x, std::size_t sought)
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (i != sought) problem.constraints.push_back(at_most(multi.objectives[i], own[i]));
   }
-  const Sizes there = sizes(problem, x);
-  return assess(problem, there, x, true, told_at(problem, there, x));
+  const Sizes own_sizes = sizes(problem, x);
+  return assess(problem, own_sizes, x, true, teller_at(problem, own_sizes, x));
 }
 
 FrontPoint judged_again(const Problem& multi, const FrontPoint& point) {

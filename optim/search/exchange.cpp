@@ -28,54 +28,68 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
   return options;
 }
 
-/// What became of a linear program; Near of any other, and of one that was not solved.
-LinearEnd end_of(const Program& program, const Solver& solver, Status status) {
-  const bool solved = program.is_linear() && status == Status::Solved;
-  return solved ? solver.linear_end() : LinearEnd::Near;
+/// Whether a program is linear and solved by a method that ends at its optimum.
+bool is_solved_as_linear(const Program& program, const Solver& solver, Status status) {
+  const bool well = status == Status::Solved || status == Status::Acceptable;
+  return well && program.is_linear() && solver.solves_linear_programs();
 }
 
-/// Whether an optimum of a linear program was found that needs no polish, and whose conditions of
-/// optimality are left to the verdict: to look at them takes longer than a few rounds more. Of few
-/// variables one peak that moves tells.
-bool is_sharp(const Problem& problem, LinearEnd end) {
-  return end != LinearEnd::Near && problem.variables.size() > kManyVariables;
+/// Whether that optimum needs no polish, and its conditions of optimality are left to the verdict:
+/// to look at them takes longer than a few rounds more. Of few variables one peak that moves tells.
+bool needs_no_polish(const Problem& problem) { return problem.variables.size() > kManyVariables; }
+
+/// Whether no place of a curve moves along with the design.
+bool stands_still(const Problem& problem) {
+  const auto moves = [](const Response& r) { return r.is_curve() && r.curve().breaks_move(); };
+  return !moves(problem.objective().response) &&
+         std::none_of(problem.constraints.begin(), problem.constraints.end(),
+                      [&](const Constraint& c) { return moves(c.response); });
 }
 
-/// What holds the solution of a program, in the problem's words.
-std::vector<Push> told_by(const Problem& problem, const Program& program,
-                          const Solution& solution) {
-  constexpr double kNothing = 1e-14;  // of a multiplier: an interior-point method's idle rows
-  std::vector<Push> told;
+/// A multiplier below this is an idle row's of an interior-point method.
+constexpr double kIdleRow = 1e-13;
+
+/// What of the program's rows holds its solution.
+void add_pushing_rows(const Program& program, const Solution& solution, std::vector<Push>& pushes) {
   const double unit = program.objective_size();
   for (std::size_t r = 0; r < solution.rows.size(); ++r) {
-    const double multiplier = solution.rows[r];
-    if (!(std::abs(multiplier) > kNothing)) continue;
     const Row& row = program.row_list()[r];
     const bool equation = row.lower == row.upper;
-    told.push_back({.constraint = row.constraint,
-                    .variable = {},
-                    .function = row.function,
-                    .sign = multiplier > 0 || equation ? 1.0 : -1.0,
-                    .size = row.size,
-                    .at_rest = row.at_rest,
-                    .price = (equation ? multiplier : std::abs(multiplier)) * unit / row.size});
+    // A row with one bound pushes from its side alone, whatever rounding says.
+    double sign = solution.rows[r] > 0 || equation ? 1 : -1;
+    if (std::isinf(row.lower)) sign = 1;
+    if (std::isinf(row.upper)) sign = -1;
+    const double multiplier = sign * solution.rows[r];
+    if (!((equation ? std::abs(multiplier) : multiplier) > kIdleRow)) continue;
+    pushes.push_back({.constraint = row.constraint,
+                      .variable = {},
+                      .function = row.function,
+                      .sign = sign,
+                      .size = row.size,
+                      .at_rest = row.at_rest,
+                      .price = multiplier * unit / row.size});
   }
+}
+
+/// What of the variables' bounds does.
+void add_pushing_bounds(const Problem& problem, const Program& program, const Solution& solution,
+                        std::vector<Push>& pushes) {
+  const double unit = program.objective_size();
   for (std::size_t k = 0; k < solution.lower.size(); ++k) {
     const std::size_t variable = program.column(k);
     if (variable >= problem.variables.size()) continue;
     const double scale = program.columns()[variable].scale;
     const auto add = [&](double sign, double multiplier) {
-      if (!(multiplier > kNothing)) return;
-      told.push_back({.constraint = {},
-                      .variable = variable,
-                      .function = {},
-                      .sign = sign,
-                      .size = scale,
-                      .price = multiplier * unit / scale});
+      if (!(multiplier > kIdleRow)) return;
+      pushes.push_back({.constraint = {},
+                        .variable = variable,
+                        .function = {},
+                        .sign = sign,
+                        .size = scale,
+                        .price = multiplier * unit / scale});
     };
     add(1, solution.upper[k]), add(-1, solution.lower[k]);
   }
-  return told;
 }
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
@@ -156,16 +170,19 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const Program program = working.program(attempt.x);
     const auto groups = working.row_groups();
     const Solution solution = solver.solve(program, left, warm ? &*warm : nullptr);
+    attempt.told.clear();
     const double auxiliary = take(problem, program, solution, attempt);
-    const bool usable = went_well(attempt.status) ||
-                        (attempt.status == Status::Stalled && !program.is_linear()) ||
-                        attempt.status == Status::IterationLimit;
+    const bool stalled = attempt.status == Status::Stalled && !solver.solves_linear_programs();
+    const bool usable =
+        went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    const bool sharp = is_sharp(problem, end_of(program, solver, attempt.status));
-    attempt.told.clear();
-    if (program.is_linear() && went_well(attempt.status))
-      attempt.told = told_by(problem, program, solution);
+    bool sharp = is_solved_as_linear(program, solver, attempt.status);
+    if (sharp && stands_still(problem)) {
+      add_pushing_rows(program, solution, attempt.told);
+      add_pushing_bounds(problem, program, solution, attempt.told);
+    }
+    sharp = sharp && needs_no_polish(problem);
     if (settled && sharp) return;
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;

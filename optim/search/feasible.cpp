@@ -24,8 +24,8 @@ Least least_violation_from(Design start, const Setting& setting, Trail& trail) {
   for (const Solver* solver : least_violation_plan(setting.problem)) {
     least.attempt = attempt(start, *solver, setting, trail, Aim::LeastViolation);
     if (least.attempt.x.empty() || setting.deadline.passed()) return {};
-    least.blame =
-        assess_least_violation(setting.problem, trail.sizes, least.attempt.x, least.attempt.told);
+    least.blame = assess_least_violation(setting.problem, trail.sizes, least.attempt.x,
+                                         told_as(least.attempt.told));
     if (is_feasible(least.blame) || least.blame.verdict == Verdict::Infeasible) break;
   }
   return least;
@@ -128,9 +128,11 @@ void find_feasible(const Setting& setting, Trail& trail, Reached& reached) {
     }
     return;
   }
+  least.attempt.told.clear();  // it is of the least violation
   consider(least.attempt, ipopt_solver(), setting, trail, reached);
   best.kkt_residual = kInfinity;
   std::vector<const Solver*> solvers = plan(setting.problem, "auto").solvers;
+  if (!solvers.front()->solves_linear_programs()) solvers = {&find_solver("slsqp")};
   if (solvers.back() != &ipopt_solver()) solvers.push_back(&ipopt_solver());
   for (const Solver* solver : solvers) {
     if (!is_settled(best)) attempt(least.attempt.x, *solver, setting, trail, reached);

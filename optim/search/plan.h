@@ -20,12 +20,12 @@ struct Plan {
   std::string why;
 };
 
-/// `wanted` is a name of solver_names() or "auto": up to 30 variables and limits slsqp, then ipopt
-/// where the conditions of optimality do not hold; beyond, ipopt.
+/// `wanted` is a name of solver_names() or "auto": for linear problems clp, of many variables
+/// interior before it; else up to 30 variables and limits slsqp, then ipopt where the conditions of
+/// optimality do not hold; beyond, ipopt.
 Plan plan(const Problem& problem, const std::string& wanted);
 
-/// For the design of least violation: small problems are done at once by the first; where that does
-/// not convince, by the second.
+/// For the design of least violation: each where those before it do not convince.
 std::vector<const Solver*> least_violation_plan(const Problem& problem);
 
 }  // namespace camlaw::optim

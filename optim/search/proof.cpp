@@ -42,7 +42,7 @@ void settle_in_own_sizes(const Setting& setting, Trail& trail) {
   const bool known = is_settled(best) && !differ(own, trail.sizes);
   trail.sizes = std::move(own);
   if (known) return;
-  best = assess(setting.problem, trail.sizes, trail.found.x, false, trail.told);
+  best = assess(setting.problem, trail.sizes, trail.found.x, false, told_as(trail.told));
   const Solver& solver = *setting.plan.solvers.back();
   if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
   Reached reached;
@@ -60,7 +60,8 @@ void search_again(const Setting& setting, Trail& trail) {
     trail.found.solver = solver.name();
     trail.message = again.message;
   }
-  trail.found.assessment = assess(setting.problem, trail.sizes, trail.found.x, false, trail.told);
+  trail.found.assessment =
+      assess(setting.problem, trail.sizes, trail.found.x, false, told_as(trail.told));
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
     if (!trail.is_within_limits() && !setting.deadline.passed())
       find_feasible(setting, trail, reached);
     if (!trail.is_within_limits() || !setting.prove) return;
-    found.assessment = assess(setting.problem, trail.sizes, found.x, true, trail.told);
+    found.assessment = assess(setting.problem, trail.sizes, found.x, true, told_as(trail.told));
     if (is_proved(setting.problem, found) || setting.deadline.passed() || round == kRounds) return;
     if (!watched.learn(found.x, found.assessment)) return;
     search_again(setting, trail);

@@ -13,4 +13,7 @@ namespace camlaw::optim {
 std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x,
                           Aim aim = Aim::Optimum);
 
+/// The same for the verdict to ask for. Holds references.
+Teller teller_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim = Aim::Optimum);
+
 }  // namespace camlaw::optim

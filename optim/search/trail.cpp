@@ -96,7 +96,7 @@ void consider(const Attempt& tried, const Solver& solver, const Setting& setting
   trail.unbounded = trail.unbounded || tried.status == Status::Unbounded;
   if (tried.x.empty()) return;
   tell(false);
-  reached.latest = assess(setting.problem, trail.sizes, tried.x, false, tried.told);
+  reached.latest = assess(setting.problem, trail.sizes, tried.x, false, told_as(tried.told));
   if (improves(setting.problem, trail.sizes, reached.latest, reached.best))
     reached.best = reached.latest;
   if (!found.x.empty() && !improves(setting.problem, trail.sizes, reached.latest, found.assessment))

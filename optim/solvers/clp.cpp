@@ -241,7 +241,7 @@ class ClpSolver final : public Solver {
  public:
   std::string name() const override { return "clp"; }
   bool is_global() const override { return false; }
-  LinearEnd linear_end() const override { return LinearEnd::Vertex; }
+  bool solves_linear_programs() const override { return true; }
   std::vector<NativeRule> native_rules() const override { return clp_rules(); }
 
   std::optional<std::string> refusal(const Program& program) const override {

@@ -12,13 +12,11 @@ namespace {
 
 using InteriorClock = std::chrono::steady_clock;
 
-constexpr int kMostIterations = 200;
-
 class InteriorSolver final : public Solver {
  public:
   std::string name() const override { return "interior"; }
   bool is_global() const override { return false; }
-  LinearEnd linear_end() const override { return LinearEnd::Sharp; }
+  bool solves_linear_programs() const override { return true; }
   std::optional<std::string> refusal(const Program& program) const override {
     if (!program.is_linear()) {
       return "interior takes linear problems alone, and this one is not known to be linear";
@@ -45,7 +43,7 @@ class InteriorSolver final : public Solver {
     RunEnd cut_short{Status::Stopped, "stopped"};
     const InteriorSolution found = solve_by_interior_point(
         linear, Eigen::Map<const Eigen::VectorXd>(start.data(), linear.cost.size()),
-        {.most_iterations = std::min(options.max_iterations, kMostIterations),
+        {.most_iterations = std::min(options.max_iterations, InteriorOptions{}.most_iterations),
          .goes_on = watch(program, options, cut_short)});
     const RunEnd end = found.end == InteriorEnd::Ended ? cut_short : run_end(found.end);
     solution.status = end.status;

@@ -49,13 +49,6 @@ struct Solution {
   std::exception_ptr error = {};  ///< what the model threw, if it did, or the method itself
 };
 
-/// Where a method ends that has solved a linear program.
-enum class LinearEnd {
-  Near,    ///< somewhere near the optimum
-  Sharp,   ///< at it, as far as doubles go
-  Vertex,  ///< at a vertex of the limits
-};
-
 /// A method. Const and without state: one method may solve in many threads at once. Ipopt takes one
 /// of them at a time; the others wait (ipopt_mutex), unless stop or their time limit ends that.
 /// What a model does that is called by Ipopt must not wait for another thread that searches.
@@ -65,7 +58,8 @@ class Solver {
   virtual std::string name() const = 0;
   /// Searches the whole box instead of following the slope from the start.
   virtual bool is_global() const = 0;
-  virtual LinearEnd linear_end() const { return LinearEnd::Near; }
+  /// Whether it ends at the optimum of a linear program, as far as doubles go, and not near it.
+  virtual bool solves_linear_programs() const { return false; }
   /// Why this method cannot take the program, in words; empty where it can.
   virtual std::optional<std::string> refusal(const Program& program) const = 0;
   /// The options that it has beside those of SolverOptions.

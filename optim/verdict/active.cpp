@@ -27,7 +27,13 @@ class Collector {
 
   std::vector<ActiveLimit> collect(const std::vector<Push>& told) {
     take_violation();
-    for (const Push& push : told) add(push);
+    peak_ = objective_value(problem_.objective(), x_);
+    for (const Push& push : told) {
+      std::optional<ActiveLimit> limit = push.variable ? bound_of(push) : limit_of(push);
+      if (!limit || !is_moved(*limit)) continue;
+      limit->told = push.price;
+      limits_.push_back(std::move(*limit));
+    }
     return std::move(limits_);
   }
 
@@ -37,30 +43,40 @@ class Collector {
       violation_ = std::max(0.0, largest_violation(problem_, sizes_, x_));
   }
 
-  void add(const Push& push) {
-    if (push.variable) {
-      add_bound(*push.variable, push.sign);
-      limits_.back().is_told = true;
-      return;
-    }
+  std::optional<ActiveLimit> bound_of(const Push& push) const {
+    const Variable& v = problem_.variables[*push.variable];
+    if (v.lower == v.upper || std::isinf(push.sign > 0 ? v.upper : v.lower)) return {};
+    return bound_limit(*push.variable, push.sign);
+  }
+
+  std::optional<ActiveLimit> limit_of(const Push& push) const {
     const bool eased = optimality_ == Optimality::LeastViolation;
-    double bound = 0;
-    if (!push.constraint) {
-      bound = objective_value(problem_.objective(), x_);
-      if (problem_.objective().part == Part::Magnitude) bound *= push.sign;
-    } else if (!push.at_rest) {
-      const Constraint& c = problem_.constraints[*push.constraint];
-      bound = push.sign > 0 ? *c.upper : *c.lower;
-      if (eased) bound += push.sign * violation_ * push.size;
-    }
-    ActiveLimit limit = gradient_of(*push.function, {push.sign, bound, push.size, kInfinity});
+    const std::optional<double> bound =
+        push.constraint ? bound_of_constraint(push) : level_of(push);
+    if (!bound) return {};
+    ActiveLimit limit = gradient_of(*push.function, {push.sign, *bound, push.size, kInfinity});
     limit.constraint = push.constraint;
     limit.at_rest = push.at_rest;
-    limit.is_told = true;
     limit.is_equation =
         !eased && push.constraint && problem_.constraints[*push.constraint].is_equation();
     if (!push.constraint || eased) limit.auxiliary = -1;
-    limits_.push_back(std::move(limit));
+    return limit;
+  }
+
+  std::optional<double> bound_of_constraint(const Push& push) const {
+    const Constraint& c = problem_.constraints[*push.constraint];
+    const auto& bound = push.sign > 0 ? c.upper : c.lower;
+    if (!bound || push.at_rest) return bound ? std::optional(0.0) : std::nullopt;
+    return *bound + push.sign * violation_ * push.size;
+  }
+
+  /// The level of a peak that is sought, on the side that it is sought on.
+  std::optional<double> level_of(const Push& push) const {
+    const Objective& objective = problem_.objective();
+    if (!objective.response.is_curve() || optimality_ == Optimality::LeastViolation) return {};
+    if (objective.part == Part::Magnitude) return push.sign * peak_;
+    const bool is_its_side = (objective.part == Part::Lowest) == (push.sign < 0);
+    return is_its_side ? std::optional(peak_) : std::nullopt;
   }
 
   struct Level {
@@ -272,23 +288,20 @@ class Collector {
     const Variable& v = problem_.variables[i];
     if (v.lower == v.upper) return;
     for (const double sign : {1.0, -1.0}) {
-      if (bound_margin(i, sign) <= std::max(net_.width, 1e-7)) add_bound(i, sign);
+      ActiveLimit limit = bound_limit(i, sign);
+      if (limit.margin <= std::max(net_.width, 1e-7)) limits_.push_back(std::move(limit));
     }
   }
 
-  double bound_margin(std::size_t i, double sign) const {
+  ActiveLimit bound_limit(std::size_t i, double sign) const {
     const Variable& v = problem_.variables[i];
-    return sign * ((sign > 0 ? v.upper : v.lower) - x_[i]) / sizes_.variables[i];
-  }
-
-  void add_bound(std::size_t i, double sign) {
     ActiveLimit limit;
     limit.gradient = {{i, sign}};
-    limit.margin = bound_margin(i, sign);
+    limit.margin = sign * ((sign > 0 ? v.upper : v.lower) - x_[i]) / sizes_.variables[i];
     limit.size = sizes_.variables[i];
     limit.sign = sign;
     limit.variable = i;
-    limits_.push_back(std::move(limit));
+    return limit;
   }
 
   /// What a leading coefficient may lie beyond zero, over its size.
@@ -301,6 +314,7 @@ class Collector {
   Net net_;
   MaximaAt maxima_;
   double violation_ = 0;
+  double peak_ = 0;  ///< of the objective, where limits are told
   std::vector<ActiveLimit> limits_;
 };
 

@@ -30,7 +30,8 @@ struct ActiveLimit {
   /// The leading coefficient of a limit that vanishes at a rest (Rest::leading): its size is not
   /// one of the response.
   bool at_rest = false;
-  bool is_told = false;  ///< by a method (Push): the design need not stand at it
+  /// The price that a method has told of it (Push); then the design need not stand at it.
+  std::optional<double> told = {};
 };
 
 /// How wide the net is cast for limits that hold a design.
@@ -46,7 +47,8 @@ struct Net {
 std::vector<ActiveLimit> active_limits(const Problem& problem, const Sizes& sizes, Design x,
                                        Optimality optimality, Net net);
 
-/// The limits that were told, whatever their margin.
+/// The limits that were told, whatever their margin, but those that the problem does not have and
+/// those that no variable moves.
 std::vector<ActiveLimit> told_limits(const Problem& problem, const Sizes& sizes, Design x,
                                      Optimality optimality, const std::vector<Push>& told);
 

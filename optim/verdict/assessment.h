@@ -83,7 +83,8 @@ struct Assessment {
 /// Whether a design meets every limit of an assessment, and its objective is a number.
 bool is_feasible(const Assessment& assessment);
 
-/// Whether a design meets every limit and the conditions of optimality hold there.
+/// Whether a design meets every limit, and the conditions of optimality hold there or a lower bound
+/// leaves nothing better.
 bool is_settled(const Assessment& assessment);
 
 }  // namespace camlaw::optim

@@ -104,13 +104,12 @@ struct Told {
   }
 };
 
-Told told_by(std::vector<ActiveLimit> limits, const std::vector<Push>& pushes, double unit,
-             const Layout& layout) {
+Told columns_of(std::vector<ActiveLimit> limits, double unit, const Layout& layout) {
   Told told;
   told.A = limit_gradients(limits, layout, told.lengths);
   told.multipliers.resize(told.A.cols());
   for (std::size_t j = 0; j < limits.size(); ++j) {
-    const double multiplier = pushes[j].price * limits[j].size / unit * told.lengths[j];
+    const double multiplier = *limits[j].told * limits[j].size / unit * told.lengths[j];
     told.multipliers[static_cast<Eigen::Index>(j)] =
         limits[j].is_equation ? multiplier : std::max(multiplier, 0.0);
   }
@@ -193,8 +192,8 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, const std::vector<Push>& pushes) {
   const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
-  const Told told =
-      told_by(told_limits(problem, sizes, x, optimality, pushes), pushes, unit, layout);
+  const Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
+  if (told.limits.empty()) return {};
   const Eigen::VectorXd target = target_of(problem, sizes, x, layout, told.A.rows());
   const auto with = [&](const Eigen::VectorXd& multipliers) {
     Weighed weighed{told.limits};

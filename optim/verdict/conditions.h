@@ -37,7 +37,7 @@ struct Weighed {
 /// Of the limits in the net.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, Net net);
-/// With the multipliers that were told, of which there are some.
+/// With the multipliers that were told.
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, const std::vector<Push>& pushes);
 

@@ -167,9 +167,11 @@ std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes,
 
 }  // namespace
 
-std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, Design x,
-                                   const Layout& layout, const Weighed& weighed) {
-  if (!why_convex(problem) || layout.rows == 0) return {};
+namespace {
+
+/// From the multipliers.
+std::optional<double> gain_left(const Problem& problem, const Sizes& sizes, Design x,
+                                const Weighed& weighed) {
   const Duality duality(problem, sizes, x);
   std::vector<Inequality> rows = inequalities(problem, sizes, x, weighed);
   const auto sum_with = [&](double gain) -> std::optional<double> {
@@ -195,6 +197,19 @@ std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, D
     gain += 1.1 * -*left / weights + kRounding * std::max(1.0, value);
   }
   return {};
+}
+
+}  // namespace
+
+std::optional<double> largest_gain(const Problem& problem, const Sizes& sizes, Design x,
+                                   const Layout& layout, const Weighed& weighed) {
+  if (!why_convex(problem) || layout.rows == 0) return {};
+  const std::optional<double> gain = gain_left(problem, sizes, x, weighed);
+  const Objective& objective = problem.objective();
+  if (objective.part != Part::Magnitude || objective.sense != Sense::Minimize) return gain;
+  // A magnitude is not below zero.
+  const double whole = objective_value(objective, x) / sizes.objective;
+  return gain ? std::min(*gain, whole) : whole;
 }
 
 }  // namespace camlaw::optim

@@ -35,7 +35,7 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
     largest = std::max(largest, std::abs(multiplier));
   for (std::size_t j = 0; j < weighed.limits.size(); ++j) {
     const ActiveLimit& limit = weighed.limits[j];
-    if (limit.is_told && std::abs(weighed.multipliers[j]) <= kIdle * largest) continue;
+    if (limit.told && std::abs(weighed.multipliers[j]) <= kIdle * largest) continue;
     const double multiplier = weighed.multipliers[j] * objective_size / limit.size;
     if (limit.constraint && weighed.multipliers[j] > std::max(kPushes, most[*limit.constraint])) {
       most[*limit.constraint] = weighed.multipliers[j];
@@ -52,7 +52,7 @@ Kkt in_units(const Problem& problem, const Weighed& weighed, double objective_si
       result.constraints[*limit.constraint] += gain;
       result.active_constraints[*limit.constraint] = true;
     } else if (limit.variable) {
-      (limit.sign > 0 ? result.upper : result.lower)[*limit.variable] = multiplier;
+      (limit.sign > 0 ? result.upper : result.lower)[*limit.variable] += multiplier;
       (limit.sign > 0 ? result.active_upper : result.active_lower)[*limit.variable] = true;
     }
   }
@@ -117,18 +117,17 @@ class Weighing {
            const Layout& layout)
       : problem_(problem), sizes_(sizes), x_(x), optimality_(optimality), layout_(layout) {}
 
-  /// The multipliers with which the conditions hold best. Those that were told come first where the
+  /// The multipliers with which the conditions hold best. Those that are told come first where the
   /// search for others is long, else last.
-  Weighed best(const std::vector<Push>& told) const {
+  Weighed best(const Teller& told) const {
     constexpr int kMany = 60;  // rows
-    if (told.empty() || layout_.rows == 0) return best_of_nets();
-    const bool many = layout_.rows > kMany;
-    Weighed own;
-    if (!many) own = best_of_nets();
-    if (!many && holds(own)) return own;
-    Weighed as_told = with_idle(weigh(problem_, sizes_, x_, optimality_, layout_, told));
-    if (many && !holds(as_told)) own = best_of_nets();
-    return as_told.residual <= own.residual ? as_told : own;
+    if (!told || layout_.rows == 0) return best_of_nets();
+    if (layout_.rows <= kMany) {
+      Weighed own = best_of_nets();
+      return holds(own) ? own : better(std::move(own), as_told(told));
+    }
+    Weighed given = as_told(told);
+    return holds(given) ? given : better(best_of_nets(), std::move(given));
   }
 
  private:
@@ -151,7 +150,8 @@ class Weighing {
   }
 
   bool holds(const Weighed& weighed) const {
-    if (optimality_ == Optimality::LeastViolation) return weighed.residual <= kLeastViolation;
+    if (optimality_ == Optimality::LeastViolation)
+      return weighed.residual <= kLeastViolationTolerance;
     return weighed.residual <= kGood || is_tight(weighed);
   }
 
@@ -163,17 +163,20 @@ class Weighing {
     return gain && *gain <= kSharp * kBoundTolerance * objective_measure(problem_, sizes_, x_);
   }
 
-  /// The limits that the design stands at come beside those that were told, with no multiplier.
-  Weighed with_idle(Weighed weighed) const {
+  Weighed better(Weighed own, Weighed given) const {
+    if (holds(own)) return own;
+    return holds(given) || given.residual <= own.residual ? given : own;
+  }
+
+  /// The limits that the design stands at come beside those that are told, with no multiplier.
+  Weighed as_told(const Teller& told) const {
+    Weighed weighed = weigh(problem_, sizes_, x_, optimality_, layout_, told());
     for (ActiveLimit& limit : active_limits(problem_, sizes_, x_, optimality_, {0})) {
       weighed.limits.push_back(std::move(limit));
       weighed.multipliers.push_back(0);
     }
     return weighed;
   }
-
-  /// Of the violation: what shows that it is least, of convex limits and of others.
-  static constexpr double kLeastViolation = 1e-3;
 
   const Problem& problem_;
   const Sizes& sizes_;
@@ -184,13 +187,18 @@ class Weighing {
 
 }  // namespace
 
+Teller told_as(const std::vector<Push>& pushes) {
+  if (pushes.empty()) return {};
+  return [&pushes] { return pushes; };
+}
+
 bool is_global_valley(const Problem& problem, double objective_slope) {
   constexpr double kSlopes = 1e-6;
   return why_convex(problem) && (!needs_slope(problem) || objective_slope > kSlopes);
 }
 
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-        const std::vector<Push>& told) {
+        const Teller& told) {
   const Layout layout = lay_out(problem, optimality);
   const Weighed best = Weighing(problem, sizes, x, optimality, layout).best(told);
   const bool least_violation = optimality == Optimality::LeastViolation;
@@ -205,11 +213,6 @@ Kkt kkt(const Problem& problem, const Sizes& sizes, Design x, Optimality optimal
       worth_of_tolerances(sizes, best) / objective_measure(problem, sizes, x);
   if (const auto gain = largest_gain(problem, sizes, x, layout, best)) {
     result.largest_gain = *gain * sizes.objective;
-    const Objective& objective = problem.objective();
-    const bool least_magnitude =
-        objective.part == Part::Magnitude && objective.sense == Sense::Minimize;
-    if (least_magnitude)  // which is not below zero
-      result.largest_gain = std::min(*result.largest_gain, objective_value(objective, x));
   }
   result.second_order = is_global_valley(problem, result.objective_slope);
   if (!result.second_order) {

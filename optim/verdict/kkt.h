@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,17 +17,23 @@ namespace camlaw::optim {
 /// violation (counted in the constraints' sizes).
 enum class Optimality { Objective, LeastViolation };
 
-/// A limit that holds a design, with its multiplier, as a method for linear programs tells it: a
-/// hint where to look, of which the conditions of optimality believe nothing.
+/// A limit that holds a design, with its multiplier, as a method for linear programs tells it. Only
+/// the choice of limits and their prices are its word: what they are worth, the conditions say.
 struct Push {
   std::optional<std::size_t> constraint, variable;  ///< neither: the objective's peak
-  std::optional<Function> function;                 ///< none for a variable's bound
+  std::optional<Function> function;                 ///< of the problem; none for a variable's bound
   double sign = 1;                                  ///< 1 the upper bound, -1 the lower one
   double size = 1;                                  ///< in the response's unit
   bool at_rest = false;
-  /// Objective gained per unit of the bound, not negative; of an equation either.
+  /// Objective gained per unit of the bound, not negative; of an equation of either sign.
   double price = 0;
 };
+
+/// Asked for pushes where they are needed: to find them may take a search.
+using Teller = std::function<std::vector<Push>()>;
+
+/// Tells these; nothing to tell where there are none.
+Teller told_as(const std::vector<Push>& pushes);
 
 struct Kkt {
   /// Largest entry of the Lagrangian's gradient, by the variables' own magnitudes, and what
@@ -58,9 +65,10 @@ struct Kkt {
 /// objective must slope there.
 bool is_global_valley(const Problem& problem, double objective_slope);
 
-/// At a design that meets every limit (for LeastViolation: any design). Where the conditions hold
-/// with the multipliers that were told, there is no search for others.
+/// At a design that meets every limit (for LeastViolation: any design). Of many variables the
+/// multipliers that are told are tried before others are looked for, of few where none were found
+/// with which the conditions hold.
 Kkt kkt(const Problem& problem, const Sizes& sizes, Design x,
-        Optimality optimality = Optimality::Objective, const std::vector<Push>& told = {});
+        Optimality optimality = Optimality::Objective, const Teller& told = {});
 
 }  // namespace camlaw::optim

@@ -108,13 +108,13 @@ double prove_peak(const Trace& trace, double sign, ObjectiveReport& report, doub
 
 /// What sign * curve reaches at the place of its peak, rounding included: the value that was found
 /// there, less `least`, or what encloses it.
-double attained(const Trace& trace, const ObjectiveReport& report, double value, double least) {
+double attained(const Trace& trace, const ObjectiveReport& report, double least) {
   const double angle = *report.angle;
   double from = angle;  // beside a break the piece on the left is told by what lies in it
   for (int i = 0; i < 4 && report.from_left; ++i) from = std::nextafter(from, -kInfinity);
   const Bounds there = trace.enclose(from, angle);
   const double lower = report.sign > 0 ? there.lower : -there.upper;
-  return std::min(-above(-report.sign * value, least), lower);
+  return std::min(-above(-report.sign * report.value, least), lower);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ ObjectiveReport objective_report(const Problem& problem, const Sizes& sizes, Des
     const double one = prove_peak(*trace, result.sign, result, found, least);
     const double other = magnitude ? prove_peak(*trace, -result.sign, result, -found, least) : one;
     const double most = std::max(one, other);
-    const double reached = attained(*trace, result, found, least);
+    const double reached = attained(*trace, result, least);
     result.proved = lowest ? Bounds{-most, -reached} : Bounds{reached, most};
   }
   if (magnitude) result.value = std::abs(result.value);

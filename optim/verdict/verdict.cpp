@@ -264,7 +264,7 @@ Assessment assess_in_haste(const Problem& problem, Design x) {
 }
 
 Assessment assess(const Problem& problem, const Sizes& about, Design x, bool prove,
-                  const std::vector<Push>& told) {
+                  const Teller& told) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result = where_it_stands(problem, sizes, x, prove);
   if (result.verdict == Verdict::Failed) return result;
@@ -311,7 +311,7 @@ bool has_convex_pushes(const Problem& problem, const Kkt& conditions) {
 }  // namespace
 
 Assessment assess_least_violation(const Problem& problem, const Sizes& about, Design x,
-                                  const std::vector<Push>& told) {
+                                  const Teller& told) {
   const Sizes sizes = judged_at(problem, about, x);
   Assessment result;
   result.variables = variable_reports(problem, x);
@@ -327,7 +327,7 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
   result.blamed = active_names(problem, sizes, conditions, kBlamed);
   // Of convex limits less than all of the violation is enough. A quasiconvex one may be gentle here
   // and steep elsewhere: there nothing but a slope of zero tells.
-  constexpr double kHalf = 0.5, kStationary = 1e-3;
+  constexpr double kHalf = 0.5;
   const bool quasiconvex = convex_set(problem) && !conditions.flat;
   const bool convex = quasiconvex && has_convex_pushes(problem, conditions);
   if (conditions.at_moving_break) {
@@ -337,7 +337,8 @@ Assessment assess_least_violation(const Problem& problem, const Sizes& about, De
         violated_names(result));
     return result;
   }
-  if (!(result.kkt_residual <= (convex ? kHalf : kStationary)) || result.blamed.empty()) {
+  if (!(result.kkt_residual <= (convex ? kHalf : kLeastViolationTolerance)) ||
+      result.blamed.empty()) {
     result.reason = fmt::format("no design was found that meets {}", violated_names(result));
     return result;
   }

@@ -12,13 +12,16 @@ namespace camlaw::optim {
 /// Whether the conditions of optimality hold: what the residual may be.
 inline constexpr double kKktTolerance = 1e-7;
 
+/// Whether a violation is the least that there is, where limits are not known to be convex.
+inline constexpr double kLeastViolationTolerance = 1e-3;
+
 /// Judges a design as an answer to the problem, with tolerances as they are at the design
 /// (judged_at). `prove` asks for interval proofs over the cycle, for an answer; without, a design
 /// that passes is Feasible at best. A design that passes a limit
 /// is Failed here: whether the problem is infeasible is seen at the design of least violation only.
 /// `told`: as of kkt().
 Assessment assess(const Problem& problem, const Sizes& sizes, Design x, bool prove,
-                  const std::vector<Push>& told = {});
+                  const Teller& told = {});
 
 /// The same without proofs and without the conditions of optimality, for a design on which no more
 /// time is to be spent: Feasible where every limit is met as far as was looked.
@@ -34,7 +37,7 @@ void take_subdivision(const Problem& problem, const Sizes& sizes, const Subdivis
 /// Judges a design as the one whose largest violation is least: Infeasible, with the limits to
 /// blame, where the conditions for that hold.
 Assessment assess_least_violation(const Problem& problem, const Sizes& sizes, Design x,
-                                  const std::vector<Push>& told = {});
+                                  const Teller& told = {});
 
 /// Strict weak order: a feasible design before others, among those the better objective; of others
 /// the smaller violation (what is not a number counts as infinite).

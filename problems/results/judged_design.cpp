@@ -52,7 +52,7 @@ optim::Assessment judged(const HeldProblem& held) {
   const optim::Problem problem = held.problem.alone(0);
   const optim::Sizes sizes = optim::sizes(problem, held.x);
   optim::Assessment found =
-      optim::assess(problem, sizes, held.x, true, optim::told_at(problem, sizes, held.x));
+      optim::assess(problem, sizes, held.x, true, optim::teller_at(problem, sizes, held.x));
   if (optim::is_feasible(found) && !found.global) {
     const auto division = optim::subdivided(problem, sizes, held.x);
     if (division && !division->better) {
@@ -69,7 +69,7 @@ optim::Assessment judged(const HeldProblem& held) {
   const auto least_by = [&](const optim::Sizes& weights) {
     return optim::assess_least_violation(
         problem, weights, held.x,
-        optim::told_at(problem, weights, held.x, optim::Aim::LeastViolation));
+        optim::teller_at(problem, weights, held.x, optim::Aim::LeastViolation));
   };
   optim::Assessment least = least_by(sizes);
   if (least.verdict != optim::Verdict::Infeasible) {

@@ -44,7 +44,7 @@ optim::Assessment judged_alone(const Optimum& optimum) {
   const optim::Problem& problem = optimum.problem;
   const std::vector<double>& x = optimum.found.x;
   const optim::Sizes sizes = optim::sizes(problem, x);
-  return optim::assess(problem, sizes, x, true, optim::told_at(problem, sizes, x));
+  return optim::assess(problem, sizes, x, true, optim::teller_at(problem, sizes, x));
 }
 
 }  // namespace
@@ -99,9 +99,36 @@ TEST_CASE("An optimum of zero is certified: a magnitude is not below it", "[free
                                      "\nbegin = 'G'\nend = 'B'\n"
                                      "[objective]\nminimize = 'C_j'\n") +
                                  limit("velocity", "upper = 2.9"));
-  CHECK(std::abs(global_value(optimum)) < 1e-2);
+  CHECK(std::abs(global_value(optimum)) < 1e-5);
+  REQUIRE(optimum.found.assessment.best_possible.has_value());
   CHECK(*optimum.found.assessment.best_possible >= 0);
   CHECK(judged_alone(optimum).verdict == Verdict::Certified);
+}
+
+TEST_CASE("Prices of large free laws are what the objective gains", "[free][large]") {
+  struct Sought {
+    const char* objective;
+    double sign;  // of the gain
+  };
+  const Sought sought =
+      GENERATE(Sought{"minimize = 'C_a'", -1.0}, Sought{"minimize = 'highest acceleration'", -1.0},
+               Sought{"maximize = 'lowest acceleration'", 1.0});
+  INFO(sought.objective);
+  const auto at = [&](double bound) {
+    return solved(law("degree = 3\nknots = 80\n[objective]\n") + sought.objective + "\n" +
+                  limit("velocity", "upper = " + std::to_string(bound)) +
+                  limit("jerk", "upper = 60\nlower = -60"));
+  };
+  // The least is convex in the bound: its slope at the bound lies between those beside it.
+  constexpr double kStep = 1e-3;
+  const Optimum optimum = at(1.6);
+  const double here = sought.sign * global_value(optimum);
+  const double more = (sought.sign * global_value(at(1.6 + kStep)) - here) / kStep;
+  const double less = (here - sought.sign * global_value(at(1.6 - kStep))) / kStep;
+  const double price = optimum.found.assessment.limits[0].multiplier;
+  CHECK(price > 0.999 * more);
+  CHECK(price < 1.001 * less);
+  CHECK(more > 1);
 }
 
 TEST_CASE("What is proved of a peak holds for the spline that its coefficients say",

@@ -126,11 +126,12 @@ TEST_CASE("without inequalities there is nothing to step by", "[interior]") {
 
 TEST_CASE("linear problems of many variables go to the interior-point method", "[interior]") {
   Problem problem;
-  for (int i = 0; i < 300; ++i) problem.variables.push_back({.name = "x", .lower = 0, .upper = 1});
-  problem.objectives = {{{"sum", "1", sum_of({0, 299}, {1, 1})}}};
+  for (int i = 0; i < 31; ++i) problem.variables.push_back({.name = "x", .lower = 0, .upper = 1});
+  problem.objectives = {{{"sum", "1", sum_of({0, 30}, {1, 1})}}};
+  problem.constraints = {{{"first", "1", sum_of({0}, {1})}, 0.5, 0.5}};
   CHECK(plan(problem, "auto").solvers.front()->name() == "interior");
-  problem.variables.resize(20);
-  problem.objectives = {{{"sum", "1", sum_of({0, 19}, {1, 1})}}};
+  problem.variables.resize(30);
+  problem.objectives = {{{"sum", "1", sum_of({0, 29}, {1, 1})}}};
   CHECK(plan(problem, "auto").solvers.front()->name() == "clp");
 }
 
