@@ -144,10 +144,11 @@ void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::v
                    ConstraintSize& size) {
   constexpr double kShare = 1e-6;
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
+  constexpr double kCancels = 1e-6;   // of typical changes: less of them is left by rounding
   const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
   const double usual =
-      kShare *
-      (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0) : or_one(whole));
+      kShare * (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0)
+                          : or_one(std::max(whole, kCancels * size.size)));
   size.tolerance = c.tolerance.value_or(usual);
   size.default_tolerance = std::min(usual, size.tolerance);
 }

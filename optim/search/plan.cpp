@@ -44,10 +44,9 @@ Plan plan(const Problem& problem, const std::string& wanted) {
                         variables_text(n))};
   }
   if (is_linear(problem)) {
-    const Solver& next = small ? slsqp : ipopt;
-    return {{&clp_solver(), &next},
-            fmt::format("clp: linear, of {}; {} where that is not enough", variables_text(n),
-                        next.name())};
+    return {{&clp_solver(), &interior_solver(), &ipopt, &slsqp},
+            fmt::format("clp: linear, of {}; interior, ipopt and slsqp where that is not enough",
+                        variables_text(n))};
   }
   if (small) {
     return {{&slsqp, &ipopt},

@@ -9,6 +9,7 @@
 #include "optim/cycle/watched.h"
 #include "optim/search/feasible.h"
 #include "optim/search/rescaling.h"
+#include "optim/search/told.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
@@ -47,6 +48,20 @@ void settle_in_own_sizes(const Setting& setting, Trail& trail) {
   if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
   Reached reached;
   attempt(trail.found.x, solver, setting, trail, reached);
+}
+
+/// Judges the best design, with proofs. What its solve has told may not do where other designs and
+/// other sizes were looked at since: then a linear problem is solved once more from there.
+Assessment judged_best(const Setting& setting, const Trail& trail) {
+  const auto with = [&](const Teller& told) {
+    return assess(setting.problem, trail.sizes, trail.found.x, true, told);
+  };
+  Assessment judged = with(told_as(trail.told));
+  const bool linear = plan(setting.problem, "auto").solvers.front()->solves_linear_programs();
+  const bool wanting = is_feasible(judged) && !judged.global;
+  if (!linear || !wanting || setting.deadline.passed()) return judged;
+  Assessment again = with(teller_at(setting.problem, trail.sizes, trail.found.x));
+  return again.verdict == Verdict::Certified ? again : judged;
 }
 
 /// Searches from the best design on, now that more is known of the curves.
@@ -103,7 +118,7 @@ void prove_best(WatchedProblem& watched, const Setting& setting, Trail& trail) {
     if (!trail.is_within_limits() && !setting.deadline.passed())
       find_feasible(setting, trail, reached);
     if (!trail.is_within_limits() || !setting.prove) return;
-    found.assessment = assess(setting.problem, trail.sizes, found.x, true, told_as(trail.told));
+    found.assessment = judged_best(setting, trail);
     if (is_proved(setting.problem, found) || setting.deadline.passed() || round == kRounds) return;
     if (!watched.learn(found.x, found.assessment)) return;
     search_again(setting, trail);

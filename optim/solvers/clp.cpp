@@ -35,8 +35,7 @@ CoinPackedMatrix matrix_of(const LinearProgram& linear) {
   const auto& rows = linear.rows;
   std::vector<CoinBigIndex> begins(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
   std::vector<int> lengths;
-  for (std::size_t r = 0; r + 1 < begins.size(); ++r)
-    lengths.push_back(begins[r + 1] - begins[r]);
+  for (std::size_t r = 0; r + 1 < begins.size(); ++r) lengths.push_back(begins[r + 1] - begins[r]);
   return {false,
           static_cast<int>(rows.cols()),
           static_cast<int>(rows.rows()),
@@ -237,6 +236,14 @@ int most_pivots(const SolverOptions& options) {
   return static_cast<int>(std::min(1LL * kPivots * options.max_iterations, kMost));
 }
 
+/// More pivots than programs of this size take: the method goes round among vertices that rounding
+/// does not tell apart.
+int pivots_of_sense(const LinearProgram& linear) {
+  constexpr Eigen::Index kLeast = 1000, kEach = 20, kMost = 100'000'000;
+  return static_cast<int>(
+      std::min(kLeast + kEach * (linear.rows.rows() + linear.rows.cols()), kMost));
+}
+
 class ClpSolver final : public Solver {
  public:
   std::string name() const override { return "clp"; }
@@ -276,8 +283,11 @@ class ClpSolver final : public Solver {
     } else {
       at_vertex = begin_at_vertex(program, linear, start, model);
     }
-    const int pivots = pivoted(model, most_pivots(options), at_vertex);
-    const RunEnd end = run_end(model, options);
+    const int allowed = most_pivots(options), sensible = pivots_of_sense(linear);
+    const int pivots = pivoted(model, std::min(allowed, sensible), at_vertex);
+    RunEnd end = run_end(model, options);
+    if (end.status == Status::IterationLimit && sensible < allowed)
+      end = {Status::Stalled, "goes round among vertices"};
     solution.status = end.status;
     solution.message = end.message;
     solution.iterations = 1 + pivots / kPivots;
