@@ -144,11 +144,12 @@ void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::v
                    ConstraintSize& size) {
   constexpr double kShare = 1e-6;
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
-  constexpr double kCancels = 1e-6;   // of typical changes: less of them is left by rounding
+  constexpr double kCancels = 1e-6;   // of typical changes of a curve: rounding leaves so much
   const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
+  const double least = c.response.is_curve() ? kCancels * size.size : 0;
   const double usual =
       kShare * (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0)
-                          : or_one(std::max(whole, kCancels * size.size)));
+                          : or_one(std::max(whole, least)));
   size.tolerance = c.tolerance.value_or(usual);
   size.default_tolerance = std::min(usual, size.tolerance);
 }

@@ -160,7 +160,9 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
-  double share = 0.1;  // of a tolerance: what the exchange goes after
+  constexpr double kFinestOfLinear = 1e-2;  // a method's own rounding lies below
+  constexpr std::size_t kRefined = 280;     // variables of a linear problem: of more it lies above
+  double share = 0.1;                       // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
@@ -183,7 +185,6 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
       add_pushing_bounds(problem, program, solution, attempt.told);
     }
     sharp = sharp && needs_no_polish(problem);
-    if (settled && sharp) return;
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
@@ -195,12 +196,14 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     // Peaks that pass their limits by less than counts may keep the conditions of optimality from
     // holding: then the exchange goes after them too.
-    while (settled && share > kFinest) {
+    const bool refined_enough = sharp && problem.variables.size() > kRefined;
+    const double finest = refined_enough ? share : sharp ? kFinestOfLinear : kFinest;
+    while (settled && share > finest) {
       share *= 0.1;
       settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     }
     if (settled) return;
-    const bool refined = share < 0.1 && aim == Aim::Optimum;
+    const bool refined = share < 0.1 && aim == Aim::Optimum && !sharp;
     if (refined && kkt(problem, sizes, attempt.x).residual <= kKktTolerance) return;
     if (attempt.rounds >= kRounds || attempt.iterations >= options.max_iterations) {
       attempt.status = Status::IterationLimit;

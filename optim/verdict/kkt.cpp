@@ -120,7 +120,7 @@ class Weighing {
   /// The multipliers with which the conditions hold best. Those that are told come first where the
   /// search for others is long, else last.
   Weighed best(const Teller& told) const {
-    constexpr int kMany = 60;  // rows
+    constexpr int kMany = 30;  // rows
     if (!told || layout_.rows == 0) return best_of_nets();
     if (layout_.rows <= kMany) {
       Weighed own = best_of_nets();

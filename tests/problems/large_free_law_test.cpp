@@ -105,6 +105,31 @@ TEST_CASE("An optimum of zero is certified: a magnitude is not below it", "[free
   CHECK(judged_alone(optimum).verdict == Verdict::Certified);
 }
 
+TEST_CASE("Linear problems that one method leaves are certified by another, alone as well",
+          "[free][large]") {
+  const std::string machine =
+      "[machine]\nname = 'p'\nmoved_by = 'law'\n"
+      "[machine.parameters.k]\ndefault = 0.5\nlower = -100\nupper = 100\n"
+      "[responses.jer]\nformula = '0.01*j'\n"
+      "[responses.mix]\nformula = '0.34 + s - 0.099*v + 0.02*a - k'\n"
+      "[law]\nname = 'free'\n[variables.k]\nlower = -1.0\nupper = 2.0\n"
+      "[objective]\nminimize = 'peak jer'\n" +
+      limit("jer", "from = 0.3333333333333333\nto = 0.8333333333333333\nlower = 0.0");
+  struct Case {
+    std::string rest;
+    double least;
+  };
+  // The first leaves a vertex far from the optimum. In the second the jerk is zero wherever it is
+  // limited from below by zero: a tolerance of its size would be below rounding.
+  const Case one = GENERATE(Case{"[free]\ndegree = 3\nknots = 14\nbegin = 'U'\n" +
+                                     limit("mix", "from = 0.25\nto = 0.35\nlower = -0.05478"),
+                                 0.47651211},
+                            Case{"[free]\ndegree = 3\nknots = 5\nbegin = 'U'\n", 0.51652174});
+  const Optimum optimum = solved(machine + one.rest);
+  CHECK(global_value(optimum) == Approx(one.least).epsilon(1e-7));
+  CHECK(judged_alone(optimum).verdict == Verdict::Certified);
+}
+
 TEST_CASE("Prices of large free laws are what the objective gains", "[free][large]") {
   struct Sought {
     const char* objective;
