@@ -35,8 +35,7 @@ LinearProgram read_off(const Program& program, std::span<const double> y) {
 }
 
 bool is_finite(const LinearProgram& program) {
-  const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(),
-                                                  program.rows.nonZeros());
+  const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(), program.rows.nonZeros());
   return entries.allFinite() && program.cost.allFinite() &&
          (program.row_lower.array() < kInfinity).all() &&
          (program.row_upper.array() > -kInfinity).all();
