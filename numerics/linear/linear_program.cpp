@@ -161,6 +161,7 @@ class Interior {
     now_.w = VectorXd::Zero(sides.values.size());
     sides.lay_out(K_, places_);
     cholesky_.analyzePattern(K_);
+    look();
   }
 
   const Step& now() const { return now_; }
@@ -168,27 +169,23 @@ class Interior {
   double gap() const { return now_.s.dot(now_.z); }
   /// The largest residual of a row; of a column.
   double primal() const {
-    const double rows = (sides_.times(now_.y) + now_.s - sides_.level).cwiseAbs().maxCoeff();
-    if (now_.w.size() == 0) return rows;
-    return std::max(rows, (sides_.equations * now_.y - sides_.values).cwiseAbs().maxCoeff());
+    const double rows = primal_.cwiseAbs().maxCoeff();
+    return equation_.size() == 0 ? rows : std::max(rows, equation_.cwiseAbs().maxCoeff());
   }
-  double dual() const { return dual_residual().cwiseAbs().maxCoeff(); }
+  double dual() const { return dual_.cwiseAbs().maxCoeff(); }
 
   bool step() {
     if (!factor(now_.z.cwiseQuotient(now_.s))) return false;
-    const VectorXd dual = dual_residual();
-    const VectorXd primal = sides_.times(now_.y) + now_.s - sides_.level;
-    const VectorXd equation = sides_.equations * now_.y - sides_.values;
     const double mean = gap() / static_cast<double>(now_.s.size());
     const VectorXd products = now_.s.cwiseProduct(now_.z);
-    const Step foresight = solve_once(dual, primal, equation, products);
+    const Step foresight = solve_once(dual_, primal_, equation_, products);
     const double ahead = (now_.s + reach(now_.s, foresight.s) * foresight.s)
                              .dot(now_.z + reach(now_.z, foresight.z) * foresight.z) /
                          static_cast<double>(now_.s.size());
     const double centring = std::pow(std::max(ahead, 0.0) / mean, 3);
     const VectorXd aimed = products + foresight.s.cwiseProduct(foresight.z) -
                            VectorXd::Constant(now_.s.size(), centring * mean);
-    const Step step = solve(dual, primal, equation, aimed);
+    const Step step = solve(aimed);
     if (!step.y.allFinite() || !step.z.allFinite() || !step.w.allFinite()) return false;
     const double primal_reach = short_of(reach(now_.s, step.s));
     const double dual_reach = short_of(reach(now_.z, step.z));
@@ -196,6 +193,7 @@ class Interior {
     now_.s += primal_reach * step.s;
     now_.z += dual_reach * step.z;
     now_.w += dual_reach * step.w;
+    look();
     return std::max(primal_reach, dual_reach) > 1e-8;
   }
 
@@ -224,18 +222,20 @@ class Interior {
     return true;
   }
 
-  VectorXd dual_residual() const {
-    return sides_.cost + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
+  /// What is left of the conditions where the point is now.
+  void look() {
+    dual_ = sides_.cost + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
+    primal_ = sides_.times(now_.y) + now_.s - sides_.level;
+    equation_ = sides_.equations * now_.y - sides_.values;
   }
 
   /// G dy + ds = -primal, E dy = -equation, G^T dz + E^T dw = -dual, z ds + s dz = -products.
-  Step solve(const VectorXd& dual, const VectorXd& primal, const VectorXd& equation,
-             const VectorXd& products) const {
+  Step solve(const VectorXd& products) const {
     // Once more for what rounding left: normal equations square the condition.
-    Step step = solve_once(dual, primal, equation, products);
+    Step step = solve_once(dual_, primal_, equation_, products);
     const Step more =
-        solve_once(dual + sides_.transposed(step.z) + sides_.equations.transpose() * step.w,
-                   primal + sides_.times(step.y) + step.s, equation + sides_.equations * step.y,
+        solve_once(dual_ + sides_.transposed(step.z) + sides_.equations.transpose() * step.w,
+                   primal_ + sides_.times(step.y) + step.s, equation_ + sides_.equations * step.y,
                    products + now_.z.cwiseProduct(step.s) + now_.s.cwiseProduct(step.z));
     step.y += more.y;
     step.s += more.s;
@@ -260,6 +260,7 @@ class Interior {
 
   const Sides& sides_;
   Step now_;
+  VectorXd dual_, primal_, equation_;  ///< residuals
   Eigen::SparseMatrix<double> K_;
   std::vector<int> places_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;
@@ -290,11 +291,11 @@ InteriorSolution with_multipliers(const Sides& sides, const Interior::Step& now,
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
   constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
+  constexpr double kNearZero = 1e-2;  // of an objective: its gap counts over no less
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
   for (int idle = 0;;) {
-    const double gap =
-        interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
+    const double gap = interior.gap() / std::max(std::abs(interior.objective()), kNearZero);
     const double primal = interior.primal();
     if (iterations > 0 && options.goes_on &&
         !options.goes_on(iterations, interior.objective(), primal)) {

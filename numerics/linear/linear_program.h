@@ -35,9 +35,6 @@ struct InteriorSolution {
 
 struct InteriorOptions {
   int most_iterations = 200;
-  /// The gap between the objective and its lower bound counts over the objective, or over this
-  /// where the objective is nearer to zero.
-  double least_objective = 1e-2;
   /// Asked after each iteration with its number, the objective and the largest residual of a row:
   /// whether to go on.
   std::function<bool(int, double, double)> goes_on = {};

@@ -146,7 +146,7 @@ void set_tolerance(const Constraint& c, MaximaAt& maxima, Design x, const std::v
   constexpr double kNearZero = 1e-3;  // of the response: a bound below this is as good as zero
   constexpr double kCancels = 1e-6;   // of typical changes of a curve: rounding leaves so much
   const double bound = larger_bound(c), whole = magnitude(c.response, maxima, x, own);
-  const double least = c.response.is_curve() ? kCancels * size.size : 0;
+  const double least = c.response.is_curve() && !c.scale ? kCancels * size.size : 0;
   const double usual =
       kShare * (bound > 0 ? std::max(bound, std::isfinite(whole) ? kNearZero * whole : 0)
                           : or_one(std::max(whole, least)));

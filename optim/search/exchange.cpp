@@ -28,15 +28,19 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
   return options;
 }
 
-/// Whether a program is linear and solved by a method that ends at its optimum.
-bool is_solved_as_linear(const Program& program, const Solver& solver, Status status) {
-  const bool well = status == Status::Solved || status == Status::Acceptable;
-  return well && program.is_linear() && solver.solves_linear_programs();
-}
+bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
-/// Whether that optimum needs no polish, and its conditions of optimality are left to the verdict:
-/// to look at them takes longer than a few rounds more. Of few variables one peak that moves tells.
+/// Whether an optimum of a linear program needs no polish, and its conditions of optimality are
+/// left to the verdict: to look at them takes longer than a few rounds more. Of few variables one
+/// peak that moves tells.
 bool needs_no_polish(const Problem& problem) { return problem.variables.size() > kManyVariables; }
+
+/// To what share of their tolerances the exchange goes after peaks from such an optimum on: not to
+/// where the method's own rounding lies.
+double finest_without_polish(const Problem& problem) {
+  constexpr std::size_t kMost = 280;  // variables: of more it lies above a tenth
+  return problem.variables.size() > kMost ? 0.1 : 5e-3;
+}
 
 /// Whether no place of a curve moves along with the design.
 bool stands_still(const Problem& problem) {
@@ -91,8 +95,6 @@ void add_pushing_bounds(const Problem& problem, const Program& program, const So
     add(1, solution.upper[k]), add(-1, solution.lower[k]);
   }
 }
-
-bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
 /// Point and multipliers of one solve as the start of the next, whose groups of rows have grown at
 /// their ends; new rows begin without a multiplier.
@@ -160,9 +162,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
          const SolverOptions& options, Aim aim, Attempt& attempt) {
   constexpr int kRounds = 40;
   constexpr double kFinest = 1e-6;
-  constexpr double kFinestOfLinear = 1e-2;  // a method's own rounding lies below
-  constexpr std::size_t kRefined = 280;     // variables of a linear problem: of more it lies above
-  double share = 0.1;                       // of a tolerance: what the exchange goes after
+  double share = 0.1;  // of a tolerance: what the exchange goes after
   const auto began = Clock::now();
   WorkingSet working(problem, sizes, aim);
   working.begin_at(attempt.x);
@@ -179,12 +179,13 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
         went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    bool sharp = is_solved_as_linear(program, solver, attempt.status);
-    if (sharp && stands_still(problem)) {
+    const bool solved_as_linear =
+        went_well(attempt.status) && program.is_linear() && solver.solves_linear_programs();
+    if (solved_as_linear && stands_still(problem)) {
       add_pushing_rows(program, solution, attempt.told);
       add_pushing_bounds(problem, program, solution, attempt.told);
     }
-    sharp = sharp && needs_no_polish(problem);
+    const bool sharp = solved_as_linear && needs_no_polish(problem);
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);
@@ -196,8 +197,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     }
     // Peaks that pass their limits by less than counts may keep the conditions of optimality from
     // holding: then the exchange goes after them too.
-    const bool refined_enough = sharp && problem.variables.size() > kRefined;
-    const double finest = refined_enough ? share : sharp ? kFinestOfLinear : kFinest;
+    const double finest = sharp ? finest_without_polish(problem) : kFinest;
     while (settled && share > finest) {
       share *= 0.1;
       settled = working.add_violated(attempt.x, auxiliary, share) == 0;

@@ -131,9 +131,10 @@ void find_feasible(const Setting& setting, Trail& trail, Reached& reached) {
   least.attempt.told.clear();  // it is of the least violation
   consider(least.attempt, ipopt_solver(), setting, trail, reached);
   best.kkt_residual = kInfinity;
-  std::vector<const Solver*> solvers = plan(setting.problem, "auto").solvers;
-  if (!solvers.front()->solves_linear_programs()) solvers = {&find_solver("slsqp")};
-  if (solvers.back() != &ipopt_solver()) solvers.push_back(&ipopt_solver());
+  const std::vector<const Solver*> solvers =
+      is_linear(setting.problem)
+          ? plan(setting.problem, "auto").solvers
+          : std::vector<const Solver*>{&find_solver("slsqp"), &ipopt_solver()};
   for (const Solver* solver : solvers) {
     if (!is_settled(best)) attempt(least.attempt.x, *solver, setting, trail, reached);
   }

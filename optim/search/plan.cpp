@@ -16,15 +16,15 @@ bool has_linear_limits(const Problem& problem) {
                      [](const Constraint& c) { return c.response.shape() == Shape::Linear; });
 }
 
-bool is_linear(const Problem& problem) {
-  return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
-}
-
 std::string variables_text(std::size_t n) {
   return fmt::format("{} variable{}", n, n == 1 ? "" : "s");
 }
 
 }  // namespace
+
+bool is_linear(const Problem& problem) {
+  return problem.objective().response.shape() == Shape::Linear && has_linear_limits(problem);
+}
 
 Plan plan(const Problem& problem, const std::string& wanted) {
   constexpr std::size_t kSmall = 30;

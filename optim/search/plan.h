@@ -14,6 +14,9 @@ namespace camlaw::optim {
 /// add one by one.
 inline constexpr std::size_t kManyVariables = 30;
 
+/// Whether objective and limits are known to be linear.
+bool is_linear(const Problem& problem);
+
 /// The methods to try in turn, and why.
 struct Plan {
   std::vector<const Solver*> solvers;

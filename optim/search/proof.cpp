@@ -57,9 +57,8 @@ Assessment judged_best(const Setting& setting, const Trail& trail) {
     return assess(setting.problem, trail.sizes, trail.found.x, true, told);
   };
   Assessment judged = with(told_as(trail.told));
-  const bool linear = plan(setting.problem, "auto").solvers.front()->solves_linear_programs();
   const bool wanting = is_feasible(judged) && !judged.global;
-  if (!linear || !wanting || setting.deadline.passed()) return judged;
+  if (!is_linear(setting.problem) || !wanting || setting.deadline.passed()) return judged;
   Assessment again = with(teller_at(setting.problem, trail.sizes, trail.found.x));
   return again.verdict == Verdict::Certified ? again : judged;
 }

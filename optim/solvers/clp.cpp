@@ -52,16 +52,8 @@ class EndOnRequest final : public ClpEventHandler {
   EndOnRequest(const SolverOptions& options, Clock::time_point began)
       : options_(&options), began_(began) {}
 
-  int event(Event) override { return must_end(*options_, began_) ? 1 : -1; }
+  int event(Event) override { return is_stopped(*options_) || is_late(*options_, began_) ? 1 : -1; }
   ClpEventHandler* clone() const override { return new EndOnRequest(*this); }
-
-  static bool is_stopped(const SolverOptions& options) {
-    return options.stop != nullptr && options.stop->load();
-  }
-  static bool must_end(const SolverOptions& options, Clock::time_point began) {
-    const std::chrono::duration<double> spent = Clock::now() - began;
-    return is_stopped(options) || (options.time_limit && spent.count() > *options.time_limit);
-  }
 
  private:
   const SolverOptions* options_;
@@ -162,7 +154,7 @@ RunEnd run_end(const ClpSimplex& model, const SolverOptions& options) {
       return {Status::Unbounded, "the objective falls without end"};
     case 3:
     case 5:
-      if (EndOnRequest::is_stopped(options)) return {Status::Stopped, "stopped"};
+      if (is_stopped(options)) return {Status::Stopped, "stopped"};
       if (model.hitMaximumIterations()) return {Status::IterationLimit, "limit of iterations"};
       return {Status::TimeLimit, "time limit"};
     default:

@@ -10,8 +10,6 @@
 namespace camlaw::optim {
 namespace {
 
-using InteriorClock = std::chrono::steady_clock;
-
 class InteriorSolver final : public Solver {
  public:
   std::string name() const override { return "interior"; }
@@ -61,12 +59,12 @@ class InteriorSolver final : public Solver {
   static std::function<bool(int, double, double)> watch(const Program& program,
                                                         const SolverOptions& options,
                                                         RunEnd& cut_short) {
-    return [&, began = InteriorClock::now()](int iterations, double objective, double primal) {
+    return [&, began = std::chrono::steady_clock::now()](int iterations, double objective,
+                                                         double primal) {
       if (options.progress)
         options.progress({iterations, program.unscaled_objective(objective), primal});
-      const std::chrono::duration<double> spent = InteriorClock::now() - began;
-      if (options.stop != nullptr && options.stop->load()) return false;
-      if (!options.time_limit || spent.count() <= *options.time_limit) return true;
+      if (is_stopped(options)) return false;
+      if (!is_late(options, began)) return true;
       cut_short = {Status::TimeLimit, "time limit"};
       return false;
     };

@@ -136,9 +136,8 @@ class Adapter final : public Ipopt::TNLP {
 
   /// Whether the user or the clock ends the search; keeps which of them.
   bool must_end() {
-    stopped = options_.stop != nullptr && options_.stop->load();
-    const std::chrono::duration<double> spent = Clock::now() - began_;
-    out_of_time = options_.time_limit && spent.count() > *options_.time_limit;
+    stopped = is_stopped(options_);
+    out_of_time = is_late(options_, began_);
     return stopped || out_of_time;
   }
 

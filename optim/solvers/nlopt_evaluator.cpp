@@ -100,7 +100,7 @@ void Evaluator::derive() {
 void Evaluator::watch_limits() {
   if (halt_ != Halt::None) return;
   const std::chrono::duration<double> spent = Clock::now() - began_;
-  if (options_.stop != nullptr && options_.stop->load()) {
+  if (is_stopped(options_)) {
     halt_ = Halt::Stopped;
   } else if (options_.time_limit && spent.count() >= *options_.time_limit) {
     halt_ = Halt::TimeLimit;

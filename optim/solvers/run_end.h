@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <span>
 #include <string>
@@ -16,6 +17,16 @@ struct RunEnd {
   Status status;
   std::string message;
 };
+
+inline bool is_stopped(const SolverOptions& options) {
+  return options.stop != nullptr && options.stop->load();
+}
+
+/// Whether a run that began then has used up its time.
+inline bool is_late(const SolverOptions& options, std::chrono::steady_clock::time_point began) {
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+  return options.time_limit && spent.count() > *options.time_limit;
+}
 
 inline bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });

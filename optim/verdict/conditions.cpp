@@ -59,10 +59,11 @@ std::vector<double> reaches(const Problem& problem, const Sizes& sizes, const La
 /// How far the conditions are from holding with the multipliers; `left` is what these leave of the
 /// objective's gradient.
 double residual_of(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
-                   const Layout& layout, const Weighed& weighed, const Eigen::VectorXd& left) {
+                   const Layout& layout, const std::vector<ActiveLimit>& limits,
+                   const std::vector<double>& multipliers, const Eigen::VectorXd& left) {
   double open = 0;
-  for (std::size_t j = 0; j < weighed.limits.size(); ++j)
-    open += std::abs(weighed.multipliers[j] * weighed.limits[j].margin);
+  for (std::size_t j = 0; j < limits.size(); ++j)
+    open += std::abs(multipliers[j] * limits[j].margin);
   const auto reach = reaches(problem, sizes, layout, optimality);
   double largest = 0, sum = 0;
   for (std::size_t i = 0; i < reach.size(); ++i) {
@@ -185,32 +186,34 @@ Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality o
   result.multipliers = solved.multipliers;
   result.condition = solved.condition;
   for (std::size_t j = 0; j < lengths.size(); ++j) result.multipliers[j] /= lengths[j];
-  result.residual = residual_of(problem, sizes, x, optimality, layout, result, solved.left);
+  result.residual = residual_of(problem, sizes, x, optimality, layout, result.limits,
+                                result.multipliers, solved.left);
   return result;
 }
 
 Weighed weigh(const Problem& problem, const Sizes& sizes, Design x, Optimality optimality,
               const Layout& layout, const std::vector<Push>& pushes) {
   const double unit = optimality == Optimality::Objective ? sizes.objective : 1;
-  const Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
+  Told told = columns_of(told_limits(problem, sizes, x, optimality, pushes), unit, layout);
   if (told.limits.empty()) return {};
   const Eigen::VectorXd target = target_of(problem, sizes, x, layout, told.A.rows());
-  const auto with = [&](const Eigen::VectorXd& multipliers) {
-    Weighed weighed{told.limits};
-    for (std::size_t j = 0; j < told.lengths.size(); ++j) {
-      weighed.multipliers.push_back(multipliers[static_cast<Eigen::Index>(j)] / told.lengths[j]);
-    }
-    const Eigen::VectorXd left = told.A * multipliers + target;
-    weighed.residual = residual_of(problem, sizes, x, optimality, layout, weighed, left);
-    return weighed;
+  Weighed best;
+  const auto consider = [&](const Eigen::VectorXd& columns) {
+    std::vector<double> multipliers(columns.begin(), columns.end());
+    for (std::size_t j = 0; j < multipliers.size(); ++j) multipliers[j] /= told.lengths[j];
+    const double residual = residual_of(problem, sizes, x, optimality, layout, told.limits,
+                                        multipliers, told.A * columns + target);
+    if (!best.multipliers.empty() && !(residual < best.residual)) return;
+    best.multipliers = std::move(multipliers);
+    best.residual = residual;
   };
-  Weighed best = with(told.multipliers);
-  const std::vector<int> pushing = told.pushing();
-  if (pushing.empty()) return best;
-  const auto factors = cheaper_factors(told.A)(pushing);
-  Weighed sharper = with(refined(told, pushing, *factors, target));
-  if (sharper.residual < best.residual) best = std::move(sharper);
-  best.condition = factors->condition();
+  consider(told.multipliers);
+  if (const std::vector<int> pushing = told.pushing(); !pushing.empty()) {
+    const auto factors = cheaper_factors(told.A)(pushing);
+    consider(refined(told, pushing, *factors, target));
+    best.condition = factors->condition();
+  }
+  best.limits = std::move(told.limits);
   return best;
 }
 

@@ -165,11 +165,7 @@ std::vector<Inequality> inequalities(const Problem& problem, const Sizes& sizes,
   return rows;
 }
 
-}  // namespace
-
-namespace {
-
-/// From the multipliers.
+/// What the multipliers leave to gain, over the objective's size.
 std::optional<double> gain_left(const Problem& problem, const Sizes& sizes, Design x,
                                 const Weighed& weighed) {
   const Duality duality(problem, sizes, x);

@@ -40,6 +40,15 @@ inline Function linear(std::vector<std::size_t> inputs, F f) {
   return function<Interval>(std::move(inputs), f, Shape::Linear);
 }
 
+/// The sum of the inputs, each times its weight.
+inline Function sum_of(std::vector<std::size_t> inputs, std::vector<double> weights) {
+  return linear(std::move(inputs), [weights](const auto& u) {
+    auto total = weights[0] * u[0];
+    for (std::size_t i = 1; i < weights.size(); ++i) total = total + weights[i] * u[i];
+    return total;
+  });
+}
+
 inline Constraint at_most(const std::string& name, Function f, double bound) {
   return {.response = {name, "mm", std::move(f)}, .upper = bound};
 }

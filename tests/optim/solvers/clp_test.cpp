@@ -17,11 +17,7 @@ using namespace search_tests;
 Function combination(std::vector<double> a) {
   std::vector<std::size_t> inputs;
   for (std::size_t i = 0; i < a.size(); ++i) inputs.push_back(i);
-  return linear(std::move(inputs), [a](const auto& u) {
-    auto total = a[0] * u[0];
-    for (std::size_t i = 1; i < a.size(); ++i) total = total + a[i] * u[i];
-    return total;
-  });
+  return sum_of(std::move(inputs), std::move(a));
 }
 
 Row row(std::vector<double> a, double lower, double upper) {

@@ -13,14 +13,6 @@ namespace {
 
 using namespace search_tests;
 
-Function sum_of(std::vector<std::size_t> inputs, std::vector<double> weights) {
-  return linear(std::move(inputs), [weights](const auto& u) {
-    auto total = weights[0] * u[0];
-    for (std::size_t i = 1; i < weights.size(); ++i) total = total + weights[i] * u[i];
-    return total;
-  });
-}
-
 /// The most of 3 x + 5 y is 36 at (2, 6), the shadow prices are 0, 3/2 and 1 (Hillier and
 /// Lieberman, "Wyndor Glass Co.").
 Program wyndor() {

@@ -16,14 +16,6 @@ namespace {
 
 using namespace search_tests;
 
-Function sum_of(std::vector<std::size_t> inputs, std::vector<double> weights) {
-  return linear(std::move(inputs), [weights](const auto& u) {
-    auto total = weights[0] * u[0];
-    for (std::size_t i = 1; i < weights.size(); ++i) total = total + weights[i] * u[i];
-    return total;
-  });
-}
-
 std::vector<std::size_t> first(std::size_t n) {
   std::vector<std::size_t> all(n);
   for (std::size_t i = 0; i < n; ++i) all[i] = i;
