@@ -179,13 +179,12 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
         went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
-    const bool solved_as_linear =
-        went_well(attempt.status) && program.is_linear() && solver.solves_linear_programs();
-    if (solved_as_linear && stands_still(problem)) {
+    const bool solved_sharply = went_well(attempt.status) && solver.is_sharp(program);
+    if (solved_sharply && stands_still(problem)) {
       add_pushing_rows(program, solution, attempt.told);
       add_pushing_bounds(problem, program, solution, attempt.told);
     }
-    const bool sharp = solved_as_linear && needs_no_polish(problem);
+    const bool sharp = solved_sharply && needs_no_polish(problem);
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);

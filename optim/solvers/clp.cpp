@@ -31,7 +31,7 @@ std::vector<double> open_ends(const Eigen::VectorXd& bounds) {
 }
 
 /// By rows, as Clp takes it.
-CoinPackedMatrix matrix_of(const LinearProgram& linear) {
+CoinPackedMatrix matrix_of(const QuadraticProgram& linear) {
   const auto& rows = linear.rows;
   std::vector<CoinBigIndex> begins(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
   std::vector<int> lengths;
@@ -82,8 +82,8 @@ void begin_at(const Program& program, const WarmStart& warm, ClpSimplex& model) 
 
 /// The basis of a start that is a vertex, or lies on an edge between two: what stands at its bound
 /// is there in the basis too. False where the start is no such place.
-bool begin_at_vertex(const Program& program, const LinearProgram& linear, std::span<const double> y,
-                     ClpSimplex& model) {
+bool begin_at_vertex(const Program& program, const QuadraticProgram& linear,
+                     std::span<const double> y, ClpSimplex& model) {
   constexpr double kStands = 1e-9;
   using Status = ClpSimplex::Status;
   const std::size_t n = program.variables(), m = program.rows();
@@ -209,7 +209,7 @@ int pivoted(ClpSimplex& model, int most, bool primal_first) {
   return first + model.numberIterations();
 }
 
-void load(const LinearProgram& linear, const SolverOptions& options, ClpSimplex& model) {
+void load(const QuadraticProgram& linear, const SolverOptions& options, ClpSimplex& model) {
   constexpr double kTightest = 1e-10;
   model.setLogLevel(0);
   model.loadProblem(matrix_of(linear), open_ends(linear.lower).data(),
@@ -230,7 +230,7 @@ int most_pivots(const SolverOptions& options) {
 
 /// More pivots than programs of this size take: the method goes round among vertices that rounding
 /// does not tell apart.
-int pivots_of_sense(const LinearProgram& linear) {
+int pivots_of_sense(const QuadraticProgram& linear) {
   constexpr Eigen::Index kLeast = 1000, kEach = 20, kMost = 100'000'000;
   return static_cast<int>(
       std::min(kLeast + kEach * (linear.rows.rows() + linear.rows.cols()), kMost));
@@ -258,7 +258,7 @@ class ClpSolver final : public Solver {
       return solution;
     }
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
-    const LinearProgram linear = read_off(program, start);
+    const QuadraticProgram linear = read_off(program, start);
     solution.evaluations = 1;
     if (!is_finite(linear)) {
       solution.status = Status::NonFiniteStart;

@@ -31,7 +31,7 @@ class InteriorSolver final : public Solver {
       return solution;
     }
     const std::span<const double> start = warm != nullptr ? warm->y : program.start();
-    const LinearProgram linear = read_off(program, start);
+    const QuadraticProgram linear = read_off(program, start);
     solution.evaluations = 1;
     if (!is_finite(linear)) {
       solution.status = Status::NonFiniteStart;

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <map>
 
+#include "numerics/linear/dense.h"
+
 namespace camlaw::optim {
 namespace {
 
@@ -19,6 +21,24 @@ struct Derivatives {
     if (h.size() < packed_size(inputs)) h.resize(packed_size(inputs));
   }
 };
+
+/// Sets the negative eigenvalues of a packed symmetric matrix to 0.
+void leave_out_negative(std::span<double> packed_matrix, std::size_t inputs) {
+  const auto n = static_cast<Eigen::Index>(inputs);
+  Eigen::MatrixXd A(n, n);
+  for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t j = 0; j <= i; ++j)
+      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = packed_matrix[packed(i, j)];
+  }
+  if (!A.triangularView<Eigen::Lower>().toDenseMatrix().allFinite()) return;
+  const SymmetricEigen eigen = symmetric_eigen(A);
+  if (eigen.values[0] >= 0) return;
+  A = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
+  for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t j = 0; j <= i; ++j)
+      packed_matrix[packed(i, j)] = A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  }
+}
 
 }  // namespace
 
@@ -224,6 +244,17 @@ void Program::jacobian(std::span<const double> y, std::span<double> entries) con
 
 void Program::hessian(std::span<const double> y, double weight, std::span<const double> multipliers,
                       std::span<double> entries) const {
+  add_hessians(y, weight, multipliers, Curvature::Whole, entries);
+}
+
+void Program::convex_hessian(std::span<const double> y, double weight,
+                             std::span<const double> multipliers, std::span<double> entries) const {
+  add_hessians(y, weight, multipliers, Curvature::Convex, entries);
+}
+
+void Program::add_hessians(std::span<const double> y, double weight,
+                           std::span<const double> multipliers, Curvature curvature,
+                           std::span<double> entries) const {
   const std::vector<double> x = design(y);
   std::fill(entries.begin(), entries.end(), 0.0);
   Derivatives d;
@@ -234,11 +265,14 @@ void Program::hessian(std::span<const double> y, double weight, std::span<const 
     d.fit_second(inputs.size());
     function.hessian(x, d.g, d.h);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j)
+        d.h[packed(i, j)] *= factor * columns_[inputs[i]].scale * columns_[inputs[j]].scale;
+    }
+    if (curvature == Curvature::Convex) leave_out_negative(d.h, inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         const int place = places[packed(i, j)];
-        if (place < 0) continue;
-        entries[static_cast<std::size_t>(place)] +=
-            factor * d.h[packed(i, j)] * columns_[inputs[i]].scale * columns_[inputs[j]].scale;
+        if (place >= 0) entries[static_cast<std::size_t>(place)] += d.h[packed(i, j)];
       }
     }
   };

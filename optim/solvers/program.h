@@ -73,6 +73,10 @@ class Program {
   const Pattern& hessian_pattern() const { return hessian_; }
   void hessian(std::span<const double> y, double weight, std::span<const double> multipliers,
                std::span<double> entries) const;
+  /// The same with negative eigenvalues of each function's second derivatives, as they are
+  /// weighted, set to 0.
+  void convex_hessian(std::span<const double> y, double weight, std::span<const double> multipliers,
+                      std::span<double> entries) const;
 
   /// Between the program's y and the problem's x.
   std::vector<double> design(std::span<const double> y) const;
@@ -86,7 +90,10 @@ class Program {
   double objective_size() const { return objective_size_; }
 
  private:
+  enum class Curvature { Whole, Convex };
   void lay_out();
+  void add_hessians(std::span<const double> y, double weight, std::span<const double> multipliers,
+                    Curvature curvature, std::span<double> entries) const;
   void add_entries(const std::vector<std::size_t>& inputs,
                    std::vector<std::vector<int>>& columns) const;
 

@@ -10,19 +10,26 @@ Eigen::VectorXd vector_of(std::span<const double> values) {
 
 }  // namespace
 
-LinearProgram read_off(const Program& program, std::span<const double> y) {
+Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian_matrix(const Program& program,
+                                                             std::span<const double> y) {
   const Pattern& pattern = program.jacobian_pattern();
-  const auto n = static_cast<Eigen::Index>(program.variables());
-  const auto m = static_cast<Eigen::Index>(program.rows());
   std::vector<double> entries(pattern.size());
   program.jacobian(y, entries);
   std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(entries.size());
   for (std::size_t k = 0; k < entries.size(); ++k)
     triplets.emplace_back(pattern.rows[k], pattern.columns[k], entries[k]);
-  LinearProgram result;
-  result.rows.resize(m, n);
-  result.rows.setFromTriplets(triplets.begin(), triplets.end());
-  result.cost.resize(n);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> result(
+      static_cast<Eigen::Index>(program.rows()), static_cast<Eigen::Index>(program.variables()));
+  result.setFromTriplets(triplets.begin(), triplets.end());
+  return result;
+}
+
+QuadraticProgram read_off(const Program& program, std::span<const double> y) {
+  const auto m = static_cast<Eigen::Index>(program.rows());
+  QuadraticProgram result;
+  result.rows = jacobian_matrix(program, y);
+  result.cost.resize(result.rows.cols());
   program.gradient(y, {result.cost.data(), program.variables()});
   Eigen::VectorXd rest(m);
   program.row_values(y, {rest.data(), program.rows()});
@@ -34,7 +41,7 @@ LinearProgram read_off(const Program& program, std::span<const double> y) {
   return result;
 }
 
-bool is_finite(const LinearProgram& program) {
+bool is_finite(const QuadraticProgram& program) {
   const Eigen::Map<const Eigen::VectorXd> entries(program.rows.valuePtr(), program.rows.nonZeros());
   return entries.allFinite() && program.cost.allFinite() &&
          (program.row_lower.array() < kInfinity).all() &&

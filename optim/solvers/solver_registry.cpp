@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "optim/solvers/interior.h"
+#include "optim/solvers/sequential.h"
 #include "optim/solvers/solver.h"
 
 /// The solvers by name: camlaw's own and those that a program registers.
@@ -34,6 +35,7 @@ Registry& registry() {
     made->all.push_back({ipopt_solver().name(), &ipopt_solver()});
     made->all.push_back({clp_solver().name(), &clp_solver()});
     made->all.push_back({interior_solver().name(), &interior_solver()});
+    made->all.push_back({sequential_solver().name(), &sequential_solver()});
     for (const Solver* solver : nlopt_solvers()) made->all.push_back({solver->name(), solver});
     made->built_in = made->all.size();
     return made;

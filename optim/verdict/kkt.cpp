@@ -152,7 +152,13 @@ class Weighing {
   bool holds(const Weighed& weighed) const {
     if (optimality_ == Optimality::LeastViolation)
       return weighed.residual <= kLeastViolationTolerance;
-    return weighed.residual <= kGood || is_tight(weighed);
+    return weighed.residual <= kGood || is_tight(weighed) || is_enough(weighed);
+  }
+
+  /// Whether the conditions hold, and sharper multipliers would tell no bound either.
+  bool is_enough(const Weighed& weighed) const {
+    return weighed.residual <= kKktTolerance &&
+           !largest_gain(problem_, sizes_, x_, layout_, weighed);
   }
 
   /// Whether a lower bound leaves nothing better: then multipliers need not be sharper.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "numerics/linear/linear_program.h"
+#include "numerics/linear/quadratic_program.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
@@ -13,13 +13,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// minimise cost . y where G y <= h and E y = e: each row of the program with a side for each of
-/// its bounds, then the bounds of the variables. Rows are kept once; sides refer to them. Equations
-/// are few.
+/// minimise cost . y + y . curvature y / 2 where G y <= h and E y = e: each row of the program with
+/// a side for each of its bounds, then the bounds of the variables. Rows are kept once; sides refer
+/// to them. Equations are few.
 class Sides {
  public:
-  explicit Sides(const LinearProgram& program)
-      : cost(program.cost), variables_(static_cast<std::size_t>(program.cost.size())) {
+  explicit Sides(const QuadraticProgram& program)
+      : cost(program.cost),
+        curvature(program.curvature),
+        variables_(static_cast<std::size_t>(program.cost.size())) {
     const auto& rows = program.rows;
     entries_.assign(rows.valuePtr(), rows.valuePtr() + rows.nonZeros());
     columns_.assign(rows.innerIndexPtr(), rows.innerIndexPtr() + rows.nonZeros());
@@ -79,7 +81,14 @@ class Sides {
     return result;
   }
 
-  /// Entries of G^T W G, lower triangle: one list of places for all weights.
+  /// The gradient of the cost.
+  VectorXd slope(const VectorXd& y) const {
+    return is_linear() ? cost : cost + curvature.selfadjointView<Eigen::Lower>() * y;
+  }
+  double objective(const VectorXd& y) const { return 0.5 * (cost + slope(y)).dot(y); }
+  bool is_linear() const { return curvature.nonZeros() == 0; }
+
+  /// Entries of curvature + G^T W G, lower triangle: one list of places for all weights.
   void lay_out(Eigen::SparseMatrix<double>& K, std::vector<int>& places) const {
     std::vector<Eigen::Triplet<double>> triplets;
     each_pair([&](int i, int j) { triplets.emplace_back(i, j, 1.0); });
@@ -106,13 +115,16 @@ class Sides {
           K.valuePtr()[places[next++]] += of_row[r] * entries_[k] * entries_[l];
       }
     }
+    for (Eigen::Index k = 0; k < curvature.nonZeros(); ++k)
+      K.valuePtr()[places[next++]] += curvature.valuePtr()[k];
   }
 
   /// The rows that are equations, in order.
   const std::vector<Eigen::Index>& equation_rows() const { return equations_; }
 
   VectorXd cost, level;
-  Eigen::MatrixXd equations;  ///< equations y = values
+  Eigen::SparseMatrix<double> curvature;  ///< compressed; of size 0 where there is none
+  Eigen::MatrixXd equations;              ///< equations y = values
   VectorXd values;
 
  private:
@@ -129,6 +141,10 @@ class Sides {
           take(std::max(columns_[k], columns_[l]), std::min(columns_[k], columns_[l]));
         }
       }
+    }
+    for (Eigen::Index j = 0; j < curvature.outerSize(); ++j) {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(curvature, j); entry; ++entry)
+        take(static_cast<int>(entry.row()), static_cast<int>(entry.col()));
     }
   }
 
@@ -165,7 +181,7 @@ class Interior {
   }
 
   const Step& now() const { return now_; }
-  double objective() const { return sides_.cost.dot(now_.y); }
+  double objective() const { return sides_.objective(now_.y); }
   double gap() const { return now_.s.dot(now_.z); }
   /// The largest residual of a row; of a column.
   double primal() const {
@@ -187,8 +203,10 @@ class Interior {
                            VectorXd::Constant(now_.s.size(), centring * mean);
     const Step step = solve(aimed);
     if (!step.y.allFinite() || !step.z.allFinite() || !step.w.allFinite()) return false;
-    const double primal_reach = short_of(reach(now_.s, step.s));
-    const double dual_reach = short_of(reach(now_.z, step.z));
+    double primal_reach = short_of(reach(now_.s, step.s));
+    double dual_reach = short_of(reach(now_.z, step.z));
+    // The slope of a quadratic cost goes with the point, so that the multipliers must keep up.
+    if (!sides_.is_linear()) primal_reach = dual_reach = std::min(primal_reach, dual_reach);
     now_.y += primal_reach * step.y;
     now_.s += primal_reach * step.s;
     now_.z += dual_reach * step.z;
@@ -207,7 +225,7 @@ class Interior {
   }
   static double short_of(double reach) { return reach < 1 ? 0.995 * reach : 1; }
 
-  /// K = G^T W G, and what the equations need of it.
+  /// K = curvature + G^T W G, and what the equations need of it.
   bool factor(const VectorXd& weights) {
     sides_.weigh(weights, K_, places_);
     for (Eigen::Index i = 0; i < K_.cols(); ++i) {
@@ -224,17 +242,20 @@ class Interior {
 
   /// What is left of the conditions where the point is now.
   void look() {
-    dual_ = sides_.cost + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
+    dual_ =
+        sides_.slope(now_.y) + sides_.transposed(now_.z) + sides_.equations.transpose() * now_.w;
     primal_ = sides_.times(now_.y) + now_.s - sides_.level;
     equation_ = sides_.equations * now_.y - sides_.values;
   }
 
-  /// G dy + ds = -primal, E dy = -equation, G^T dz + E^T dw = -dual, z ds + s dz = -products.
+  /// G dy + ds = -primal, E dy = -equation, curvature dy + G^T dz + E^T dw = -dual, z ds + s dz =
+  /// -products.
   Step solve(const VectorXd& products) const {
     // Once more for what rounding left: normal equations square the condition.
     Step step = solve_once(dual_, primal_, equation_, products);
     const Step more =
-        solve_once(dual_ + sides_.transposed(step.z) + sides_.equations.transpose() * step.w,
+        solve_once(dual_ + (sides_.slope(step.y) - sides_.cost) + sides_.transposed(step.z) +
+                       sides_.equations.transpose() * step.w,
                    primal_ + sides_.times(step.y) + step.s, equation_ + sides_.equations * step.y,
                    products + now_.z.cwiseProduct(step.s) + now_.s.cwiseProduct(step.z));
     step.y += more.y;
@@ -291,11 +312,11 @@ InteriorSolution with_multipliers(const Sides& sides, const Interior::Step& now,
 /// Steps until the gap is closed or nothing is gained.
 InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& iterations) {
   constexpr double kGap = 2e-11, kLeft = 1e-9, kGood = 1e-7, kGain = 0.9;
-  constexpr double kNearZero = 1e-2;  // of an objective: its gap counts over no less
   constexpr int kPatience = 15;
   double least_gap = std::numeric_limits<double>::infinity(), least_left = least_gap;
   for (int idle = 0;;) {
-    const double gap = interior.gap() / std::max(std::abs(interior.objective()), kNearZero);
+    const double gap =
+        interior.gap() / std::max(std::abs(interior.objective()), options.least_objective);
     const double primal = interior.primal();
     if (iterations > 0 && options.goes_on &&
         !options.goes_on(iterations, interior.objective(), primal)) {
@@ -317,7 +338,7 @@ InteriorEnd followed(Interior& interior, const InteriorOptions& options, int& it
 
 }  // namespace
 
-InteriorSolution solve_by_interior_point(const LinearProgram& program, const VectorXd& start,
+InteriorSolution solve_by_interior_point(const QuadraticProgram& program, const VectorXd& start,
                                          const InteriorOptions& options) {
   const Sides sides(program);
   if (sides.count() == 0 || start.size() == 0) {

@@ -4,13 +4,16 @@
 #include <Eigen/SparseCore>
 #include <functional>
 
-/// Linear programs of many variables whose rows are local, each in a few of them.
+/// Linear and convex quadratic programs of many variables whose rows are local, each in a few of
+/// them.
 namespace camlaw::optim {
 
-/// minimise cost . y where row_lower <= rows y <= row_upper and lower <= y <= upper. Bounds may be
-/// infinite.
-struct LinearProgram {
+/// minimise cost . y + y . curvature y / 2 where row_lower <= rows y <= row_upper and lower <= y <=
+/// upper. Bounds may be infinite.
+struct QuadraticProgram {
   Eigen::VectorXd cost;
+  /// Lower triangle, with no negative eigenvalue; of size 0 where the program is linear.
+  Eigen::SparseMatrix<double> curvature = {};
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows;
   Eigen::VectorXd row_lower, row_upper, lower, upper;
 };
@@ -24,9 +27,9 @@ enum class InteriorEnd {
   Ended            ///< by the one who watched
 };
 
-/// A point with its multipliers. At an optimum cost + rows^T row_multipliers - lower_multipliers +
-/// upper_multipliers is zero. Multipliers of bounds are not negative; that of a row is positive
-/// where its upper bound holds it, negative where the lower one does.
+/// A point with its multipliers. At an optimum cost + curvature y + rows^T row_multipliers -
+/// lower_multipliers + upper_multipliers is zero. Multipliers of bounds are not negative; that of a
+/// row is positive where its upper bound holds it, negative where the lower one does.
 struct InteriorSolution {
   Eigen::VectorXd y, row_multipliers, lower_multipliers, upper_multipliers;
   InteriorEnd end = InteriorEnd::Stalled;
@@ -35,6 +38,8 @@ struct InteriorSolution {
 
 struct InteriorOptions {
   int most_iterations = 200;
+  /// The gap counts over the objective's magnitude, but over no less than this.
+  double least_objective = 1e-2;
   /// Asked after each iteration with its number, the objective and the largest residual of a row:
   /// whether to go on.
   std::function<bool(int, double, double)> goes_on = {};
@@ -44,7 +49,8 @@ struct InteriorOptions {
 /// scaled so that changes of order one count. Rows whose bounds are equal are equations, which are
 /// to be few; no variable may have equal bounds, and each is to be in an inequality. Stalls at once
 /// where there is no inequality at all.
-InteriorSolution solve_by_interior_point(const LinearProgram& program, const Eigen::VectorXd& start,
+InteriorSolution solve_by_interior_point(const QuadraticProgram& program,
+                                         const Eigen::VectorXd& start,
                                          const InteriorOptions& options = {});
 
 }  // namespace camlaw::optim

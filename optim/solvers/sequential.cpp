@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+#include "optim/solvers/sequential.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "numerics/linear/quadratic_program.h"
+#include "optim/solvers/read_off.h"
+#include "optim/solvers/run_end.h"
+
+namespace camlaw::optim {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A design with what the program's functions say there.
+struct Place {
+  VectorXd y;
+  double objective = 0;
+  VectorXd rows;
+  double violation = 0;  ///< the largest of a row
+
+  bool is_finite() const { return std::isfinite(objective) && rows.allFinite(); }
+};
+
+std::span<const double> as_span(const VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+double largest_violation_of(const Program& program, const VectorXd& rows) {
+  double worst = 0;
+  for (std::size_t r = 0; r < program.rows(); ++r) {
+    const double value = rows[static_cast<Eigen::Index>(r)];
+    worst = std::max({worst, value - program.row_upper()[r], program.row_lower()[r] - value});
+  }
+  return worst;
+}
+
+Place place_at(const Program& program, VectorXd y) {
+  Place place{std::move(y), 0, VectorXd(static_cast<Eigen::Index>(program.rows())), 0};
+  place.objective = program.objective(as_span(place.y));
+  program.row_values(as_span(place.y), {place.rows.data(), program.rows()});
+  place.violation = largest_violation_of(program, place.rows);
+  return place;
+}
+
+/// Multipliers with Ipopt's signs (WarmStart).
+struct Multipliers {
+  VectorXd rows, lower, upper;
+};
+
+/// Gradients and curvature at a place: what its quadratic programs are made of.
+struct Model {
+  VectorXd gradient;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> jacobian;
+  Eigen::SparseMatrix<double> curvature;  ///< lower triangle, no negative eigenvalue
+
+  bool is_finite() const {
+    const Eigen::Map<const VectorXd> entries(jacobian.valuePtr(), jacobian.nonZeros());
+    const Eigen::Map<const VectorXd> bends(curvature.valuePtr(), curvature.nonZeros());
+    return gradient.allFinite() && entries.allFinite() && bends.allFinite();
+  }
+  double change(const VectorXd& d) const {
+    return gradient.dot(d) + 0.5 * d.dot(curvature.selfadjointView<Eigen::Lower>() * d);
+  }
+};
+
+Model model_at(const Program& program, const Place& place, const VectorXd& row_multipliers) {
+  // It decides among steps that are worth the same, and is 0 where a step is.
+  constexpr double kProximal = 1e-6;
+  const auto n = static_cast<Eigen::Index>(program.variables());
+  Model model;
+  model.gradient.resize(n);
+  program.gradient(as_span(place.y), {model.gradient.data(), program.variables()});
+  model.jacobian = jacobian_matrix(program, as_span(place.y));
+  const Pattern& pattern = program.hessian_pattern();
+  std::vector<double> entries(pattern.size());
+  program.convex_hessian(as_span(place.y), 1, as_span(row_multipliers), entries);
+  std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(entries.size() + program.variables());
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    triplets.emplace_back(pattern.rows[k], pattern.columns[k], entries[k]);
+  for (int i = 0; i < n; ++i) triplets.emplace_back(i, i, kProximal);
+  model.curvature.resize(n, n);
+  model.curvature.setFromTriplets(triplets.begin(), triplets.end());
+  return model;
+}
+
+/// A step, by how much rows pass their bounds after it to first order, and the multipliers.
+struct Step {
+  VectorXd d;
+  double elastic = 0;
+  Multipliers multipliers;
+};
+
+/// The rows of a quadratic program in the step and one more variable, by which any row may pass its
+/// bounds at a price: so that there always is a step.
+class Elastic {
+ public:
+  Elastic(const Program& program, const Model& model) : program_(program), model_(model) {
+    const auto m = static_cast<Eigen::Index>(program.rows());
+    for (Eigen::Index r = 0; r < m; ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      if (std::isfinite(program.row_upper()[row])) sides_.emplace_back(r, 1);
+      if (std::isfinite(program.row_lower()[row])) sides_.emplace_back(r, -1);
+    }
+    const auto n = static_cast<Eigen::Index>(program.variables());
+    quadratic_.rows.resize(static_cast<Eigen::Index>(sides_.size()), n + 1);
+    quadratic_.rows.reserve(2 * model.jacobian.nonZeros() + m);
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      const auto [r, sign] = sides_[k];
+      quadratic_.rows.startVec(static_cast<Eigen::Index>(k));
+      using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+      for (Entry entry(model.jacobian, r); entry; ++entry)
+        quadratic_.rows.insertBack(static_cast<Eigen::Index>(k), entry.col()) = entry.value();
+      quadratic_.rows.insertBack(static_cast<Eigen::Index>(k), n) = -sign;
+    }
+    quadratic_.rows.finalize();
+    quadratic_.cost.resize(n + 1);
+    quadratic_.cost.head(n) = model.gradient;
+    quadratic_.curvature = model.curvature;
+    quadratic_.curvature.conservativeResize(n + 1, n + 1);
+  }
+
+  /// The step from a place whose rows are these there, no farther than the radius; none where the
+  /// interior-point method finds none.
+  std::optional<Step> step(const VectorXd& y, const VectorXd& rows, double radius, double penalty,
+                           const InteriorOptions& options) {
+    const auto n = static_cast<Eigen::Index>(program_.variables());
+    quadratic_.cost[n] = penalty;
+    const auto count = static_cast<Eigen::Index>(sides_.size());
+    quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
+    quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
+    double elastic = 0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const auto [r, sign] = sides_[static_cast<std::size_t>(k)];
+      const auto row = static_cast<std::size_t>(r);
+      const double bound = sign > 0 ? program_.row_upper()[row] : program_.row_lower()[row];
+      (sign > 0 ? quadratic_.row_upper : quadratic_.row_lower)[k] = bound - rows[r];
+      elastic = std::max(elastic, sign * (rows[r] - bound));
+    }
+    quadratic_.lower = VectorXd::Constant(n + 1, -radius);
+    quadratic_.upper = VectorXd::Constant(n + 1, radius);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      quadratic_.lower[i] = std::max(-radius, std::min(0.0, program_.lower()[at] - y[i]));
+      quadratic_.upper[i] = std::min(radius, std::max(0.0, program_.upper()[at] - y[i]));
+    }
+    quadratic_.lower[n] = 0;
+    quadratic_.upper[n] = kInfinity;
+    VectorXd start = VectorXd::Zero(n + 1);
+    start[n] = elastic;
+    const InteriorSolution found = solve_by_interior_point(quadratic_, start, options);
+    const bool good = found.end == InteriorEnd::Optimal || found.end == InteriorEnd::Acceptable;
+    if (!good || !found.y.allFinite()) return {};
+    Step step{found.y.head(n), std::max(0.0, found.y[n]), {}};
+    step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
+    for (Eigen::Index k = 0; k < count; ++k)
+      step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] += found.row_multipliers[k];
+    step.multipliers.lower = found.lower_multipliers.head(n);
+    step.multipliers.upper = found.upper_multipliers.head(n);
+    for (Eigen::Index i = 0; i < n; ++i) {  // the trust region's are not the program's
+      if (quadratic_.lower[i] == -radius) step.multipliers.lower[i] = 0;
+      if (quadratic_.upper[i] == radius) step.multipliers.upper[i] = 0;
+      step.d[i] = std::clamp(step.d[i], quadratic_.lower[i], quadratic_.upper[i]);
+    }
+    return step;
+  }
+
+ private:
+  const Program& program_;
+  const Model& model_;
+  std::vector<std::pair<Eigen::Index, double>> sides_;  ///< a row, and 1 its upper bound, -1 lower
+  QuadraticProgram quadratic_;
+};
+
+/// Steps of a program from one place on.
+class Sequence {
+ public:
+  Sequence(const Program& program, const SolverOptions& options, VectorXd y)
+      : program_(program), options_(options), place_(place_at(program, std::move(y))) {
+    multipliers_.rows = VectorXd::Zero(static_cast<Eigen::Index>(program.rows()));
+    interior_.least_objective = 1;  // programs are scaled, and a last step is worth nothing
+    interior_.goes_on = [this](int, double, double) { return !ended(); };
+  }
+
+  void begin_with(const std::vector<double>& rows) {
+    if (rows.size() == program_.rows())
+      multipliers_.rows = Eigen::Map<const VectorXd>(rows.data(), multipliers_.rows.size());
+  }
+
+  Solution run() {
+    constexpr int kMost = 100;
+    if (!place_.is_finite()) return answer(Status::NonFiniteStart, "not a number at the start");
+    const int most = std::min(options_.max_iterations, kMost);
+    while (iterations_ < most) {
+      if (options_.progress) {
+        options_.progress(
+            {iterations_, program_.unscaled_objective(place_.objective), place_.violation});
+      }
+      const Advance advance = advanced();
+      ++iterations_;
+      if (stopped_) return answer(stopped_->status, stopped_->message);
+      if (advance == Advance::None) return answer(Status::Stalled, "no step leads on");
+      if (advance == Advance::Last) {
+        if (place_.violation > kMet) return answer(Status::Infeasible, "no step meets the rows");
+        return answer(Status::Solved, "no step is worth anything");
+      }
+    }
+    return answer(Status::IterationLimit, "limit of iterations");
+  }
+
+ private:
+  enum class Advance { Some, Last, None };
+  static constexpr double kMet = 1e-9;        // of rows, by their sizes
+  static constexpr double kLastStep = 1e-8;   // of a variable: Newton's next would be rounding
+  static constexpr double kRounding = 1e-11;  // of a merit: what it changes by says nothing
+
+  double merit(const Place& place) const { return place.objective + penalty_ * place.violation; }
+
+  /// One step that is worth taking, from models of the place where it stands.
+  Advance advanced() {
+    constexpr double kLeastRadius = 1e-10;
+    const Model model = model_at(program_, place_, multipliers_.rows);
+    if (!model.is_finite()) return Advance::None;
+    Elastic elastic(program_, model);
+    while (radius_ > kLeastRadius) {
+      const auto step = elastic.step(place_.y, place_.rows, radius_, penalty_, interior_);
+      if (ended()) return Advance::None;
+      if (!step) {
+        radius_ *= kShrink;
+        continue;
+      }
+      if (wants_more_penalty(*step)) {
+        penalty_ *= 10;
+        continue;
+      }
+      if (const auto advance = taken(model, elastic, *step)) return *advance;
+      radius_ = kShrink * std::min(radius_, step->d.cwiseAbs().maxCoeff());
+    }
+    return Advance::None;
+  }
+
+  /// Whether rows stay passed because to pass them is cheap.
+  bool wants_more_penalty(const Step& step) const {
+    constexpr double kMostPenalty = 1e7, kGain = 0.9;
+    return step.elastic > kMet && step.elastic > kGain * place_.violation &&
+           penalty_ < kMostPenalty;
+  }
+
+  /// Takes the step, or the same corrected for how rows bend, where the merit falls by a good part
+  /// of what the model says.
+  std::optional<Advance> taken(const Model& model, Elastic& elastic, const Step& step) {
+    const double promised = penalty_ * (place_.violation - step.elastic) - model.change(step.d);
+    const double length = step.d.cwiseAbs().maxCoeff();
+    const bool is_last = length <= kLastStep;
+    const bool in_rounding = promised <= kRounding * (1 + std::abs(merit(place_)));
+    Place trial = place_at(program_, place_.y + step.d);
+    if (is_last || in_rounding) {
+      const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, kMet);
+      multipliers_ = step.multipliers;
+      if (holds) place_ = std::move(trial);
+      return Advance::Last;
+    }
+    if (is_good(trial, promised)) return take(std::move(trial), step, promised, length);
+    if (!trial.is_finite()) return {};
+    const VectorXd bent = trial.rows - model.jacobian * step.d;
+    const auto second = elastic.step(place_.y, bent, radius_, penalty_, interior_);
+    if (!second) return {};
+    Place corrected = place_at(program_, place_.y + second->d);
+    if (!is_good(corrected, promised)) return {};
+    return take(std::move(corrected), *second, promised, length);
+  }
+
+  double share(const Place& trial, double promised) const {
+    return (merit(place_) - merit(trial)) / promised;
+  }
+  bool is_good(const Place& trial, double promised) const {
+    constexpr double kGood = 0.1;
+    return trial.is_finite() && share(trial, promised) >= kGood;
+  }
+
+  Advance take(Place trial, const Step& step, double promised, double length) {
+    constexpr double kVeryGood = 0.75, kGrow = 3, kAtEdge = 0.9;
+    if (share(trial, promised) >= kVeryGood && length >= kAtEdge * radius_) radius_ *= kGrow;
+    place_ = std::move(trial);
+    multipliers_ = step.multipliers;
+    return Advance::Some;
+  }
+
+  bool ended() {
+    if (is_stopped(options_)) stopped_ = RunEnd{Status::Stopped, "stopped"};
+    if (is_late(options_, began_)) stopped_ = RunEnd{Status::TimeLimit, "time limit"};
+    return stopped_.has_value();
+  }
+
+  Solution answer(Status status, std::string message) const {
+    Solution solution{.status = status, .message = std::move(message)};
+    const auto list = [](const VectorXd& v) { return std::vector<double>(v.begin(), v.end()); };
+    solution.y = list(place_.y);
+    solution.rows = list(multipliers_.rows);
+    solution.lower = list(multipliers_.lower);
+    solution.upper = list(multipliers_.upper);
+    solution.iterations = iterations_;
+    solution.evaluations = iterations_;
+    return solution;
+  }
+
+  static constexpr double kShrink = 0.25;
+
+  const Program& program_;
+  const SolverOptions& options_;
+  Place place_;
+  Multipliers multipliers_;
+  InteriorOptions interior_;
+  double radius_ = 1, penalty_ = 10;
+  int iterations_ = 0;
+  std::optional<RunEnd> stopped_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+class SequentialSolver final : public Solver {
+ public:
+  std::string name() const override { return "sequential"; }
+  bool is_global() const override { return false; }
+  bool is_sharp(const Program&) const override { return true; }
+  std::optional<std::string> refusal(const Program&) const override { return {}; }
+
+ private:
+  Solution search(const Program& program, const SolverOptions& options,
+                  const WarmStart* warm) const override {
+    const std::span<const double> start = warm != nullptr ? warm->y : program.start();
+    VectorXd y = Eigen::Map<const VectorXd>(start.data(), static_cast<Eigen::Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      y[at] = std::clamp(y[at], program.lower()[i], program.upper()[i]);
+    }
+    Sequence sequence(program, options, std::move(y));
+    if (warm != nullptr) sequence.begin_with(warm->rows);
+    return sequence.run();
+  }
+};
+
+}  // namespace
+
+const Solver& sequential_solver() {
+  static const SequentialSolver solver;
+  return solver;
+}
+
+}  // namespace camlaw::optim
