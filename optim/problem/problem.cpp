@@ -189,12 +189,13 @@ ProblemSpace joined(const std::string& choice, const std::vector<std::string>& n
 }
 
 bool convex_set(const Problem& problem) {
-  return std::all_of(
-      problem.constraints.begin(), problem.constraints.end(), [](const Constraint& c) {
-        const Shape shape = c.response.shape();
-        if (c.is_equation()) return shape == Shape::Linear || shape == Shape::Quasilinear;
-        return (!c.upper || convex_below(shape)) && (!c.lower || convex_above(shape));
-      });
+  return std::all_of(problem.constraints.begin(), problem.constraints.end(), is_convex_limit);
+}
+
+bool is_convex_limit(const Constraint& limit) {
+  const Shape shape = limit.response.shape();
+  if (limit.is_equation()) return shape == Shape::Linear || shape == Shape::Quasilinear;
+  return (!limit.upper || convex_below(shape)) && (!limit.lower || convex_above(shape));
 }
 
 std::optional<std::string> why_convex(const Problem& problem) {

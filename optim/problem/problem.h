@@ -131,6 +131,8 @@ std::optional<std::string> why_convex(const Problem& problem);
 bool needs_slope(const Problem& problem);
 /// Whether the constraints alone make a convex set.
 bool convex_set(const Problem& problem);
+/// Whether the shape of its response shows that a limit leaves a convex set.
+bool is_convex_limit(const Constraint& limit);
 
 /// A typical change of each variable: as stated, else the range, else the start's size.
 std::vector<double> variable_scales(const Problem& problem);

@@ -178,13 +178,14 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const bool usable =
         went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
-    bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     const bool solved_sharply = went_well(attempt.status) && solver.is_sharp(program);
+    const bool sharp = solved_sharply && needs_no_polish(problem);
+    if (sharp) share = finest_without_polish(problem);  // one solve more costs more than its rows
+    bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;
     if (solved_sharply && stands_still(problem)) {
       add_pushing_rows(program, solution, attempt.told);
       add_pushing_bounds(problem, program, solution, attempt.told);
     }
-    const bool sharp = solved_sharply && needs_no_polish(problem);
     if (!sharp && (settled || attempt.rounds > 1)) {
       const auto wanted = aim == Aim::Optimum ? Optimality::Objective : Optimality::LeastViolation;
       auto better = polished(problem, sizes, attempt.x, wanted);

@@ -9,6 +9,7 @@
 
 #include "optim/cycle/remembered.h"
 #include "optim/problem/starts.h"
+#include "optim/search/convex_part.h"
 #include "optim/search/from_start.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/proof.h"
@@ -68,15 +69,23 @@ void blame(const std::string& limit, const Problem& problem, const Sizes& sizes,
 /// where that is no design.
 void search_starts(const Setting& setting, Trail& trail, std::vector<double>& ends) {
   constexpr int kStarts = 8;
+  constexpr int kStartsOfMany =
+      3;  // variables: a start takes longer, and begins nearer to a design
+  const bool many = setting.problem.variables.size() > kManyVariables;
   Found& found = trail.found;
   const bool global = setting.plan.solvers.front()->is_global();
   const bool one_is_enough = why_convex(setting.original) && !needs_slope(setting.problem);
-  const int count = setting.options.starts.value_or(one_is_enough || global ? 1 : kStarts);
+  const int count = setting.options.starts.value_or(one_is_enough || global ? 1
+                                                    : many                  ? kStartsOfMany
+                                                                            : kStarts);
   found.planned_starts = count;
   for (const auto& start : starts(setting.problem, count, setting.options.seed)) {
     if (found.starts > 0 && setting.deadline.passed()) break;
     ++found.starts;
-    const Assessment end = search_from_start(start, setting, trail);
+    const bool is_own = found.starts == 1;
+    const Assessment end = search_from_start(
+        is_own || !many || global ? start : begun_in_convex_part(start, setting, trail), setting,
+        trail);
     ends.push_back(is_feasible(end) ? end.objective.value : kInfinity);
     const bool best_of_all = is_settled(found.assessment) && found.assessment.is_global;
     if (best_of_all || trail.is_infeasible()) {

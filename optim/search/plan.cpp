@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "optim/solvers/interior.h"
+#include "optim/solvers/sequential.h"
 
 namespace camlaw::optim {
 namespace {
@@ -52,6 +53,11 @@ Plan plan(const Problem& problem, const std::string& wanted) {
     return {{&slsqp, &ipopt},
             fmt::format("slsqp: {}, exact gradients; ipopt where that is not enough",
                         variables_text(n))};
+  }
+  if (n > kManyVariables) {
+    return {{&sequential_solver(), &ipopt},
+            fmt::format("sequential: {} and {} limits, sparse; ipopt where that is not enough",
+                        variables_text(n), m)};
   }
   return {{&ipopt}, fmt::format("ipopt: {} and {} limits, sparse", variables_text(n), m)};
 }

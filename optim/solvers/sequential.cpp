@@ -100,6 +100,9 @@ struct Step {
 /// The rows of a quadratic program in the step and one more variable, by which any row may pass its
 /// bounds at a price: so that there always is a step.
 class Elastic {
+  /// Of the penalty, which all multipliers of rows together do not exceed: less is an idle row's.
+  static constexpr double kIdle = 1e-11;
+
  public:
   Elastic(const Program& program, const Model& model) : program_(program), model_(model) {
     const auto m = static_cast<Eigen::Index>(program.rows());
@@ -121,16 +124,18 @@ class Elastic {
     }
     quadratic_.rows.finalize();
     quadratic_.cost.resize(n + 1);
-    quadratic_.cost.head(n) = model.gradient;
     quadratic_.curvature = model.curvature;
     quadratic_.curvature.conservativeResize(n + 1, n + 1);
   }
 
   /// The step from a place whose rows are these there, no farther than the radius; none where the
-  /// interior-point method finds none.
+  /// interior-point method finds none. With an infinite penalty it looks at the rows alone.
   std::optional<Step> step(const VectorXd& y, const VectorXd& rows, double radius, double penalty,
                            const InteriorOptions& options) {
     const auto n = static_cast<Eigen::Index>(program_.variables());
+    const bool rows_alone = std::isinf(penalty);
+    if (rows_alone) penalty = 1;
+    quadratic_.cost.head(n) = (rows_alone ? 0 : 1) * model_.gradient;
     quadratic_.cost[n] = penalty;
     const auto count = static_cast<Eigen::Index>(sides_.size());
     quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
@@ -155,12 +160,14 @@ class Elastic {
     VectorXd start = VectorXd::Zero(n + 1);
     start[n] = elastic;
     const InteriorSolution found = solve_by_interior_point(quadratic_, start, options);
-    const bool good = found.end == InteriorEnd::Optimal || found.end == InteriorEnd::Acceptable;
-    if (!good || !found.y.allFinite()) return {};
-    Step step{found.y.head(n), std::max(0.0, found.y[n]), {}};
+    // One that is not exact is a step all the same: the merit decides.
+    if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
+    Step step{found.y.head(n), 0, {}};
     step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
-    for (Eigen::Index k = 0; k < count; ++k)
-      step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] += found.row_multipliers[k];
+    for (Eigen::Index k = 0; k < count; ++k) {
+      if (std::abs(found.row_multipliers[k]) > kIdle * penalty)
+        step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] += found.row_multipliers[k];
+    }
     step.multipliers.lower = found.lower_multipliers.head(n);
     step.multipliers.upper = found.upper_multipliers.head(n);
     for (Eigen::Index i = 0; i < n; ++i) {  // the trust region's are not the program's
@@ -168,6 +175,7 @@ class Elastic {
       if (quadratic_.upper[i] == radius) step.multipliers.upper[i] = 0;
       step.d[i] = std::clamp(step.d[i], quadratic_.lower[i], quadratic_.upper[i]);
     }
+    step.elastic = largest_violation_of(program_, rows + model_.jacobian * step.d);
     return step;
   }
 
@@ -217,7 +225,7 @@ class Sequence {
  private:
   enum class Advance { Some, Last, None };
   static constexpr double kMet = 1e-9;        // of rows, by their sizes
-  static constexpr double kLastStep = 1e-8;   // of a variable: Newton's next would be rounding
+  static constexpr double kLastStep = 1e-6;   // of a variable: Newton's next would be rounding
   static constexpr double kRounding = 1e-11;  // of a merit: what it changes by says nothing
 
   double merit(const Place& place) const { return place.objective + penalty_ * place.violation; }
@@ -235,7 +243,7 @@ class Sequence {
         radius_ *= kShrink;
         continue;
       }
-      if (wants_more_penalty(*step)) {
+      if (wants_more_penalty(elastic, *step)) {
         penalty_ *= 10;
         continue;
       }
@@ -245,11 +253,13 @@ class Sequence {
     return Advance::None;
   }
 
-  /// Whether rows stay passed because to pass them is cheap.
-  bool wants_more_penalty(const Step& step) const {
-    constexpr double kMostPenalty = 1e7, kGain = 0.9;
-    return step.elastic > kMet && step.elastic > kGain * place_.violation &&
-           penalty_ < kMostPenalty;
+  /// Whether rows stay passed because to pass them is cheap (Byrd, Nocedal and Waltz 2008): whether a
+  /// step that looks at them alone would bring far more.
+  bool wants_more_penalty(Elastic& elastic, const Step& step) {
+    constexpr double kMostPenalty = 1e7, kGood = 0.1;
+    if (step.elastic <= kMet || penalty_ >= kMostPenalty) return false;
+    const auto best = elastic.step(place_.y, place_.rows, radius_, kInfinity, interior_);
+    return best && place_.violation - step.elastic < kGood * (place_.violation - best->elastic);
   }
 
   /// Takes the step, or the same corrected for how rows bend, where the merit falls by a good part

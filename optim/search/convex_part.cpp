@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/convex_part.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "optim/search/interruptible.h"
+#include "optim/solvers/sequential.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// The sum of all inputs, each times its weight.
+class WeightedSum final : public Kernel {
+ public:
+  explicit WeightedSum(std::vector<double> weights) : weights_(std::move(weights)) {}
+  double value(std::span<const double> u) const override {
+    return std::inner_product(u.begin(), u.end(), weights_.begin(), 0.0);
+  }
+  double gradient(std::span<const double> u, std::span<double> g) const override {
+    std::copy(weights_.begin(), weights_.end(), g.begin());
+    return value(u);
+  }
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override {
+    std::fill(h.begin(), h.end(), 0.0);
+    return gradient(u, g);
+  }
+
+ private:
+  std::vector<double> weights_;
+};
+
+/// Least where a design lies farthest from one towards another, by the variables' scales.
+Objective towards(Design from, Design to, const std::vector<double>& scales) {
+  std::vector<std::size_t> inputs(from.size());
+  std::iota(inputs.begin(), inputs.end(), std::size_t{0});
+  std::vector<double> weights(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i)
+    weights[i] = (from[i] - to[i]) / (scales[i] * scales[i]);
+  Objective objective;
+  objective.response = {"direction", "1",
+                        Function(inputs, std::make_shared<WeightedSum>(weights), Shape::Linear)};
+  return objective;
+}
+
+}  // namespace
+
+std::vector<double> begun_in_convex_part(Design start, const Setting& setting, Trail& trail) {
+  Problem convex = setting.problem;
+  std::erase_if(convex.constraints, [](const Constraint& c) { return !is_convex_limit(c); });
+  if (convex.constraints.empty()) return {start.begin(), start.end()};
+  const std::vector<double> own = setting.problem.start();
+  if (trail.found.starts > 2) convex.objectives = {towards(own, start, variable_scales(convex))};
+  SolverOptions how;
+  how.time_limit = setting.deadline.left();
+  how.stop = setting.options.stop;
+  const Attempt led =
+      exchange(convex, sizes(convex, own), own, sequential_solver(), how, Aim::Optimum);
+  trail.found.iterations += led.iterations;
+  trail.found.evaluations += led.evaluations;
+  trail.found.solves += led.rounds;
+  if (is_interruption(led.error)) throw Interrupted();
+  return led.x.empty() ? own : led.x;
+}
+
+}  // namespace camlaw::optim

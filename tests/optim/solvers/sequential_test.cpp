@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "optim/solvers/sequential.h"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "optim/search/plan.h"
+#include "tests/optim/search/search_problems.h"
+
+/// Nonlinear programs by a sequence of convex quadratic ones.
+namespace camlaw::optim::sequential_test {
+namespace {
+
+using namespace search_tests;
+
+/// A ring of n numbers, neighbours in a circle of radius 1: their sum is the most, n / sqrt(2),
+/// where all are 1 / sqrt(2), since two in a circle add up to sqrt(2) at most. Each is in two
+/// circles, so that 1 = 2 * price * 2 / sqrt(2).
+Program ring(std::size_t n) {
+  std::vector<std::size_t> all(n);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < n; ++i) {
+    all[i] = i;
+    const Function circle =
+        function<Interval>({std::min(i, (i + 1) % n), std::max(i, (i + 1) % n)},
+                           [](const auto& u) { return square(u[0]) + square(u[1]); });
+    rows.push_back({circle, -kInfinity, 1, 1, {}});
+  }
+  const std::vector<Column> columns(n, {-2, 2, 0.1, 1});
+  return {columns, sum_of(all, std::vector<double>(n, 1.0)), -1, 1, rows};
+}
+
+/// The point outside of the unit circle that is nearest to q = (0.5, 0.2): q / |q|, and the price
+/// of the circle in squares is 1 - |q|. The circle's inside is what is left out, so that nothing is
+/// convex.
+Program outside() {
+  const auto distance = function<Interval>(
+      {0, 1}, [](const auto& u) { return square(u[0] - 0.5) + square(u[1] - 0.2); }, Shape::Convex);
+  const auto circle =
+      function<Interval>({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); });
+  return {{{-5, 5, 2, 1}, {-5, 5, -1, 1}}, distance, 1, 1, {{circle, 1, kInfinity, 1, {}}}};
+}
+
+}  // namespace
+
+TEST_CASE("a sequence of quadratic programs finds optimum and shadow prices", "[sequential]") {
+  constexpr std::size_t kCount = 200;
+  const Program program = ring(kCount);
+  const Solution s = sequential_solver().solve(program, {});
+  REQUIRE(s.status == Status::Solved);
+  CHECK(s.iterations < 30);
+  for (const double x : program.design(s.y)) CHECK(x == Approx(std::sqrt(0.5)).epsilon(1e-7));
+  for (const double price : s.rows) CHECK(price == Approx(std::sqrt(0.125)).epsilon(1e-5));
+}
+
+TEST_CASE("a sequence of quadratic programs takes what is not convex", "[sequential]") {
+  const Program program = outside();
+  const Solution s = sequential_solver().solve(program, {});
+  REQUIRE(s.status == Status::Solved);
+  const std::vector<double> x = program.design(s.y);
+  const double distance = std::hypot(0.5, 0.2);
+  CHECK(x[0] == Approx(0.5 / distance).epsilon(1e-6));
+  CHECK(x[1] == Approx(0.2 / distance).epsilon(1e-6));
+  CHECK(s.rows[0] == Approx(distance - 1).epsilon(1e-6));
+}
+
+TEST_CASE("a sequence of quadratic programs says how it ended", "[sequential]") {
+  SECTION("rows that contradict one another") {
+    const Program program{
+        {{-5, 5, 0.3, 1}, {-5, 5, 0, 1}},
+        sum_of({0, 1}, {1, 1}),
+        1,
+        1,
+        {{function<Interval>({0, 1}, [](const auto& u) { return square(u[0]) + square(u[1]); }),
+          -kInfinity,
+          -1,
+          1,
+          {}}}};
+    CHECK(sequential_solver().solve(program, {}).status == Status::Infeasible);
+  }
+  SECTION("stopped") {
+    std::atomic<bool> stop = true;
+    SolverOptions options;
+    options.stop = &stop;
+    CHECK(sequential_solver().solve(ring(50), options).status == Status::Stopped);
+  }
+  SECTION("out of iterations") {
+    SolverOptions options;
+    options.max_iterations = 1;
+    CHECK(sequential_solver().solve(ring(50), options).status == Status::IterationLimit);
+  }
+}
+
+TEST_CASE("problems of many variables that are not linear go to it first", "[sequential]") {
+  Problem problem;
+  for (std::size_t i = 0; i <= kManyVariables; ++i)
+    problem.variables.push_back(variable("x" + std::to_string(i), -2, 2, 0.1));
+  problem.objectives = {least(sum_of({0}, {1}))};
+  problem.constraints = {at_least(
+      "circle", function<Interval>({0, 1}, [](const auto& u) { return 1.0 - square(u[0]); }), 0)};
+  CHECK(plan(problem, "auto").solvers.front()->name() == "sequential");
+  const Found found = optimise(problem).found;
+  CHECK(found.assessment.verdict == Verdict::Certified);
+  CHECK(found.assessment.objective.value == Approx(-1).epsilon(1e-8));
+}
+
+}  // namespace camlaw::optim::sequential_test
