@@ -71,7 +71,7 @@ struct Model {
 
 Model model_at(const Program& program, const Place& place, const VectorXd& row_multipliers) {
   // It decides among steps that are worth the same, and is 0 where a step is.
-  constexpr double kProximal = 1e-6;
+  constexpr double kProximal = 1e-9;
   const auto n = static_cast<Eigen::Index>(program.variables());
   Model model;
   model.gradient.resize(n);
@@ -166,7 +166,8 @@ class Elastic {
     step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
     for (Eigen::Index k = 0; k < count; ++k) {
       if (std::abs(found.row_multipliers[k]) > kIdle * penalty)
-        step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] += found.row_multipliers[k];
+        step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] +=
+            found.row_multipliers[k];
     }
     step.multipliers.lower = found.lower_multipliers.head(n);
     step.multipliers.upper = found.upper_multipliers.head(n);
@@ -253,8 +254,8 @@ class Sequence {
     return Advance::None;
   }
 
-  /// Whether rows stay passed because to pass them is cheap (Byrd, Nocedal and Waltz 2008): whether a
-  /// step that looks at them alone would bring far more.
+  /// Whether rows stay passed because to pass them is cheap (Byrd, Nocedal and Waltz 2008): whether
+  /// a step that looks at them alone would bring far more.
   bool wants_more_penalty(Elastic& elastic, const Step& step) {
     constexpr double kMostPenalty = 1e7, kGood = 0.1;
     if (step.elastic <= kMet || penalty_ >= kMostPenalty) return false;
@@ -295,7 +296,7 @@ class Sequence {
   }
 
   Advance take(Place trial, const Step& step, double promised, double length) {
-    constexpr double kVeryGood = 0.75, kGrow = 3, kAtEdge = 0.9;
+    constexpr double kVeryGood = 0.5, kGrow = 4, kAtEdge = 0.9;
     if (share(trial, promised) >= kVeryGood && length >= kAtEdge * radius_) radius_ *= kGrow;
     place_ = std::move(trial);
     multipliers_ = step.multipliers;
@@ -327,7 +328,7 @@ class Sequence {
   Place place_;
   Multipliers multipliers_;
   InteriorOptions interior_;
-  double radius_ = 1, penalty_ = 10;
+  double radius_ = 10, penalty_ = 10;
   int iterations_ = 0;
   std::optional<RunEnd> stopped_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
