@@ -52,6 +52,11 @@ Possible<optim::FitResult> over_ends(const RoughFit& fit, const FitParameters& p
   return *std::move(best);
 }
 
+Possible<std::vector<double>> where_it_ends(const Possible<optim::FitResult>& fit) {
+  if (!fit) return fit.reason();
+  return values_of(*fit);
+}
+
 /// Values of fits, the best first, without those of the same valley and without poor ones.
 std::vector<std::vector<double>> best_of(std::vector<optim::FitResult> fits) {
   constexpr double kSame = 1e-3, kNearly = 1.5;
@@ -92,36 +97,30 @@ Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& sampl
   if (own.size() == few.first()) return std::vector<std::vector<double>>{alone};
   const FitParameters near = starting_at(own, std::span(alone).first(few.first()));
   std::vector<optim::FitResult> found;
-  std::optional<Impossible> fault;
-  const auto keep = [&](Possible<optim::FitResult> one) {
-    if (!one) {
-      fault = one.reason();
-    } else {
+  std::optional<Impossible> fault;  // the first of them
+  const auto add = [&](const Possible<std::vector<double>>& values) {
+    if (fault) return;
+    auto one = values ? fit(starting_at(near, *values)) : values.reason();
+    if (one) {
       found.push_back(std::move(*one));
-    }
-  };
-  const auto add = [&](const std::vector<double>& values) { keep(fit(starting_at(near, values))); };
-  const auto add_beside = [&](const Possible<optim::FitResult>& other) {
-    if (!other) {
-      fault = other.reason();
     } else {
-      add(values_of(*other));
+      fault = one.reason();
     }
   };
-  keep(fit(near));
+  add(std::vector<double>{});    // as it is near
   if (options.like && !fault) {  // where another law follows the samples
-    add_beside(between_ends(fit, own, options.like->begin, options.like->end));
+    add(where_it_ends(between_ends(fit, own, options.like->begin, options.like->end)));
   }
-  if (has_free_ends(law) && !fault) add_beside(over_ends(fit, own));
+  if (has_free_ends(law) && !fault) add(where_it_ends(over_ends(fit, own)));
   if (fault) return std::move(*fault);
   // Where the samples do not determine the numbers no start helps.
   const bool is_single = own.size() < few.first() + 2 || !found.front().free_directions.empty();
   for (const double longer : {-0.1, 0.1}) {
     if (is_single) break;
     const double begin = near[kBegin].start, end = near[kEnd].start, by = longer * (end - begin);
-    add({begin - by, end + by});
-    if (fault) return std::move(*fault);
+    add(std::vector<double>{begin - by, end + by});
   }
+  if (fault) return std::move(*fault);
   return best_of(std::move(found));
 }
 
