@@ -3,6 +3,7 @@
 # rules: how many, how long, and which libraries a header may bring along.
 set(CAMLAW_HEADERS
   numerics/library_mutex.h
+  numerics/possible.h
   numerics/scalar/dual.h
   numerics/scalar/interval.h
   numerics/scalar/scalar.h

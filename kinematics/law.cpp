@@ -24,15 +24,14 @@ std::string to_string(Ends ends) {
 
 namespace detail {
 
-void throw_bad_pieces(const std::string& why) {
-  throw std::invalid_argument("law: " + why + "; pieces must cover [0, 1] in order");
+Impossible bad_pieces(const std::string& why) {
+  return {"law: " + why + "; pieces must cover [0, 1] in order"};
 }
 
-void check_break(double end, double next) {
+std::optional<Impossible> gap_between(double end, double next) {
   // Breaks computed as sums of fractions differ from their neighbours by a few roundings.
-  if (!(std::abs(end - next) <= 1e-12)) {
-    throw_bad_pieces(fmt::format("the break at {} does not meet {}", end, next));
-  }
+  if (std::abs(end - next) <= 1e-12) return {};
+  return bad_pieces(fmt::format("the break at {} does not meet {}", end, next));
 }
 
 }  // namespace detail

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "kinematics/piece.h"
+#include "numerics/possible.h"
 
 namespace camlaw {
 
@@ -49,7 +50,9 @@ class Law {
 
   /// Takes pieces in order that cover [0, 1]; ends that differ by up to 1e-12 are joined. Throws
   /// std::invalid_argument where they do not.
-  Law(std::vector<Piece<T>> pieces, Ends ends);
+  Law(std::vector<Piece<T>> pieces, Ends ends) : Law(possible(std::move(pieces), ends).value()) {}
+  /// The same, told by value where the pieces make no law.
+  static Possible<Law> possible(std::vector<Piece<T>> pieces, Ends ends);
 
   const std::vector<Piece<T>>& pieces() const { return pieces_; }
   Ends ends() const { return ends_; }
@@ -83,6 +86,9 @@ class Law {
   }
 
  private:
+  struct Checked {};
+  Law(Checked, std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)), ends_(ends) {}
+
   template <std::size_t N, class R>
   std::array<R, N> enclosure(const Interval& x) const;
 
@@ -103,39 +109,51 @@ void evaluate(const Law<double>& law, std::span<const double> x, MotionSpans out
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
-[[noreturn]] void throw_bad_pieces(const std::string& why);
-void check_break(double end, double next);
+Impossible bad_pieces(const std::string& why);
+/// Where a piece that ends at `end` does not meet one that begins at `next`.
+std::optional<Impossible> gap_between(double end, double next);
 
 template <class T>
-void check_finite(const Piece<T>& piece) {
+bool is_finite(const Piece<T>& piece) {
   bool finite = true;
   const auto look = [&](const T& x) { finite = finite && std::isfinite(value_of(x)); };
   look(piece.origin);
   for (const T& c : piece.polynomial) look(c);
   for (const auto& h : piece.harmonics) look(h.sine), look(h.cosine), look(h.frequency);
   for (const auto& c : piece.curves) look(c.amplitude), look(c.rate), look(c.shift);
-  if (!finite) throw_bad_pieces("a coefficient is not finite");
+  return finite;
+}
+
+/// Joins pieces whose breaks rounding has set apart, so that no x lies between two of them; says
+/// why where they do not cover [0, 1].
+template <class T>
+std::optional<Impossible> join_pieces(std::vector<Piece<T>>& pieces) {
+  if (pieces.empty()) return bad_pieces("it has no pieces");
+  for (const Piece<T>& piece : pieces) {
+    if (!is_finite(piece)) return bad_pieces("a coefficient is not finite");
+  }
+  if (auto gap = gap_between(0, value_of(pieces.front().begin))) return gap;
+  if (auto gap = gap_between(value_of(pieces.back().end), 1)) return gap;
+  pieces.front().begin = number<T>(0);
+  pieces.back().end = number<T>(1);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0) {
+      auto gap = gap_between(value_of(pieces[i - 1].end), value_of(pieces[i].begin));
+      if (gap) return gap;
+      pieces[i].begin = pieces[i - 1].end;
+    }
+    if (!(value_of(pieces[i].begin) < value_of(pieces[i].end))) {
+      return bad_pieces("a piece does not end after it begins");
+    }
+  }
+  return {};
 }
 }  // namespace detail
 
 template <class T>
-Law<T>::Law(std::vector<Piece<T>> pieces, Ends ends) : pieces_(std::move(pieces)), ends_(ends) {
-  if (pieces_.empty()) detail::throw_bad_pieces("it has no pieces");
-  for (const Piece<T>& piece : pieces_) detail::check_finite(piece);
-  detail::check_break(0, value_of(pieces_.front().begin));
-  detail::check_break(value_of(pieces_.back().end), 1);
-  // Breaks that rounding has set apart are joined: no x lies between two pieces.
-  pieces_.front().begin = number<T>(0);
-  pieces_.back().end = number<T>(1);
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (i > 0) {
-      detail::check_break(value_of(pieces_[i - 1].end), value_of(pieces_[i].begin));
-      pieces_[i].begin = pieces_[i - 1].end;
-    }
-    if (!(value_of(pieces_[i].begin) < value_of(pieces_[i].end))) {
-      detail::throw_bad_pieces("a piece does not end after it begins");
-    }
-  }
+Possible<Law<T>> Law<T>::possible(std::vector<Piece<T>> pieces, Ends ends) {
+  if (auto fault = detail::join_pieces(pieces)) return std::move(*fault);
+  return Law(Checked{}, std::move(pieces), ends);
 }
 
 template <class T>

@@ -35,16 +35,22 @@ Piece<T> map_piece(const Piece<T>& piece, const T& slope, const T& shift, const 
 
 }  // namespace detail
 
-/// The law run backwards: s(x) = 1 - law(1 - x), its ends exchanged. A dwell-to-turn law becomes
-/// the turn-to-dwell law.
+/// reversed, told by value where rounding leaves a piece without length.
 template <class T>
-Law<T> reversed(const Law<T>& law) {
+Possible<Law<T>> possible_reversed(const Law<T>& law) {
   const T one = number<T>(1);
   std::vector<Piece<T>> pieces;
   for (std::size_t i = law.pieces().size(); i-- > 0;) {
     pieces.push_back(detail::map_piece(law.pieces()[i], -one, one, -one, one));
   }
-  return Law<T>(std::move(pieces), {law.ends().end, law.ends().begin});
+  return Law<T>::possible(std::move(pieces), {law.ends().end, law.ends().begin});
+}
+
+/// The law run backwards: s(x) = 1 - law(1 - x), its ends exchanged. A dwell-to-turn law becomes
+/// the turn-to-dwell law.
+template <class T>
+Law<T> reversed(const Law<T>& law) {
+  return possible_reversed(law).value();
 }
 
 /// Where the acceleration of a rest-to-rest law changes sign, and how far the law has risen there.
@@ -85,11 +91,11 @@ Crossover<T> crossover(const Law<T>& law) {
 /// The law with the crossover `now` moved to `at` in (0, 1): both parts are stretched in x, and
 /// their strokes shared so that the velocity is continuous where they meet. The peak velocity of a
 /// symmetric law stays, its peak accelerations become C / (2 at) and C / (2 (1 - at)).
-/// Throws std::invalid_argument for `at` outside (0, 1).
+/// Impossible for `at` outside (0, 1).
 template <class T>
-Law<T> with_crossover(const Law<T>& law, const Crossover<T>& now, const T& at) {
+Possible<Law<T>> possible_with_crossover(const Law<T>& law, const Crossover<T>& now, const T& at) {
   if (!(value_of(at) > 0 && value_of(at) < 1)) {
-    throw std::invalid_argument("crossover must lie between 0 and 1");
+    return Impossible{"crossover must lie between 0 and 1"};
   }
   const T one = number<T>(1);
   const auto& [from, risen] = now;
@@ -109,24 +115,25 @@ Law<T> with_crossover(const Law<T>& law, const Crossover<T>& now, const T& at) {
     pieces.push_back(detail::map_piece(piece, slope2, shift2, share2, one - share2));
   }
   pieces.back().end = one;
-  return Law<T>(std::move(pieces), law.ends());
-}
-
-/// The same from the law's own crossover.
-template <class T>
-Law<T> with_crossover(const Law<T>& law, const T& at) {
-  return with_crossover(law, crossover(law), at);
+  return Law<T>::possible(std::move(pieces), law.ends());
 }
 
 /// The law skewed by c in (0, 1): the odds of its crossover x_c are multiplied by those of c,
 /// x / (1 - x) = x_c / (1 - x_c) c / (1 - c). So c is the new crossover of a symmetric law, and 1/2
 /// leaves every law as it is.
 template <class T>
-Law<T> skewed(const Law<T>& law, const T& c) {
+Possible<Law<T>> skewed(const Law<T>& law, const T& c) {
   const T one = number<T>(1);
   const Crossover<T> now = crossover(law);
   const T early = now.position * c, late = (one - now.position) * (one - c);
-  return with_crossover(law, now, early / (early + late));
+  return possible_with_crossover(law, now, T(early / (early + late)));
+}
+
+/// possible_with_crossover from the law's own crossover. Throws std::invalid_argument for `at`
+/// outside (0, 1).
+template <class T>
+Law<T> with_crossover(const Law<T>& law, const T& at) {
+  return possible_with_crossover(law, crossover(law), at).value();
 }
 
 }  // namespace camlaw

@@ -34,13 +34,11 @@ bool holds_truth(const LawFit& fit, const SimulatedRecord& record) {
   }
   const auto [low, high] = std::minmax_element(clean.value.begin(), clean.value.end());
   const problems::MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
-  try {
-    problems::LawFitOptions own;
-    own.skew = fit.skew;
-    return problems::fit_law(clean, fit.law, guess, own).fit.rms < kSame * (*high - *low);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
+  problems::LawFitOptions own;
+  own.skew = fit.skew;
+  if (problems::bad_motion(clean, guess)) return false;
+  const auto again = problems::possible_law_fit(clean, fit.law, guess, own);
+  return again && again->fit.rms < kSame * (*high - *low);
 }
 
 bool agrees(const LawFit& fit, const SimulatedRecord& record,
@@ -64,12 +62,10 @@ bool is_same_law(const LawFit& fit, const SimulatedRecord& record,
   }
   problems::LawFitOptions own;
   own.skew = record.skewed ? problems::Skew::Free : problems::Skew::Held;
-  try {
-    const problems::MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
-    return problems::fit_law(curve, record.law, guess, own).fit.rms <= record.deviation();
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
+  const problems::MotionGuess guess{fit.begin, fit.end, fit.from, fit.to};
+  if (problems::bad_motion(curve, guess)) return false;
+  const auto again = problems::possible_law_fit(curve, record.law, guess, own);
+  return again && again->fit.rms <= record.deviation();
 }
 
 bool is_right(const LawFit& fit, const SimulatedRecord& record,

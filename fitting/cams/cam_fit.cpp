@@ -119,10 +119,11 @@ Departed departures_of(const MeasuredCam& cam, const FoundCycle& cycle,
 
 /// What is left of a cam where a size of its follower is as far off as that.
 TakeOut other_size(const MeasuredCam& cam, const std::string& name) {
-  return [&cam, name](const Eigen::VectorXd& size) {
-    const MeasuredCam changed = with_follower(cam, with_less(cam.lift.follower(), name, size[0]));
-    for (PossibleFault& fault : possible_faults(changed)) {
-      if (fault.names.front() == name) return WithoutFault{changed.samples, std::move(fault)};
+  return [&cam, name](const Eigen::VectorXd& size) -> Possible<WithoutFault> {
+    const auto changed = with_follower(cam, with_less(cam.lift.follower(), name, size[0]));
+    if (!changed) return changed.reason();
+    for (PossibleFault& fault : possible_faults(*changed)) {
+      if (fault.names.front() == name) return WithoutFault{changed->samples, std::move(fault)};
     }
     throw std::logic_error("a follower has lost a size");
   };

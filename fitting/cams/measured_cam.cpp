@@ -181,11 +181,13 @@ void move_centre(Polar& points, std::complex<double> centre) {
   }
 }
 
-/// The samples and the outlying points of a cam's lift.
-void take_samples(MeasuredCam& cam) {
+/// The cam with the samples and the outlying points of its lift.
+Possible<MeasuredCam> with_samples(MeasuredCam cam) {
   const double unit = cam.unit();
   std::vector<double> shares;
-  for (const LiftSample& sample : cam.lift.samples()) {
+  const auto samples = cam.lift.possible_samples();
+  if (!samples) return samples.reason();
+  for (const LiftSample& sample : *samples) {
     shares.push_back(sample.share);
     if (sample.outlying) {
       cam.outlying.push_back({sample.phi / kDegree, sample.distance});
@@ -195,6 +197,7 @@ void take_samples(MeasuredCam& cam) {
     cam.samples.value.push_back(sample.s / unit);
   }
   cam.samples.resolution = cam.rounded * optim::median(std::move(shares)) / unit;
+  return cam;
 }
 
 MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
@@ -216,8 +219,7 @@ MeasuredCam read_cam(const SampleTable& table, const ProblemStatement& machine,
   const bool swings = find_response(*machine.mechanism, "displacement").unit == "deg";
   cam.samples.place_unit = "deg";
   cam.samples.unit = cam.samples.length_unit = swings ? "deg" : "mm";
-  take_samples(cam);
-  return cam;
+  return with_samples(std::move(cam)).value();
 }
 
 }  // namespace
@@ -230,16 +232,11 @@ std::vector<std::string> measured_cams() {
   return result;
 }
 
-MeasuredCam with_follower(const MeasuredCam& cam, const MeasuredFollower& follower) {
-  MeasuredCam result{MeasuredLift(cam.lift.profile(), follower, cam.lift.rotation()),
-                     cam.samples.none(),
-                     {},
-                     cam.each,
-                     cam.left_out,
-                     cam.lacking,
-                     cam.rounded};
-  take_samples(result);
-  return result;
+Possible<MeasuredCam> with_follower(const MeasuredCam& cam, const MeasuredFollower& follower) {
+  auto lift = MeasuredLift::possible(cam.lift.profile(), follower, cam.lift.rotation());
+  if (!lift) return lift.reason();
+  return with_samples(
+      {std::move(*lift), cam.samples.none(), {}, cam.each, cam.left_out, cam.lacking, cam.rounded});
 }
 
 bool shows_profile(const SampleTable& table) {

@@ -50,7 +50,7 @@ std::vector<std::string> measured_cams();
 MeasuredCam measured_cam(const SampleTable& table, const ProblemStatement& machine,
                          std::complex<double> centre = 0);
 
-/// The same points under another follower. Throws std::invalid_argument as MeasuredLift does.
-MeasuredCam with_follower(const MeasuredCam& cam, const MeasuredFollower& follower);
+/// The same points under another follower. Impossible as MeasuredLift::possible is.
+Possible<MeasuredCam> with_follower(const MeasuredCam& cam, const MeasuredFollower& follower);
 
 }  // namespace camlaw::problems

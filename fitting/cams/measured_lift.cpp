@@ -7,9 +7,9 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 #include "fitting/cams/measured_refusal.h"
 #include "kinematics/laws/spline.h"
@@ -22,7 +22,7 @@ using Complex = std::complex<double>;
 constexpr double kPi = std::numbers::pi;
 constexpr Complex kI{0, 1};
 
-using measured::refuse;
+using measured::fault, measured::refuse;
 
 /// The polar angle as people read it, 0 to 360 deg.
 std::string place_of(double theta) {
@@ -42,30 +42,30 @@ struct Way {
   Complex w, g, bend;
 };
 
-Way way_at(const TranslatingRoller& follower, double distance, double theta) {
+Possible<Way> way_at(const TranslatingRoller& follower, double distance, double theta) {
   const double e = follower.offset;
   if (!(std::abs(e) < distance)) {
-    refuse(
+    return fault(
         fmt::format("the offset {:.6g} is not less than the distance {:.6g} of the roller's "
                     "centre {}",
                     e, distance, place_of(theta)));
   }
   const double y = std::sqrt((distance - e) * (distance + e));
-  return {y, {e, y}, kI, 0};
+  return Way{y, {e, y}, kI, 0};
 }
 
-Way way_at(const OscillatingRoller& follower, double distance, double theta) {
+Possible<Way> way_at(const OscillatingRoller& follower, double distance, double theta) {
   const double l = follower.arm_length, d = follower.pivot_distance;
   const double cosine = (l * l + d * d - distance * distance) / (2 * l * d);
   if (!(std::abs(cosine) < 1)) {
-    refuse(
+    return fault(
         fmt::format("an arm of {:.6g} with its pivot at {:.6g} does not reach the roller's "
                     "centre, {:.6g} from the cam's, {}",
                     l, d, distance, place_of(theta)));
   }
   const double psi = std::acos(cosine);
   const Complex arm = std::polar(l, -psi);
-  return {psi, d - arm, kI * arm, arm};
+  return Way{psi, d - arm, kI * arm, arm};
 }
 
 double roller_radius(const MeasuredFollower& follower) {
@@ -79,7 +79,7 @@ bool is_roller(const MeasuredFollower& follower) {
          std::holds_alternative<OscillatingRoller>(follower);
 }
 
-Way way_of(const MeasuredFollower& follower, double distance, double theta) {
+Possible<Way> way_of(const MeasuredFollower& follower, double distance, double theta) {
   const auto* arm = std::get_if<OscillatingRoller>(&follower);
   return arm ? way_at(*arm, distance, theta)
              : way_at(std::get<TranslatingRoller>(follower), distance, theta);
@@ -92,44 +92,50 @@ struct FaceWay {
   bool swings;
 };
 
-FaceWay face_way(const MeasuredFollower& follower, double height, double theta) {
+Possible<FaceWay> face_way(const MeasuredFollower& follower, double height, double theta) {
   const auto* arm = std::get_if<OscillatingFace>(&follower);
-  if (!arm) return {height, 1, 0, false};
+  if (!arm) return FaceWay{height, 1, 0, false};
   const double sine = (height + arm->face_offset) / arm->pivot_distance;
   if (!(std::abs(sine) < 1)) {
-    refuse(fmt::format("a face {:.6g} from its pivot at {:.6g} does not lie on the cam {}",
-                       arm->face_offset, arm->pivot_distance, place_of(theta)));
+    return fault(fmt::format("a face {:.6g} from its pivot at {:.6g} does not lie on the cam {}",
+                             arm->face_offset, arm->pivot_distance, place_of(theta)));
   }
   const double psi = std::asin(sine);
-  return {psi, arm->pivot_distance * std::cos(psi), arm->pivot_distance * sine, true};
+  return FaceWay{psi, arm->pivot_distance * std::cos(psi), arm->pivot_distance * sine, true};
 }
 
-void check_follower(const MeasuredFollower& follower) {
+std::optional<Impossible> bad_follower(const MeasuredFollower& follower) {
   const double radius = roller_radius(follower);
   if (!(radius >= 0 && std::isfinite(radius))) {
-    refuse(fmt::format("a roller radius of {:.6g} is below 0", radius));
+    return fault(fmt::format("a roller radius of {:.6g} is below 0", radius));
   }
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0 && std::isfinite(value))) {
-      refuse(fmt::format("{} of {:.6g} is not above 0", name, value));
-    }
+  const auto unless_positive = [](const char* name, double value) -> std::optional<Impossible> {
+    if (value > 0 && std::isfinite(value)) return {};
+    return fault(fmt::format("{} of {:.6g} is not above 0", name, value));
   };
   if (const auto* arm = std::get_if<OscillatingRoller>(&follower)) {
-    positive("an arm length", arm->arm_length);
-    positive("a pivot distance", arm->pivot_distance);
+    if (auto bad = unless_positive("an arm length", arm->arm_length)) return bad;
+    return unless_positive("a pivot distance", arm->pivot_distance);
   }
   if (const auto* arm = std::get_if<OscillatingFace>(&follower)) {
-    positive("a pivot distance", arm->pivot_distance);
+    return unless_positive("a pivot distance", arm->pivot_distance);
   }
+  return {};
 }
 
 /// The coordinate where the profile is a circle of that radius.
-double coordinate_on(const MeasuredFollower& follower, double base_radius) {
+Possible<double> coordinate_on(const MeasuredFollower& follower, double base_radius) {
   if (!(base_radius > 0 && std::isfinite(base_radius))) {
-    refuse(fmt::format("a base radius of {:.6g} is not above 0", base_radius));
+    return fault(fmt::format("a base radius of {:.6g} is not above 0", base_radius));
   }
-  if (!is_roller(follower)) return face_way(follower, base_radius, 0).coordinate;
-  return way_of(follower, base_radius + roller_radius(follower), 0).coordinate;
+  if (!is_roller(follower)) {
+    const auto way = face_way(follower, base_radius, 0);
+    if (!way) return way.reason();
+    return way->coordinate;
+  }
+  const auto way = way_of(follower, base_radius + roller_radius(follower), 0);
+  if (!way) return way.reason();
+  return way->coordinate;
 }
 
 /// The inverse of coordinate_on.
@@ -151,16 +157,18 @@ ProfilePoint mirrored(const ProfilePoint& p) {
 }
 
 /// (I3) to (I5)
-Touch roller_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rotation rotation,
-                   double theta) {
+Possible<Touch> roller_touch(const ProfilePoint& p, const MeasuredFollower& follower,
+                             Rotation rotation, double theta) {
   const double radius = roller_radius(follower), shorter = 1 + radius * p.curvature;
   if (!(shorter > 0)) {
-    refuse(
+    return fault(
         fmt::format("the roller of radius {:.6g} does not fit into the hollow of radius {:.6g} {}",
                     radius, -1 / p.curvature, place_of(theta)));
   }
   const Complex z = p.place + radius * p.normal;
-  Way way = way_of(follower, std::abs(z), theta);
+  const auto found = way_of(follower, std::abs(z), theta);
+  if (!found) return found.reason();
+  Way way = *found;
   if (rotation == Rotation::Clockwise) {
     way = {way.coordinate, std::conj(way.w), std::conj(way.g), std::conj(way.bend)};
   }
@@ -168,8 +176,8 @@ Touch roller_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rota
   const Complex along = -p.tangent * turn, back = std::conj(way.g);
   const double length = -std::real(way.w * back) / std::imag(along * back);
   if (!(length > 0)) {
-    refuse(fmt::format("the follower cannot follow {}: the pressure angle passes 90 deg",
-                       place_of(theta)));
+    return fault(fmt::format("the follower cannot follow {}: the pressure angle passes 90 deg",
+                             place_of(theta)));
   }
   const double ds = (length * std::real(along * back) - std::imag(way.w * back)) / std::norm(way.g);
   const Complex w1 = length * along;
@@ -177,39 +185,42 @@ Touch roller_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rota
   const double curvature = p.curvature / shorter;
   const double dds = (curvature * length * length * length - std::imag(std::conj(rest) * w1)) /
                      std::imag(back * w1);
-  return {std::arg(turn),
-          way.coordinate,
-          ds,
-          dds,
-          shorter * p.speed / length,
-          1 / std::real(p.normal * turn * back)};
+  return Touch{std::arg(turn),
+               way.coordinate,
+               ds,
+               dds,
+               shorter * p.speed / length,
+               1 / std::real(p.normal * turn * back)};
 }
 
 /// (I6), (I7)
-Touch face_touch(const ProfilePoint& p, const MeasuredFollower& follower, Rotation rotation,
-                 double theta) {
+Possible<Touch> face_touch(const ProfilePoint& p, const MeasuredFollower& follower,
+                           Rotation rotation, double theta) {
   if (!(p.curvature > 0)) {
-    refuse(fmt::format("it is hollow {}: a flat face does not touch it there", place_of(theta)));
+    return fault(
+        fmt::format("it is hollow {}: a flat face does not touch it there", place_of(theta)));
   }
   const double sense = rotation == Rotation::Clockwise ? -1 : 1;
   const Complex seen = p.place * std::conj(p.normal);
   const double height = std::real(seen), aside = std::imag(seen), radius = 1 / p.curvature;
-  const FaceWay way = face_way(follower, height, theta);
+  const auto found = face_way(follower, height, theta);
+  if (!found) return found.reason();
+  const FaceWay& way = *found;
   const double lever = way.foot_rate + (way.swings ? sense * aside : 0);
   if (!(lever > 0)) {
-    refuse(
+    return fault(
         fmt::format("the face cannot follow {}: it is touched behind its pivot", place_of(theta)));
   }
   const double ds = -aside / lever;
   const double turning = way.swings ? 1 + sense * ds : 1;  // how fast the normal turns
   const double dds = ((radius - height) * turning * turning + way.height_bend * ds * ds) / lever;
   const double normal = sense * (kPi / 2 - (way.swings ? way.coordinate : 0));
-  return {normal - std::arg(p.normal),     way.coordinate, ds, dds,
-          p.curvature * p.speed / turning, 1 / lever};
+  return Touch{normal - std::arg(p.normal),     way.coordinate, ds, dds,
+               p.curvature * p.speed / turning, 1 / lever};
 }
 
-Touch touch_at(const MeasuredProfile& profile, const MeasuredFollower& follower, Rotation rotation,
-               double theta) {
+Possible<Touch> touch_at(const MeasuredProfile& profile, const MeasuredFollower& follower,
+                         Rotation rotation, double theta) {
   const ProfilePoint point = profile.at(theta);
   const ProfilePoint seen = rotation == Rotation::Clockwise ? mirrored(point) : point;
   return is_roller(follower) ? roller_touch(seen, follower, rotation, theta)
@@ -220,35 +231,58 @@ Touch touch_at(const MeasuredProfile& profile, const MeasuredFollower& follower,
 
 /// Goes round once. The cam angle is monotone in the polar angle of the contact where the follower
 /// follows.
-MeasuredLift::MeasuredLift(MeasuredProfile profile, const MeasuredFollower& follower,
-                           Rotation rotation, std::optional<double> base_radius)
-    : profile_(std::move(profile)), follower_(follower), rotation_(rotation) {
-  check_follower(follower_);
+std::optional<Impossible> MeasuredLift::follow(std::optional<double> base_radius) {
+  if (auto bad = bad_follower(follower_)) return bad;
   const auto touch = [&](double theta) { return touch_at(profile_, follower_, rotation_, theta); };
   // As many places that no wave of the spline hides between two.
   const std::size_t count = std::max<std::size_t>(8 * profile_.spline().basis().spans(), 720);
   std::vector<double> coordinates;
   for (std::size_t i = 0; i <= count; ++i) {
     const double theta = kTurn * static_cast<double>(i) / static_cast<double>(count);
-    const Touch here = touch(theta);
-    const double step = i == 0 ? 0 : std::remainder(here.phi - phis_.back(), kTurn);
+    const auto here = touch(theta);
+    if (!here) return here.reason();
+    const double step = i == 0 ? 0 : std::remainder(here->phi - phis_.back(), kTurn);
     thetas_.push_back(theta);
-    phis_.push_back(i == 0 ? here.phi : phis_.back() + step);
-    coordinates.push_back(here.coordinate);
+    phis_.push_back(i == 0 ? here->phi : phis_.back() + step);
+    coordinates.push_back(here->coordinate);
   }
+  std::optional<Impossible> between;  // the places
   // The least of sign * coordinate near a place.
   const auto extreme = [&](auto at, double sign) {
     const double middle = thetas_[static_cast<std::size_t>(at - coordinates.begin())];
     const double step = thetas_[1] - thetas_[0];
     constexpr int kBits = 26;  // half of the digits: the coordinate is level there
     const auto [theta, least] = boost::math::tools::brent_find_minima(
-        [&](double x) { return sign * touch(x).coordinate; }, middle - step, middle + step, kBits);
+        [&](double x) {
+          const auto here = touch(x);
+          if (here) return sign * here->coordinate;
+          if (!between) between = here.reason();
+          return std::numeric_limits<double>::infinity();
+        },
+        middle - step, middle + step, kBits);
     return sign * std::min(least, sign * *at);
   };
   const auto [low, high] = std::minmax_element(coordinates.begin(), coordinates.end());
   lowest_ = extreme(low, 1);
   highest_ = extreme(high, -1);
-  zero_ = base_radius ? coordinate_on(follower_, *base_radius) : lowest_;
+  zero_ = lowest_;
+  if (between || !base_radius) return between;
+  const auto zero = coordinate_on(follower_, *base_radius);
+  if (!zero) return zero.reason();
+  zero_ = *zero;
+  return {};
+}
+
+MeasuredLift::MeasuredLift(MeasuredProfile profile, const MeasuredFollower& follower,
+                           Rotation rotation, std::optional<double> base_radius)
+    : MeasuredLift(possible(std::move(profile), follower, rotation, base_radius).value()) {}
+
+Possible<MeasuredLift> MeasuredLift::possible(MeasuredProfile profile,
+                                              const MeasuredFollower& follower, Rotation rotation,
+                                              std::optional<double> base_radius) {
+  MeasuredLift lift(Unfollowed{}, std::move(profile), follower, rotation);
+  if (auto why = lift.follow(base_radius)) return std::move(*why);
+  return lift;
 }
 
 MeasuredMotion MeasuredLift::at(double phi) const {
@@ -258,7 +292,9 @@ MeasuredMotion MeasuredLift::at(double phi) const {
   const auto before = [&](double a, double b) { return rising ? a < b : a > b; };
   const auto next = std::upper_bound(phis_.begin() + 1, phis_.end() - 1, wanted, before);
   const auto i = static_cast<std::size_t>(next - phis_.begin());
-  const auto touch = [&](double theta) { return touch_at(profile_, follower_, rotation_, theta); };
+  const auto touch = [&](double theta) {
+    return touch_at(profile_, follower_, rotation_, theta).value();
+  };
   const auto miss = [&](double theta) { return std::remainder(touch(theta).phi - wanted, kTurn); };
   double theta = thetas_[i - 1];
   const double left = miss(thetas_[i - 1]), right = miss(thetas_[i]);
@@ -288,11 +324,15 @@ MeasuredMotion MeasuredLift::at(double phi) const {
 
 double MeasuredLift::base_radius(double s) const { return radius_at(follower_, zero_ + s); }
 
-std::vector<LiftSample> MeasuredLift::samples() const {
+std::vector<LiftSample> MeasuredLift::samples() const { return possible_samples().value(); }
+
+Possible<std::vector<LiftSample>> MeasuredLift::possible_samples() const {
   std::vector<LiftSample> result;
   const std::vector<double>& thetas = profile_.polar_angles();
   for (std::size_t k = 0; k < thetas.size(); ++k) {
-    const Touch here = touch_at(profile_, follower_, rotation_, thetas[k]);
+    const auto touch = touch_at(profile_, follower_, rotation_, thetas[k]);
+    if (!touch) return touch.reason();
+    const Touch& here = *touch;
     const ProfilePoint point = profile_.at(thetas[k]);
     const optim::SmoothedSample& sample = profile_.spline().samples()[k];
     const double cosine = std::abs(point.place) / point.speed;  // (I8)

@@ -60,9 +60,13 @@ struct LiftSample {
 class MeasuredLift {
  public:
   /// s is 0 at the lowest place, or, where `base_radius` is given, where the profile has that
-  /// radius. Throws std::invalid_argument where the follower cannot follow: a roller that does not
-  /// fit into a hollow, a flat face over a hollow, an offset beyond the pitch curve, an arm that
-  /// does not reach, a pressure angle of 90 deg; the sentence says at which polar angle.
+  /// radius. Impossible where the follower cannot follow: a roller that does not fit into a hollow,
+  /// a flat face over a hollow, an offset beyond the pitch curve, an arm that does not reach, a
+  /// pressure angle of 90 deg; the sentence says at which polar angle.
+  static Possible<MeasuredLift> possible(MeasuredProfile profile, const MeasuredFollower& follower,
+                                         Rotation rotation = Rotation::Counterclockwise,
+                                         std::optional<double> base_radius = {});
+  /// The same; throws std::invalid_argument where it is impossible.
   MeasuredLift(MeasuredProfile profile, const MeasuredFollower& follower,
                Rotation rotation = Rotation::Counterclockwise,
                std::optional<double> base_radius = {});
@@ -70,7 +74,10 @@ class MeasuredLift {
   /// At a cam angle phi, any number of turns; phi = 0 as the cam was measured.
   MeasuredMotion at(double phi) const;
   /// What each point says of the lift: to first order in its distance from the smooth profile, so
-  /// that errors that are independent in the points are so in the lift.
+  /// that errors that are independent in the points are so in the lift. Impossible where the
+  /// follower cannot follow at a point.
+  Possible<std::vector<LiftSample>> possible_samples() const;
+  /// The same; throws std::invalid_argument where it is impossible.
   std::vector<LiftSample> samples() const;
   /// The radius of the circle about the cam's centre on which the follower stands at the lift s.
   double base_radius(double s) const;
@@ -89,6 +96,13 @@ class MeasuredLift {
   Law<double> law(int angles = 720) const;
 
  private:
+  struct Unfollowed {};
+  MeasuredLift(Unfollowed, MeasuredProfile profile, const MeasuredFollower& follower,
+               Rotation rotation)
+      : profile_(std::move(profile)), follower_(follower), rotation_(rotation) {}
+  /// Goes round once; says why where the follower cannot.
+  std::optional<Impossible> follow(std::optional<double> base_radius);
+
   MeasuredProfile profile_;
   MeasuredFollower follower_;
   Rotation rotation_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fitting/constants/agreement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -214,20 +216,17 @@ std::optional<std::vector<double>> Agreement::solved_from(const std::vector<doub
   std::vector<optim::FitParameter> parameters;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Unknown& u = model_->unknowns()[i];
-    parameters.push_back({u.name, u.unit, lower_[i], upper_[i], start[i]});
+    // A size of the machine may be called as a coefficient of the law is.
+    parameters.push_back(
+        {fmt::format("{} {}", i + 1, u.name), u.unit, lower_[i], upper_[i], start[i]});
   }
+  optim::FitOptions options;
+  options.max_iterations = kFitIterations;
+  const auto found = optim::possible_fit(parameters, PrintResiduals(*model_, finite_), options);
+  if (!found) return {};  // no law, or no number, there
   std::vector<double> x;
-  double largest = 0;
-  try {
-    optim::FitOptions options;
-    options.max_iterations = kFitIterations;
-    const optim::FitResult found =
-        optim::fit(parameters, PrintResiduals(*model_, finite_), options);
-    for (const auto& p : found.parameters) x.push_back(p.value);
-    largest = std::abs(found.residuals[found.largest]);
-  } catch (const std::invalid_argument&) {
-    return {};  // no law, or no number, there
-  }
+  for (const auto& p : found->parameters) x.push_back(p.value);
+  const double largest = std::abs(found->residuals[found->largest]);
   if (all_agree(x)) return x;
   // The least sum of squares n z^2 has no residual beyond sqrt(n), where all could be below one.
   if (largest > std::sqrt(static_cast<double>(finite_.size()))) return {};

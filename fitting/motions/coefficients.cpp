@@ -39,10 +39,8 @@ bool can_be_skewed(const Member& law) {
     Member aside = other;
     aside.arguments.values()[c.at.parameter][c.at.element] =
         c.value + kAside * (c.value < c.high / 2 ? 1 : -1);
-    try {
-      if (!is_symmetric(aside.law())) return false;
-    } catch (const std::invalid_argument&) {  // these numbers go together
-    }
+    const auto skew = aside.possible_law();  // none where these numbers go together
+    if (skew && !is_symmetric(*skew)) return false;
   }
   return true;
 }

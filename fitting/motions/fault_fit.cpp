@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include "fitting/motions/law_ranking.h"
 #include "numerics/linear/dense.h"
@@ -57,17 +56,18 @@ std::optional<Eigen::Vector2d> by_dwells(const WithoutFault& record, const Found
   return Eigen::Vector2d(found[levels], found[levels + 1]);
 }
 
-RankedMotions ranked(const FoundCycle& cycle, const std::vector<Member>& laws,
-                     const LawFitOptions& options) {
+Possible<RankedMotions> ranked(const FoundCycle& cycle, const std::vector<Member>& laws,
+                               const LawFitOptions& options) {
   RankedMotions result;
   const auto count = static_cast<double>(cycle.motions.size());
   for (const FoundMotion& motion : cycle.motions) {
     const auto before = static_cast<double>(result.samples.size());
-    Ranking ranking = rank_fits(motion.samples, laws, motion.guess,
-                                part_of(options, before / count, (before + 1) / count));
-    result.rankings.push_back(std::move(ranking.fits));
+    auto ranking = possible_ranking(motion.samples, laws, motion.guess,
+                                    part_of(options, before / count, (before + 1) / count));
+    if (!ranking) return ranking.reason();
+    result.rankings.push_back(std::move(ranking->fits));
     result.samples.push_back(motion.samples);
-    add_names(ranking.untried, result.untried);
+    add_names(ranking->untried, result.untried);
   }
   return result;
 }
@@ -108,32 +108,40 @@ std::size_t RankedMotions::count() const {
   return result;
 }
 
-FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::vector<Member>& laws,
-                   const LawFitOptions& options, const RankedMotions* first) {
+Possible<FaultFit> fit_fault(const TakeOut& take_out, Eigen::VectorXd start,
+                             const std::vector<Member>& laws, const LawFitOptions& options,
+                             const RankedMotions* first) {
   constexpr int kSteps = 8;
   constexpr double kSettled = 0.05;  // of its standard error
   constexpr double kFirst = 0.8;     // of the work
   FaultFit fit{std::move(start), {}};
   std::vector<Member> tried = laws;
   for (int step = 0; step < kSteps; ++step) {
-    const WithoutFault record = take_out(fit.size);
+    const auto record = take_out(fit.size);
+    if (!record) return record.reason();
     const auto done = [](int steps) {
       return steps == 0 ? 0 : kFirst + (1 - kFirst) * (steps - 1) / (kSteps - 1);
     };
     const auto part = part_of(options, done(step), done(step + 1));
-    const RankedMotions found =
-        step == 0 && first != nullptr ? *first : ranked(find_motions(record.samples), tried, part);
-    const FaultTest test = test_fault(found.rankings, found.samples, record.fault);
+    const auto about = [&]() -> Possible<RankedMotions> {
+      if (step == 0 && first != nullptr) return *first;
+      const auto cycle = possible_motions(record->samples);
+      if (!cycle) return cycle.reason();
+      return ranked(*cycle, tried, part);
+    };
+    const auto found = about();
+    if (!found) return found.reason();
+    const FaultTest test = test_fault(found->rankings, found->samples, record->fault);
     if (!test.covariance.allFinite()) {
-      throw std::invalid_argument("the samples do not determine the fault");
+      return Impossible{"the samples do not determine the fault"};
     }
     fit.covariance = test.covariance;
     fit.score = test.score;
-    fit.count = found.count();
-    add_names(found.untried, fit.untried);
+    fit.count = found->count();
+    add_names(found->untried, fit.untried);
     fit.size += test.size;
     if (test.size.norm() < kSettled * std::sqrt(test.covariance.trace())) break;
-    if (step == 0) tried = best_with(found, record.fault);
+    if (step == 0) tried = best_with(*found, record->fault);
   }
   return fit;
 }
@@ -147,18 +155,16 @@ FaultTest followed(const FaultTest& test, const RankedMotions& motions, const Ta
   FaultTest result = test;
   result.gain = 0;
   const auto unknowns = static_cast<Eigen::Index>(test.fault.by.size());
-  try {
-    const FaultFit fit = fit_fault(take_out, Eigen::VectorXd::Zero(unknowns), {}, options, &plain);
-    // Scores are sums over the samples, of which a few more or less may lie off.
-    const double share = static_cast<double>(motions.count()) / static_cast<double>(fit.count);
-    result.gain = test.score + test.gain - share * fit.score;
-    result.size = fit.size;
-    result.covariance = fit.covariance;
-    constexpr double kBeyondChance = 5;  // deviations
-    const double squares = fit.size.dot(optim::solve_ldlt(fit.covariance, fit.size));
-    result.with_plain_laws = squares > kBeyondChance * kBeyondChance;
-  } catch (const std::invalid_argument&) {  // the follower cannot follow, or nothing determines it
-  }
+  const auto fit = fit_fault(take_out, Eigen::VectorXd::Zero(unknowns), {}, options, &plain);
+  if (!fit) return result;  // the follower cannot follow, or nothing determines it
+  // Scores are sums over the samples, of which a few more or less may lie off.
+  const double share = static_cast<double>(motions.count()) / static_cast<double>(fit->count);
+  result.gain = test.score + test.gain - share * fit->score;
+  result.size = fit->size;
+  result.covariance = fit->covariance;
+  constexpr double kBeyondChance = 5;  // deviations
+  const double squares = fit->size.dot(optim::solve_ldlt(fit->covariance, fit->size));
+  result.with_plain_laws = squares > kBeyondChance * kBeyondChance;
   return result;
 }
 
@@ -168,14 +174,14 @@ Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
   constexpr double kSettled = 0.05;  // of the noise
   Eigen::VectorXd centre = Eigen::VectorXd::Zero(2);
   for (int step = 0; step < kDwellSteps; ++step) {
-    const WithoutFault record = take_out(centre);
+    const WithoutFault record = take_out(centre).value();
     const FoundCycle cycle = find_motions(record.samples);
     const auto by = by_dwells(record, cycle);
     if (!by) break;
     centre += *by;
     if (by->norm() < kSettled * cycle.noise) break;
   }
-  const FaultFit fit = fit_fault(take_out, centre, laws, options);
+  const FaultFit fit = fit_fault(take_out, centre, laws, options).value();
   return {{fit.size[0], fit.size[1]}, fit.covariance, fit.untried};
 }
 

@@ -14,7 +14,8 @@ struct WithoutFault {
   MotionSamples samples;
   PossibleFault fault;
 };
-using TakeOut = std::function<WithoutFault(const Eigen::VectorXd& size)>;
+/// Impossible where nothing is left, as where the follower cannot follow.
+using TakeOut = std::function<Possible<WithoutFault>(const Eigen::VectorXd& size)>;
 
 /// What laws were found for each motion, all that were tried.
 struct RankedMotions {
@@ -35,10 +36,11 @@ struct FaultFit {
 
 /// Steps of Gauss and Newton for the fault and the laws of all motions together, from a size; the
 /// laws are those that are best with it, some of these without coefficients. `first`: laws about
-/// the start where they are known already. Throws std::invalid_argument where the samples do not
-/// determine the fault, and as find_motions does.
-FaultFit fit_fault(const TakeOut& take_out, Eigen::VectorXd start, const std::vector<Member>& laws,
-                   const LawFitOptions& options, const RankedMotions* first = nullptr);
+/// the start where they are known already. Impossible where the samples do not determine the fault,
+/// and as take_out and possible_motions are.
+Possible<FaultFit> fit_fault(const TakeOut& take_out, Eigen::VectorXd start,
+                             const std::vector<Member>& laws, const LawFitOptions& options,
+                             const RankedMotions* first = nullptr);
 
 /// The test of a fault that may be large, so that one step does not lead to it: with a fault as far
 /// off as the samples say, and laws without coefficients. The others follow much of what a fault
@@ -56,7 +58,8 @@ struct Centre {
   double y_error() const;
 };
 
-/// Begins with the dwells, in which nothing but the centre moves the samples.
+/// Begins with the dwells, in which nothing but the centre moves the samples. Throws
+/// std::invalid_argument where fit_fault is impossible.
 Centre find_centre(const TakeOut& take_out, const std::vector<Member>& laws,
                    const LawFitOptions& options);
 

@@ -147,13 +147,12 @@ void leave_out_far_values(MotionRecord& record, double period) {
   std::vector<std::size_t> far;
   std::vector<double> distances;
   if (samples.place.size() >= kEnough) {
-    try {
-      LiftSamples lift = lift_samples(samples.place, samples.value,
-                                      period > 0 ? std::optional(period) : std::nullopt, {},
-                                      rounding_deviation(samples));
-      far = std::move(lift.outlying);
-      distances = std::move(lift.off);
-    } catch (const std::invalid_argument&) {  // no motion, or too few neighbours to tell
+    auto lift = lift_samples(samples.place, samples.value,
+                             period > 0 ? std::optional(period) : std::nullopt, {},
+                             rounding_deviation(samples));
+    if (lift) {  // else it is no motion, or there are too few neighbours to tell
+      far = std::move(lift->outlying);
+      distances = std::move(lift->off);
     }
   } else if (const auto odd = odd_one(samples)) {
     far = {odd->sample};

@@ -53,12 +53,19 @@ std::vector<FoundSegment> fitted_segments(const FoundCycle& cycle,
 
 FittedCycle fit_cycle(FoundCycle cycle, const std::vector<Member>& laws,
                       const LawFitOptions& options) {
+  return possible_cycle_fit(std::move(cycle), laws, options).value();
+}
+
+Possible<FittedCycle> possible_cycle_fit(FoundCycle cycle, const std::vector<Member>& laws,
+                                         const LawFitOptions& options) {
   FittedCycle result{std::move(cycle), {}, {}};
   const auto count = static_cast<double>(result.found.motions.size());
   for (const FoundMotion& motion : result.found.motions) {
     const auto before = static_cast<double>(result.fits.size());
-    result.fits.push_back(
-        fit_motion(motion, laws, part_of(options, before / count, (before + 1) / count)));
+    auto fit =
+        possible_motion_fit(motion, laws, part_of(options, before / count, (before + 1) / count));
+    if (!fit) return fit.reason();
+    result.fits.push_back(std::move(*fit));
   }
   result.segments = fitted_segments(result.found, result.fits);
   return result;

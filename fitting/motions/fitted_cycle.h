@@ -14,7 +14,10 @@ struct FittedCycle {
   std::vector<FoundSegment> segments;
 };
 
-/// Throws std::invalid_argument as fit_motion does.
+/// Impossible as possible_motion_fit is.
+Possible<FittedCycle> possible_cycle_fit(FoundCycle cycle, const std::vector<Member>& laws,
+                                         const LawFitOptions& options = {});
+/// The same; throws std::invalid_argument where it is impossible.
 FittedCycle fit_cycle(FoundCycle cycle, const std::vector<Member>& laws,
                       const LawFitOptions& options = {});
 

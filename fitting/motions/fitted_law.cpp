@@ -27,20 +27,22 @@ Piece<double> piece_of(const optim::SmoothingSpline& spline, std::size_t span, d
   return piece;
 }
 
-Law<double> periodic_law(const optim::SmoothingSpline& spline, double zero, double stroke) {
+Possible<Law<double>> periodic_law(const optim::SmoothingSpline& spline, double zero,
+                                   double stroke) {
   std::vector<Piece<double>> pieces;
   for (std::size_t span = 0; span < spline.basis().spans(); ++span) {
     pieces.push_back(piece_of(spline, span, zero, stroke));
   }
-  return Law<double>(std::move(pieces), {End::Motion, End::Motion});
+  return Law<double>::possible(std::move(pieces), {End::Motion, End::Motion});
 }
 
 }  // namespace
 
-Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double stroke) {
+Possible<Law<double>> possible_spline_law(const optim::SmoothingSpline& spline, double zero,
+                                          double stroke) {
   if (!std::isfinite(stroke) || !std::isfinite(zero) || stroke == 0) {
-    throw std::invalid_argument(
-        fmt::format("law of a spline: a stroke of {:.6g} from {:.6g} is none", stroke, zero));
+    return Impossible{
+        fmt::format("law of a spline: a stroke of {:.6g} from {:.6g} is none", stroke, zero)};
   }
   if (spline.basis().periodic()) return periodic_law(spline, zero, stroke);
   const auto& places = spline.basis().places();
@@ -51,16 +53,24 @@ Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double
   }
   // B-splines add up to 1, so coefficients move with the displacement.
   for (const double c : spline.coefficients()) coefficients.push_back((c - zero) / stroke);
-  return b_spline(spline.basis().degree(), interior, coefficients);
+  return possible_b_spline(spline.basis().degree(), interior, coefficients);
 }
 
-Law<double> stretch_law(const optim::SmoothingSpline& spline) {
+Possible<Law<double>> possible_stretch_law(const optim::SmoothingSpline& spline) {
   if (spline.basis().periodic()) {
-    throw std::invalid_argument("law of a spline: a periodic one is not a stretch");
+    return Impossible{"law of a spline: a periodic one is not a stretch"};
   }
   // A clamped spline begins and ends at its outer coefficients.
   const double from = spline.coefficients().front(), to = spline.coefficients().back();
-  return spline_law(spline, from, to - from);
+  return possible_spline_law(spline, from, to - from);
+}
+
+Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double stroke) {
+  return possible_spline_law(spline, zero, stroke).value();
+}
+
+Law<double> stretch_law(const optim::SmoothingSpline& spline) {
+  return possible_stretch_law(spline).value();
 }
 
 }  // namespace camlaw::problems

@@ -9,12 +9,16 @@ namespace camlaw::problems {
 
 /// The spline over its whole range as a law: x from 0 to 1, displacement (s - zero) / stroke, one
 /// polynomial for each span. A periodic one is a law over the cycle, with any motion at its ends.
-/// Throws std::invalid_argument for a stroke that is 0 or not finite.
-Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double stroke);
+/// Impossible for a stroke that is 0 or not finite.
+Possible<Law<double>> possible_spline_law(const optim::SmoothingSpline& spline, double zero,
+                                          double stroke);
 
 /// The same as the law of one stretch, displacement from 0 to 1; the stroke may be below 0, for a
-/// return. Throws std::invalid_argument for a periodic spline and where it ends as high as it
-/// begins.
+/// return. Impossible for a periodic spline and where it ends as high as it begins.
+Possible<Law<double>> possible_stretch_law(const optim::SmoothingSpline& spline);
+
+/// These throw std::invalid_argument where that is impossible.
+Law<double> spline_law(const optim::SmoothingSpline& spline, double zero, double stroke);
 Law<double> stretch_law(const optim::SmoothingSpline& spline);
 
 }  // namespace camlaw::problems

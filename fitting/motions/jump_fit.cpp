@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "fitting/motions/fit_parameters.h"
@@ -64,11 +63,7 @@ std::optional<optim::FitResult> fit_in(const Jumping& jumping, const optim::FitR
     }
   }
   if (parameters[MotionLayout::kEnd].start <= parameters[MotionLayout::kBegin].start) return {};
-  try {
-    return optim::fit(parameters, jumping.residuals, jumping.options);
-  } catch (const std::invalid_argument&) {  // undefined there
-    return {};
-  }
+  return optim::possible_fit(parameters, jumping.residuals, jumping.options).if_any();
 }
 
 /// Each end alone, and both: a jump between the ends stays where it is as they move apart.

@@ -23,15 +23,16 @@ namespace {
 using optim::FitReach;
 
 /// From the fit of other samples, within the bounds that it had.
-optim::FitResult fitted_near(const MotionSamples& samples, const LawFit& fit,
-                             const MotionGuess& guess, const LawFitOptions& options) {
+Possible<optim::FitResult> fitted_near(const MotionSamples& samples, const LawFit& fit,
+                                       const MotionGuess& guess, const LawFitOptions& options) {
   const LawResiduals residuals(samples, fit.law, fit.skew,
                                parameters_of(samples, fit.law, guess, fit.skew));
   const std::vector<double> found = values_of(fit.fit);
   const auto own = starting_at(residuals.own(), std::span(found).first(residuals.first()));
-  return residuals.told(
-      optim::fit(own, residuals.residuals(), fit_options(options, FitReach::Near)),
-      options.confidence);
+  auto refit =
+      optim::possible_fit(own, residuals.residuals(), fit_options(options, FitReach::Near));
+  if (!refit) return refit;
+  return residuals.told(std::move(*refit), options.confidence);
 }
 
 /// The member with the coefficients of a fit.
@@ -106,23 +107,30 @@ double LawFit::value(double place, int order) const {
   return (k == 0 ? from : 0) + (to - from) * d[k] * std::pow(length, -order);
 }
 
-void check_motion(const MotionSamples& samples, const MotionGuess& guess) {
+std::optional<Impossible> bad_motion(const MotionSamples& samples, const MotionGuess& guess) {
   if (samples.place.size() != samples.value.size()) {
-    throw std::invalid_argument("samples: as many values as places are wanted");
+    return Impossible{"samples: as many values as places are wanted"};
   }
-  if (samples.place.size() < 2) throw std::invalid_argument("samples: two at least are wanted");
+  if (samples.place.size() < 2) return Impossible{"samples: two at least are wanted"};
   for (std::size_t i = 0; i < samples.place.size(); ++i) {
     if (std::isfinite(samples.place[i]) && std::isfinite(samples.value[i])) continue;
-    throw std::invalid_argument(fmt::format("sample {} is not a finite number", i + 1));
+    return Impossible{fmt::format("sample {} is not a finite number", i + 1)};
   }
   if (!(guess.end > guess.begin) || guess.to == guess.from) {
-    throw std::invalid_argument("samples: they show no motion");
+    return Impossible{"samples: they show no motion"};
   }
+  return {};
 }
 
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options) {
-  check_motion(samples, guess);
+  if (const auto fault = bad_motion(samples, guess)) throw std::invalid_argument(fault->why);
+  return possible_law_fit(samples, law, guess, options).value();
+}
+
+Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& law,
+                                  const MotionGuess& guess, const LawFitOptions& options) {
+  if (const auto made = law.possible_law(); !made) return made.reason();
   const auto parameters = parameters_of(samples, law, guess, options.skew);
   const LawResiduals law_residuals(samples, law, options.skew, parameters);
   const optim::Residuals& residuals = law_residuals.residuals();
@@ -133,11 +141,16 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
     return with_coefficients(law, law_residuals.told(fit, options.confidence), first, options.skew);
   };
   std::optional<optim::FitResult> best;
-  for (const std::vector<double>& start : law_starts(samples, law, parameters, options)) {
-    optim::FitResult fit = optim::fit(starting_at(own, start), residuals, near);
-    if (!best || fit.merit < best->merit) best = std::move(fit);
+  const auto starts = law_starts(samples, law, parameters, options);
+  if (!starts) return starts.reason();
+  for (const std::vector<double>& start : *starts) {
+    auto fit = optim::possible_fit(starting_at(own, start), residuals, near);
+    if (!fit) return fit.reason();
+    if (!best || fit->merit < best->merit) best = std::move(*fit);
   }
-  const Jumps jumps = jumps_of(member_of(*best).law(), samples.order);
+  const auto found = member_of(*best).possible_law();
+  if (!found) return found.reason();
+  const Jumps jumps = jumps_of(*found, samples.order);
   best = fit_with_jumps(samples, residuals, own, jumps, near, std::move(*best));
   LawFit result{member_of(*best), {}, options.skew, first};
   result.inflation = count_rounding(samples, residuals, own, options.confidence, *best);
@@ -167,8 +180,8 @@ void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
                     fit.fit);
 }
 
-double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
-                       const LawFitOptions& options) {
+Possible<double> cross_validated(const MotionSamples& samples, const LawFit& fit,
+                                 const MotionGuess& guess, const LawFitOptions& options) {
   constexpr std::size_t kFolds = 10;
   const std::size_t n = samples.place.size();
   const auto part = [&](const std::vector<std::size_t>& which) {
@@ -179,14 +192,22 @@ double cross_validated(const MotionSamples& samples, const LawFit& fit, const Mo
     }
     return result;
   };
-  return optim::cross_validated_error(
+  std::optional<Impossible> fault;
+  const double error = optim::cross_validated_error(
       n, std::min(kFolds, n), [&](const auto& kept, const auto& left_out) {
+        if (fault) return std::nan("");
         const auto own = fitted_near(part(kept), fit, guess, options);
+        if (!own) {
+          fault = own.reason();
+          return std::nan("");
+        }
         const MotionResiduals others(part(left_out), fit.law, fit.skew);
         std::vector<double> r(left_out.size());
-        if (!others.evaluate(values_of(own), r, {})) return std::nan("");
+        if (!others.evaluate(values_of(*own), r, {})) return std::nan("");
         return std::inner_product(r.begin(), r.end(), r.begin(), 0.0);
       });
+  if (fault) return std::move(*fault);
+  return error;
 }
 
 }  // namespace camlaw::problems

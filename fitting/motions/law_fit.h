@@ -61,8 +61,12 @@ struct LawFit {
 };
 
 /// Fits a law's coefficients (all but what shapes its data, and the crossover only where that is
-/// asked for), with begin, end, stroke and zero shift. Throws std::invalid_argument for fewer than
-/// two samples, values that are not finite, and guesses that are not a motion.
+/// asked for), with begin, end, stroke and zero shift. Impossible where the law or one with fitted
+/// coefficients is none, and where its residuals are not numbers, as where its acceleration jumps
+/// to infinity. `samples` and `guess` are such that bad_motion() finds no fault.
+Possible<LawFit> possible_law_fit(const MotionSamples& samples, const Member& law,
+                                  const MotionGuess& guess, const LawFitOptions& options = {});
+/// The same; throws std::invalid_argument where it is impossible and with what bad_motion() says.
 LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
                const LawFitOptions& options = {});
 
@@ -71,12 +75,13 @@ LawFit fit_law(const MotionSamples& samples, const Member& law, const MotionGues
 void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
                   const LawFitOptions& options, LawFit& fit);
 
-/// Throws std::invalid_argument as fit_law does for samples and guess, whatever the law.
-void check_motion(const MotionSamples& samples, const MotionGuess& guess);
+/// Why no law can be fitted, if so: fewer than two samples, values that are not finite, and guesses
+/// that are not a motion.
+std::optional<Impossible> bad_motion(const MotionSamples& samples, const MotionGuess& guess);
 
 /// Root mean square error of prediction, by cross-validation in ten parts; `guess` as it was for
-/// the fit.
-double cross_validated(const MotionSamples& samples, const LawFit& fit, const MotionGuess& guess,
-                       const LawFitOptions& options = {});
+/// the fit. Impossible where a part cannot be fitted.
+Possible<double> cross_validated(const MotionSamples& samples, const LawFit& fit,
+                                 const MotionGuess& guess, const LawFitOptions& options = {});
 
 }  // namespace camlaw::problems

@@ -2,7 +2,6 @@
 #include "fitting/motions/law_ranking.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "fitting/motions/coefficients.h"
 #include "fitting/motions/law_choice.h"
@@ -16,12 +15,10 @@ namespace {
 /// neighbours show; where there is none, or too few neighbours, each law by its own.
 LawFitOptions with_one_scale(const MotionSamples& samples, LawFitOptions options) {
   if (options.loss == optim::Loss::None || options.loss_scale) return options;
-  try {
-    const double noise = lift_samples(samples.place, samples.value, {}, {}).sample_noise;
-    const double floor = std::max(noise, rounding_deviation(samples));
-    if (floor > 0) options.loss_scale = floor * optim::efficient_scale(options.loss);
-  } catch (const std::invalid_argument&) {  // too few
-  }
+  const auto lift = lift_samples(samples.place, samples.value, {}, {});
+  if (!lift) return options;
+  const double floor = std::max(lift->sample_noise, rounding_deviation(samples));
+  if (floor > 0) options.loss_scale = floor * optim::efficient_scale(options.loss);
   return options;
 }
 
@@ -76,7 +73,12 @@ void add_names(const std::vector<std::string>& names, std::vector<std::string>& 
 
 Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
                   const MotionGuess& guess, const LawFitOptions& options) {
-  check_motion(samples, guess);
+  return possible_ranking(samples, laws, guess, options).value();
+}
+
+Possible<Ranking> possible_ranking(const MotionSamples& samples, const std::vector<Member>& laws,
+                                   const MotionGuess& guess, const LawFitOptions& options) {
+  if (auto fault = bad_motion(samples, guess)) return std::move(*fault);
   const LawFitOptions alike = with_one_scale(samples, options);
   Ranking ranking;
   const std::vector<Candidate> candidates = candidates_of(laws);
@@ -96,10 +98,8 @@ Ranking rank_fits(const MotionSamples& samples, const std::vector<Member>& laws,
         own.like = motion_of(*best);
       }
     }
-    try {
-      ranking.fits.push_back(fit_law(samples, candidate.law, guess, own));
-    } catch (const std::invalid_argument&) {  // its acceleration jumps to infinity, and the like
-    }
+    auto fit = possible_law_fit(samples, candidate.law, guess, own);
+    if (fit) ranking.fits.push_back(std::move(*fit));
   }
   weigh(ranking.fits);
   put_in_order(ranking.fits);

@@ -9,7 +9,7 @@
 namespace camlaw::problems {
 namespace {
 
-using RoughFit = std::function<optim::FitResult(const FitParameters&)>;
+using RoughFit = std::function<Possible<optim::FitResult>(const FitParameters&)>;
 
 /// As few means of neighbours as tell where a fit may begin, of where the motion may be: from
 /// `low` to `high`. Under a loss of three at least: a far-off one is left out then, and no loss is
@@ -29,27 +29,32 @@ MotionSamples few_of(const MotionSamples& samples, double low, double high, opti
 }
 
 /// A fit of everything but begin and end, which stay at these.
-optim::FitResult between_ends(const RoughFit& fit, const FitParameters& parameters, double begin,
-                              double end) {
+Possible<optim::FitResult> between_ends(const RoughFit& fit, const FitParameters& parameters,
+                                        double begin, double end) {
   return fit(holding(starting_at(parameters, std::vector{begin, end}), 0, 2));
 }
 
 /// The same for the best of many ends around those of the parameters. With free values at its ends
 /// a polynomial is the same curve over any stretch: only how it meets the rests tells them, and the
 /// sum of squares has a valley at each of many places.
-optim::FitResult over_ends(const RoughFit& fit, const FitParameters& parameters) {
+Possible<optim::FitResult> over_ends(const RoughFit& fit, const FitParameters& parameters) {
   constexpr double kAside[] = {-0.12, -0.06, -0.03, -0.01, 0, 0.01, 0.03, 0.06, 0.12};
   const double begin = parameters[MotionLayout::kBegin].start;
   const double end = parameters[MotionLayout::kEnd].start, length = end - begin;
   std::optional<optim::FitResult> best;
   for (const double before : kAside) {
     for (const double after : kAside) {
-      optim::FitResult one =
-          between_ends(fit, parameters, begin + before * length, end + after * length);
-      if (!best || one.merit < best->merit) best = std::move(one);
+      auto one = between_ends(fit, parameters, begin + before * length, end + after * length);
+      if (!one) return one;
+      if (!best || one->merit < best->merit) best = std::move(*one);
     }
   }
-  return *best;
+  return *std::move(best);
+}
+
+Possible<std::vector<double>> where_it_ends(const Possible<optim::FitResult>& fit) {
+  if (!fit) return fit.reason();
+  return values_of(*fit);
 }
 
 /// Values of fits, the best first, without those of the same valley and without poor ones.
@@ -70,9 +75,10 @@ std::vector<std::vector<double>> best_of(std::vector<optim::FitResult> fits) {
 
 }  // namespace
 
-std::vector<std::vector<double>> law_starts(const MotionSamples& samples, const Member& law,
-                                            const FitParameters& parameters,
-                                            const LawFitOptions& options) {
+Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& samples,
+                                                      const Member& law,
+                                                      const FitParameters& parameters,
+                                                      const LawFitOptions& options) {
   constexpr auto kBegin = MotionLayout::kBegin, kEnd = MotionLayout::kEnd;
   const MotionSamples means =
       few_of(samples, parameters[kBegin].lower, parameters[kEnd].upper, options.loss);
@@ -81,28 +87,40 @@ std::vector<std::vector<double>> law_starts(const MotionSamples& samples, const 
   rough.loss_scale.reset();
   if (means.each > 1) rough.loss = optim::Loss::None;
   const RoughFit fit = [&](const FitParameters& from) {
-    return optim::fit(from, few.residuals(), rough);
+    return optim::possible_fit(from, few.residuals(), rough);
   };
   const FitParameters own = few.own();
   // A fit of the law as it is tells where a fit of all finds the right valley.
-  const std::vector<double> alone = values_of(fit(holding(own, few.first(), own.size())));
-  if (own.size() == few.first()) return {alone};
+  const auto as_it_is = fit(holding(own, few.first(), own.size()));
+  if (!as_it_is) return as_it_is.reason();
+  const std::vector<double> alone = values_of(*as_it_is);
+  if (own.size() == few.first()) return std::vector<std::vector<double>>{alone};
   const FitParameters near = starting_at(own, std::span(alone).first(few.first()));
-  std::vector<optim::FitResult> found{fit(near)};
-  const auto add = [&](const std::vector<double>& values) {
-    found.push_back(fit(starting_at(near, values)));
+  std::vector<optim::FitResult> found;
+  std::optional<Impossible> fault;  // the first of them
+  const auto add = [&](const Possible<std::vector<double>>& values) {
+    if (fault) return;
+    auto one = values ? fit(starting_at(near, *values)) : values.reason();
+    if (one) {
+      found.push_back(std::move(*one));
+    } else {
+      fault = one.reason();
+    }
   };
-  if (options.like) {  // where another law follows the samples
-    add(values_of(between_ends(fit, own, options.like->begin, options.like->end)));
+  add(std::vector<double>{});    // as it is near
+  if (options.like && !fault) {  // where another law follows the samples
+    add(where_it_ends(between_ends(fit, own, options.like->begin, options.like->end)));
   }
-  if (has_free_ends(law)) add(values_of(over_ends(fit, own)));
+  if (has_free_ends(law) && !fault) add(where_it_ends(over_ends(fit, own)));
+  if (fault) return std::move(*fault);
   // Where the samples do not determine the numbers no start helps.
   const bool is_single = own.size() < few.first() + 2 || !found.front().free_directions.empty();
   for (const double longer : {-0.1, 0.1}) {
     if (is_single) break;
     const double begin = near[kBegin].start, end = near[kEnd].start, by = longer * (end - begin);
-    add({begin - by, end + by});
+    add(std::vector<double>{begin - by, end + by});
   }
+  if (fault) return std::move(*fault);
   return best_of(std::move(found));
 }
 

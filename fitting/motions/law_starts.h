@@ -10,8 +10,9 @@ namespace camlaw::problems {
 /// best first; by rough fits to a few means of neighbours. `parameters` are those of
 /// parameters_of(). Laws of several coefficients have valleys in which longer motions with other
 /// coefficients nearly do as well: such fits begin at shorter and longer motions too.
-std::vector<std::vector<double>> law_starts(const MotionSamples& samples, const Member& law,
-                                            const FitParameters& parameters,
-                                            const LawFitOptions& options);
+Possible<std::vector<std::vector<double>>> law_starts(const MotionSamples& samples,
+                                                      const Member& law,
+                                                      const FitParameters& parameters,
+                                                      const LawFitOptions& options);
 
 }  // namespace camlaw::problems

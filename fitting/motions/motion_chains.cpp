@@ -120,11 +120,13 @@ MotionChain chain_without_dwells(const LiftCurve& lift) {
 
 }  // namespace
 
-LiftCurve lift_curve(const LiftSamples& lift, const SegmentOptions& options) {
+Possible<LiftCurve> lift_curve(const LiftSamples& lift, const SegmentOptions& options) {
+  auto curve = smooth_lift(lift, options.period);
+  if (!curve) return curve.reason();
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
   const double whole = *high - *low;
   LiftCurve result{.samples = {.x = lift.phi, .s = lift.s, .curve = {}, .leverage = {}},
-                   .curve = smooth_lift(lift, options.period),
+                   .curve = std::move(*curve),
                    .is_periodic = options.period.has_value(),
                    .begin = options.period ? 0 : lift.phi.front(),
                    .end = options.period.value_or(lift.phi.back()),

@@ -23,7 +23,7 @@ struct LiftCurve {
   double length() const { return end - begin; }
 };
 
-LiftCurve lift_curve(const LiftSamples& lift, const SegmentOptions& options);
+Possible<LiftCurve> lift_curve(const LiftSamples& lift, const SegmentOptions& options);
 
 /// The samples from `low` to `high`, periodic ones as often as they come.
 CornerSamples samples_between(const LiftCurve& lift, double low, double high);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/assumed_units.h"
@@ -86,15 +85,15 @@ double cycle_period(const MotionSamples& samples) {
   return is_turn ? kTurnDegrees : 0;
 }
 
-FoundCycle find_motions(const MotionSamples& samples) {
+Possible<FoundCycle> possible_motions(const MotionSamples& samples) {
   constexpr std::size_t kEnough = 24;
   FoundCycle result;
   const auto [first, last] = std::minmax_element(samples.place.begin(), samples.place.end());
   const double range = *last - *first;
   const bool is_angle = samples.place_unit == "deg";
   if (is_angle && range > kTurnDegrees * (1 + 1e-6)) {
-    throw std::invalid_argument(
-        fmt::format("the angles go over {:.6g} deg; one turn of 360 deg at most is wanted", range));
+    return Impossible{
+        fmt::format("the angles go over {:.6g} deg; one turn of 360 deg at most is wanted", range)};
   }
   if (samples.order != 0 || samples.place.size() < kEnough) {
     result.motions.push_back({guess_motion(samples), samples});
@@ -104,10 +103,11 @@ FoundCycle find_motions(const MotionSamples& samples) {
   options.least_noise = rounding_deviation(samples);
   const double period = cycle_period(samples);
   if (period > 0) options.period = period;
-  FoundSegments found = motion_segments(samples.place, samples.value, options);
-  result.noise = found.noise;
-  result.outlying = found.outlying.size();
-  result.segments = std::move(found.segments);
+  auto found = possible_segments(samples.place, samples.value, options);
+  if (!found) return found.reason();
+  result.noise = found->noise;
+  result.outlying = found->outlying.size();
+  result.segments = std::move(found->segments);
   const auto& segments = result.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const FoundSegment& s = segments[i];
@@ -134,8 +134,10 @@ FoundCycle find_motions(const MotionSamples& samples) {
     }
     result.motions.push_back({{s.begin, s.end, s.from, s.to}, std::move(own)});
   }
-  if (result.motions.empty()) throw std::invalid_argument("samples: they show no motion");
+  if (result.motions.empty()) return Impossible{"samples: they show no motion"};
   return result;
 }
+
+FoundCycle find_motions(const MotionSamples& samples) { return possible_motions(samples).value(); }
 
 }  // namespace camlaw::problems

@@ -43,7 +43,9 @@ double cycle_period(const MotionSamples& samples);
 
 /// Motions that samples show. Displacements of 24 samples and more are searched for dwells, rises
 /// and returns, over the turn where their angles cover nearly all of it; of others all samples are
-/// one motion. Throws std::invalid_argument where nothing moves and where angles go beyond a turn.
+/// one motion. Impossible where nothing moves and where angles go beyond a turn.
+Possible<FoundCycle> possible_motions(const MotionSamples& samples);
+/// The same; throws std::invalid_argument where it is impossible.
 FoundCycle find_motions(const MotionSamples& samples);
 
 }  // namespace camlaw::problems

@@ -97,11 +97,9 @@ std::optional<Law<double>> smoothed(const MotionFit& fit) {
   options.range = std::pair(shown.begin, shown.end);
   options.begin = {shown.from, 0.0, {}};
   options.end = {shown.to, 0.0, {}};
-  try {
-    return stretch_law(optim::smoothing_spline(inside.place, inside.value, options));
-  } catch (const std::invalid_argument&) {  // too few samples for a curve
-    return {};
-  }
+  const auto spline = optim::possible_smoothing_spline(inside.place, inside.value, options);
+  if (!spline) return {};  // too few samples for a curve
+  return possible_stretch_law(*spline).if_any();
 }
 
 /// Intervals by profiles of the first law and others that count.
@@ -128,12 +126,20 @@ std::string first_names(const std::vector<std::string>& names) {
 
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options) {
-  Ranking ranking = rank_fits(motion.samples, laws, motion.guess, options);
-  MotionFit result{motion, std::move(ranking.fits), std::move(ranking.untried)};
+  return possible_motion_fit(motion, laws, options).value();
+}
+
+Possible<MotionFit> possible_motion_fit(const FoundMotion& motion, const std::vector<Member>& laws,
+                                        const LawFitOptions& options) {
+  auto ranking = possible_ranking(motion.samples, laws, motion.guess, options);
+  if (!ranking) return ranking.reason();
+  MotionFit result{motion, std::move(ranking->fits), std::move(ranking->untried)};
   if (result.ranking.empty()) {
-    throw std::invalid_argument("none of the laws can be fitted to these samples");
+    return Impossible{"none of the laws can be fitted to these samples"};
   }
-  result.prediction_error = cross_validated(motion.samples, result.best(), motion.guess, options);
+  const auto error = cross_validated(motion.samples, result.best(), motion.guess, options);
+  if (!error) return error.reason();
+  result.prediction_error = *error;
   result.left =
       optim::residual_pattern(motion.samples.place, optim::counted_residuals(result.best().fit));
   result.outliers = outliers_of(result, kListed);

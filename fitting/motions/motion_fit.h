@@ -28,7 +28,10 @@ struct MotionFit {
   const LawFit& best() const { return ranking.front(); }
 };
 
-/// Throws std::invalid_argument where none of the laws can be fitted.
+/// Impossible where none of the laws can be fitted.
+Possible<MotionFit> possible_motion_fit(const FoundMotion& motion, const std::vector<Member>& laws,
+                                        const LawFitOptions& options = {});
+/// The same; throws std::invalid_argument where it is impossible.
 MotionFit fit_motion(const FoundMotion& motion, const std::vector<Member>& laws,
                      const LawFitOptions& options = {});
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 namespace camlaw::problems {
 namespace {
@@ -33,9 +32,9 @@ MotionResiduals::MotionResiduals(MotionSamples samples, const Member& law, Skew 
 
 /// The law at one p, for all places.
 struct MotionResiduals::LawAt {
-  std::optional<Law<double>> plain;  ///< where no derivatives are wanted
-  std::vector<Law<Dual>> made;       ///< with them, in blocks of coefficients
-  const std::vector<Law<Dual>>* blocks = nullptr;
+  std::optional<Law<double>> plain;                  ///< where no derivatives are wanted
+  std::vector<Law<Dual>> made;                       ///< with them, in blocks of coefficients
+  const std::vector<Law<Dual>>* constant = nullptr;  ///< of a linear law, in place of these
   std::vector<double> change;  ///< of the coefficients from those of the blocks, in a linear law
 
   template <std::size_t K>
@@ -45,8 +44,9 @@ struct MotionResiduals::LawAt {
       at.value = d[K], at.slope = d[K + 1];
       return;
     }
-    for (std::size_t block = 0; block < blocks->size(); ++block) {
-      const auto d = (*blocks)[block].template derivatives<K + 2>(u, side);
+    const std::vector<Law<Dual>>& blocks = constant != nullptr ? *constant : made;
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+      const auto d = blocks[block].template derivatives<K + 2>(u, side);
       if (block == 0) at.value = d[K].a, at.slope = d[K + 1].a;
       const std::size_t first = block * kDualWidth;
       for (std::size_t i = first; i < std::min(first + kDualWidth, at.gradient.size()); ++i) {
@@ -60,19 +60,19 @@ struct MotionResiduals::LawAt {
   }
 };
 
-MotionResiduals::LawAt MotionResiduals::law_at(std::span<const double> p,
-                                               bool with_gradient) const {
+std::optional<MotionResiduals::LawAt> MotionResiduals::law_at(std::span<const double> p,
+                                                              bool with_gradient) const {
   LawAt law;
   const std::vector<double> values = binding_.values_at(p);
   if (!constant_.empty()) {
-    law.blocks = &constant_;
+    law.constant = &constant_;
     for (std::size_t i = 0; i < values.size(); ++i) law.change.push_back(values[i] - own_[i]);
   } else if (values.empty() || !with_gradient) {
-    law.plain = binding_.law_at<double>(p);
+    law.plain = binding_.possible_law_at<double>(p).if_any();
+    if (!law.plain) return {};
   } else {
     law.made = binding_.first_laws(values);
-    if (law.made.empty()) throw std::invalid_argument("these coefficients make no law");
-    law.blocks = &law.made;
+    if (law.made.empty()) return {};
   }
   return law;
 }
@@ -80,17 +80,13 @@ MotionResiduals::LawAt MotionResiduals::law_at(std::span<const double> p,
 bool MotionResiduals::evaluate(std::span<const double> p, std::span<double> r,
                                std::span<double> jacobian) const {
   if (!(p[MotionLayout::kEnd] > p[MotionLayout::kBegin])) return false;
-  try {
-    switch (samples_.order) {
-      case 0:
-        return evaluated<0>(p, r, jacobian);
-      case 1:
-        return evaluated<1>(p, r, jacobian);
-      default:
-        return evaluated<2>(p, r, jacobian);
-    }
-  } catch (const std::invalid_argument&) {  // these coefficients make no law
-    return false;
+  switch (samples_.order) {
+    case 0:
+      return evaluated<0>(p, r, jacobian);
+    case 1:
+      return evaluated<1>(p, r, jacobian);
+    default:
+      return evaluated<2>(p, r, jacobian);
   }
 }
 
@@ -101,13 +97,14 @@ bool MotionResiduals::evaluated(std::span<const double> p, std::span<double> r,
   const double unit = std::pow(length, -static_cast<int>(K)),
                size = unit * p[MotionLayout::kStroke];
   const double zero = layout().with_zero ? p[MotionLayout::kZero] : 0;
-  const LawAt law = law_at(p, !jacobian.empty());
+  const std::optional<LawAt> law = law_at(p, !jacobian.empty());
+  if (!law) return false;
   AtPoint at;
   at.gradient.resize(own_.size());
   for (std::size_t i = 0; i < count(); ++i) {
     const double u = (samples_.place[i] - begin) / length;
     const bool moves = u > 0 && u < 1;
-    law.look<K>(std::clamp(u, 0.0, 1.0), u < 1 ? Side::Right : Side::Left, at);
+    law->look<K>(std::clamp(u, 0.0, 1.0), u < 1 ? Side::Right : Side::Left, at);
     // At rest beyond the ends: displacement stays, derivatives are none.
     const double own = K == 0 || moves ? at.value : 0;
     r[i] = zero + size * own - samples_.value[i];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "fitting/motions/coefficients.h"
 #include "fitting/samples/motion_samples.h"
 #include "optim/fit/residuals.h"
@@ -34,8 +36,8 @@ class MotionResiduals final : public optim::Residuals {
 
   template <std::size_t K>
   bool evaluated(std::span<const double> p, std::span<double> r, std::span<double> jacobian) const;
-  /// Throws std::invalid_argument where p makes no law.
-  LawAt law_at(std::span<const double> p, bool with_gradient) const;
+  /// None where p makes no law.
+  std::optional<LawAt> law_at(std::span<const double> p, bool with_gradient) const;
 
   MotionSamples samples_;
   LawBinding binding_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 
 #include "numerics/linear/statistics.h"
 
@@ -46,11 +45,8 @@ double squares_at(const optim::Residuals& residuals, std::vector<optim::FitParam
   optim::FitOptions near;
   near.reach = optim::FitReach::Near;
   near.max_iterations = 50;
-  try {
-    return optim::fit(parameters, residuals, near).sum_of_squares;
-  } catch (const std::invalid_argument&) {  // undefined there
-    return optim::kInfinity;
-  }
+  const auto fit = optim::possible_fit(parameters, residuals, near);
+  return fit ? fit->sum_of_squares : optim::kInfinity;
 }
 
 }  // namespace

@@ -65,19 +65,23 @@ void distrust_many_far(RecordedMotion& found, double period) {
 /// began, that is why.
 FittedCycle fitted(const MotionSamples& samples, double period, const std::vector<Member>& laws,
                    const LawFitOptions& options) {
-  try {
-    return fit_cycle(find_motions(samples), laws, options);
-  } catch (const std::invalid_argument&) {
-    constexpr double kOpen = 0.02;  // of the whole lift
-    const std::vector<std::size_t> order = optim::order_of(samples.place);
-    const double first = samples.value[order.front()], last = samples.value[order.back()];
-    const auto [low, high] = std::minmax_element(samples.value.begin(), samples.value.end());
-    if (period == 0 || std::abs(last - first) <= kOpen * (*high - *low)) throw;
-    throw std::invalid_argument(
-        fmt::format("the lift is {:.4g} {} where the turn begins and {:.4g} {} where it ends: it "
-                    "drifted, or jumped, while it was measured",
-                    first, samples.unit, last, samples.unit));
-  }
+  const auto fit = [&]() -> Possible<FittedCycle> {
+    auto motions = possible_motions(samples);
+    if (!motions) return motions.reason();
+    return possible_cycle_fit(std::move(*motions), laws, options);
+  };
+  Possible<FittedCycle> found = fit();
+  if (found) return std::move(*found);
+  constexpr double kOpen = 0.02;  // of the whole lift
+  const std::vector<std::size_t> order = optim::order_of(samples.place);
+  const double first = samples.value[order.front()], last = samples.value[order.back()];
+  const auto [low, high] = std::minmax_element(samples.value.begin(), samples.value.end());
+  const bool is_open = period != 0 && !(std::abs(last - first) <= kOpen * (*high - *low));
+  if (!is_open) throw std::invalid_argument(found.why());
+  throw std::invalid_argument(
+      fmt::format("the lift is {:.4g} {} where the turn begins and {:.4g} {} where it ends: it "
+                  "drifted, or jumped, while it was measured",
+                  first, samples.unit, last, samples.unit));
 }
 
 }  // namespace
@@ -144,7 +148,7 @@ RecordedMotion fit_recorded_motion(MotionRecord record, const std::vector<Member
     const TakeOut at = less_of(samples, off_centre());
     result.centre = find_centre(at, laws, part_of(options.fit, 0, kCentre));
     const std::complex<double> centre = result.centre->place;
-    samples = at(Eigen::Vector2d(centre.real(), centre.imag())).samples;
+    samples = at(Eigen::Vector2d(centre.real(), centre.imag()))->samples;
   }
   result.cycle =
       fitted(samples, period, laws, part_of(options.fit, options.fit_centre ? kCentre : 0, 1));

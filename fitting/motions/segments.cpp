@@ -207,9 +207,12 @@ void put_in_period(double period, std::vector<FoundSegment>& segments) {
             [](const auto& a, const auto& b) { return a.begin < b.begin; });
 }
 
-std::vector<FoundSegment> segments_in(const LiftCurve& lift) {
+Possible<std::vector<FoundSegment>> segments_in(const LiftCurve& lift) {
   std::vector<Chain> rough = rough_chains(lift);
-  if (rough.empty()) refuse(fmt::format("the lift does not move by more than {:.6g}", lift.least));
+  if (rough.empty()) {
+    return Impossible{
+        fmt::format("segments: the lift does not move by more than {:.6g}", lift.least)};
+  }
   std::vector<Chain> chains = refined(lift, rough);
   while (join_short_dwell(lift, rough, chains)) chains = refined(lift, rough);
   put_in_order(rough, chains);
@@ -225,11 +228,21 @@ std::string to_string(SegmentKind kind) {
   return kind == SegmentKind::Dwell ? "dwell" : kind == SegmentKind::Rise ? "rise" : "return";
 }
 
+Possible<FoundSegments> possible_segments(std::span<const double> phi, std::span<const double> s,
+                                          const SegmentOptions& options) {
+  check(options);
+  auto lift = lift_samples(phi, s, options.period, options.noise, options.least_noise);
+  if (!lift) return lift.reason();
+  const auto curve = lift_curve(*lift, options);
+  if (!curve) return curve.reason();
+  auto segments = segments_in(*curve);
+  if (!segments) return segments.reason();
+  return FoundSegments{std::move(*segments), lift->sample_noise, std::move(lift->outlying)};
+}
+
 FoundSegments motion_segments(std::span<const double> phi, std::span<const double> s,
                               const SegmentOptions& options) {
-  check(options);
-  LiftSamples lift = lift_samples(phi, s, options.period, options.noise, options.least_noise);
-  return {segments_in(lift_curve(lift, options)), lift.sample_noise, std::move(lift.outlying)};
+  return possible_segments(phi, s, options).value();
 }
 
 }  // namespace camlaw::problems

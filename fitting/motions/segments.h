@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "numerics/possible.h"
+
 /// Dwells, rises and returns found in a measured lift (docs/theory.md, "Segments of a measured
 /// lift").
 namespace camlaw::problems {
@@ -48,9 +50,12 @@ struct FoundSegments {
 };
 
 /// Segments of the lift s at angles phi, in any order and spacing, with gaps. Periodic: begins with
-/// the first segment that begins in the period which starts at 0. Throws std::invalid_argument:
-/// lengths that differ, values that are not numbers, fewer than 24 samples, options out of range,
-/// a lift that does not move beyond its noise.
+/// the first segment that begins in the period which starts at 0. Impossible: lengths that differ,
+/// values that are not numbers, fewer than 24 samples, a lift that does not move beyond its noise.
+/// Throws std::invalid_argument for options out of range.
+Possible<FoundSegments> possible_segments(std::span<const double> phi, std::span<const double> s,
+                                          const SegmentOptions& options = {});
+/// The same; throws std::invalid_argument where it is impossible.
 FoundSegments motion_segments(std::span<const double> phi, std::span<const double> s,
                               const SegmentOptions& options = {});
 

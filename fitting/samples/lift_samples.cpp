@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -16,37 +15,37 @@
 namespace camlaw::problems {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("segments: " + why);
+Impossible no_segments(const std::string& why) { return {"segments: " + why}; }
+
+std::optional<Impossible> bad_lengths(std::size_t x, std::size_t s) {
+  if (x == s) return {};
+  return no_segments(fmt::format("{} angles and {} lifts do not belong together", x, s));
 }
 
-void check_lengths(std::size_t x, std::size_t s) {
-  if (x != s) refuse(fmt::format("{} angles and {} lifts do not belong together", x, s));
-}
-
-void check(std::span<const double> phi, std::span<const double> s, std::optional<double> period,
-           std::optional<double> noise) {
-  check_lengths(phi.size(), s.size());
+std::optional<Impossible> bad_samples(std::span<const double> phi, std::span<const double> s,
+                                      std::optional<double> period, std::optional<double> noise) {
+  if (auto fault = bad_lengths(phi.size(), s.size())) return fault;
   constexpr std::size_t kLeast = 24;
   if (phi.size() < kLeast) {
-    refuse(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
+    return no_segments(fmt::format("{} samples are too few, {} are needed", phi.size(), kLeast));
   }
   for (std::size_t i = 0; i < phi.size(); ++i) {
     if (!std::isfinite(phi[i]) || !std::isfinite(s[i])) {
-      refuse(fmt::format("sample {} is not a number", i));
+      return no_segments(fmt::format("sample {} is not a number", i));
     }
   }
   const auto [low, high] = std::minmax_element(s.begin(), s.end());
   constexpr double kRounding = 1e-12;
   if (*high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high))) {
-    refuse(fmt::format("the lift is {:.6g} throughout: it shows no motion", *low));
+    return no_segments(fmt::format("the lift is {:.6g} throughout: it shows no motion", *low));
   }
   if (period && !(*period > 0 && std::isfinite(*period))) {
-    refuse(fmt::format("a period of {:.6g} is not above 0", *period));
+    return no_segments(fmt::format("a period of {:.6g} is not above 0", *period));
   }
   if (noise && !(*noise >= 0 && std::isfinite(*noise))) {
-    refuse(fmt::format("noise of {:.6g} is below 0", *noise));
+    return no_segments(fmt::format("noise of {:.6g} is below 0", *noise));
   }
+  return {};
 }
 
 /// The samples at one place.
@@ -95,7 +94,7 @@ double lagrange_weight(std::span<const double> x, std::span<const std::size_t> a
 
 /// By how much each sample misses a cubic through its neighbours, in the unit of one sample's
 /// noise.
-std::vector<double> misses(std::span<const double> x, std::span<const double> s) {
+Possible<std::vector<double>> misses(std::span<const double> x, std::span<const double> s) {
   std::vector<double> sizes;
   for (std::size_t i = 2; i + 2 < x.size(); ++i) {
     const std::array<std::size_t, 4> at{i - 2, i - 1, i + 1, i + 2};
@@ -110,14 +109,13 @@ std::vector<double> misses(std::span<const double> x, std::span<const double> s)
     if (squares < kMost) sizes.push_back(std::abs(left) / std::sqrt(squares));
   }
   constexpr std::size_t kLeast = 8;
-  if (sizes.size() < kLeast) refuse("too few neighbouring samples to tell their noise");
+  if (sizes.size() < kLeast) return no_segments("too few neighbouring samples to tell their noise");
   return sizes;
 }
 
-/// Whether any sample misses its neighbours' cubic by more than a normal deviation makes likely.
-bool has_suspects(const LiftSamples& lift, double least_noise) {
+/// Whether any of the misses is larger than a normal deviation makes likely.
+bool has_suspects(const std::vector<double>& sizes, double least_noise) {
   constexpr double kSuspect = 5;
-  const std::vector<double> sizes = misses(lift.phi, lift.s);
   const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
   return *std::max_element(sizes.begin(), sizes.end()) > kSuspect * noise;
 }
@@ -160,13 +158,14 @@ std::vector<bool> by_themselves(const LiftSamples& lift, const std::vector<doubl
 }
 
 /// How far samples lie off a robust curve that are far off it; 0 of all others.
-std::vector<double> outliers_in(const LiftSamples& lift, std::optional<double> period,
-                                double least_noise) {
+Possible<std::vector<double>> outliers_in(const LiftSamples& lift, std::optional<double> period,
+                                          double least_noise) {
   const auto curve = smooth_lift(lift, period, optim::Reweighting::Bisquare);
+  if (!curve) return curve.reason();
   std::vector<double> residuals;
-  for (const auto& sample : curve.samples()) residuals.push_back(sample.residual);
+  for (const auto& sample : curve->samples()) residuals.push_back(sample.residual);
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
-  const auto freedom = static_cast<std::size_t>(std::lround(curve.degrees_of_freedom()));
+  const auto freedom = static_cast<std::size_t>(std::lround(curve->degrees_of_freedom()));
   constexpr double kLeast = 1e-4;
   const Outliers found =
       find_outliers(lift.phi, residuals, freedom,
@@ -188,20 +187,22 @@ LiftSamples seen_from(const LiftSamples& lift, bool end) {
   return turned;
 }
 
-/// The greatest miss at the first samples that are not left out, in the unit of one sample's noise.
-double first_misses(const LiftSamples& lift, const std::vector<bool>& is_off) {
+/// The greatest miss at the first samples that are not left out, in the unit of one sample's noise;
+/// none where they have too few neighbours.
+std::optional<double> first_misses(const LiftSamples& lift, const std::vector<bool>& is_off) {
   constexpr std::size_t kFirst = 12;
   std::vector<double> x, s;
   for (std::size_t i = 0; i < lift.phi.size() && x.size() < kFirst; ++i) {
     if (!is_off[i]) x.push_back(lift.phi[i]), s.push_back(lift.s[i]);
   }
-  const std::vector<double> sizes = misses(x, s);
+  const auto sizes = misses(x, s);
+  if (!sizes) return {};
   constexpr std::size_t kNear = 4;  // those that the first two samples have a part in
-  return *std::max_element(sizes.begin(), sizes.begin() + kNear);
+  return *std::max_element(sizes->begin(), sizes->begin() + kNear);
 }
 
-/// Adds to `off` one of the two first samples without which the next ones are as smooth as all: a
-/// curve bends to follow it.
+/// Adds to `off` one of the two first samples without which the next ones are as smooth as all, if
+/// enough neighbours tell it: a curve bends to follow it.
 void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double>& off) {
   std::vector<bool> is_off;
   for (const double by : off) is_off.push_back(by != 0);
@@ -209,10 +210,13 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
   for (std::size_t i = 0; i < off.size() && first.size() < 2; ++i) {
     if (!is_off[i]) first.push_back(i);
   }
-  if (first_misses(lift, is_off) <= least) return;
+  const auto all = first_misses(lift, is_off);
+  if (!all || *all <= least) return;
   for (const std::size_t i : first) {
     is_off[i] = true;
-    if (first_misses(lift, is_off) <= least) {
+    const auto others = first_misses(lift, is_off);
+    if (!others) return;
+    if (*others <= least) {
       off[i] = miss_without(lift, is_off, i);
       return;
     }
@@ -221,17 +225,15 @@ void find_off_at_begin(const LiftSamples& lift, double least, std::vector<double
 }
 
 /// The same of both ends of samples that do not go round.
-void find_off_at_ends(const LiftSamples& lift, double least_noise, std::vector<double>& off) {
+void find_off_at_ends(const LiftSamples& lift, const std::vector<double>& sizes, double least_noise,
+                      std::vector<double>& off) {
   constexpr double kSuspect = 5, kLeast = 1e-4;
   const auto [low, high] = std::minmax_element(lift.s.begin(), lift.s.end());
-  const double noise = std::max(optim::median(misses(lift.phi, lift.s)) / 0.6745, least_noise);
+  const double noise = std::max(optim::median(sizes) / 0.6745, least_noise);
   const double least = std::max(kSuspect * noise, kLeast * (*high - *low));
   for (const bool end : {false, true}) {
     if (end) std::reverse(off.begin(), off.end());
-    try {
-      find_off_at_begin(seen_from(lift, end), least, off);
-    } catch (const std::invalid_argument&) {  // too few neighbours there
-    }
+    find_off_at_begin(seen_from(lift, end), least, off);
     if (end) std::reverse(off.begin(), off.end());
   }
 }
@@ -245,23 +247,33 @@ double miss_of(std::span<const double> x, std::span<const double> s,
   return miss;
 }
 
-double estimated_noise(std::span<const double> x, std::span<const double> s) {
-  check_lengths(x.size(), s.size());
+Possible<double> possible_noise(std::span<const double> x, std::span<const double> s) {
+  if (auto fault = bad_lengths(x.size(), s.size())) return std::move(*fault);
+  const auto sizes = misses(x, s);
+  if (!sizes) return sizes.reason();
   constexpr double kNormalOverMedian = 1.4826022185056018;
-  return kNormalOverMedian * optim::median(misses(x, s));
+  return kNormalOverMedian * optim::median(*sizes);
 }
 
-LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
-                         std::optional<double> period, std::optional<double> noise,
-                         double least_noise) {
-  check(phi, s, period, noise);
+double estimated_noise(std::span<const double> x, std::span<const double> s) {
+  return possible_noise(x, s).value();
+}
+
+Possible<LiftSamples> lift_samples(std::span<const double> phi, std::span<const double> s,
+                                   std::optional<double> period, std::optional<double> noise,
+                                   double least_noise) {
+  if (auto fault = bad_samples(phi, s, period, noise)) return std::move(*fault);
   const std::vector<SamePlace> groups = sorted(phi, s, period);
   LiftSamples all;
   for (const SamePlace& group : groups) all.phi.push_back(group.phi), all.s.push_back(group.s);
   std::vector<double> off(groups.size());
-  if (has_suspects(all, least_noise)) {
-    off = outliers_in(all, period, least_noise);
-    if (!period) find_off_at_ends(all, least_noise, off);
+  const auto sizes = misses(all.phi, all.s);
+  if (!sizes) return sizes.reason();
+  if (has_suspects(*sizes, least_noise)) {
+    auto outlying = outliers_in(all, period, least_noise);
+    if (!outlying) return outlying.reason();
+    off = std::move(*outlying);
+    if (!period) find_off_at_ends(all, *sizes, least_noise, off);
   }
   LiftSamples kept;
   std::vector<std::pair<std::size_t, double>> outlying;
@@ -276,14 +288,19 @@ LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
   std::sort(outlying.begin(), outlying.end());
   for (const auto& [sample, by] : outlying) kept.outlying.push_back(sample), kept.off.push_back(by);
   const double each = static_cast<double>(phi.size()) / static_cast<double>(groups.size());
-  kept.noise =
-      noise ? *noise / std::sqrt(each) : std::max(estimated_noise(kept.phi, kept.s), least_noise);
+  if (noise) {
+    kept.noise = *noise / std::sqrt(each);
+  } else {
+    const auto estimated = possible_noise(kept.phi, kept.s);
+    if (!estimated) return estimated.reason();
+    kept.noise = std::max(*estimated, least_noise);
+  }
   kept.sample_noise = kept.noise * std::sqrt(each);
   return kept;
 }
 
-optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double> period,
-                                   optim::Reweighting reweighting) {
+Possible<optim::SmoothingSpline> smooth_lift(const LiftSamples& lift, std::optional<double> period,
+                                             optim::Reweighting reweighting) {
   optim::SmoothingOptions smoothing;
   smoothing.spans = static_cast<int>(std::clamp<std::size_t>(lift.phi.size() / 2, 12, 500));
   smoothing.reweighting = reweighting;
@@ -291,7 +308,7 @@ optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double
     smoothing.periodic = true;
     smoothing.range = {0, *period};
   }
-  return optim::smoothing_spline(lift.phi, lift.s, smoothing);
+  return optim::possible_smoothing_spline(lift.phi, lift.s, smoothing);
 }
 
 }  // namespace camlaw::problems

@@ -18,7 +18,9 @@ double miss_of(std::span<const double> x, std::span<const double> s,
 
 /// The standard deviation of noise that is independent from sample to sample (I9): what a cubic
 /// through two neighbours on each side leaves, by the median. x must increase.
-/// Throws std::invalid_argument for fewer than 12 samples or lengths that differ.
+/// Impossible for fewer than 12 samples or lengths that differ.
+Possible<double> possible_noise(std::span<const double> x, std::span<const double> s);
+/// The same; throws std::invalid_argument where it is impossible.
 double estimated_noise(std::span<const double> x, std::span<const double> s);
 
 struct LiftSamples {
@@ -31,16 +33,17 @@ struct LiftSamples {
 };
 
 /// Orders samples, takes those at one place as their median, and leaves out those that lie farther
-/// than chance explains from a smoothing spline that is robust against them. Throws
-/// std::invalid_argument: lengths that differ, values that are not numbers, fewer than 24 samples,
-/// a lift that is the same throughout, a period or noise out of range. `least_noise` is what
-/// rounding makes of the lifts (deviation).
-LiftSamples lift_samples(std::span<const double> phi, std::span<const double> s,
-                         std::optional<double> period, std::optional<double> noise,
-                         double least_noise = 0);
+/// than chance explains from a smoothing spline that is robust against them. Impossible: lengths
+/// that differ, values that are not numbers, fewer than 24 samples, a lift that is the same
+/// throughout, a period or noise out of range. `least_noise` is what rounding makes of the lifts
+/// (deviation).
+Possible<LiftSamples> lift_samples(std::span<const double> phi, std::span<const double> s,
+                                   std::optional<double> period, std::optional<double> noise,
+                                   double least_noise = 0);
 
 /// A smoothing spline through them.
-optim::SmoothingSpline smooth_lift(const LiftSamples& lift, std::optional<double> period,
-                                   optim::Reweighting reweighting = optim::Reweighting::None);
+Possible<optim::SmoothingSpline> smooth_lift(
+    const LiftSamples& lift, std::optional<double> period,
+    optim::Reweighting reweighting = optim::Reweighting::None);
 
 }  // namespace camlaw::problems

@@ -36,11 +36,8 @@ double noise_of(const MotionSamples& samples) {
     if (!place.empty() && samples.place[i] == place.back()) continue;
     place.push_back(samples.place[i]), value.push_back(samples.value[i]);
   }
-  try {
-    return estimated_noise(place, value);
-  } catch (const std::invalid_argument&) {
-    return 0;
-  }
+  const auto noise = possible_noise(place, value);
+  return noise ? *noise : 0;
 }
 
 }  // namespace

@@ -7,36 +7,37 @@
 
 namespace camlaw {
 
-void check_scaled_sum(const char* what, double sum) {
+std::optional<Impossible> bad_sum(const char* what, double sum) {
   constexpr double kPrinted = 1e-3;
-  if (std::abs(sum - 1) <= kPrinted) return;
-  throw std::invalid_argument(fmt::format(
-      "{} must be 1 (within 0.1 %, as printed constants are), but is {:.6g}", what, sum));
+  if (std::abs(sum - 1) <= kPrinted) return {};
+  return Impossible{fmt::format(
+      "{} must be 1 (within 0.1 %, as printed constants are), but is {:.6g}", what, sum)};
 }
 
 namespace detail {
 
-void check_durations(std::span<const double> durations) {
+std::optional<Impossible> bad_durations(std::span<const double> durations) {
   double sum = 0;
   for (const double d : durations) {
     // A rest that is computed as 1 minus the others may fall a rounding below zero, and a search
     // keeps it above only to its own tolerance.
     if (!(d >= -kLeastRoom)) {
-      throw std::invalid_argument(
+      return Impossible{
           fmt::format("a phase has the duration {:.6g}: durations must not be negative, so the "
                       "fractions must add up to no more than 1",
-                      d));
+                      d)};
     }
     sum += d;
   }
   if (!(std::abs(sum - 1) <= 1e-9)) {
-    throw std::invalid_argument(fmt::format("durations must add up to 1, but give {:.9g}", sum));
+    return Impossible{fmt::format("durations must add up to 1, but give {:.9g}", sum)};
   }
   const bool accelerates = durations[0] + durations[1] + durations[2] > 0;
   const bool decelerates = durations[4] + durations[5] + durations[6] > 0;
   if (!accelerates || !decelerates) {
-    throw std::invalid_argument("an accelerating and a decelerating phase must last longer than 0");
+    return Impossible{"an accelerating and a decelerating phase must last longer than 0"};
   }
+  return {};
 }
 
 }  // namespace detail

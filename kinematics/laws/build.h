@@ -5,14 +5,23 @@
 
 #include "kinematics/law.h"
 
-/// Laws made from a formula's coefficients or from phases of acceleration.
+/// Laws made from a formula's coefficients or from phases of acceleration. Where arguments may make
+/// no law, the function makes a Possible<Law>; beside possible_NAME there is NAME for whoever asks
+/// for just that law, which throws std::invalid_argument with the reason.
 namespace camlaw {
 
-/// The law of one polynomial s(x) = sum c[k] x^k on [0, 1].
+/// The law of one polynomial s(x) = sum c[k] x^k on [0, 1]. Impossible where a coefficient is not
+/// finite.
+template <class T>
+Possible<Law<T>> possible_polynomial_law(std::vector<T> coefficients, Ends ends = {}) {
+  return Law<T>::possible(
+      {{number<T>(0), number<T>(1), number<T>(0), std::move(coefficients), {}, {}}}, ends);
+}
+
+/// Throws std::invalid_argument where a coefficient is not finite.
 template <class T>
 Law<T> polynomial_law(std::vector<T> coefficients, Ends ends = {}) {
-  return Law<T>({{number<T>(0), number<T>(1), number<T>(0), std::move(coefficients), {}, {}}},
-                ends);
+  return possible_polynomial_law(std::move(coefficients), ends).value();
 }
 
 /// The law of one curve, s(x) = curve(x).
@@ -23,8 +32,8 @@ Law<T> curve_law(Curve<T> curve, Ends ends = {}) {
 }
 
 /// Constants of a law that must add up to 1 may be printed ones: up to 0.1 % off they are taken and
-/// scaled by the caller, beyond that std::invalid_argument says what `what` came to.
-void check_scaled_sum(const char* what, double sum);
+/// scaled by the caller, beyond that it is said what `what` came to.
+std::optional<Impossible> bad_sum(const char* what, double sum);
 
 /// Twice integrated polynomial: s'' = sum a[k] t^k with s'(0) = v0, s(0) = s0.
 template <class T>
@@ -59,7 +68,8 @@ inline constexpr double kShortestPhase = 1e-12;
 /// stroke (docs/theory.md, "Laws from phases of acceleration"). Durations must add up to 1. A phase
 /// without duration leaves no piece, but the derivatives by its duration are kept.
 template <class T>
-Law<T> law_from_acceleration(const std::vector<AccelerationPhase<T>>& phases, Ends ends = {}) {
+Possible<Law<T>> law_from_acceleration(const std::vector<AccelerationPhase<T>>& phases,
+                                       Ends ends = {}) {
   std::vector<Piece<T>> pieces;
   T x = number<T>(0), v = number<T>(0), s = number<T>(0);
   for (const auto& phase : phases) {
@@ -90,7 +100,7 @@ Law<T> law_from_acceleration(const std::vector<AccelerationPhase<T>>& phases, En
     for (T& c : piece.polynomial) c = c / s;
     for (auto& h : piece.harmonics) h = {h.sine / s, h.cosine / s, h.frequency};
   }
-  return Law<T>(std::move(pieces), ends);
+  return Law<T>::possible(std::move(pieces), ends);
 }
 
 }  // namespace camlaw

@@ -71,34 +71,34 @@ std::size_t Family::parameter(std::string_view parameter_name) const {
                   known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
-void Family::check(const Arguments<double>& arguments) const {
+std::optional<Impossible> Family::bad_arguments(const Arguments<double>& arguments) const {
   if (arguments.size() != parameters.size()) {
-    throw std::invalid_argument(fmt::format("law '{}': takes {} parameters, {} given", name,
-                                            parameters.size(), arguments.size()));
+    return Impossible{fmt::format("law '{}': takes {} parameters, {} given", name,
+                                  parameters.size(), arguments.size())};
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const Parameter& p = parameters[i];
     const auto& values = arguments.list(i);
     if (!p.list && values.size() != 1) {
-      throw std::invalid_argument(fmt::format("law '{}': parameter {} takes one value, {} given",
-                                              name, p.name, values.size()));
+      return Impossible{fmt::format("law '{}': parameter {} takes one value, {} given", name,
+                                    p.name, values.size())};
     }
     for (const double value : values) {
       if (!(value >= p.low && value <= p.high)) {
-        throw std::invalid_argument(
-            fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}", name, p.name,
-                        value, p.low, p.high));
+        return Impossible{fmt::format("law '{}': parameter {} = {:.6g} is outside {:.6g} .. {:.6g}",
+                                      name, p.name, value, p.low, p.high)};
       }
       if (p.structural && !p.list && value != std::floor(value)) {
-        throw std::invalid_argument(
-            fmt::format("law '{}': parameter {} = {:.6g} must be an integer", name, p.name, value));
+        return Impossible{
+            fmt::format("law '{}': parameter {} = {:.6g} must be an integer", name, p.name, value)};
       }
     }
   }
+  return {};
 }
 
-void Family::rethrow(const std::invalid_argument& error) const {
-  throw std::invalid_argument(fmt::format("law '{}': {}", name, error.what()));
+Impossible Family::of_this(const Impossible& reason) const {
+  return {fmt::format("law '{}': {}", name, reason.why)};
 }
 
 namespace {

@@ -95,8 +95,12 @@ class InEveryScalar {
   std::function<Result<Interval>(const Arguments<Interval>&)> interval_;
 };
 
-/// A family's construction.
-using Maker = InEveryScalar<Law>;
+template <class S>
+using PossibleLaw = Possible<Law<S>>;
+
+/// A family's construction: makes a Law, or a Possible<Law> where arguments within their ranges may
+/// make none.
+using Maker = InEveryScalar<PossibleLaw>;
 
 template <class S>
 using Itself = S;
@@ -138,23 +142,26 @@ struct Family {
   std::function<std::vector<NamedSpan>(const Arguments<double>&)> spans = {};
 
   Arguments<double> defaults() const;
-  /// The member for these arguments. Throws std::invalid_argument naming the law and the parameter
-  /// for a value outside its range or a set that makes no law.
+  /// The member for these arguments. Impossible, with the names of law and parameter, for a value
+  /// outside its range and a set that makes no law.
+  template <class S>
+  Possible<Law<S>> possible(const Arguments<S>& arguments) const {
+    if (auto fault = bad_arguments(arguments.template as<double>())) return std::move(*fault);
+    Possible<Law<S>> law = maker.make(arguments);
+    if (!law) return of_this(law.reason());
+    return law;
+  }
+  /// The same for one who asks for it: throws std::invalid_argument where it is impossible.
   template <class S>
   Law<S> make(const Arguments<S>& arguments) const {
-    check(arguments.template as<double>());
-    try {
-      return maker.make(arguments);
-    } catch (const std::invalid_argument& error) {
-      rethrow(error);
-    }
+    return possible(arguments).value();
   }
   /// Index of a parameter; throws std::invalid_argument listing the known ones.
   std::size_t parameter(std::string_view parameter_name) const;
 
  private:
-  void check(const Arguments<double>& arguments) const;
-  [[noreturn]] void rethrow(const std::invalid_argument& error) const;
+  std::optional<Impossible> bad_arguments(const Arguments<double>& arguments) const;
+  Impossible of_this(const Impossible& reason) const;  ///< with the law's name
 };
 
 /// Every law, in the order of the listing.
@@ -188,9 +195,14 @@ struct Member {
   std::string label() const;
   /// The same law as a member of the catalogue, where its family tells; else this one.
   Member listed() const;
+  /// As Family::make and Family::possible.
   template <class S = double>
   Law<S> law() const {
     return family->make(arguments.as<S>());
+  }
+  template <class S = double>
+  Possible<Law<S>> possible_law() const {
+    return family->possible(arguments.as<S>());
   }
 };
 

@@ -52,8 +52,8 @@ inline Room sum_of_one(Room room) {
   return room;
 }
 
-/// The entry for a rest-to-rest law. It takes one more parameter, `crossover`: the asymmetric
-/// variants.
+/// The entry for a rest-to-rest law, from a function that makes a Law or, where arguments may make
+/// none, a Possible<Law>. It takes one more parameter, `crossover`: the asymmetric variants.
 template <class F>
 Family rest_to_rest(RestToRest about, F construct) {
   const std::size_t index = about.parameters.size();
@@ -73,10 +73,11 @@ Family rest_to_rest(RestToRest about, F construct) {
           about.continuity,
           about.symmetric,
           std::move(about.source),
-          [construct, index]<class S>(const Arguments<S>& a) {
-            Law<S> law = construct(a);
+          [construct, index]<class S>(const Arguments<S>& a) -> Possible<Law<S>> {
+            Possible<Law<S>> law = construct(a);
             const S& at = a.scalar(index);
-            return is_number(at, 0.5) ? law : skewed(law, at);
+            if (!law || is_number(at, 0.5)) return law;
+            return skewed(*law, at);
           },
           {},
           std::move(about.rooms)};

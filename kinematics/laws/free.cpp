@@ -156,26 +156,29 @@ std::vector<T> all_coefficients(const FreeLaw& shape, const std::vector<T>& own,
   return c;
 }
 
-/// Throws std::invalid_argument unless there are as many values as parameters.
-void check_count(const char* name, std::size_t given, std::size_t wanted) {
-  if (given != wanted) refuse(fmt::format("{}: {} given, there are {}", name, given, wanted));
+/// Where there are not as many values as parameters.
+std::optional<Impossible> bad_count(const char* name, std::size_t given, std::size_t wanted) {
+  if (given == wanted) return {};
+  return Impossible{fmt::format("{}: {} given, there are {}", name, given, wanted)};
 }
 
+/// Interior knots and coefficients.
 template <class T>
-std::pair<std::vector<T>, std::vector<T>> spline_of(const FreeLaw& shape,
-                                                    const Arguments<T>& arguments) {
+Possible<std::pair<std::vector<T>, std::vector<T>>> spline_of(const FreeLaw& shape,
+                                                              const Arguments<T>& arguments) {
   const std::vector<T> none;
   const std::vector<T>& own = shape.moving_knots ? arguments.list(1) : none;
-  check_count("coefficients", arguments.list(0).size(), free_coefficients(shape).size());
-  if (shape.moving_knots) check_count("knots", own.size(), own_knots(shape));
+  auto fault = bad_count("coefficients", arguments.list(0).size(), free_coefficients(shape).size());
+  if (!fault && shape.moving_knots) fault = bad_count("knots", own.size(), own_knots(shape));
+  if (fault) return std::move(*fault);
   std::vector<T> knots = repeated_knots(shape, own);
   std::vector<T> all = all_coefficients(shape, arguments.list(0), knots);
-  return {std::move(knots), std::move(all)};
+  return std::pair(std::move(knots), std::move(all));
 }
 
 /// The member of the catalogue's family.
 Member as_b_spline(const FreeLaw& shape, const Arguments<double>& arguments) {
-  const auto [knots, coefficients] = spline_of(shape, arguments);
+  const auto [knots, coefficients] = spline_of(shape, arguments).value();
   const Family& family = find_family("b-spline");
   Member result{&family, family.defaults()};
   auto& values = result.arguments.values();
@@ -237,11 +240,11 @@ Member free_law(const FreeLaw& shape, const Law<double>& start) {
       .continuity = 0,
       .symmetric = shape.symmetric,
       .source = "stated",
-      .maker =
-          [shape]<class S>(const Arguments<S>& arguments) {
-            const auto [knots, all] = spline_of(shape, arguments);
-            return b_spline<S>(shape.degree, knots, all);
-          },
+      .maker = [shape]<class S>(const Arguments<S>& arguments) -> Possible<Law<S>> {
+        const auto spline = spline_of(shape, arguments);
+        if (!spline) return spline.reason();
+        return possible_b_spline<S>(shape.degree, spline->first, spline->second);
+      },
       .listed =
           [shape](const Arguments<double>& arguments) { return as_b_spline(shape, arguments); }};
   family.continuity = continuity(family.make(family.defaults()));

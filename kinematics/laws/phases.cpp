@@ -79,7 +79,7 @@ std::vector<Family> straight_phases() {
            {fraction("t1", kThird, "accelerating"), fraction("t2", kThird, "decelerating")},
            {rest_of_one("1 - t1 - t2", {1, 1})}},
           []<class S>(const Arguments<S>& a) {
-            return trapezoidal_velocity<S>(a.scalar(0), a.scalar(1));
+            return possible_trapezoidal_velocity<S>(a.scalar(0), a.scalar(1));
           }),
       rest_to_rest(
           {"trapezoidal-acceleration",
@@ -92,7 +92,7 @@ std::vector<Family> straight_phases() {
             fraction("constant", 0.25, "each stretch of constant acceleration")},
            {rest_of_one("1 - 4 ramp - 2 constant", {4, 2})}},
           []<class S>(const Arguments<S>& a) {
-            return trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
+            return possible_trapezoidal_acceleration<S>(a.scalar(0), a.scalar(1));
           }),
       rest_to_rest(
           {"s-curve",
@@ -106,9 +106,9 @@ std::vector<Family> straight_phases() {
             s_curve_peak("C_a", "C", 1e4, {5.8}, "peak acceleration"),
             s_curve_peak("C_j", "D", 1e6, {}, "peak jerk; left out, it follows from C_v and C_a")},
            s_curve_rooms()},
-          []<class S>(const Arguments<S>& a) {
-            if (a.list(2).size() > 1) throw std::invalid_argument("C_j takes one value at most");
-            return s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
+          []<class S>(const Arguments<S>& a) -> Possible<Law<S>> {
+            if (a.list(2).size() > 1) return Impossible{"C_j takes one value at most"};
+            return possible_s_curve<S>(a.scalar(0), a.scalar(1), s_curve_jerk(a));
           }),
   };
 }
@@ -158,7 +158,7 @@ std::vector<Family> trigonometric_phases() {
                      fraction("c", 0.3, "both cosine ramps")},
                     {rest_of_one("1 - a - b - c", {1, 1, 1})}},
                    []<class S>(const Arguments<S>& a) {
-                     return scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
+                     return possible_scca<S>(a.scalar(0), a.scalar(1), a.scalar(2));
                    }),
       rest_to_rest(
           {"universal",
@@ -181,7 +181,7 @@ std::vector<Family> trigonometric_phases() {
               rest = rest - a.scalar(i);
             }
             d.push_back(rest);
-            return universal<S>(d);
+            return possible_universal<S>(d);
           }),
   };
 }

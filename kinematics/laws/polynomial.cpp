@@ -168,7 +168,7 @@ std::vector<Family> free_polynomials() {
                    []<class S>(const Arguments<S>& a) {
                      std::vector<double> exponents;
                      for (const S& p : a.list(0)) exponents.push_back(value_of(p));
-                     return stoddart<S>(exponents);
+                     return possible_stoddart<S>(std::move(exponents));
                    }),
   };
 }

@@ -88,9 +88,11 @@ Law<T> polynomial_7(const T& A) {
 }
 
 /// The polynomial of least degree whose derivatives 0, 1, 2, ... at x = 0 are `begin` and at x = 1
-/// are `end` (two-point Hermite interpolation; docs/theory.md, "Boundary polynomials").
+/// are `end` (two-point Hermite interpolation; docs/theory.md, "Boundary polynomials"). Impossible
+/// where a coefficient is not finite.
 template <class T>
-Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& end) {
+Possible<Law<T>> possible_boundary_polynomial(const std::vector<T>& begin,
+                                              const std::vector<T>& end) {
   const std::size_t m = begin.size(), n = end.size();
   std::vector<T> low(m + n, number<T>(0));  // Taylor polynomial at 0
   T factorial = number<T>(1);
@@ -116,8 +118,9 @@ Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& en
   }
   shift_polynomial(q, number<T>(-1));
   for (std::size_t k = 0; k < n; ++k) low[m + k] = q[k];
-  const Law<T> law = polynomial_law<T>(low);
-  const Ends found = natural_ends(law.template as<double>());
+  const auto law = possible_polynomial_law<T>(std::move(low));
+  if (!law) return law;
+  const Ends found = natural_ends(law->template as<double>());
   // What was given at an end is exact; what was not is read off the polynomial.
   const auto kind = [](const std::vector<T>& given, End otherwise) {
     if (given.size() < 3) return otherwise;
@@ -125,24 +128,30 @@ Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& en
     if (still) return steady ? End::Rest : End::Reversal;
     return steady ? End::Velocity : End::Motion;
   };
-  return law.with_ends({kind(begin, found.begin), kind(end, found.end)});
+  return law->with_ends({kind(begin, found.begin), kind(end, found.end)});
+}
+
+/// Throws std::invalid_argument where a coefficient is not finite.
+template <class T>
+Law<T> boundary_polynomial(const std::vector<T>& begin, const std::vector<T>& end) {
+  return possible_boundary_polynomial(begin, end).value();
 }
 
 /// Stoddart's rule: s = sum C_p x^p over the exponents, C_p the product of q / (q - p) over the
 /// other exponents q; s = 1 and all derivatives that the number of exponents allows are 0 at x = 1.
-/// Exponents need not be integers. Throws std::invalid_argument unless there are two or more, all
-/// different and at least 2.
+/// Exponents need not be integers. Impossible unless there are two or more, all different and at
+/// least 2.
 template <class T>
-Law<T> stoddart(std::vector<double> exponents) {
+Possible<Law<T>> possible_stoddart(std::vector<double> exponents) {
   std::sort(exponents.begin(), exponents.end());
-  if (exponents.size() < 2) throw std::invalid_argument("exponents: at least two are needed");
+  if (exponents.size() < 2) return Impossible{"exponents: at least two are needed"};
   Piece<T> piece{number<T>(0), number<T>(1), number<T>(0), {}, {}, {}};
   for (const double& p : exponents) {
-    if (!(p >= 2)) throw std::invalid_argument("exponents: each must be at least 2");
+    if (!(p >= 2)) return Impossible{"exponents: each must be at least 2"};
     T c = number<T>(1);
     for (const double& q : exponents) {
       if (&q == &p) continue;
-      if (q == p) throw std::invalid_argument("exponents: all must be different");
+      if (q == p) return Impossible{"exponents: all must be different"};
       c = c * number<T>(q) / (number<T>(q) - number<T>(p));
     }
     if (p == std::floor(p)) {
@@ -153,8 +162,15 @@ Law<T> stoddart(std::vector<double> exponents) {
       piece.curves.push_back({c, number<T>(1), number<T>(0), Power<T>{p}});
     }
   }
-  const Law<T> law({piece}, {});
-  return law.with_ends(natural_ends(law.template as<double>()));
+  const auto law = Law<T>::possible({piece}, {});
+  if (!law) return law;
+  return law->with_ends(natural_ends(law->template as<double>()));
+}
+
+/// Throws std::invalid_argument where the exponents make no law.
+template <class T>
+Law<T> stoddart(std::vector<double> exponents) {
+  return possible_stoddart<T>(std::move(exponents)).value();
 }
 
 namespace detail {

@@ -9,45 +9,46 @@
 
 namespace camlaw::detail {
 
-void check_spline(int degree, const std::vector<double>& interior, std::size_t coefficients) {
-  if (degree < 1) throw std::invalid_argument("degree must be at least 1");
+std::optional<Impossible> bad_spline(int degree, const std::vector<double>& interior,
+                                     std::size_t coefficients) {
+  if (degree < 1) return Impossible{"degree must be at least 1"};
   const std::size_t wanted = static_cast<std::size_t>(degree) + 1 + interior.size();
   if (coefficients != wanted) {
-    throw std::invalid_argument(
+    return Impossible{
         fmt::format("coefficients: {} given, degree {} with {} interior knots needs {}",
-                    coefficients, degree, interior.size(), wanted));
+                    coefficients, degree, interior.size(), wanted)};
   }
   std::size_t repeats = 0;
   for (std::size_t i = 0; i < interior.size(); ++i) {
     if (!(interior[i] > 0 && interior[i] < 1)) {
-      throw std::invalid_argument(
-          fmt::format("knots: {:.6g} is not strictly between 0 and 1", interior[i]));
+      return Impossible{fmt::format("knots: {:.6g} is not strictly between 0 and 1", interior[i])};
     }
     if (i > 0 && interior[i] < interior[i - 1]) {
-      throw std::invalid_argument("knots: they must not decrease");
+      return Impossible{"knots: they must not decrease"};
     }
     repeats = i > 0 && interior[i] == interior[i - 1] ? repeats + 1 : 1;
     if (repeats > static_cast<std::size_t>(degree)) {
-      throw std::invalid_argument(
-          fmt::format("knots: {:.6g} is repeated more than degree {} allows", interior[i], degree));
+      return Impossible{
+          fmt::format("knots: {:.6g} is repeated more than degree {} allows", interior[i], degree)};
     }
   }
+  return {};
 }
 
-TableSpline table_spline(const std::vector<double>& x, std::size_t samples,
-                         std::size_t velocities) {
+Possible<TableSpline> table_spline(const std::vector<double>& x, std::size_t samples,
+                                   std::size_t velocities) {
   if (x.size() != samples || (velocities != 0 && velocities != samples)) {
-    throw std::invalid_argument(
+    return Impossible{
         fmt::format("table: x, s and v must have the same length, but have {}, {} and {}", x.size(),
-                    samples, velocities));
+                    samples, velocities)};
   }
   if (samples < 2 || x.front() != 0 || x.back() != 1) {
-    throw std::invalid_argument("table: x must run from 0 to 1 over at least two samples");
+    return Impossible{"table: x must run from 0 to 1 over at least two samples"};
   }
   for (std::size_t i = 1; i < samples; ++i) {
     if (!(x[i] > x[i - 1])) {
-      throw std::invalid_argument(
-          fmt::format("table: x must increase, but {:.6g} follows {:.6g}", x[i], x[i - 1]));
+      return Impossible{
+          fmt::format("table: x must increase, but {:.6g} follows {:.6g}", x[i], x[i - 1])};
     }
   }
   TableSpline spline{5, {}, samples, velocities != 0};
@@ -111,13 +112,13 @@ Eigen::SparseMatrix<double> collocation(const TableSpline& spline, const std::ve
 
 }  // namespace
 
-std::vector<std::vector<double>> solve_table(const TableSpline& spline,
-                                             const std::vector<double>& x,
-                                             const std::vector<std::vector<double>>& columns) {
+Possible<std::vector<std::vector<double>>> solve_table(
+    const TableSpline& spline, const std::vector<double>& x,
+    const std::vector<std::vector<double>>& columns) {
   const Eigen::SparseMatrix<double> matrix = collocation(spline, x);
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(matrix);
   if (lu.info() != Eigen::Success) {
-    throw std::invalid_argument("table: the samples do not determine a spline");
+    return Impossible{"table: the samples do not determine a spline"};
   }
   std::vector<std::vector<double>> result;
   for (const auto& column : columns) {
@@ -158,7 +159,7 @@ std::vector<Family> spline_families() {
        true,
        de_boor,
        []<class S>(const Arguments<S>& a) {
-         return b_spline<S>(static_cast<int>(value_of(a.scalar(0))), a.list(1), a.list(2));
+         return possible_b_spline<S>(static_cast<int>(value_of(a.scalar(0))), a.list(1), a.list(2));
        }},
       {"table",
        {"sampled law"},
@@ -173,7 +174,7 @@ std::vector<Family> spline_families() {
        []<class S>(const Arguments<S>& a) {
          std::vector<double> x;
          for (const S& place : a.list(0)) x.push_back(value_of(place));
-         return table<S>(x, a.list(1), a.list(2));
+         return possible_table<S>(x, a.list(1), a.list(2));
        }},
   };
 }

@@ -9,26 +9,39 @@ namespace camlaw {
 
 /// The B-spline law of a degree: clamped at 0 and 1, `interior` knots in (0, 1) not decreasing (one
 /// repeated m times leaves continuity degree - m), and degree + 1 + interior.size() coefficients of
-/// s. Generic in knots and coefficients. Throws std::invalid_argument for a wrong count, a knot out
-/// of order or repeated more than `degree` times.
+/// s. Generic in knots and coefficients. Impossible for a wrong count, a knot out of order or
+/// repeated more than `degree` times.
 template <class T>
-Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>& coefficients);
+Possible<Law<T>> possible_b_spline(int degree, const std::vector<T>& interior,
+                                   const std::vector<T>& coefficients);
 
 /// The spline that goes through samples of a law: s at each x, and v too where `v` is not empty.
 /// x must increase from 0 to 1. With s alone: degree 5 (less for fewer than six samples), knots at
 /// the samples but the outer ones ("not a knot"), so that polynomials up to that degree come back
 /// exactly. With v: degree 5 with double knots. Coefficients depend linearly on s and v, which may
-/// be Dual; with Interval the law is the one of the midpoints. Throws std::invalid_argument for bad
-/// x or counts.
+/// be Dual; with Interval the law is the one of the midpoints. Impossible for bad x or counts.
 template <class T>
-Law<T> table(const std::vector<double>& x, const std::vector<T>& s, const std::vector<T>& v = {});
+Possible<Law<T>> possible_table(const std::vector<double>& x, const std::vector<T>& s,
+                                const std::vector<T>& v = {});
+
+/// These throw std::invalid_argument where that is impossible.
+template <class T>
+Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>& coefficients) {
+  return possible_b_spline(degree, interior, coefficients).value();
+}
+
+template <class T>
+Law<T> table(const std::vector<double>& x, const std::vector<T>& s, const std::vector<T>& v = {}) {
+  return possible_table(x, s, v).value();
+}
 
 // ---------------------------------------------------------------------------------------------
 
 namespace detail {
 
-/// Throws unless degree, knots and count of coefficients fit together.
-void check_spline(int degree, const std::vector<double>& interior, std::size_t coefficients);
+/// Why degree, knots and count of coefficients do not fit together, if so.
+std::optional<Impossible> bad_spline(int degree, const std::vector<double>& interior,
+                                     std::size_t coefficients);
 
 /// Where a table's interpolating spline lies and the matrix that gives its coefficients.
 struct TableSpline {
@@ -37,11 +50,12 @@ struct TableSpline {
   std::size_t samples;
   bool with_velocity;
 };
-TableSpline table_spline(const std::vector<double>& x, std::size_t samples, std::size_t velocities);
+Possible<TableSpline> table_spline(const std::vector<double>& x, std::size_t samples,
+                                   std::size_t velocities);
 /// Coefficients for each column of right-hand sides (s, then v, as interleaved rows).
-std::vector<std::vector<double>> solve_table(const TableSpline& spline,
-                                             const std::vector<double>& x,
-                                             const std::vector<std::vector<double>>& columns);
+Possible<std::vector<std::vector<double>>> solve_table(
+    const TableSpline& spline, const std::vector<double>& x,
+    const std::vector<std::vector<double>>& columns);
 
 /// Clamped knot vector.
 template <class T>
@@ -97,10 +111,13 @@ std::vector<T> derivative_coefficients(int degree, std::size_t skip, const std::
 }  // namespace detail
 
 template <class T>
-Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>& coefficients) {
+Possible<Law<T>> possible_b_spline(int degree, const std::vector<T>& interior,
+                                   const std::vector<T>& coefficients) {
   std::vector<double> plain;
   for (const T& knot : interior) plain.push_back(value_of(knot));
-  detail::check_spline(degree, plain, coefficients.size());
+  if (auto fault = detail::bad_spline(degree, plain, coefficients.size())) {
+    return std::move(*fault);
+  }
   const std::vector<T> knots = detail::clamped(degree, interior);
   std::vector<std::vector<T>> levels{coefficients};  // of s, s', s'', ...
   for (int k = 0; k < degree; ++k) {
@@ -129,12 +146,14 @@ Law<T> b_spline(int degree, const std::vector<T>& interior, const std::vector<T>
     pieces.push_back(std::move(piece));
   }
   const Ends ends = natural_ends(piece_as<double>(pieces.front()), piece_as<double>(pieces.back()));
-  return Law<T>(std::move(pieces), ends);
+  return Law<T>::possible(std::move(pieces), ends);
 }
 
 template <class T>
-Law<T> table(const std::vector<double>& x, const std::vector<T>& s, const std::vector<T>& v) {
+Possible<Law<T>> possible_table(const std::vector<double>& x, const std::vector<T>& s,
+                                const std::vector<T>& v) {
   const auto spline = detail::table_spline(x, s.size(), v.size());
+  if (!spline) return spline.reason();
   std::vector<T> data;
   for (std::size_t i = 0; i < s.size(); ++i) {
     data.push_back(s[i]);
@@ -143,21 +162,25 @@ Law<T> table(const std::vector<double>& x, const std::vector<T>& s, const std::v
   if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Interval>) {
     std::vector<double> plain;
     for (const T& value : data) plain.push_back(value_of(value));
-    const auto c = detail::solve_table(spline, x, {plain}).front();
-    return b_spline<double>(spline.degree, spline.knots, c).template as<T>();
+    const auto c = detail::solve_table(*spline, x, {plain});
+    if (!c) return c.reason();
+    const auto law = possible_b_spline<double>(spline->degree, spline->knots, c->front());
+    if (!law) return law.reason();
+    return law->template as<T>();
   } else {
     // Derivatives by the samples: every coefficient is a fixed combination of the data.
     std::vector<std::vector<double>> units(data.size(), std::vector<double>(data.size(), 0.0));
     for (std::size_t i = 0; i < data.size(); ++i) units[i][i] = 1;
-    const auto inverse = detail::solve_table(spline, x, units);
+    const auto inverse = detail::solve_table(*spline, x, units);
+    if (!inverse) return inverse.reason();
     std::vector<T> c(data.size(), number<T>(0)), knots;
     for (std::size_t i = 0; i < c.size(); ++i) {
       for (std::size_t k = 0; k < data.size(); ++k) {
-        c[i] = c[i] + number<T>(inverse[k][i]) * data[k];
+        c[i] = c[i] + number<T>((*inverse)[k][i]) * data[k];
       }
     }
-    for (const double knot : spline.knots) knots.push_back(number<T>(knot));
-    return b_spline<T>(spline.degree, knots, c);
+    for (const double knot : spline->knots) knots.push_back(number<T>(knot));
+    return possible_b_spline<T>(spline->degree, knots, c);
   }
 }
 

@@ -99,7 +99,7 @@ std::vector<Family> harmonic_series() {
                detail::rest_of_one("1 - h1/(2 pi) - h2/(4 pi) - h3/(6 pi)",
                                    {1 / (2 * kPi), 1 / (4 * kPi), 1 / (6 * kPi)}))}},
           []<class S>(const Arguments<S>& a) {
-            return triple_harmonic<S>(a.scalar(0), a.scalar(1), a.scalar(2));
+            return possible_triple_harmonic<S>(a.scalar(0), a.scalar(1), a.scalar(2));
           }),
   };
 }

@@ -87,15 +87,23 @@ Law<T> gutman_1_3() {
 
 /// s'' = h1 sin(2 pi x) + h2 sin(4 pi x) + h3 sin(6 pi x). Rest and unit stroke need
 /// h1 / (2 pi) + h2 / (4 pi) + h3 / (6 pi) = 1. Constants that meet it within 0.1 %, as printed
-/// ones do, are scaled onto it; others throw std::invalid_argument with what the sum is.
+/// ones do, are scaled onto it; others are impossible, with what the sum is.
 template <class T>
-Law<T> triple_harmonic(const T& h1, const T& h2, const T& h3) {
+Possible<Law<T>> possible_triple_harmonic(const T& h1, const T& h2, const T& h3) {
   const T two_pi = number<T>(2) * pi<T>();
   std::vector<T> a{h1 / two_pi, h2 / (number<T>(2) * two_pi), h3 / (number<T>(3) * two_pi)};
   const T sum = a[0] + a[1] + a[2];
-  check_scaled_sum("h1 / (2 pi) + h2 / (4 pi) + h3 / (6 pi)", value_of(sum));
+  if (auto fault = bad_sum("h1 / (2 pi) + h2 / (4 pi) + h3 / (6 pi)", value_of(sum))) {
+    return std::move(*fault);
+  }
   for (T& share : a) share = share / sum;
   return sine_series(a);
+}
+
+/// Throws std::invalid_argument where the levels make no law.
+template <class T>
+Law<T> triple_harmonic(const T& h1, const T& h2, const T& h3) {
+  return possible_triple_harmonic(h1, h2, h3).value();
 }
 
 }  // namespace camlaw

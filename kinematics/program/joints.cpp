@@ -67,8 +67,9 @@ std::string remedies(const StatedProgram& program, const std::vector<Segment<dou
 
 }  // namespace
 
-void check_joints(const StatedProgram& program, const std::vector<Segment<double>>& segments,
-                  const Law<double>& law) {
+std::optional<Impossible> bad_joint(const StatedProgram& program,
+                                    const std::vector<Segment<double>>& segments,
+                                    const Law<double>& law) {
   constexpr const char* kWhat[] = {"displacement", "velocity", "acceleration"};
   constexpr const char* kUnit[] = {"strokes", "strokes per cycle", "strokes per cycle^2"};
   double at = 0;
@@ -79,13 +80,14 @@ void check_joints(const StatedProgram& program, const std::vector<Segment<double
     joint.right = law.derivatives<3>(at, Side::Right);
     if (i == 0) joint.left[0] -= program.advance;
     if (const auto k = jump_of(joint.left, joint.right, joint.rate, program.matched)) {
-      refuse_program(fmt::format(
+      return bad_program(fmt::format(
           "where '{}' meets '{}', at {:.6g} deg, the {} jumps from {:.6g} to {:.6g} {}{}",
           program.segments[before].name, program.segments[i].name, at * kCycle, kWhat[*k],
           joint.left[*k], joint.right[*k], kUnit[*k], remedies(program, segments, joint, *k)));
     }
     at += segments[i].share;
   }
+  return {};
 }
 
 }  // namespace camlaw::detail

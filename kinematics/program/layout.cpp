@@ -132,9 +132,9 @@ Room room_of_last(const std::vector<ProgramSegment>& stated, const Layout& layou
 
 }  // namespace
 
-void refuse_program(const std::string& why) {
-  throw std::invalid_argument("motion program: " + why);
-}
+Impossible bad_program(const std::string& why) { return {"motion program: " + why}; }
+
+void refuse_program(const std::string& why) { throw std::invalid_argument(bad_program(why).why); }
 
 bool stands_still(const ProgramSegment& segment, bool at_end, Matched matched) {
   if (segment.rests) return true;

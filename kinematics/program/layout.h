@@ -16,6 +16,8 @@ namespace camlaw::detail {
 inline constexpr double kCycle = 360;        ///< deg
 inline constexpr double kLeastAngle = 1e-3;  ///< deg, of a segment
 
+/// Why a program's arguments make no law; refuse_program throws that.
+Impossible bad_program(const std::string& why);
 [[noreturn]] void refuse_program(const std::string& why);
 
 /// A program as it is stated.
@@ -73,15 +75,17 @@ std::optional<S> stated_value(const std::optional<double>& stated,
 }
 
 template <class S>
-std::vector<SegmentPoint<S>> points_at(const ProgramSegment& stated, const SegmentPlaces& places,
-                                       const Arguments<S>& arguments) {
+Possible<std::vector<SegmentPoint<S>>> points_at(const ProgramSegment& stated,
+                                                 const SegmentPlaces& places,
+                                                 const Arguments<S>& arguments) {
   std::vector<SegmentPoint<S>> result;
   if (stated.points.empty()) return result;
   const auto& levels = arguments.list(*places.points);
   const auto& angles = arguments.list(*places.point_angles);
   if (levels.size() != stated.points.size() || angles.size() != levels.size()) {
-    refuse_program(fmt::format("'{}' has {} points; {} displacements and {} angles are given",
-                               stated.name, stated.points.size(), levels.size(), angles.size()));
+    return bad_program(fmt::format("'{}' has {} points; {} displacements and {} angles are given",
+                                   stated.name, stated.points.size(), levels.size(),
+                                   angles.size()));
   }
   for (std::size_t i = 0; i < levels.size(); ++i) {
     SegmentPoint<S> point{angles[i] / number<S>(kCycle), levels[i], {}};
@@ -94,15 +98,15 @@ std::vector<SegmentPoint<S>> points_at(const ProgramSegment& stated, const Segme
 
 /// The segments' shares of the cycle. The last takes what is left of it.
 template <class S>
-std::vector<S> shares_at(const StatedProgram& program, const Layout& layout,
-                         const Arguments<S>& arguments) {
+Possible<std::vector<S>> shares_at(const StatedProgram& program, const Layout& layout,
+                                   const Arguments<S>& arguments) {
   std::vector<S> shares;
   S left = number<S>(1);
   for (std::size_t i = 0; i < program.segments.size(); ++i) {
     const auto& angle = layout.segments[i].angle;
     const S share = angle ? arguments.scalar(*angle) / number<S>(kCycle) : left;
     if (!(value_of(share) > 0)) {
-      refuse_program(fmt::format("no angle is left for '{}'", program.segments[i].name));
+      return bad_program(fmt::format("no angle is left for '{}'", program.segments[i].name));
     }
     left = left - share;
     shares.push_back(share);
@@ -112,25 +116,30 @@ std::vector<S> shares_at(const StatedProgram& program, const Layout& layout,
 
 /// The program's segments for arguments.
 template <class S>
-std::vector<Segment<S>> segments_at(const StatedProgram& program, const Layout& layout,
-                                    const Arguments<S>& arguments) {
+Possible<std::vector<Segment<S>>> segments_at(const StatedProgram& program, const Layout& layout,
+                                              const Arguments<S>& arguments) {
   std::vector<Segment<S>> result;
-  const std::vector<S> shares = shares_at(program, layout, arguments);
+  const auto shares = shares_at(program, layout, arguments);
+  if (!shares) return shares.reason();
   S level = number<S>(program.segments.back().to - program.advance);
   for (std::size_t i = 0; i < program.segments.size(); ++i) {
     const ProgramSegment& stated = program.segments[i];
     const SegmentPlaces& places = layout.segments[i];
     S to = places.to ? arguments.scalar(*places.to) : number<S>(stated.to);
     if (stated.rests) to = level;
-    Segment<S> segment{shares[i], level, to};
+    Segment<S> segment{(*shares)[i], level, to};
     if (stated.law) {
       const Family& family = *stated.law->family;
-      const Law<S> law = family.make(law_arguments(arguments, places, family));
-      segment.law = stated.reversed ? reversed(law) : law;
+      auto law = family.possible(law_arguments(arguments, places, family));
+      if (law && stated.reversed) law = possible_reversed(*law);
+      if (!law) return law.reason();
+      segment.law = std::move(*law);
     }
     segment.joins = joins(stated);
     segment.smoothness = static_cast<Smoothness>(stated.continuity);
-    segment.points = points_at(stated, places, arguments);
+    auto points = points_at(stated, places, arguments);
+    if (!points) return points.reason();
+    segment.points = std::move(*points);
     segment.stated_end.velocity = stated_value(stated.velocity, places.velocity, arguments);
     segment.stated_end.acceleration =
         stated_value(stated.acceleration, places.acceleration, arguments);

@@ -177,26 +177,30 @@ ProgramSegment listed_segment(ProgramSegment stated, const detail::SegmentPlaces
 /// it is.
 Member program_of(const StatedProgram& program) {
   const Layout layout = detail::lay_out(program);
-  Family family{.name = name_of(program.segments),
-                .aliases = {},
-                .formula = words_of(program.segments),
-                .parameters = layout.parameters,
-                .ends = "periodic",
-                .continuity = 0,
-                .symmetric = false,
-                .source = "stated",
-                .maker = [program, layout]<class S>(const Arguments<S>& arguments) {
-                  const auto segments = segments_at(program, layout, arguments);
-                  Law<S> law = program_law(segments);
-                  std::vector<Segment<double>> plain;
-                  for (const auto& s : segments) {
-                    plain.push_back({value_of(s.share), value_of(s.from), value_of(s.to)});
-                  }
-                  check_joints(program, plain, law.template as<double>());
-                  return law;
-                }};
+  Family family{
+      .name = name_of(program.segments),
+      .aliases = {},
+      .formula = words_of(program.segments),
+      .parameters = layout.parameters,
+      .ends = "periodic",
+      .continuity = 0,
+      .symmetric = false,
+      .source = "stated",
+      .maker = [program, layout]<class S>(const Arguments<S>& arguments) -> Possible<Law<S>> {
+        const auto segments = segments_at(program, layout, arguments);
+        if (!segments) return segments.reason();
+        Possible<Law<S>> law = program_law(*segments);
+        if (!law) return law;
+        std::vector<Segment<double>> plain;
+        for (const auto& s : *segments) {
+          plain.push_back({value_of(s.share), value_of(s.from), value_of(s.to)});
+        }
+        auto fault = detail::bad_joint(program, plain, law->template as<double>());
+        if (fault) return std::move(*fault);
+        return law;
+      }};
   family.listed = [program, layout](const Arguments<double>& arguments) {
-    const auto segments = segments_at(program, layout, arguments);
+    const auto segments = segments_at(program, layout, arguments).value();
     StatedProgram listed = program;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       listed.segments[i] =
@@ -208,7 +212,8 @@ Member program_of(const StatedProgram& program) {
   family.spans = [program, layout](const Arguments<double>& arguments) {
     std::vector<NamedSpan> spans;
     double begin = 0;
-    for (const double share : shares_at(program, layout, arguments)) {
+    const std::vector<double> shares = shares_at(program, layout, arguments).value();
+    for (const double share : shares) {
       const bool is_last = spans.size() + 1 == program.segments.size();
       const double end = is_last ? 1 : begin + share;
       spans.push_back({program.segments[spans.size()].name, begin, end});

@@ -63,27 +63,32 @@ struct Run {
   std::vector<RunKnot<T>> ends;  ///< what is stated where each piece ends
   Smoothness smoothness = Smoothness::Snap;
 
-  void add(const Segment<T>& segment, const T& begin, std::size_t index) {
+  std::optional<Impossible> add(const Segment<T>& segment, const T& begin, std::size_t index) {
     if (!pieces.empty() && segment.smoothness != smoothness) {
-      throw std::invalid_argument("segments that join one another need the same continuity");
+      return Impossible{"segments that join one another need the same continuity"};
     }
     smoothness = segment.smoothness;
     T before = number<T>(0), s = segment.from;
     const auto add_piece = [&](const T& share, const T& to, const RunKnot<T>& stated) {
-      if (!(value_of(share) > value_of(before))) {
-        throw std::invalid_argument("points must follow one another within their segment");
-      }
+      if (!(value_of(share) > value_of(before))) return false;
       pieces.push_back({{share - before, s, to}, begin + before, index});
       ends.push_back(stated);
       before = share;
       s = to;
+      return true;
     };
-    for (const auto& point : segment.points) add_piece(point.share, point.s, point.stated);
-    add_piece(segment.share, segment.to, segment.stated_end);
+    bool follow = true;
+    for (const auto& point : segment.points) {
+      follow = follow && add_piece(point.share, point.s, point.stated);
+    }
+    follow = follow && add_piece(segment.share, segment.to, segment.stated_end);
+    if (follow) return {};
+    return Impossible{"points must follow one another within their segment"};
   }
 
   /// The pieces' laws, with what is stated at the knots.
-  void place(const std::vector<RunKnot<T>>& knots, std::vector<std::vector<Piece<T>>>& parts) {
+  std::optional<Impossible> place(const std::vector<RunKnot<T>>& knots,
+                                  std::vector<std::vector<Piece<T>>>& parts) {
     std::vector<RunPiece<T>> plain;
     for (const auto& placed : pieces) plain.push_back(placed.piece);
     const std::vector<RunState<T>> states = run_states(plain, knots, smoothness);
@@ -97,12 +102,14 @@ struct Run {
         if (quintic) result.push_back(d * d * state[1]);
         return result;
       };
-      const Law<T> law = boundary_polynomial<T>(
+      const auto law = possible_boundary_polynomial<T>(
           conditions(piece.from, states[i]), conditions(piece.to, states[(i + 1) % states.size()]));
-      for (auto& part : pieces_over(law, begin, d, number<T>(0), number<T>(1))) {
+      if (!law) return law.reason();
+      for (auto& part : pieces_over(*law, begin, d, number<T>(0), number<T>(1))) {
         parts[segment].push_back(std::move(part));
       }
     }
+    return {};
   }
 };
 
@@ -136,41 +143,46 @@ RunKnot<T> knot_at(const Piece<T>& piece, const T& place) {
 
 /// The pieces of the segments that join, from those of the others.
 template <class T>
-void join(const std::vector<Segment<T>>& segments, const std::vector<T>& begins,
-          std::vector<std::vector<Piece<T>>>& parts) {
+std::optional<Impossible> join(const std::vector<Segment<T>>& segments,
+                               const std::vector<T>& begins,
+                               std::vector<std::vector<Piece<T>>>& parts) {
   const std::size_t n = segments.size();
   std::size_t first = 0;  // one that does not join, where there is any
   while (first < n && segments[first].joins) ++first;
   if (first == n) {  // the whole cycle is one run that ends where it begins
     Run<T> run;
-    for (std::size_t i = 0; i < n; ++i) run.add(segments[i], begins[i], i);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (auto fault = run.add(segments[i], begins[i], i)) return fault;
+    }
     std::vector<RunKnot<T>> knots{run.ends.back()};
     knots.insert(knots.end(), run.ends.begin(), run.ends.end() - 1);
-    run.place(knots, parts);
-    return;
+    return run.place(knots, parts);
   }
   for (std::size_t k = first; k < first + n; ++k) {
     if (segments[k % n].joins || !segments[(k + 1) % n].joins) continue;
     Run<T> run;
     std::size_t i = k + 1;
-    for (; segments[i % n].joins; ++i) run.add(segments[i % n], begins[i % n], i % n);
+    for (; segments[i % n].joins; ++i) {
+      if (auto fault = run.add(segments[i % n], begins[i % n], i % n)) return fault;
+    }
     const auto &before = parts[k % n], &after = parts[i % n];
     std::vector<RunKnot<T>> knots{knot_at(before.back(), before.back().end)};
     knots.insert(knots.end(), run.ends.begin(), run.ends.end());
     const RunKnot<T> next = knot_at(after.front(), after.front().begin);
     if (!knots.back().velocity) knots.back().velocity = next.velocity;
     if (!knots.back().acceleration) knots.back().acceleration = next.acceleration;
-    run.place(knots, parts);
+    if (auto fault = run.place(knots, parts)) return fault;
   }
+  return {};
 }
 
 }  // namespace detail
 
 /// The program of segments that fill the cycle one after another; the last ends at 1 whatever its
-/// share. Segments that join are found together with those that they follow. Throws
-/// std::invalid_argument where points do not follow one another, and what Law's constructor throws.
+/// share. Segments that join are found together with those that they follow. Impossible where
+/// points do not follow one another, and where the pieces make no law.
 template <class T>
-Law<T> program_law(const std::vector<Segment<T>>& segments) {
+Possible<Law<T>> program_law(const std::vector<Segment<T>>& segments) {
   std::vector<std::vector<Piece<T>>> parts(segments.size());
   std::vector<T> begins;
   T begin = number<T>(0);
@@ -184,7 +196,7 @@ Law<T> program_law(const std::vector<Segment<T>>& segments) {
     }
     begin = begin + segment.share;
   }
-  detail::join(segments, begins, parts);
+  if (auto fault = detail::join(segments, begins, parts)) return std::move(*fault);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (!segments[i].joins || !segments[i].law) continue;
     parts[i] = detail::shaped(parts[i].front(), segments[i], begins[i]);
@@ -194,7 +206,7 @@ Law<T> program_law(const std::vector<Segment<T>>& segments) {
     for (auto& piece : part) pieces.push_back(std::move(piece));
   }
   if (!pieces.empty()) pieces.back().end = number<T>(1);
-  return Law<T>(std::move(pieces), {End::Motion, End::Motion});
+  return Law<T>::possible(std::move(pieces), {End::Motion, End::Motion});
 }
 
 }  // namespace camlaw

@@ -36,7 +36,7 @@ Law<double> interpolated(std::span<const double> x, std::span<const double> s) {
   Segment<double> whole{1, s.front(), s.front()};
   whole.joins = true;
   for (std::size_t i = 1; i < x.size(); ++i) whole.points.push_back({x[i] - x[0], s[i]});
-  const Law<double> from_first = program_law<double>({whole});
+  const Law<double> from_first = program_law<double>({whole}).value();
   if (x[0] == 0) return from_first;
   // It begins at the first row: what lies beyond the cycle's end comes first.
   std::vector<Piece<double>> before, after;

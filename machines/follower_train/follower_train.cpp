@@ -136,10 +136,10 @@ Complex<T> driven(const Piece<T>& piece, const T& begin, const T& d, const Compl
   return sum;
 }
 
-/// Refuses a velocity that jumps up to x, from rest before and to rest behind: the closed form
-/// knows no pulse of the acceleration.
+/// Whether the velocity jumps up to x, from rest before and to rest behind: the closed form knows
+/// no pulse of the acceleration.
 template <class T>
-void check_velocity(const Law<T>& law, double x) {
+bool has_jump(const Law<T>& law, double x) {
   constexpr double kLevel = 1e-9;
   const auto velocity = [](const Piece<T>& piece, const T& at) {
     return value_of(derivatives<2>(piece, at)[1]);
@@ -149,26 +149,26 @@ void check_velocity(const Law<T>& law, double x) {
     if (std::abs(velocity(piece, piece.begin) - before) > kLevel) break;
     before = velocity(piece, piece.end);
     if (value_of(piece.end) >= 1 && x >= 1 && std::abs(before) > kLevel) break;
-    if (value_of(piece.end) >= std::min(x, 1.0)) return;
+    if (value_of(piece.end) >= std::min(x, 1.0)) return false;
   }
-  throw std::invalid_argument("elastic train: the velocity of the law jumps");
+  return true;
 }
 
 }  // namespace
 
 template <class T>
-TrainState<T> FollowerTrain<T>::at(const Law<T>& law, double x, TrainState<T> begin) const {
+Possible<TrainState<T>> FollowerTrain<T>::at(const Law<T>& law, double x,
+                                             TrainState<T> begin) const {
   using std::sqrt;
   if (!law.is_data()) {
-    throw std::invalid_argument(
-        "elastic train: the law does not consist of polynomials and harmonics");
+    return Impossible{"elastic train: the law does not consist of polynomials and harmonics"};
   }
   const double tau = value_of(period_ratio), zeta = value_of(damping_ratio);
   if (!(tau > 0) || !(zeta >= 0 && zeta < 1)) {
-    throw std::invalid_argument(
-        "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1");
+    return Impossible{
+        "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1"};
   }
-  check_velocity(law, x);
+  if (has_jump(law, x)) return Impossible{"elastic train: the velocity of the law jumps"};
   const T W = number<T>(2) * pi<T>() * period_ratio;
   const T damped = W * sqrt(number<T>(1) - damping_ratio * damping_ratio);
   const Complex<T> lambda{-(damping_ratio * W), damped};
@@ -181,11 +181,11 @@ TrainState<T> FollowerTrain<T>::at(const Law<T>& law, double x, TrainState<T> be
     v = exponential(d * lambda) * v - driven(piece, piece.begin, d, lambda);
   }
   const T z = v.im / damped;
-  return {z, v.re + lambda.re * z};
+  return TrainState<T>{z, v.re + lambda.re * z};
 }
 
 template <class T>
-TrainState<T> FollowerTrain<T>::after(const Law<T>& law, TrainState<T> begin) const {
+Possible<TrainState<T>> FollowerTrain<T>::after(const Law<T>& law, TrainState<T> begin) const {
   return at(law, 1, begin);
 }
 
@@ -201,7 +201,7 @@ T FollowerTrain<T>::amplitude(const TrainState<T>& state) const {
 template <class T>
 T FollowerTrain<T>::residual_acceleration(const Law<T>& law) const {
   const T W = number<T>(2) * pi<T>() * period_ratio;
-  return W * W * amplitude(after(law));
+  return W * W * amplitude(after(law).value());
 }
 
 template struct FollowerTrain<double>;

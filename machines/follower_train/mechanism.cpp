@@ -45,11 +45,13 @@ MechanismResponse residual(Residual which, ResponseAbout about) {
     return std::array<T, 3>{f.period_ratio(), f.damping_ratio, scale};
   };
   return law_number<ElasticFollower>(
-      std::move(about), parts, [which]<class T>(std::span<const T> part, const Law<T>& law) -> T {
+      std::move(about), parts,
+      [which]<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
         const FollowerTrain<T> train{part[0], part[1]};
-        const TrainState<T> state = train.after(law);
-        if (which == Residual::Displacement) return part[2] * state.z;
-        return part[2] * (which == Residual::Velocity ? state.rate : train.amplitude(state));
+        const auto state = train.after(law);
+        if (!state) return state.reason();
+        if (which == Residual::Displacement) return T(part[2] * state->z);
+        return T(part[2] * (which == Residual::Velocity ? state->rate : train.amplitude(*state)));
       });
 }
 

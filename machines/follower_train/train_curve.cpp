@@ -7,7 +7,6 @@
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
 #include "machines/follower_train/machine.h"
-#include "machines/model/law_of.h"
 
 namespace camlaw::problems {
 namespace {
@@ -40,15 +39,19 @@ std::array<T, 4> joint_motion(const Law<T>& law, std::size_t joint, bool from_le
 /// Motion and state of the train at a place, with the derivatives by what moves it where it is tied
 /// to a joint: the state at the end of a piece is that of the end itself (FollowerTrain::at).
 template <class T>
-std::array<T, 3> quantity_at(TrainQuantity which, const FollowerTrain<T>& train, const Law<T>& law,
-                             optim::Place place) {
+Possible<std::array<T, 3>> quantity_at(TrainQuantity which, const FollowerTrain<T>& train,
+                                       const Law<T>& law, optim::Place place) {
   if (place.joint < 0) {
-    return train_quantity(which, train, motion_at(law, place), train.at(law, place.angle));
+    const auto state = train.at(law, place.angle);
+    if (!state) return state.reason();
+    return train_quantity(which, train, motion_at(law, place), *state);
   }
   const auto joint = static_cast<std::size_t>(place.joint);
   const auto motion = joint_motion(law, joint, place.from_left);
   const double x = joint < law.pieces().size() ? value_of(law.pieces()[joint].end) : 1;
-  return train_quantity(which, train, motion, train.at(law, x));
+  const auto state = train.at(law, x);
+  if (!state) return state.reason();
+  return train_quantity(which, train, motion, *state);
 }
 
 /// The train for one design.
@@ -74,7 +77,8 @@ class TrainTrace final : public optim::Trace {
   }
 
   std::array<double, 3> at(optim::Place place) const override {
-    auto f = train_quantity(which_, train_, motion_at(law_, place), train_.at(law_, place.angle));
+    auto f = train_quantity(which_, train_, motion_at(law_, place),
+                            train_.at(law_, place.angle).value());
     for (double& derivative : f) derivative *= scale_;
     return f;
   }
@@ -84,7 +88,7 @@ class TrainTrace final : public optim::Trace {
     const double middle = std::midpoint(from, to);
     const double radius = std::max(step_up(to - middle), step_up(middle - from));
     const auto f = train_quantity(which_, enclosing_, motion_at(enclosing_law_, {middle}),
-                                  enclosing_.at(enclosing_law_, middle));
+                                  enclosing_.at(enclosing_law_, middle).value());
     const Interval h(-radius, radius), square(0, step_up(radius * radius));
     const Interval range =
         enclosing_scale_ * (f[0] + f[1] * h + Interval(0.5) * square * second_derivative_);
@@ -157,7 +161,7 @@ TrainCurve::TrainCurve(TrainQuantity which, std::vector<Recorded> parts, const U
 optim::Place TrainCurve::tied(optim::Place place, optim::Design x) const {
   constexpr double kBeside = 1e-14;
   if (binding_.law->is_linear()) return place;
-  const auto law = law_of<double>(binding_.law->member_at(x));
+  const auto law = binding_.law->possible_law_at<double>(x);
   if (!law) return place;
   for (std::size_t i = 0; i + 1 < law->pieces().size(); ++i) {
     if (std::abs(place.angle - law->pieces()[i].end) <= kBeside) place.joint = static_cast<int>(i);
@@ -175,9 +179,11 @@ std::vector<double> TrainCurve::slope_gradient(optim::Place place, optim::Design
 
 optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order) const {
   const auto formula = [which = which_, place, order]<class T>(std::span<const T> part,
-                                                               const Law<T>& law) -> T {
+                                                               const Law<T>& law) -> Possible<T> {
     const FollowerTrain<T> train{part[0], part[1]};
-    return scale_of(which, part[2], law) * quantity_at(which, train, law, place)[order];
+    const auto quantity = quantity_at(which, train, law, place);
+    if (!quantity) return quantity.reason();
+    return T(scale_of(which, part[2], law) * (*quantity)[order]);
   };
   return function_of(detail::law_number_variables(binding_),
                      detail::kernel_of(detail::law_formula(binding_, parts_, factor_, formula)),
@@ -196,15 +202,13 @@ std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
     enclosing.push_back(record(std::span<const Interval>(exact)));
     possible = is_possible_at(record.is_possible, std::span<const double>(u));
   }
-  try {
-    const Member member = binding_.law->member_at(x);
-    const auto law = member.law<double>();
-    if (!possible || !law.is_data()) return std::make_unique<NoTrace>();
-    return std::make_unique<TrainTrace>(which_, parts, law, enclosing, member.law<Interval>(),
-                                        factor_.as<double>());
-  } catch (const std::invalid_argument&) {
-    return std::make_unique<NoTrace>();
-  }
+  const Member member = binding_.law->member_at(x);
+  auto law = member.possible_law();
+  if (!possible || !law || !law->is_data()) return std::make_unique<NoTrace>();
+  auto enclosing_law = member.possible_law<Interval>();
+  if (!enclosing_law) return std::make_unique<NoTrace>();
+  return std::make_unique<TrainTrace>(which_, parts, std::move(*law), enclosing,
+                                      std::move(*enclosing_law), factor_.as<double>());
 }
 
 }  // namespace camlaw::problems

@@ -36,12 +36,8 @@ bool has_no_pulse(const CurveParts& parts, const LawBinding& law, const LinearLa
       const double golden = 0.6180339887498949 * static_cast<double>(n * values.size() + i + 1);
       values[i] += 0.1 * (1 + std::abs(values[i])) * (2 * (golden - std::floor(golden)) - 1);
     }
-    try {
-      const auto other = law.law_of<double>(std::span<const double>(values));
-      if (pulse_place(parts.cycle, other, parts.uses)) return false;
-    } catch (const std::invalid_argument&) {
-      return false;
-    }
+    const auto other = law.possible_law_of<double>(std::span<const double>(values));
+    if (!other || pulse_place(parts.cycle, *other, parts.uses)) return false;
   }
   return true;
 }

@@ -87,11 +87,7 @@ std::optional<Law<S>> seeded(const LawBinding& binding, std::span<const double> 
                              const Seed& seed) {
   std::vector<S> own;
   for (std::size_t i = 0; i < values.size(); ++i) seed(i, own.emplace_back(convert<S>(values[i])));
-  try {
-    return binding.law_of<S>(std::span<const S>(own));
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  return binding.possible_law_of<S>(std::span<const S>(own)).if_any();
 }
 
 std::vector<Law<Dual2>> second_laws(const LawBinding& binding, std::span<const double> values) {

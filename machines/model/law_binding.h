@@ -71,10 +71,14 @@ class LawBinding {
     result.arguments = arguments_of<double>(values_at(design));
     return result;
   }
-  /// Throws std::invalid_argument where the design makes no law.
+  template <class S>
+  Possible<Law<S>> possible_law_at(std::span<const double> design) const {
+    return member_at(design).template possible_law<S>();
+  }
+  /// The same; throws std::invalid_argument where the design makes no law.
   template <class S>
   Law<S> law_at(std::span<const double> design) const {
-    return member_at(design).template law<S>();
+    return possible_law_at<S>(design).value();
   }
   /// The family's arguments for values of the varying parameters that carry derivatives of their
   /// own.
@@ -86,10 +90,10 @@ class LawBinding {
     }
     return arguments;
   }
-  /// The law for such values. Throws std::invalid_argument where they make none.
+  /// The law for such values.
   template <class S>
-  Law<S> law_of(std::span<const S> values) const {
-    return member_.family->make(arguments_of(values));
+  Possible<Law<S>> possible_law_of(std::span<const S> values) const {
+    return member_.family->possible(arguments_of(values));
   }
   /// The law with derivatives by the varying parameters, one for each kDualWidth of them; none
   /// where the values make no law.

@@ -37,7 +37,8 @@ inline std::vector<double> own_values(const Binding& binding) {
   return values;
 }
 
-/// formula(numbers, law) as a function of a binding's arguments, the machine's and then the law's.
+/// formula(numbers, law), a number or a Possible one, as a function of a binding's arguments, the
+/// machine's and then the law's: no number where they make no law or the formula has none.
 template <class F>
 auto law_formula(const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
                  const F& formula) {
@@ -48,12 +49,10 @@ auto law_formula(const Binding& binding, std::vector<Recorded> parts, const Unit
     if (!possible) return number<T>(kNaN);
     std::vector<T> numbers;
     for (const Recorded& part : parts) numbers.push_back(part.formula(machine));
-    try {
-      const Law<T> moving = law->template law_of<T>(u.subspan(arguments));
-      return factor.template as<T>() * formula(std::span<const T>(numbers), moving);
-    } catch (const std::invalid_argument&) {  // these values make no law
-      return number<T>(kNaN);
-    }
+    const auto moving = law->template possible_law_of<T>(u.subspan(arguments));
+    if (!moving) return number<T>(kNaN);
+    const Possible<T> found = formula(std::span<const T>(numbers), *moving);
+    return found ? factor.template as<T>() * *found : number<T>(kNaN);
   };
 }
 

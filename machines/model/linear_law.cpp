@@ -135,13 +135,8 @@ std::optional<Parts> parts_by_colours(const LawBinding& binding, const std::vect
       values[i].v[lane] = 1;
       values[i].v[lane + 1] = static_cast<double>(i + 1);
     }
-    std::optional<Law<Dual>> law;
-    try {
-      law = binding.law_of<Dual>(std::span<const Dual>(values));
-    } catch (const std::invalid_argument&) {
-      return {};
-    }
-    if (!is_polynomial(*law)) return {};
+    const auto law = binding.possible_law_of<Dual>(std::span<const Dual>(values));
+    if (!law || !is_polynomial(*law)) return {};
     parts.resize(law->pieces().size());
     for (std::size_t piece = 0; piece < parts.size(); ++piece) {
       const Piece<Dual>& its = law->pieces()[piece];

@@ -27,19 +27,15 @@ class MeanOfRecord {
     const std::size_t arguments = formulas_.of_mean.arguments;
     const auto machine = u.first(arguments);
     if (!is_possible_at(formulas_.of_mean.is_possible, machine)) return number<T>(detail::kNaN);
-    try {
-      const Law<T> law = law_->template law_of<T>(u.subspan(arguments));
-      check_no_pulse(turn_of_the_cam(), law);
-      std::vector<T> inputs(machine.begin(), machine.end());
-      const FormulaAlong<T> integrand(formulas_.integrand.formula, machine);
-      inputs.push_back(cycle_mean(law, [&]<class X>(const Motion<X>& m, const X&) {
-        const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
-        return integrand(std::span<const X>(motion));
-      }));
-      return formulas_.of_mean.formula(std::span<const T>(inputs));
-    } catch (const std::invalid_argument&) {  // these values make no law, or one with a pulse
-      return number<T>(detail::kNaN);
-    }
+    const auto law = law_->template possible_law_of<T>(u.subspan(arguments));
+    if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(detail::kNaN);
+    std::vector<T> inputs(machine.begin(), machine.end());
+    const FormulaAlong<T> integrand(formulas_.integrand.formula, machine);
+    inputs.push_back(cycle_mean(*law, [&]<class X>(const Motion<X>& m, const X&) {
+      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
+      return integrand(std::span<const X>(motion));
+    }));
+    return formulas_.of_mean.formula(std::span<const T>(inputs));
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "machines/model/cycle_mean.h"
@@ -17,11 +16,11 @@
 namespace camlaw::problems {
 
 /// int_0^1 s^(order)(x)^2 dx, order 1 to 3: exact for pieces that are polynomials, and enclosed
-/// where T is Interval; else by quadrature as of cycle_mean. Throws std::invalid_argument where
-/// s^(order - 1) jumps inside the stretch, and where it would with the parameters that T carries
-/// derivatives by: then it is infinite.
+/// where T is Interval; else by quadrature as of cycle_mean. Impossible where s^(order - 1) jumps
+/// inside the stretch, and where it would with the parameters that T carries derivatives by: then
+/// it is infinite.
 template <class T>
-T mean_square(const Law<T>& law, int order);
+Possible<T> mean_square(const Law<T>& law, int order);
 
 /// The same over the variables of a law that is linear in them: a quadratic form, put together once
 /// from the pieces that each variable moves. Value, slopes and second derivatives cost as much as
@@ -48,10 +47,10 @@ double largest_part(const ceres::Jet<T, N>& x) {
   return largest;
 }
 
-/// Throws where a derivative jumps between pieces by more than rounding, or would with the
-/// parameters that T carries derivatives by.
+/// Whether a derivative jumps between pieces by more than rounding, or would with the parameters
+/// that T carries derivatives by.
 template <class T>
-void check_no_jump(const Law<T>& law, int order) {
+bool jumps_between(const Law<T>& law, int order) {
   constexpr double kRounding = 1e-7;
   const auto& pieces = law.pieces();
   const auto k = static_cast<std::size_t>(order);
@@ -59,8 +58,9 @@ void check_no_jump(const Law<T>& law, int order) {
     const T left = derivatives<4>(pieces[i], pieces[i].end)[k];
     const T right = derivatives<4>(pieces[i + 1], pieces[i].end)[k];
     const double size = 1 + largest_part(left) + largest_part(right);
-    if (!(largest_part(left - right) <= kRounding * size)) throw std::invalid_argument(kJumps);
+    if (!(largest_part(left - right) <= kRounding * size)) return true;
   }
+  return false;
 }
 
 /// Derivative `order` of the piece's polynomial.
@@ -131,8 +131,8 @@ T polynomial_square(const Piece<T>& piece, int order) {
 }  // namespace detail
 
 template <class T>
-T mean_square(const Law<T>& law, int order) {
-  detail::check_no_jump(law, order - 1);
+Possible<T> mean_square(const Law<T>& law, int order) {
+  if (detail::jumps_between(law, order - 1)) return Impossible{detail::kJumps};
   T sum = number<T>(0);
   for (const Piece<T>& piece : law.pieces()) {
     if (piece.harmonics.empty() && piece.curves.empty()) {

@@ -7,7 +7,6 @@
 #include "machines/model/affine_curve.h"
 #include "machines/model/arguments.h"
 #include "machines/model/curve_row.h"
-#include "machines/model/law_of.h"
 #include "machines/model/mechanism_trace.h"
 #include "machines/model/rests.h"
 
@@ -28,7 +27,7 @@ MechanismCurve::MechanismCurve(CurveParts parts, const Binding& binding, optim::
 /// stretch k is k times the most pieces, and i.
 optim::Place MechanismCurve::tied(optim::Place place, optim::Design x) const {
   if (law_->is_linear()) return place;
-  const auto law = law_of<double>(law_->member_at(x));
+  const auto law = law_->possible_law_at<double>(x);
   if (!law) return place;
   const Stretch& stretch = parts_->cycle.stretch_at(place);
   const auto index = static_cast<std::size_t>(&stretch - parts_->cycle.stretches.data());
@@ -134,8 +133,8 @@ std::vector<double> MechanismCurve::slope_gradient(optim::Place place, optim::De
 std::unique_ptr<optim::Trace> MechanismCurve::trace(optim::Design x) const {
   const auto whole = [parts = parts_](const Member& member, const std::vector<double>& arguments) {
     return std::make_unique<MechanismTrace>(
-        parts->cycle, parts->uses, law_of<double>(member),
-        [member] { return law_of<Interval>(member); }, parts->formula(arguments));
+        parts->cycle, parts->uses, member.possible_law<double>().if_any(),
+        [member] { return member.possible_law<Interval>().if_any(); }, parts->formula(arguments));
   };
   if (const AffineCurve* known = affine()) {  // of a law alone
     const std::vector<double> design(x.begin(), x.end());

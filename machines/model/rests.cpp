@@ -7,7 +7,6 @@
 
 #include "kinematics/breaks.h"
 #include "machines/model/arguments.h"
-#include "machines/model/law_of.h"
 
 namespace camlaw::problems {
 namespace {
@@ -38,7 +37,7 @@ std::vector<Law<double>> laws_about(const Law<double>& own, const LawBinding& bi
       member.arguments.values()[v.parameter][v.element] =
           std::clamp(values[i] + share * (1 + std::abs(values[i])), parameter.low, parameter.high);
     }
-    auto near = law_of<double>(member);
+    auto near = member.possible_law();
     if (near && near->pieces().size() == laws.front().pieces().size()) {
       laws.push_back(std::move(*near));
     }
@@ -187,7 +186,7 @@ std::vector<optim::Rest> rests_of(const CurveParts& parts,
                                   optim::Design x) {
   std::vector<optim::Rest> found;
   if (parts.uses_place) return found;  // what the place alone does is not known
-  const std::optional<Law<double>> own = law_of<double>(law->member_at(x));
+  const auto own = law->possible_law_at<double>(x);
   if (!own) return found;
   std::vector<Law<double>> laws;  // made where an end stands at the bound: few limits have one
   const CurveAt curve{parts, variables, x, bound};

@@ -131,14 +131,15 @@ bool is_polynomial(const Law<Interval>& law) {
 /// (U5) int cos(Wx) s'' dx / W and int sin(Wx) s'' dx / W of the law, from the state z, z' at its
 /// end: int exp(-iWx) s'' dx = -exp(-iW) (z' + iWz).
 template <class T>
-T residual_part(const Law<T>& law, const T& period_ratio, Part part) {
+Possible<T> residual_part(const Law<T>& law, const T& period_ratio, Part part) {
   using std::cos;
   using std::sin;
-  const TrainState<T> end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
+  const auto end = FollowerTrain<T>{period_ratio, number<T>(0)}.after(law);
+  if (!end) return end.reason();
   const T W = number<T>(2) * pi<T>() * period_ratio;
-  const T rate = end.rate / W;
+  const T rate = end->rate / W;
   const T result =
-      part == Part::Cosine ? -(cos(W) * rate) - sin(W) * end.z : cos(W) * end.z - sin(W) * rate;
+      part == Part::Cosine ? -(cos(W) * rate) - sin(W) * end->z : cos(W) * end->z - sin(W) * rate;
   if constexpr (std::is_same_v<T, Interval>) {
     if (is_polynomial(law)) return both(result, part_by_pieces(law, W, part));
   }
@@ -177,13 +178,17 @@ MechanismResponse residual_amplitude(int which) {
       {numbered("residual_amplitude", which), "1", "1",
        "amplitude of the vibration left, undamped, in parts of the stroke"},
       "DS10", ratio_of(which),
-      []<class T>(std::span<const T> ratio, const Law<T>& law) {
+      []<class T>(std::span<const T> ratio, const Law<T>& law) -> Possible<T> {
         const FollowerTrain<T> train{ratio[0], number<T>(0)};
-        const T result = train.amplitude(train.after(law));
+        const auto end = train.after(law);
+        if (!end) return end.reason();
+        const T result = train.amplitude(*end);
         if constexpr (std::is_same_v<T, Interval>) {
-          const T c = residual_part(law, ratio[0], Part::Cosine);
-          const T s = residual_part(law, ratio[0], Part::Sine);
-          return both(result, sqrt(boost::numeric::square(c) + boost::numeric::square(s)));
+          const auto c = residual_part(law, ratio[0], Part::Cosine);
+          if (!c) return c.reason();
+          const auto s = residual_part(law, ratio[0], Part::Sine);
+          if (!s) return s.reason();
+          return both(result, sqrt(boost::numeric::square(*c) + boost::numeric::square(*s)));
         } else {
           return result;
         }

@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 #include "numerics/polynomial/gauss_legendre.h"
 
@@ -215,14 +214,14 @@ std::vector<SmoothedSample> looked_at(const Weighed& samples, const SmoothedFit&
 }
 
 /// The fit with these weights; no sample is flagged.
-SmoothedFit fitted(const Weighed& samples) {
+Possible<SmoothedFit> fitted(const Weighed& samples) {
   const auto& [basis, unknowns, options, in_order, penalty] = samples.all;
   SmoothedFit fit{basis, unknowns};
   fit.mu = options.mu ? *options.mu : chosen_mu(samples);
   Solution solution = solve(samples, fit.mu);
   for (const double unknown : solution.unknowns) {
     if (std::isfinite(unknown)) continue;
-    throw std::invalid_argument("smoothing spline: the samples do not determine it");
+    return Impossible{"smoothing spline: the samples do not determine it"};
   }
   fit.coefficients = unknowns.coefficients(solution.unknowns);
   fit.inverse = std::move(solution.inverse);
@@ -264,15 +263,16 @@ std::vector<double> kept_after(const Equations& all, const SmoothedFit& fit,
 }
 
 /// Fits again with the weights that each fit leaves, until these stay.
-SmoothedFit reweighted(const Equations& all) {
+Possible<SmoothedFit> reweighted(const Equations& all) {
   // Few steps settle it; where weights go on oscillating the last ones are as good as any.
   constexpr int kMostSteps = 30;
   constexpr double kSettled = 1e-3;
   const Reweighting wanted = all.options.reweighting;
   std::vector<double> kept(all.samples.size(), 1.0);
   for (int step = 0;; ++step) {
-    SmoothedFit fit = fitted(weighed(all, kept));
-    if (wanted == Reweighting::None) return fit;
+    auto found = fitted(weighed(all, kept));
+    if (!found || wanted == Reweighting::None) return found;
+    SmoothedFit& fit = *found;
     fit.sigma = robust_sigma(all, fit);
     // The bisquare has many fixed points: it starts from Huber's.
     const bool early = step < 5;
@@ -281,7 +281,7 @@ SmoothedFit reweighted(const Equations& all) {
     for (std::size_t i = 0; i < kept.size(); ++i) {
       change = std::max(change, std::abs(next[i] - kept[i]));
     }
-    if (change < kSettled || step + 1 == kMostSteps) return fit;
+    if (change < kSettled || step + 1 == kMostSteps) return found;
     kept = next;
   }
 }
@@ -306,13 +306,13 @@ void flag(const SmoothingOptions& options, SmoothedFit& fit) {
 
 }  // namespace
 
-SmoothedFit smoothed(const SplineBasis& basis, std::vector<SplineSample> samples,
-                     const SmoothingOptions& options) {
+Possible<SmoothedFit> smoothed(const SplineBasis& basis, std::vector<SplineSample> samples,
+                               const SmoothingOptions& options) {
+  if (auto why = SplineUnknowns::fault(basis, options.begin, options.end)) return std::move(*why);
   const SplineUnknowns unknowns(basis, options.begin, options.end);
-  SmoothedFit fit =
-      reweighted({basis, unknowns, options, sorted(basis, unknowns, std::move(samples)),
-                  penalty_rows(basis, unknowns, options.penalty)});
-  flag(options, fit);
+  auto fit = reweighted({basis, unknowns, options, sorted(basis, unknowns, std::move(samples)),
+                         penalty_rows(basis, unknowns, options.penalty)});
+  if (fit) flag(options, *fit);
   return fit;
 }
 

@@ -12,9 +12,9 @@ struct SplineSample {
   std::size_t index;  ///< as given
 };
 
-/// The fit of samples that have been checked, inside the basis. Throws std::invalid_argument where
-/// they do not determine it, and as SplineUnknowns does.
-SmoothedFit smoothed(const SplineBasis& basis, std::vector<SplineSample> samples,
-                     const SmoothingOptions& options);
+/// The fit of samples that have been checked, inside the basis. Impossible where they do not
+/// determine it, and where SplineUnknowns has a fault.
+Possible<SmoothedFit> smoothed(const SplineBasis& basis, std::vector<SplineSample> samples,
+                               const SmoothingOptions& options);
 
 }  // namespace camlaw::optim

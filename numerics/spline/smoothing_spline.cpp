@@ -14,15 +14,10 @@
 namespace camlaw::optim {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("smoothing spline: " + why);
-}
+Impossible no_spline(const std::string& why) { return {"smoothing spline: " + why}; }
 
-void check_lengths(std::size_t x, std::size_t y, std::size_t weights) {
-  if (x != y || (weights != 0 && weights != x)) {
-    refuse(
-        fmt::format("{} places, {} values and {} weights do not belong together", x, y, weights));
-  }
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument(no_spline(why).why);
 }
 
 void check_options(const SmoothingOptions& options) {
@@ -44,38 +39,42 @@ void check_options(const SmoothingOptions& options) {
   }
 }
 
-std::vector<SplineSample> checked_samples(std::span<const double> x, std::span<const double> y,
-                                          std::span<const double> weights) {
-  check_lengths(x.size(), y.size(), weights.size());
+Possible<std::vector<SplineSample>> checked_samples(std::span<const double> x,
+                                                    std::span<const double> y,
+                                                    std::span<const double> weights) {
+  if (x.size() != y.size() || (!weights.empty() && weights.size() != x.size())) {
+    return no_spline(fmt::format("{} places, {} values and {} weights do not belong together",
+                                 x.size(), y.size(), weights.size()));
+  }
   std::vector<SplineSample> samples;
   samples.reserve(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double weight = weights.empty() ? 1 : weights[i];
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
-      refuse(fmt::format("sample {} is not finite: x = {}, y = {}", i, x[i], y[i]));
+      return no_spline(fmt::format("sample {} is not finite: x = {}, y = {}", i, x[i], y[i]));
     }
     if (!(weight > 0 && std::isfinite(weight))) {
-      refuse(fmt::format("the weight of sample {} is {}, not above 0", i, weight));
+      return no_spline(fmt::format("the weight of sample {} is {}, not above 0", i, weight));
     }
     samples.push_back({x[i], y[i], weight, i});
   }
-  if (samples.empty()) refuse("there are no samples");
+  if (samples.empty()) return no_spline("there are no samples");
   return samples;
 }
 
-std::vector<double> places_of(const SmoothingOptions& options,
-                              const std::vector<SplineSample>& samples) {
+Possible<std::vector<double>> places_of(const SmoothingOptions& options,
+                                        const std::vector<SplineSample>& samples) {
   if (options.periodic && !options.range) refuse("a periodic one needs a range, its period");
   const auto [low, high] = std::minmax_element(
       samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   const auto [begin, end] = options.range.value_or(std::pair(low->x, high->x));
   if (!(begin < end) || !std::isfinite(end - begin)) {
-    refuse(fmt::format("its range, {:.6g} to {:.6g}, is empty", begin, end));
+    return no_spline(fmt::format("its range, {:.6g} to {:.6g}, is empty", begin, end));
   }
   if (low->x < begin || high->x > end) {
-    refuse(fmt::format("sample {} at {:.6g} lies outside {:.6g} to {:.6g}",
-                       low->x < begin ? low->index : high->index, low->x < begin ? low->x : high->x,
-                       begin, end));
+    return no_spline(fmt::format("sample {} at {:.6g} lies outside {:.6g} to {:.6g}",
+                                 low->x < begin ? low->index : high->index,
+                                 low->x < begin ? low->x : high->x, begin, end));
   }
   std::vector<double> places{begin};
   if (options.knots.empty()) {
@@ -90,16 +89,18 @@ std::vector<double> places_of(const SmoothingOptions& options,
 }
 
 /// Fewer different places than m + 1 leave a polynomial that nothing holds, or nothing to smooth.
-void check_places(std::vector<SplineSample>& samples, int penalty) {
+std::optional<Impossible> too_few_places(std::vector<SplineSample>& samples, int penalty) {
   std::sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) {
     return std::tie(a.x, a.index) < std::tie(b.x, b.index);
   });
   int different = 1;
   for (std::size_t i = 1; i < samples.size(); ++i) different += samples[i].x > samples[i - 1].x;
   if (different < penalty + 1) {
-    refuse(fmt::format("samples at {} different places are too few, a penalty of order {} needs {}",
-                       different, penalty, penalty + 1));
+    return no_spline(
+        fmt::format("samples at {} different places are too few, a penalty of order {} needs {}",
+                    different, penalty, penalty + 1));
   }
+  return {};
 }
 
 /// Factors that pick out one derivative. Those above the degree are all 0.
@@ -150,13 +151,28 @@ double SmoothingSpline::standard_error(double x, std::span<const double> factors
   return fit_.sigma * std::sqrt(std::max(fit_.inverse->form(equation), 0.0));
 }
 
+Possible<SmoothingSpline> possible_smoothing_spline(std::span<const double> x,
+                                                    std::span<const double> y,
+                                                    const SmoothingOptions& options,
+                                                    std::span<const double> weights) {
+  check_options(options);
+  auto samples = checked_samples(x, y, weights);
+  if (!samples) return samples.reason();
+  if (auto why = too_few_places(*samples, options.penalty)) return std::move(*why);
+  const auto places = places_of(options, *samples);
+  if (!places) return places.reason();
+  if (auto why = SplineBasis::fault(options.degree, *places, options.periodic)) {
+    return std::move(*why);
+  }
+  const SplineBasis basis(options.degree, *places, options.periodic);
+  auto fit = smoothed(basis, std::move(*samples), options);
+  if (!fit) return fit.reason();
+  return SmoothingSpline(std::move(*fit));
+}
+
 SmoothingSpline smoothing_spline(std::span<const double> x, std::span<const double> y,
                                  const SmoothingOptions& options, std::span<const double> weights) {
-  check_options(options);
-  std::vector<SplineSample> samples = checked_samples(x, y, weights);
-  check_places(samples, options.penalty);
-  const SplineBasis basis(options.degree, places_of(options, samples), options.periodic);
-  return SmoothingSpline(smoothed(basis, std::move(samples), options));
+  return possible_smoothing_spline(x, y, options, weights).value();
 }
 
 }  // namespace camlaw::optim

@@ -105,9 +105,15 @@ class SmoothingSpline {
 };
 
 /// Fits samples y at x, in any order and spacing; a weight is 1 / variance up to a factor, none
-/// given: all are 1. Time and memory grow linearly with the samples. Throws std::invalid_argument:
-/// lengths that differ, values that are not finite, weights that are not above 0, x outside the
-/// range, samples at fewer than m + 1 different places, and options that do not fit together.
+/// given: all are 1. Time and memory grow linearly with the samples. Impossible: lengths that
+/// differ, values that are not finite, weights that are not above 0, x outside the range, samples
+/// at fewer than m + 1 different places, and too few for the conditions at the ends. Throws
+/// std::invalid_argument for options that are not such.
+Possible<SmoothingSpline> possible_smoothing_spline(std::span<const double> x,
+                                                    std::span<const double> y,
+                                                    const SmoothingOptions& options = {},
+                                                    std::span<const double> weights = {});
+/// The same; throws std::invalid_argument where it is impossible.
 SmoothingSpline smoothing_spline(std::span<const double> x, std::span<const double> y,
                                  const SmoothingOptions& options = {},
                                  std::span<const double> weights = {});

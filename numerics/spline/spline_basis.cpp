@@ -11,24 +11,6 @@
 namespace camlaw::optim {
 namespace {
 
-void check(int degree, const std::vector<double>& places, bool periodic) {
-  if (degree < 1 || degree > kMostDegree) {
-    throw std::invalid_argument(
-        fmt::format("spline: degree {} is not from 1 to {}", degree, kMostDegree));
-  }
-  const std::size_t least = periodic ? static_cast<std::size_t>(degree) + 2 : 2;
-  if (places.size() < least) {
-    throw std::invalid_argument(fmt::format("spline: {} knots are too few, degree {} needs {}{}",
-                                            places.size(), degree, least,
-                                            periodic ? " over a period" : ""));
-  }
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (std::isfinite(places[i]) && (i == 0 || places[i] > places[i - 1])) continue;
-    throw std::invalid_argument(
-        fmt::format("spline: knots must increase, but knot {} is {:.6g}", i, places[i]));
-  }
-}
-
 /// The places with as many knots as the degree on either side.
 std::vector<double> extended(int degree, const std::vector<double>& places, bool periodic) {
   const auto p = static_cast<std::size_t>(degree);
@@ -48,9 +30,27 @@ std::vector<double> extended(int degree, const std::vector<double>& places, bool
 
 }  // namespace
 
+std::optional<Impossible> SplineBasis::fault(int degree, const std::vector<double>& places,
+                                             bool periodic) {
+  if (degree < 1 || degree > kMostDegree) {
+    return Impossible{fmt::format("spline: degree {} is not from 1 to {}", degree, kMostDegree)};
+  }
+  const std::size_t least = periodic ? static_cast<std::size_t>(degree) + 2 : 2;
+  if (places.size() < least) {
+    return Impossible{fmt::format("spline: {} knots are too few, degree {} needs {}{}",
+                                  places.size(), degree, least, periodic ? " over a period" : "")};
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (std::isfinite(places[i]) && (i == 0 || places[i] > places[i - 1])) continue;
+    return Impossible{
+        fmt::format("spline: knots must increase, but knot {} is {:.6g}", i, places[i])};
+  }
+  return {};
+}
+
 SplineBasis::SplineBasis(int degree, std::vector<double> places, bool periodic)
     : degree_(degree), periodic_(periodic), places_(std::move(places)) {
-  check(degree_, places_, periodic_);
+  if (const auto why = fault(degree_, places_, periodic_)) throw std::invalid_argument(why->why);
   knots_ = extended(degree_, places_, periodic_);
 }
 

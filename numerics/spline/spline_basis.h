@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
+
+#include "numerics/possible.h"
 
 namespace camlaw::optim {
 
@@ -22,8 +25,11 @@ class SplineBasis {
     std::array<double, kMostDegree + 1> values;
   };
 
-  /// Throws std::invalid_argument: a degree that is not 1 to kMostDegree, places that do not
+  /// Why there is no such basis, if so: a degree that is not 1 to kMostDegree, places that do not
   /// increase or are not finite, fewer than two, and periodic ones of fewer than p + 1 spans.
+  static std::optional<Impossible> fault(int degree, const std::vector<double>& places,
+                                         bool periodic);
+  /// Throws std::invalid_argument with the fault.
   SplineBasis(int degree, std::vector<double> places, bool periodic);
 
   int degree() const { return degree_; }

@@ -25,35 +25,37 @@ std::size_t reach(const EndCondition& condition) {
   return result;
 }
 
-void check(const SplineBasis& basis, const EndCondition& begin, const EndCondition& end) {
+}  // namespace
+
+std::optional<Impossible> SplineUnknowns::fault(const SplineBasis& basis, const EndCondition& begin,
+                                                const EndCondition& end) {
   for (const EndCondition& condition : {begin, end}) {
     for (const auto& value : values_of(condition)) {
       if (!value || std::isfinite(*value)) continue;
-      throw std::invalid_argument("smoothing spline: a condition at an end is not finite");
+      return Impossible{"smoothing spline: a condition at an end is not finite"};
     }
     if (reach(condition) > static_cast<std::size_t>(basis.degree())) {
-      throw std::invalid_argument(fmt::format(
-          "smoothing spline: degree {} is too low for the conditions at its ends", basis.degree()));
+      return Impossible{fmt::format(
+          "smoothing spline: degree {} is too low for the conditions at its ends", basis.degree())};
     }
   }
   const std::size_t used = reach(begin) + reach(end);
   if (used > 0 && basis.periodic()) {
-    throw std::invalid_argument("smoothing spline: a periodic one has no ends for conditions");
+    return Impossible{"smoothing spline: a periodic one has no ends for conditions"};
   }
   if (used > basis.coefficients()) {
-    throw std::invalid_argument(
+    return Impossible{
         fmt::format("smoothing spline: its ends take {} coefficients, but there are {}: it needs "
                     "more knots",
-                    used, basis.coefficients()));
+                    used, basis.coefficients())};
   }
+  return {};
 }
-
-}  // namespace
 
 SplineUnknowns::SplineUnknowns(const SplineBasis& basis, const EndCondition& begin,
                                const EndCondition& end)
     : degree_(static_cast<std::size_t>(basis.degree())), coefficients_(basis.coefficients()) {
-  check(basis, begin, end);
+  if (const auto why = fault(basis, begin, end)) throw std::invalid_argument(why->why);
   for (std::size_t i = 0; i < coefficients_.size(); ++i) coefficients_[i].terms = {{i, 1}};
   fix(basis, begin, false);
   fix(basis, end, true);

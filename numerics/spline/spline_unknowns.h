@@ -20,8 +20,11 @@ struct EndCondition {
 /// border of the equations.
 class SplineUnknowns {
  public:
-  /// Throws std::invalid_argument: conditions on a periodic spline, of a higher order than its
-  /// degree, or that are not finite, and too few coefficients for them.
+  /// Why a spline cannot be such at its ends, if so: conditions on a periodic spline, of a higher
+  /// order than its degree, or that are not finite, and too few coefficients for them.
+  static std::optional<Impossible> fault(const SplineBasis& basis, const EndCondition& begin,
+                                         const EndCondition& end);
+  /// Throws std::invalid_argument with the fault.
   SplineUnknowns(const SplineBasis& basis, const EndCondition& begin, const EndCondition& end);
 
   std::size_t count() const { return columns_ + border_; }

@@ -26,23 +26,26 @@ constexpr double kSame = 1e-9;
 
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
-void check_parameter(const FitParameter& p) {
+std::optional<Impossible> fault_of(const FitParameter& p) {
   if (std::isnan(p.lower) || std::isnan(p.upper)) {
-    refuse(fmt::format("parameter '{}': a bound is not a number", p.name));
+    return Impossible{fmt::format("parameter '{}': a bound is not a number", p.name)};
   }
   if (p.lower > p.upper) {
-    refuse(fmt::format("parameter '{}': lower {} exceeds upper {}", p.name, p.lower, p.upper));
+    return Impossible{
+        fmt::format("parameter '{}': lower {} exceeds upper {}", p.name, p.lower, p.upper)};
   }
   if (!std::isfinite(p.start)) {
-    refuse(fmt::format("parameter '{}': the start is not a finite number", p.name));
+    return Impossible{fmt::format("parameter '{}': the start is not a finite number", p.name)};
   }
   if (p.start < p.lower || p.start > p.upper) {
-    refuse(fmt::format("parameter '{}': the start {} lies outside the bounds {} and {}", p.name,
-                       p.start, p.lower, p.upper));
+    return Impossible{fmt::format("parameter '{}': the start {} lies outside the bounds {} and {}",
+                                  p.name, p.start, p.lower, p.upper)};
   }
   if (p.scale && !(*p.scale > 0 && std::isfinite(*p.scale))) {
-    refuse(fmt::format("parameter '{}': the scale {} is not above zero", p.name, *p.scale));
+    return Impossible{
+        fmt::format("parameter '{}': the scale {} is not above zero", p.name, *p.scale)};
   }
+  return {};
 }
 
 void check_options(const FitOptions& options) {
@@ -59,35 +62,43 @@ void check_options(const FitOptions& options) {
 }
 
 /// Names the first residual or derivative that is not finite at the start.
-void check_start(const std::vector<FitParameter>& parameters, const Residuals& residuals) {
+std::optional<Impossible> bad_start(const std::vector<FitParameter>& parameters,
+                                    const Residuals& residuals) {
   const std::size_t n = residuals.count(), m = parameters.size();
   std::vector<double> p, r(n), jacobian(n * m);
   for (const FitParameter& parameter : parameters) p.push_back(parameter.start);
-  if (!residuals.evaluate(p, r, jacobian)) refuse("the model is undefined at the start");
+  if (!residuals.evaluate(p, r, jacobian)) return Impossible{"the model is undefined at the start"};
   for (std::size_t i = 0; i < n; ++i) {
     if (!std::isfinite(r[i])) {
-      refuse(fmt::format("residual {} (counted from 0) is not finite at the start", i));
+      return Impossible{fmt::format("residual {} (counted from 0) is not finite at the start", i)};
     }
     for (std::size_t j = 0; j < m; ++j) {
       if (std::isfinite(jacobian[i * m + j])) continue;
-      refuse(fmt::format(
+      return Impossible{fmt::format(
           "the derivative of residual {} (counted from 0) by '{}' is not finite at the start", i,
-          parameters[j].name));
+          parameters[j].name)};
     }
   }
+  return {};
 }
 
-void check(const std::vector<FitParameter>& parameters, const Residuals& residuals,
-           const FitOptions& options) {
+void check(const std::vector<FitParameter>& parameters, const FitOptions& options) {
   if (parameters.empty()) refuse("there are no parameters to fit");
-  if (residuals.count() == 0) refuse("there are no residuals to fit to");
   std::set<std::string> names;
   for (const FitParameter& p : parameters) {
-    check_parameter(p);
     if (!names.insert(p.name).second) refuse(fmt::format("two parameters are called '{}'", p.name));
   }
   check_options(options);
-  check_start(parameters, residuals);
+}
+
+/// Why no search can begin, if so.
+std::optional<Impossible> fault_of(const std::vector<FitParameter>& parameters,
+                                   const Residuals& residuals) {
+  if (residuals.count() == 0) return Impossible{"there are no residuals to fit to"};
+  for (const FitParameter& p : parameters) {
+    if (auto fault = fault_of(p)) return fault;
+  }
+  return bad_start(parameters, residuals);
 }
 
 double size_of(const FitParameter& p) {
@@ -263,9 +274,10 @@ std::vector<double> counted_residuals(const FitResult& fit) {
   return counted;
 }
 
-FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
-              const FitOptions& options) {
-  check(parameters, residuals, options);
+Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
+                                 const Residuals& residuals, const FitOptions& options) {
+  check(parameters, options);
+  if (auto fault = fault_of(parameters, residuals)) return std::move(*fault);
   Search search(parameters, residuals, options);
   const auto starts = all_starts(parameters, options);
   std::optional<Search::End> best;
@@ -286,6 +298,11 @@ FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& resi
   result.iterations = search.iterations();
   result.evaluations = search.evaluations();
   return result;
+}
+
+FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
+              const FitOptions& options) {
+  return possible_fit(parameters, residuals, options).value();
 }
 
 }  // namespace camlaw::optim

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "numerics/possible.h"
 #include "optim/problem/function.h"
 
 /// Parameters from measurements by nonlinear least squares, and how far they can be trusted:
@@ -135,10 +136,14 @@ struct FitResult {
 /// the others look like.
 std::vector<double> counted_residuals(const FitResult& fit);
 
-/// Equal inputs, equal bits. Throws std::invalid_argument naming what is wrong: no parameters or
-/// residuals, bounds that cross, a start outside its bounds, residuals or derivatives that are not
-/// finite at the parameters' own starts. Other starts at which the residuals are undefined are
-/// passed over.
+/// Equal inputs, equal bits. Impossible, with what is wrong: no residuals, bounds that cross, a
+/// start outside its bounds, residuals or derivatives that are not finite at the parameters' own
+/// starts. Other starts at which the residuals are undefined are passed over. Throws
+/// std::invalid_argument for no parameters, two parameters of one name, and options that are not
+/// such.
+Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
+                                 const Residuals& residuals, const FitOptions& options = {});
+/// The same; throws std::invalid_argument where it is impossible.
 FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
               const FitOptions& options = {});
 

@@ -85,16 +85,14 @@ Json curve_json(const ExportedCurve& curve, const Exported& e) {
 
 /// The motion that a controller would be given; null where the mechanism has none.
 Json motion_json(const Exported& e) {
-  try {
-    const auto table = problems::motion_table(e.design.statement, {}, {}, e.accuracy.decimals);
-    return {{"master", table.master},
-            {"slave", table.slave},
-            {"closed", table.closed},
-            {"places", table.places},
-            {"values", table.values}};
-  } catch (const std::invalid_argument&) {
-    return nullptr;
-  }
+  const auto table =
+      problems::possible_motion_table(e.design.statement, {}, {}, e.accuracy.decimals);
+  if (!table) return nullptr;
+  return {{"master", table->master},
+          {"slave", table->slave},
+          {"closed", table->closed},
+          {"places", table->places},
+          {"values", table->values}};
 }
 
 }  // namespace

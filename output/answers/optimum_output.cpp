@@ -195,11 +195,9 @@ std::vector<DesignValue> Answer::values() const {
 std::optional<Member> Answer::law() const {
   if (bound.statement().mechanism->moved_by == problems::MovedBy::Nothing) return std::nullopt;
   if (optimum.found.x.size() != optimum.problem.variables.size()) return {};
-  try {
-    return bound.at(optimum.options, optimum.found.x).laws.front().listed();
-  } catch (const std::invalid_argument&) {
-    return {};  // the design makes no law
-  }
+  const Member found = bound.at(optimum.options, optimum.found.x).laws.front();
+  if (found.family->listed && !found.possible_law()) return {};  // the design makes no law
+  return found.listed();
 }
 
 problems::Buildability buildability_of(const Answer& answer) {

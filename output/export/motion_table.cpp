@@ -36,9 +36,11 @@ Motion curve_motion(const ProblemStatement& statement, const optim::Response& re
   return motion;
 }
 
-Motion law_motion(const ProblemStatement& statement) {
+Possible<Motion> law_motion(const ProblemStatement& statement) {
+  auto law = statement.laws.front().possible_law();
+  if (!law) return law.reason();
   Motion motion{.master = "x", .master_unit = "1", .slave = "s [1]", .values = {}};
-  motion.values = [law = statement.laws.front().law()](std::span<const optim::Place> places) {
+  motion.values = [law = std::move(*law)](std::span<const optim::Place> places) {
     std::vector<double> result;
     for (const optim::Place& place : places) {
       result.push_back(law(place.angle, place.from_left ? Side::Left : Side::Right).s);
@@ -48,7 +50,8 @@ Motion law_motion(const ProblemStatement& statement) {
   return motion;
 }
 
-Motion motion_of(const ProblemStatement& statement, const std::optional<std::string>& slave) {
+Possible<Motion> motion_of(const ProblemStatement& statement,
+                           const std::optional<std::string>& slave) {
   std::vector<std::string> names;
   for (const optim::Response& response : curves_of(statement)) {
     if (response.name == slave.value_or("displacement")) return curve_motion(statement, response);
@@ -57,13 +60,13 @@ Motion motion_of(const ProblemStatement& statement, const std::optional<std::str
   if (!slave && statement.mechanism->moved_by != MovedBy::Nothing) return law_motion(statement);
   const std::string& mechanism = statement.mechanism->name;
   if (names.empty()) {
-    throw std::invalid_argument(fmt::format("{} has no motion over a cycle", mechanism));
+    return Impossible{fmt::format("{} has no motion over a cycle", mechanism)};
   }
-  throw std::invalid_argument(fmt::format(
+  return Impossible{fmt::format(
       "{}; its curves are {}",
       slave ? fmt::format("{} has no curve '{}'", mechanism, *slave)
             : fmt::format("{} has no displacement of its own; name the slave", mechanism),
-      fmt::join(names, ", ")));
+      fmt::join(names, ", "))};
 }
 
 double step_of(const Motion& motion, const std::optional<std::string>& text) {
@@ -94,15 +97,23 @@ bool keeps_places(const MotionTable& table, int decimals) {
 
 MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
                          const std::optional<std::string>& step, int decimals) {
-  const Motion motion = motion_of(statement, slave);
+  return possible_motion_table(statement, slave, step, decimals).value();
+}
+
+Possible<MotionTable> possible_motion_table(const ProblemStatement& statement,
+                                            const std::optional<std::string>& slave,
+                                            const std::optional<std::string>& step, int decimals) {
+  const auto found = motion_of(statement, slave);
+  if (!found) return found.reason();
+  const Motion& motion = *found;
   const int count =
       count_steps(motion.end - motion.begin, step_of(motion, step), motion.master_unit);
   const auto places = optim::even_places(motion.begin, motion.end, count);
   MotionTable table{motion.master, motion.slave, {}, motion.values(places)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!std::isfinite(table.values[i])) {
-      throw std::invalid_argument(fmt::format("{} has no value at {} = {:.6g}", motion.slave,
-                                              motion.master, places[i].angle));
+      return Impossible{fmt::format("{} has no value at {} = {:.6g}", motion.slave, motion.master,
+                                    places[i].angle)};
     }
     table.places.push_back(places[i].angle);
   }

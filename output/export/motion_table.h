@@ -19,9 +19,13 @@ struct MotionTable {
 /// The table of a mechanism's motion. `slave` names one of its curves; none: the curve
 /// "displacement", else the law itself, s over x. The step is in the unit of the master; none: a
 /// 360th of the cycle. Values are rounded to the decimals; a motion that comes back ends in the
-/// digits in which it begins, a law in exactly 0 and 1. Throws std::invalid_argument with the
-/// curves that there are, for steps that do not divide the cycle, and where the motion jumps to
-/// infinity.
+/// digits in which it begins, a law in exactly 0 and 1. Impossible where there is no such curve,
+/// with those that there are, and where the motion jumps to infinity. Throws std::invalid_argument
+/// for steps that do not divide the cycle.
+Possible<MotionTable> possible_motion_table(const ProblemStatement& statement,
+                                            const std::optional<std::string>& slave,
+                                            const std::optional<std::string>& step, int decimals);
+/// The same; throws std::invalid_argument where it is impossible.
 MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
                          const std::optional<std::string>& step, int decimals);
 

@@ -12,6 +12,7 @@
 #include "machines/model/law_binding.h"
 #include "optim/cycle/sizes.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
 namespace {
@@ -90,12 +91,9 @@ bool are_all(const ProblemStatement& statement, const Such& such) {
            if (!v.of_law) return true;
            for (const double value : {v.lower, v.upper}) {
              ProblemStatement design = statement;
-             try {
-               set_value(design, fmt::format("{}={}", v.name, value));
-             } catch (const std::invalid_argument&) {
-               continue;  // no law
-             }
-             if (!are(design)) return false;
+             const NamedParameter parameter = find_parameter(design, v.name);
+             put_value(design, parameter, parameter.element.value_or(0), value);
+             if (are_possible(design.laws) && !are(design)) return false;
            }
            return true;
          });

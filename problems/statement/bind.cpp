@@ -80,15 +80,6 @@ optim::Constraint limit_on(const Mechanism& mechanism, const ConstraintStatement
   return result;
 }
 
-bool makes_law(const Member& member) {
-  try {
-    member.law();
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 /// A response that is the same at every design.
 optim::Response constant(const std::string& name, const std::string& unit, double value) {
   const auto kernel =
@@ -251,7 +242,7 @@ Member BoundProblem::member(const std::vector<std::size_t>& options) const {
       const double start = share == 1 ? v.start : v.lower + share * (v.start - v.lower);
       member.arguments.values()[*slot.parameter][v.element] = slot.fixed.value_or(start);
     }
-    if (makes_law(member)) break;
+    if (member.possible_law()) break;
   }
   return member;
 }

@@ -127,6 +127,11 @@ void check_laws(const ProblemStatement& problem) {
   for (const Member& law : problem.laws) law.law();
 }
 
+bool are_possible(const std::vector<Member>& laws) {
+  return std::all_of(laws.begin(), laws.end(),
+                     [](const Member& law) { return bool(law.possible_law()); });
+}
+
 std::string law_names(const ProblemStatement& problem) {
   std::vector<std::string> names;
   for (const Member& law : problem.laws) names.push_back(law.family->name);

@@ -73,6 +73,8 @@ std::optional<std::string> refusal(const NamedParameter& parameter, double value
 
 /// Throws std::invalid_argument where a law cannot be made with the values it has.
 void check_laws(const ProblemStatement& problem);
+/// Whether it would not.
+bool are_possible(const std::vector<Member>& laws);
 /// "cosine", or of several laws "cosine, polynomial-5".
 std::string law_names(const ProblemStatement& problem);
 

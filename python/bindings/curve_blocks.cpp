@@ -5,7 +5,6 @@
 
 #include "kinematics/peaks.h"
 #include "machines/model/law_binding.h"
-#include "machines/model/law_of.h"
 #include "machines/model/pulse.h"
 #include "machines/model/recorded_response.h"
 
@@ -49,7 +48,7 @@ bool CurveBlocks::takes(const MechanismResponse& response) {
 std::unique_ptr<const CurveBlocks> CurveBlocks::of(
     const Binding& binding, const std::vector<const MechanismResponse*>& curves) {
   if (curves.empty() || !binding.law || !binding.law->variables().empty()) return nullptr;
-  const auto law = problems::law_of<double>(binding.law->member());
+  const auto law = binding.law->member().possible_law();
   if (!law) return nullptr;
   const bool one_cycle = std::all_of(curves.begin(), curves.end(), [&](const auto* curve) {
     return same_cycle(*curve->cycle, *curves.front()->cycle);

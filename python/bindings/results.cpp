@@ -90,21 +90,17 @@ void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, Json
 std::optional<ReadDesign> design_of(const cli::Answer& answer) {
   const optim::Found& found = answer.optimum.found;
   if (found.x.size() != answer.optimum.problem.variables.size()) return std::nullopt;
-  try {
-    ReadDesign design{answer.bound.statement()};
-    design.statement = answer.bound.at(answer.optimum.options, found.x);
-    problems::check_laws(design.statement);
-    design.verdict = std::string(optim::to_string(found.assessment.verdict));
-    design.reason = found.assessment.reason;
-    design.blamed = found.assessment.blamed;
-    if (std::isfinite(found.assessment.objective.value)) {
-      design.objective = found.assessment.objective.value;
-    }
-    design.global = found.assessment.global.has_value();
-    return design;
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;  // the design makes no law
+  ReadDesign design{answer.bound.statement()};
+  design.statement = answer.bound.at(answer.optimum.options, found.x);
+  if (!problems::are_possible(design.statement.laws)) return std::nullopt;
+  design.verdict = std::string(optim::to_string(found.assessment.verdict));
+  design.reason = found.assessment.reason;
+  design.blamed = found.assessment.blamed;
+  if (std::isfinite(found.assessment.objective.value)) {
+    design.objective = found.assessment.objective.value;
   }
+  design.global = found.assessment.global.has_value();
+  return design;
 }
 
 void check_free(const problems::ProblemStatement& statement) {

@@ -72,6 +72,26 @@ const std::map<std::string, Names>& libraries() {
   return known;
 }
 
+/// Who may catch std::invalid_argument: files, or folders that end in a slash. What a search or a
+/// fit runs into is a Possible (docs/design.md, "Errors").
+const Names& refusals_caught() {
+  static const Names known{
+      // A text may be read in several ways, or its place is added to the sentence.
+      "numerics/formula/formula_writer.cpp", "numerics/tables/column_names.cpp",
+      "numerics/tables/columns.cpp", "machines/model/stated_response.cpp",
+      "problems/fronts/front_study.cpp", "problems/law_files/law_file.cpp",
+      "problems/results/recorded_design.cpp", "problems/statement/program_units.cpp",
+      "problems/statement/read_program.cpp", "problems/statement/read_responses.cpp",
+      "problems/statement/read_table.cpp", "problems/statement/toml_reader.cpp",
+      "problems/statement/toml_reader.h", "fitting/cams/measured_cam.cpp",
+      "fitting/constants/printed_constants.cpp",
+      // It becomes an exit status, a sentence with the file's name, an exception of Python.
+      "cli/", "python/bindings/errors.cpp", "python/bindings/fits.cpp",
+      // A warning is left out where the problem is refused anyway by whoever searches or evaluates.
+      "output/answers/warnings.cpp", "problems/statement/doubtful_limits.cpp"};
+  return known;
+}
+
 struct Include {
   std::string from, to;  ///< files, from the root
   bool is_own;           ///< in quotes
@@ -188,6 +208,18 @@ TEST_CASE("each library's headers are included where the list says", "[architect
   CHECK(unused == Names{});
 }
 
+TEST_CASE("a refusal is caught where the list says", "[architecture]") {
+  Names unused = refusals_caught();
+  for (const std::string& file : sources()) {
+    const std::string text = testing::read(fs::path(CAMLAW_SOURCE_DIR) / file);
+    if (text.find("catch (const std::invalid_argument") == std::string::npos) continue;
+    INFO(file << " catches std::invalid_argument");
+    CHECK(allows(refusals_caught(), file));
+    std::erase_if(unused, [&](const std::string& known) { return allows({known}, file); });
+  }
+  CHECK(unused == Names{});
+}
+
 TEST_CASE("no machine is told by its name but where files and people name it", "[architecture]") {
   // A machine's Form says how it is built. What is found by name, or printed, is another matter.
   static const std::regex named("\"([a-z-]+)\"");
@@ -231,7 +263,7 @@ const std::map<std::string, Names>& let_through() {
 
 TEST_CASE("installed headers are few, short and light", "[architecture]") {
   const Names headers = installed_headers();
-  CHECK(headers.size() <= 45);
+  CHECK(headers.size() <= 46);
   REQUIRE(headers.size() > 20);
   for (const std::string& header : headers) {
     INFO(header);

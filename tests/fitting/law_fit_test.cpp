@@ -11,6 +11,7 @@
 #include "fitting/motions/fitted_cycle.h"
 #include "fitting/motions/law_ranking.h"
 #include "fitting/motions/motion_fit.h"
+#include "fitting/motions/recorded_motion.h"
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/sample_table.h"
 #include "optim/fit/loss.h"
@@ -565,6 +566,27 @@ TEST_CASE("samples that show nothing are refused", "[law-fit]") {
   MotionSamples bad = samples;
   bad.value[7] = std::nan("");
   CHECK_THROWS_WITH(fit_law(bad, find_law("cubic"), rough()), Contains("sample 8"));
+}
+
+TEST_CASE("a step that no law can be fitted to is told as what it is", "[law-fit]") {
+  MotionRecord record;
+  MotionSamples& samples = record.samples;
+  samples.place_unit = "deg";
+  samples.unit = samples.length_unit = "mm";
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.01);
+  for (int i = 0; i < 60; ++i) {
+    samples.place.push_back(6.0 * i);
+    samples.value.push_back((samples.place.back() > 100 ? 10 : 0) + noise(random));
+  }
+  // Neither side of the step has samples where the motion may be: nothing is left to fit.
+  const auto cycle = possible_motions(samples);
+  REQUIRE(cycle);
+  const std::vector<Member> laws{find_law("cubic"), find_law("cycloidal")};
+  const auto fit = possible_cycle_fit(*cycle, laws);
+  REQUIRE_FALSE(fit);
+  CHECK(fit.why() == "none of the laws can be fitted to these samples");
+  CHECK_THROWS_WITH(fit_recorded_motion(record, laws), Contains("drifted, or jumped"));
 }
 
 }  // namespace camlaw::problems::law_fit_test

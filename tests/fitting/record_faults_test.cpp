@@ -309,8 +309,8 @@ TEST_CASE("what a fault does to a cam's lift is what differences say", "[record-
           c.mechanism == "disc-cam-knife-edge" && fault.names[0] == "roller_radius";
       if (fault.kind != FaultKind::OwnSize || is_knife) continue;  // none has less than no radius
       const auto& follower = cam.lift.follower();
-      compare(fault, 0, with_follower(cam, with_less(follower, fault.names[0], -kStep)),
-              with_follower(cam, with_less(follower, fault.names[0], kStep)));
+      compare(fault, 0, with_follower(cam, with_less(follower, fault.names[0], -kStep)).value(),
+              with_follower(cam, with_less(follower, fault.names[0], kStep)).value());
     }
   }
 }

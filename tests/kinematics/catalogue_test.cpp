@@ -170,6 +170,34 @@ TEST_CASE("A set of arguments that makes no law is refused with the law's name",
   CHECK_THROWS_WITH(family.make(one), Contains("2 parameters"));
 }
 
+TEST_CASE("What makes no law is told by value in the sentence that is thrown", "[catalogue]") {
+  for (const char* name :
+       {"polynomial-5 alpha=31", "scca a=0.9 b=0.9", "scca a=0 b=0 c=0", "universal d1=0.9",
+        "trapezoidal-velocity t1=0.6 t2=0.6", "trapezoidal-acceleration ramp=0.2 constant=0.2",
+        "s-curve B=2 C=8 D=16", "s-curve B=2 C=8 D=32,64", "stoddart exponents=3,3",
+        "triple-harmonic h1=3", "b-spline knots=0.5", "b-spline degree=2.5", "table s=0,1",
+        "table x=0,0.5,0.4,1 s=0,0.1,0.2,1"}) {
+    const Member member = find_law(name);
+    const auto law = member.possible_law();
+    CAPTURE(name);
+    REQUIRE_FALSE(law);
+    CHECK_THAT(law.why(), Contains("law '" + member.family->name + "'"));
+    CHECK_THROWS_WITH(member.law(), Catch::Matchers::Equals(law.why()));
+    CHECK_FALSE(member.possible_law<Dual>());
+    CHECK_FALSE(member.possible_law<Interval>());
+  }
+}
+
+TEST_CASE("A mistake in a family's formula is not taken for arguments without a law",
+          "[catalogue]") {
+  Family family = find_family("cubic");
+  family.maker = []<class S>(const Arguments<S>& a) -> Law<S> {
+    if (a.size() == 1) throw std::invalid_argument("a mistake");
+    return find_law("cubic").law<S>();
+  };
+  CHECK_THROWS_WITH(family.possible(family.defaults()), Catch::Matchers::Equals("a mistake"));
+}
+
 TEST_CASE("An S-curve takes one jerk at most", "[catalogue]") {
   CHECK_THROWS_AS(find_law("s-curve B=2 C=8 D=32,64").law(), std::invalid_argument);
 }
