@@ -52,12 +52,14 @@ Array array_in(nb::handle self, std::size_t i) {
   return Array(row.data(), {row.size()}, self);
 }
 
-/// s, v, a, j at places, which no thread waits for: few at once, as what a change of threads takes
-/// is more than they do; many piece by piece beside Python.
-void evaluate_beside(const NamedLaw& law, std::span<const double> x, const MotionSpans& out) {
-  constexpr std::size_t kFew = std::size_t{1} << 15U;   // some tenths of a millisecond
+/// More places than this take some tenths of a millisecond, and are worked out beside Python: for
+/// fewer, a change of threads would take longer than they do.
+constexpr std::size_t kFew = std::size_t{1} << 15U;
+
+/// s, v, a, j at many places, piece by piece. Kept out of what few places run through.
+[[gnu::noinline]] void evaluate_beside(const NamedLaw& law, std::span<const double> x,
+                                       const MotionSpans& out) {
   constexpr std::size_t kEach = std::size_t{1} << 20U;  // some milliseconds
-  if (x.size() <= kFew) return evaluate(law.law, x, out);
   run_whole([&](const Work& work) {
     const optim::Deadline deadline({}, work.stop());
     for (std::size_t from = 0; from < x.size(); from += kEach) {
@@ -73,7 +75,12 @@ void evaluate_beside(const NamedLaw& law, std::span<const double> x, const Motio
 
 MotionArrays motion_at(const NamedLaw& law, const Places& x) {
   MotionArrays result(x.shape(0));
-  evaluate_beside(law, {x.data(), x.shape(0)}, result.spans());
+  const std::span<const double> places{x.data(), x.shape(0)};
+  if (places.size() > kFew) {
+    evaluate_beside(law, places, result.spans());
+  } else {
+    evaluate(law.law, places, result.spans());
+  }
   return result;
 }
 
@@ -84,8 +91,13 @@ void motion_into(const NamedLaw& law, const Places& x, const std::array<Out, 4>&
         fmt::format("an array of {} numbers is given for {} places", row.shape(0), x.shape(0)));
   }
   const auto span = [](const Out& row) { return std::span<double>(row.data(), row.shape(0)); };
-  evaluate_beside(law, {x.data(), x.shape(0)},
-                  {span(out[0]), span(out[1]), span(out[2]), span(out[3])});
+  const std::span<const double> places{x.data(), x.shape(0)};
+  const MotionSpans spans{span(out[0]), span(out[1]), span(out[2]), span(out[3])};
+  if (places.size() > kFew) {
+    evaluate_beside(law, places, spans);
+  } else {
+    evaluate(law.law, places, spans);
+  }
 }
 
 double read_value(std::string_view text, const Parameter& parameter, const std::string& what) {
