@@ -30,7 +30,8 @@ struct FitCommand {
   std::optional<std::string> data, constants, law, mechanism, response, out, loss;
   std::vector<std::string> set, shifts;
   RunLimits limits;
-  std::optional<problems::LawFitOptions::Clock::time_point> deadline;  ///< of trying laws
+  std::optional<problems::LawFitOptions::Clock::time_point>
+      deadline;  ///< of trying laws, or of the fit to a recorded curve
   bool json = false;
   std::function<void()> answers = [] {};  ///< called when the answer is about to be given
 };
@@ -238,6 +239,12 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
   how.loss = loss_of(options);
   how.place_shift = shifts(options, "abscissa") || shifts(options, "place");
   how.value_shift = shifts(options, "value");
+  if (options.deadline) {
+    constexpr double kLeast = 1e-3;  // s, where reading has taken all of the time
+    const std::chrono::duration<double> left =
+        *options.deadline - problems::LawFitOptions::Clock::now();
+    how.time_limit = std::max(kLeast, left.count());
+  }
   const problems::RecordFit fit = problems::fit_record(machine, record, how);
   const RecordAnswer answer{*options.mechanism, record.lacking, std::move(record), fit};
   std::vector<OutputFile> files;

@@ -109,7 +109,7 @@ int run_reproduce(const ReproduceOptions& options) {
   for (const auto* system : systems) {
     line.show(fmt::format("{}, {} of {}", system->name, results.size() + 1, systems.size()),
               static_cast<double>(results.size()) / static_cast<double>(systems.size()));
-    results.push_back(system->reproduce());
+    results.push_back(system->reproduce(nullptr));
     line.clear();
     Document document = reproduction_document(results.back());
     if (systems.size() > 1) document.say("\n");

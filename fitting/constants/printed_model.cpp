@@ -9,6 +9,7 @@
 #include "fitting/motions/coefficients.h"
 #include "optim/cycle/peak_function.h"
 #include "optim/cycle/remembered.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems {
 namespace {
@@ -91,6 +92,7 @@ PrintedModel::PrintedModel(const ConstantsQuestion& question, Member law)
 }
 
 ConstantsAt PrintedModel::evaluated(std::span<const double> x) const {
+  optim::Deadline({}, question_->machine.stop).check();
   ConstantsAt result{std::vector<double>(constants().size()),
                      std::vector<double>(constants().size() * x.size(), 0.0)};
   std::vector<LawConstant> wanted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -30,6 +31,8 @@ struct LawFitOptions {
   std::function<void(double share)> progress = {};
   /// When to be content with the laws that were tried, for each motion one at least.
   std::optional<Clock::time_point> deadline = {};
+  /// Set where the fit is to end without an answer: it throws optim::Interrupted.
+  const std::atomic<bool>* stop = nullptr;
 
   bool is_late() const { return deadline && Clock::now() >= *deadline; }
 };

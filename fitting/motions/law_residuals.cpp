@@ -53,6 +53,7 @@ optim::FitOptions fit_options(const LawFitOptions& options, optim::FitReach reac
   fit.loss_scale = options.loss_scale;
   fit.confidence = options.confidence;
   fit.reach = reach;
+  fit.stop = options.stop;
   fit.max_iterations = reach == optim::FitReach::Rough ? 20 : 200;
   return fit;
 }

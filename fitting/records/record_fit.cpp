@@ -158,12 +158,12 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
                      const RecordFitOptions& options) {
   std::vector<optim::FitParameter> parameters = variables_of(machine);
   const std::size_t variables = parameters.size();
-  const BoundProblem bound(machine);
+  const BoundProblem bound = BoundProblem(machine).with_stop(options.stop);
   if (!bound.choices().empty()) {
     throw std::invalid_argument("a list of laws is to be chosen from; state the one that runs");
   }
   const optim::Response response =
-      make_response(*machine.mechanism, record.response, bound.binding({}));
+      response_of(bound.statement(), record.response, bound.binding({}));
   std::vector<double> start;
   for (const auto& p : parameters) start.push_back(p.start);
   check_places(record, response.curve(), start, options);
@@ -173,10 +173,13 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   optim::FitOptions how;
   how.loss = options.loss;
   how.confidence = options.confidence;
+  how.time_limit = options.time_limit;
+  how.stop = options.stop;
   RecordFit result{optim::fit(parameters, residuals, how), machine, {}, {}, {}, ""};
   std::vector<double> x;
   for (const auto& p : result.fit.parameters) x.push_back(p.value);
   result.machine = bound.at({}, optim::Design(x).first(variables));
+  result.machine.stop = machine.stop;
   double size = 0;
   for (std::size_t i = 0; i < record.value.size(); ++i) {
     result.model.push_back(record.value[i] + result.fit.residuals[i]);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <optional>
+
 #include "fitting/records/recorded_curve.h"
 #include "fitting/samples/outliers.h"
 #include "numerics/linear/statistics.h"
@@ -16,6 +19,10 @@ struct RecordFitOptions {
   double confidence = 0.95;
   bool place_shift = false;  ///< the record's zero of the place is unknown: fitted along
   bool value_shift = false;  ///< and that of its value
+  /// Seconds: the best values so far are the answer then, which is not to be trusted.
+  std::optional<double> time_limit = {};
+  /// Set where the fit is to end without an answer: it throws optim::Interrupted.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct RecordFit {

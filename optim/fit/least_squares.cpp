@@ -14,6 +14,7 @@
 #include "optim/fit/identifiability.h"
 #include "optim/fit/loss.h"
 #include "optim/problem/starts.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::optim {
 namespace {
@@ -53,6 +54,9 @@ void check_options(const FitOptions& options) {
     refuse(fmt::format("the scale of the loss, {}, is not above zero", *options.loss_scale));
   }
   if (options.starts < 1) refuse(fmt::format("{} starts: at least 1 is needed", options.starts));
+  if (options.time_limit && !(*options.time_limit > 0)) {
+    refuse(fmt::format("the time limit of {} s is not above zero", *options.time_limit));
+  }
   if (options.max_iterations < 1) {
     refuse(fmt::format("{} iterations: at least 1 is needed", options.max_iterations));
   }
@@ -121,6 +125,38 @@ std::vector<std::vector<double>> all_starts(const std::vector<FitParameter>& par
   }
   return starts(box, options.starts, options.seed);
 }
+
+/// The residuals until a deadline, after which they throw Interrupted; of the parameters that they
+/// were asked at those with the least sum are kept.
+class TimedResiduals final : public Residuals {
+ public:
+  TimedResiduals(const Residuals& residuals, const FitOptions& options)
+      : residuals_(residuals), deadline_(options.time_limit, options.stop) {}
+
+  std::size_t count() const override { return residuals_.count(); }
+  bool evaluate(std::span<const double> p, std::span<double> r,
+                std::span<double> jacobian) const override {
+    deadline_.check();
+    if (!residuals_.evaluate(p, r, jacobian)) return false;
+    double sum = 0;
+    for (const double each : r) sum += each * each;
+    if (sum < least_) {  // not where it is not a number
+      least_ = sum;
+      best_.assign(p.begin(), p.end());
+    }
+    return true;
+  }
+
+  const Deadline& deadline() const { return deadline_; }
+  double least() const { return least_; }
+  const std::vector<double>& best() const { return best_; }
+
+ private:
+  const Residuals& residuals_;
+  Deadline deadline_;
+  mutable double least_ = kInfinity;
+  mutable std::vector<double> best_;
+};
 
 /// By Ceres's steps at a pace, or by those of Gauss and Newton alone.
 struct Way {
@@ -274,13 +310,20 @@ std::vector<double> counted_residuals(const FitResult& fit) {
   return counted;
 }
 
+<<<<<<< HEAD
 Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
                                  const Residuals& residuals, const FitOptions& options) {
   check(parameters, options);
   if (auto fault = fault_of(parameters, residuals)) return std::move(*fault);
   Search search(parameters, residuals, options);
+=======
+namespace {
+
+/// Searches from all starts, each in every way, until an end is sound; `best` is the best so far.
+void search_all(const std::vector<FitParameter>& parameters, const FitOptions& options,
+                Search& search, std::optional<Search::End>& best) {
+>>>>>>> python
   const auto starts = all_starts(parameters, options);
-  std::optional<Search::End> best;
   for (const Way way : ways(options.reach)) {
     if (best && best->sound) break;
     for (const std::vector<double>& start : starts) {
@@ -292,6 +335,36 @@ Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
           best && end->stationary && !best->stationary && end->merit <= best->merit * (1 + kSame);
       if (is_better || is_sounder) best = end;
     }
+  }
+}
+
+/// Where a fit is that ran out of time: at the end of a search, or at what the search under way has
+/// seen, where no search has ended.
+Search::End unfinished(const TimedResiduals& seen, std::optional<Search::End> best,
+                       const FitOptions& options) {
+  if (!best) {
+    const auto m = static_cast<Index>(seen.best().size());
+    const VectorXd p = Eigen::Map<const VectorXd>(seen.best().data(), m);
+    best = {{p, options.loss == Loss::None ? std::nullopt : options.loss_scale, {}}, seen.least()};
+  }
+  best->end.doubt = seen.deadline().reason() + " before the fit had ended";
+  return *best;
+}
+
+}  // namespace
+
+FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
+              const FitOptions& options) {
+  check(parameters, residuals, options);
+  const TimedResiduals timed(residuals, options);
+  Search search(parameters, timed, options);
+  std::optional<Search::End> best;
+  try {
+    search_all(parameters, options, search, best);
+  } catch (const Interrupted&) {
+    // The model's own, and a stop that is asked for, have no answer.
+    if (timed.deadline().stopped() || !timed.deadline().passed() || timed.best().empty()) throw;
+    best = unfinished(timed, std::move(best), options);
   }
   FitResult result = fit_report(parameters, residuals, options, search.box(), best->end);
   result.merit = best->merit;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -56,6 +57,11 @@ struct FitOptions {
   double confidence = 0.95;   ///< of the intervals
   int max_iterations = 1000;  ///< of one search from one start
   FitReach reach = FitReach::Full;
+  /// Seconds. When they have passed, the best parameters that were seen are the answer, and its
+  /// reason says so; it is late by what two evaluations take, and the intervals of the answer.
+  std::optional<double> time_limit = {};
+  /// Set where the fit is to end without an answer: it throws optim::Interrupted.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 struct FittedParameter {

@@ -27,6 +27,10 @@ bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
 
 bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }
 
+void Deadline::check() const {
+  if (passed()) throw Interrupted();
+}
+
 std::string Deadline::reason() const {
   const bool late = limit_ && now() - began_ >= *limit_;
   return late ? fmt::format("the time limit of {:g} s was reached", *limit_) : "stopped";

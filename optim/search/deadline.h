@@ -2,18 +2,25 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <optional>
 #include <string>
 
 namespace camlaw::optim {
 
-/// Clock and stop flag of a search.
+/// Something was asked for after the deadline.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "the work was cut short"; }
+};
+
+/// Clock and stop flag of a search, or of other long work.
 class Deadline {
  public:
   /// `limit` in seconds, of which `spent` have passed; `stop` may be null.
   Deadline(std::optional<double> limit, const std::atomic<bool>* stop, double spent = 0);
   std::optional<double> left() const;  ///< seconds; at least a millisecond
   bool passed() const;
+  void check() const;  ///< throws Interrupted where it has passed
   /// "stopped", "the time limit of 2 s was reached".
   std::string reason() const;
   bool stopped() const;

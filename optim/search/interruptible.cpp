@@ -8,10 +8,6 @@
 namespace camlaw::optim {
 namespace {
 
-void check(const Deadline& deadline) {
-  if (deadline.passed()) throw Interrupted();
-}
-
 /// A function of all variables up to its last input as a formula in its inputs.
 class InterruptibleKernel final : public Kernel {
  public:
@@ -28,7 +24,7 @@ class InterruptibleKernel final : public Kernel {
   }
   Bounds enclose(std::span<const double> u) const override { return function_.enclose(design(u)); }
   BoxRange range(std::span<const Bounds> box) const override {
-    check(deadline_);
+    deadline_.check();
     return function_.range(spread(box));
   }
   bool is_searched() const override { return function_.is_searched(); }
@@ -43,7 +39,7 @@ class InterruptibleKernel final : public Kernel {
 
  private:
   std::vector<double> design(std::span<const double> u) const {
-    check(deadline_);
+    deadline_.check();
     return spread(u);
   }
 
@@ -56,7 +52,7 @@ class InterruptibleKernel final : public Kernel {
   }
 
   Function function_;
-  const Deadline& deadline_;
+  Deadline deadline_;
 };
 
 Function interruptible(const Function& f, const Deadline& deadline) {
@@ -73,17 +69,20 @@ class InterruptibleTrace final : public Trace {
   std::vector<std::array<double, 3>> even(double from, double to, int count) const override {
     return checked().even(from, to, count);
   }
+  std::vector<double> values(std::span<const Place> places) const override {
+    return checked().values(places);
+  }
   Bounds enclose(double from, double to) const override { return checked().enclose(from, to); }
   std::string why_unbounded() const override { return trace_->why_unbounded(); }
 
  private:
   const Trace& checked() const {
-    check(deadline_);
+    deadline_.check();
     return *trace_;
   }
 
   std::unique_ptr<Trace> trace_;
-  const Deadline& deadline_;
+  Deadline deadline_;
 };
 
 class InterruptibleCurve final : public ForwardingCurve {
@@ -92,36 +91,36 @@ class InterruptibleCurve final : public ForwardingCurve {
       : ForwardingCurve(std::move(curve)), deadline_(deadline) {}
 
   Function at(Place place) const override {
-    check(deadline_);
+    deadline_.check();
     return is_light() ? curve().at(place) : interruptible(curve().at(place), deadline_);
   }
   double largest(Design x) const override {
-    check(deadline_);
+    deadline_.check();
     return curve().largest(x);
   }
   std::optional<double> largest_change(const std::vector<double>& scales, int places,
                                        double shortest) const override {
-    check(deadline_);
+    deadline_.check();
     return curve().largest_change(scales, places, shortest);
   }
   bool is_light() const override { return curve().is_light(); }
   std::vector<double> slope_gradient(Place place, Design x) const override {
-    check(deadline_);
+    deadline_.check();
     return curve().slope_gradient(place, x);
   }
   std::vector<Rest> rests(double bound, Design x) const override {
-    check(deadline_);
+    deadline_.check();
     std::vector<Rest> rests = curve().rests(bound, x);
     for (Rest& rest : rests) rest.leading = interruptible(rest.leading, deadline_);
     return rests;
   }
   std::unique_ptr<Trace> trace(Design x) const override {
-    check(deadline_);
+    deadline_.check();
     return std::make_unique<InterruptibleTrace>(curve().trace(x), deadline_);
   }
 
  private:
-  const Deadline& deadline_;
+  Deadline deadline_;
 };
 
 }  // namespace
@@ -137,12 +136,18 @@ bool is_interruption(const std::exception_ptr& error) {
   }
 }
 
+Response interruptible(Response response, const Deadline& deadline) {
+  if (response.is_curve()) return with_curve<InterruptibleCurve>(response, deadline);
+  response.measure = interruptible(response.function(), deadline);
+  return response;
+}
+
 Problem interruptible(Problem problem, const Deadline& deadline) {
   replace_curves(problem, [&](const std::shared_ptr<const Curve>& curve) {
     return std::make_shared<InterruptibleCurve>(curve, deadline);
   });
   const auto make = [&](Response& response) {
-    if (!response.is_curve()) response.measure = interruptible(response.function(), deadline);
+    if (!response.is_curve()) response = interruptible(std::move(response), deadline);
   };
   for (Objective& objective : problem.objectives) make(objective.response);
   for (Constraint& c : problem.constraints) make(c.response);

@@ -8,17 +8,14 @@
 
 namespace camlaw::optim {
 
-/// A response was asked for after the deadline.
-struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "the search was cut short"; }
-};
-
-/// Whether that is what was thrown.
+/// Whether Interrupted is what was thrown.
 bool is_interruption(const std::exception_ptr& error);
 
 /// The same problem, whose responses throw Interrupted once the deadline has passed. Whatever is
 /// worked out of a problem, from sizes to proofs, comes from its responses: so all of it ends in
-/// time, without each loop asking. The deadline must outlive the copy.
+/// time, without each loop asking. The stop flag of the deadline must outlive the copy.
 Problem interruptible(Problem problem, const Deadline& deadline);
+/// The same of one response.
+Response interruptible(Response response, const Deadline& deadline);
 
 }  // namespace camlaw::optim

@@ -18,19 +18,17 @@ namespace {
 
 using problems::BoundProblem, problems::ProblemStatement;
 
-/// The first combination with each law, and each objective: laws differ in their formulas, other
-/// choices only in numbers.
+/// The first combination with each law, and each objective.
 class Variants {
  public:
   explicit Variants(BoundProblem bound) : bound_(std::move(bound)) {}
 
   std::size_t size() const { return count_of_laws() * objectives().size(); }
-  std::string label(std::size_t i) const {
-    std::string text = has_laws() ? "law " + choices().front().options[i % count_of_laws()] : "";
-    if (objectives().size() > 1) {
-      text += (text.empty() ? "" : ", ") + objectives()[i / count_of_laws()].response.name;
-    }
-    return text;
+  std::string law(std::size_t i) const {
+    return has_laws() ? choices().front().options[i % count_of_laws()] : "";
+  }
+  const std::string& objective(std::size_t i) const {
+    return objectives()[i / count_of_laws()].response.name;
   }
   optim::Problem problem(std::size_t i) const {
     std::vector<std::size_t> chosen(choices().size(), 0);
@@ -48,6 +46,37 @@ class Variants {
 
   BoundProblem bound_;
 };
+
+/// Refuses a problem without an objective; `asked` is what looks at it, `file` names the problem.
+void check_objective(const ProblemStatement& statement, const std::string& file,
+                     const char* asked) {
+  if (!statement.objectives.empty()) return;
+  throw std::invalid_argument(fmt::format(
+      "{}: {} looks at the objective, and there is none; write [objective] minimize = \"...\"",
+      file, asked));
+}
+
+Variants variants_of(const ProblemStatement& statement, const char* asked) {
+  check_objective(statement, statement.source, asked);
+  return Variants(BoundProblem(statement));
+}
+
+std::vector<CheckedVariant> checked_by_differences(const Variants& variants) {
+  std::vector<CheckedVariant> result;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const optim::Problem problem = variants.problem(i);
+    result.push_back({variants.law(i), variants.objective(i),
+                      optim::check_derivatives(problem, problem.start())});
+  }
+  return result;
+}
+
+/// "law cycloidal, peak force", of what varies among these.
+std::string label_of(const CheckedVariant& variant, bool several_objectives) {
+  std::string text = variant.law.empty() ? "" : "law " + variant.law;
+  if (several_objectives) text += (text.empty() ? "" : ", ") + variant.objective;
+  return text;
+}
 
 /// What varies, what is sought and what must hold, for programs; people read it in words.
 void add_statement(const ProblemStatement& statement, Document& document) {
@@ -97,7 +126,8 @@ Cell derivative_cell(const optim::DerivativeEntry& entry) {
 }
 
 /// What differences say of the derivatives, and samples of the shapes; whether they agree.
-bool add_derivatives(const Variants& variants, Document& document) {
+bool add_derivatives(const std::vector<CheckedVariant>& variants, bool several_objectives,
+                     Document& document) {
   Table table{.key = "derivatives",
               .columns = {words("of", "of"), numbers("derivatives", "entries"),
                           words("agree", "agrees"), words("worst", "worst"),
@@ -108,11 +138,10 @@ bool add_derivatives(const Variants& variants, Document& document) {
   bool agrees = true, are_right = true;
   std::size_t count = 0;
   std::string shapes;
-  for (std::size_t i = 0; i < variants.size(); ++i) {
-    const optim::Problem problem = variants.problem(i);
-    const auto result = optim::check_derivatives(problem, problem.start());
+  for (const CheckedVariant& variant : variants) {
+    const optim::DerivativeCheck& result = variant.found;
     const optim::DerivativeEntry& worst = result.worst;
-    table.add({variants.label(i),
+    table.add({label_of(variant, several_objectives),
                {fmt::format("{}", result.entries), result.entries},
                yes_or_no(result.agrees),
                derivative_cell(worst),
@@ -138,11 +167,8 @@ bool add_derivatives(const Variants& variants, Document& document) {
 
 CheckedProblem checked_problem(const ProblemStatement& statement, CheckAsked asked,
                                const std::string& file) {
-  if (statement.objectives.empty() && (asked.derivatives || asked.scaling)) {
-    throw std::invalid_argument(fmt::format(
-        "{}: {} looks at the objective, and there is none; write [objective] minimize = \"...\"",
-        file, asked.scaling ? "--scaling" : "--derivatives"));
-  }
+  if (asked.scaling) check_objective(statement, file, "--scaling");
+  if (asked.derivatives) check_objective(statement, file, "--derivatives");
   std::optional<Variants> variants;
   if (!statement.objectives.empty()) {
     variants.emplace(BoundProblem(statement));  // or says why not
@@ -156,8 +182,19 @@ CheckedProblem checked_problem(const ProblemStatement& statement, CheckAsked ask
   document.say(warnings_text(doubts));
   document.fact("warnings", doubts);
   if (asked.scaling) document.add(scaling_table(variants->problem(0)));
-  if (asked.derivatives) checked.agrees = add_derivatives(*variants, document);
+  if (asked.derivatives) {
+    checked.agrees = add_derivatives(checked_by_differences(*variants),
+                                     statement.objectives.size() > 1, document);
+  }
   return checked;
+}
+
+std::vector<CheckedVariant> checked_derivatives(const ProblemStatement& statement) {
+  return checked_by_differences(variants_of(statement, "a check of derivatives"));
+}
+
+Table scaling_of(const ProblemStatement& statement) {
+  return scaling_table(variants_of(statement, "scaling").problem(0));
 }
 
 }  // namespace camlaw::cli

@@ -30,6 +30,16 @@ FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredF
   resuming = stored.resuming;
 }
 
+FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const FrontAnswer& other)
+    : study(of),
+      front(other.front),
+      ruler(other.ruler),
+      warnings(other.warnings),
+      built(other.built),
+      faults(other.faults),
+      notes(other.notes),
+      resuming(other.resuming) {}
+
 double FrontAnswer::value(std::size_t i, double cost) const {
   return front.objectives[i].sense == optim::Sense::Minimize ? cost : -cost;
 }

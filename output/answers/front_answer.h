@@ -25,6 +25,9 @@ struct FrontAnswer {
   /// Of a record.
   FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
 
+  /// The same answer of a study that is the same, but for what may stop it.
+  FrontAnswer(const problems::FrontStudy& study, const FrontAnswer& other);
+
   /// A point's option of each choice but the law, and the values of its variables, with units.
   std::vector<DesignValue> values(const optim::FrontPoint& point) const;
   /// The law of a point in a few words, of a program its segments; empty where the mechanism takes

@@ -146,4 +146,9 @@ std::string shaded(const std::string& text, Shade shade) {
   return mark_of(shade) + text + kShadeEnds;
 }
 
+std::string unshaded(std::string text) {
+  std::erase_if(text, is_mark);
+  return text;
+}
+
 }  // namespace camlaw::cli

@@ -44,5 +44,7 @@ enum class Shade { Good, Bad, Unsure };
 /// Text that print_text shows in a colour; plain where standard output is not a terminal, or
 /// NO_COLOR is set (no-color.org), or the terminal is dumb.
 std::string shaded(const std::string& text, Shade shade);
+/// The text without the marks that shaded() left in it.
+std::string unshaded(std::string text);
 
 }  // namespace camlaw::cli

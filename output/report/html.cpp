@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "output/answers/warnings.h"
+#include "output/document/printing.h"
 #include "output/figure/chart_svg.h"
 
 namespace camlaw::cli {
@@ -103,6 +104,28 @@ std::string html_of(const Table& table) {
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";
+}
+
+namespace {
+
+std::string block_html(const std::string& lines) { return preformatted(unshaded(lines)); }
+std::string block_html(const Heading& heading) {
+  return fmt::format("<h{0}>{1}</h{0}>\n", heading.level, xml_escape(unshaded(heading.text)));
+}
+std::string block_html(const Table& table) {
+  const std::string caption = table.shown == 0 ? "" : unshaded(table.caption);
+  const bool is_empty = caption.find_first_not_of('\n') == std::string::npos;
+  return (is_empty ? "" : preformatted(caption)) + unshaded(html_of(table));
+}
+
+}  // namespace
+
+std::string html_of(const Document& document) {
+  std::string html;
+  for (const Document::Block& block : document.blocks()) {
+    html += std::visit([](const auto& its) { return block_html(its); }, block);
+  }
+  return html;
 }
 
 }  // namespace camlaw::cli

@@ -32,5 +32,7 @@ std::string definitions(const std::vector<std::pair<std::string, std::string>>& 
 
 /// A table that scrolls sideways where the page is narrow.
 std::string html_of(const Table& table);
+/// A document as a notebook shows it: sentences as they are laid out, tables, headings.
+std::string html_of(const Document& document);
 
 }  // namespace camlaw::cli

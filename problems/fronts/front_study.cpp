@@ -147,6 +147,13 @@ FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontS
   options_.solve.native = solver.native;
 }
 
+FrontStudy FrontStudy::with_stop(const std::atomic<bool>* stop) const {
+  FrontStudy result = *this;
+  result.bound_ = bound_.with_stop(stop);
+  result.space_ = result.bound_.front_space();
+  return result;
+}
+
 FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
   FrontStudy study = of(record.settings());
   study.options_.scouts = record.scouted();

@@ -36,6 +36,10 @@ class FrontStudy {
   static FrontSettings settings_of(const optim::StudyRecord& record);
   static FrontSettings settings_of(const optim::StudySettings& settings);
 
+  /// The same study, whose problem's responses throw optim::Interrupted once `stop` is set; for
+  /// what is worked out of its front.
+  FrontStudy with_stop(const std::atomic<bool>* stop) const;
+
   const BoundProblem& bound() const { return bound_; }
   const optim::ProblemSpace& space() const { return space_; }
   /// Of the search; progress and stop may be set.

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "problems/published/table/reproduction.h"
 
 namespace camlaw::problems {
@@ -8,7 +13,9 @@ namespace camlaw::problems {
 /// A system that can be reproduced by name.
 struct ReproducibleSystem {
   std::string name;
-  SystemReproduction (*reproduce)();
+  /// Throws optim::Interrupted where `stop`, which may be null, is set before the end; systems that
+  /// take some tenths of a second do not look at it.
+  std::function<SystemReproduction(const std::atomic<bool>* stop)> reproduce;
 };
 const std::vector<ReproducibleSystem>& reproducible_systems();
 

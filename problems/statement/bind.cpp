@@ -13,6 +13,7 @@
 #include "kinematics/laws/build.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/responses.h"
+#include "optim/search/interruptible.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 
@@ -69,10 +70,10 @@ std::size_t law_parameter(const Family& family, const std::string& name) {
 }
 
 /// Limits on a peak are limits on its curve at every angle.
-optim::Constraint limit_on(const Mechanism& mechanism, const ConstraintStatement& c,
+optim::Constraint limit_on(const ProblemStatement& statement, const ConstraintStatement& c,
                            const Binding& binding) {
   optim::Constraint result;
-  result.response = make_response(mechanism, c.response, binding);
+  result.response = response_of(statement, c.response, binding);
   result.lower = c.lower;
   result.upper = c.upper;
   result.tolerance = c.tolerance;
@@ -104,7 +105,7 @@ std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,
   std::vector<optim::Constraint> result;
   std::map<std::string, int> seen;
   for (const ConstraintStatement& c : statement.constraints) {
-    result.push_back(limit_on(*statement.mechanism, c, binding));
+    result.push_back(limit_on(statement, c, binding));
     share_curve(c.response, result.back().response, curves);
     const int number = ++seen[c.response.name];
     if (number > 1) result.back().response.name += fmt::format(" ({})", number);
@@ -164,6 +165,12 @@ BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
     chosen_.push_back(i);
   }
   check_combinations(statement_, choices_);
+}
+
+BoundProblem BoundProblem::with_stop(const std::atomic<bool>* stop) const {
+  BoundProblem result = *this;
+  result.statement_.stop = stop;
+  return result;
 }
 
 void BoundProblem::check_objective() const {
@@ -290,10 +297,9 @@ optim::Problem BoundProblem::problem(const std::vector<std::size_t>& options) co
       [&](const auto& c) { return most_room(c, chosen, varying).value_or(0) < -kLeastRoom; });
   if (!has_room && !choices_.empty()) return without_designs(chosen, varying, std::move(problem));
   const Binding bound = binding(options);
-  const Mechanism& mechanism = *statement_.mechanism;
   SharedCurves curves;
   for (const ObjectiveStatement& objective : statement_.objectives) {
-    problem.objectives.push_back({make_response(mechanism, objective.response, bound),
+    problem.objectives.push_back({response_of(statement_, objective.response, bound),
                                   objective.sense, objective.response.part, objective.tolerance});
     share_curve(objective.response, problem.objectives.back().response, curves);
   }
@@ -336,6 +342,13 @@ ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim
   }
   result.laws = {std::move(member)};
   return result;
+}
+
+optim::Response response_of(const ProblemStatement& statement, const ResponseName& name,
+                            const Binding& binding) {
+  optim::Response response = make_response(*statement.mechanism, name, binding);
+  if (statement.stop == nullptr) return response;
+  return optim::interruptible(std::move(response), optim::Deadline({}, statement.stop));
 }
 
 std::vector<optim::Constraint> constraints_of(const ProblemStatement& statement,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+
 #include "optim/problem/problem.h"
 #include "optim/verdict/assessment.h"
 #include "problems/statement/statement.h"
@@ -19,6 +21,8 @@ class BoundProblem {
   explicit BoundProblem(ProblemStatement statement, bool may_be_constant = false);
 
   const ProblemStatement& statement() const { return statement_; }
+  /// The same problem, of a statement with this stop flag.
+  BoundProblem with_stop(const std::atomic<bool>* stop) const;
   const std::vector<optim::Choice>& choices() const { return choices_; }
   /// Of a problem with one objective; throws std::invalid_argument where there are more or none.
   optim::ProblemSpace space() const;
@@ -52,6 +56,11 @@ class BoundProblem {
   std::vector<optim::Choice> choices_;
   std::vector<std::size_t> chosen_;  ///< the variable behind each choice but the law's
 };
+
+/// A response of the statement's mechanism as a function of a binding's variables; it ends where
+/// the statement is stopped.
+optim::Response response_of(const ProblemStatement& statement, const ResponseName& name,
+                            const Binding& binding);
 
 /// One response of the design that a statement begins with.
 struct EvaluatedResponse {

@@ -22,7 +22,7 @@ Binding fixed(const ProblemStatement& statement) {
 EvaluatedResponse evaluated(const ProblemStatement& statement, const MechanismResponse& declared,
                             const Binding& binding) {
   const auto name = find_response(*statement.mechanism, declared.name);
-  const optim::Response response = make_response(*statement.mechanism, name, binding);
+  const optim::Response response = response_of(statement, name, binding);
   EvaluatedResponse result;
   result.name = declared.name;
   result.unit = declared.unit;
@@ -85,7 +85,7 @@ std::vector<optim::Response> curves_of(const ProblemStatement& statement) {
   for (const MechanismResponse& declared : statement.mechanism->responses) {
     if (!declared.curve) continue;
     const auto name = find_response(*statement.mechanism, declared.name);
-    curves.push_back(make_response(*statement.mechanism, name, binding));
+    curves.push_back(response_of(statement, name, binding));
   }
   return curves;
 }

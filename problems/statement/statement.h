@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -120,6 +121,9 @@ struct ProblemStatement {
   std::string text = {};    ///< as it was read
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words
   HeldFiles files = {};                    ///< those that were read with it
+  /// Set where whatever is being worked out of the problem is to end: its responses throw
+  /// optim::Interrupted then. It must outlive all that is made of them.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Reads a problem from TOML text; `source` names it in errors. Format: docs/problem-files.md.

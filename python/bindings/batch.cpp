@@ -258,18 +258,19 @@ nb::list evaluate_many(const StatedProblem& problem, const std::vector<std::stri
     throw std::invalid_argument(fmt::format("{}: {} values, where {} has {}", names[k],
                                             values[k].shape(0), names.front(), count));
   }
-  std::vector<BatchColumn> columns;
-  {
-    const nb::gil_scoped_release released;
+  std::vector<BatchColumn> columns = run_whole([&](const Work& work) {
+    const optim::Deadline deadline({}, work.stop());
     const Batch batch(problem.statement, names, responses);
     check_values(batch.variables(), values);
-    columns = batch.columns(count);
+    std::vector<BatchColumn> result = batch.columns(count);
     std::vector<double> x(names.size());
     for (std::size_t row = 0; row < count; ++row) {
+      deadline.check();
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = values[k].data()[row];
-      batch.look(x, row, columns);
+      batch.look(x, row, result);
     }
-  }
+    return result;
+  });
   nb::list result;
   for (BatchColumn& column : columns) {
     result.append(nb::make_tuple(column.name, column.unit, array_of(std::move(column.values))));

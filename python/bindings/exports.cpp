@@ -5,6 +5,7 @@
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
 #include "python/bindings/results.h"
+#include "python/bindings/running.h"
 
 /// Drawings, G-code and tables, as 'camlaw export' writes them.
 namespace camlaw::python {
@@ -21,20 +22,19 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
   return options;
 }
 
-std::string exported(problems::ReadDesign design, const std::string& file,
+std::string exported(const problems::ReadDesign& read, const std::string& file,
                      const std::map<std::string, std::string>& told) {
-  cli::ExportedText written;
-  {
-    const nb::gil_scoped_release released;
+  return run_whole([&](const Work& work) {
+    problems::ReadDesign design = read;
+    design.problem.stop = design.statement.stop = work.stop();
     cli::ExportOptions options = options_of(told);
     options.file = file;
     const cli::FormatRow& format = cli::format_of(options);
     cli::check_options(options, format);
     const std::vector<std::string> review =
         design.verdict ? cli::reviewed(design).words() : std::vector<std::string>{};
-    written = cli::exported_text(options, format, std::move(design), review);
-  }
-  return written.text;
+    return cli::exported_text(options, format, std::move(design), review).text;
+  });
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include "numerics/tables/assumed_units.h"
 #include "numerics/tables/cells.h"
 #include "output/answers/fit_output.h"
+#include "output/document/printing.h"
+#include "output/report/html.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/default_machine.h"
 #include "python/bindings/laws.h"
@@ -26,9 +28,6 @@ namespace {
 
 using Column = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using problems::SampleTable;
-
-/// Ends a fit from within: fits look at nothing but what they tell their progress to.
-struct Interrupted : std::exception {};
 
 /// One in the last digit that half of the numbers have, written as short as they come back.
 double last_digit_of(const std::vector<double>& values) {
@@ -114,10 +113,8 @@ std::vector<Member> laws_of(const FitQuestion& asked) {
 problems::LawFitOptions options_of(const FitQuestion& asked, Work& work) {
   problems::LawFitOptions how;
   how.loss = asked.loss;
-  how.progress = [&work](double share) {
-    if (work.is_stopped()) throw Interrupted();
-    work.tell(share, "fitting laws");
-  };
+  how.stop = work.stop();
+  how.progress = [&work](double share) { work.tell(share, "fitting laws"); };
   if (asked.time_limit) {
     constexpr double kTrying = 0.6;  // of the time: intervals take the rest
     how.deadline = problems::LawFitOptions::Clock::now() +
@@ -169,7 +166,7 @@ FoundFit fitted_cam(const FitQuestion& asked, SampleTable table, Work& work) {
       asked.machine};
 }
 
-FoundFit fitted_record(const FitQuestion& asked, const SampleTable& table) {
+FoundFit fitted_record(const FitQuestion& asked, const SampleTable& table, const Work& work) {
   if (asked.law) {
     refuse(
         "law: it goes with a motion or a cam's profile; of a recorded curve the law is the "
@@ -182,8 +179,11 @@ FoundFit fitted_record(const FitQuestion& asked, const SampleTable& table) {
   }
   problems::RecordedCurve record =
       problems::recorded_curve(table, *asked.machine->mechanism, asked.response);
-  const problems::RecordFitOptions how{
-      .loss = asked.loss, .place_shift = asked.place, .value_shift = asked.value};
+  const problems::RecordFitOptions how{.loss = asked.loss,
+                                       .place_shift = asked.place,
+                                       .value_shift = asked.value,
+                                       .time_limit = asked.time_limit,
+                                       .stop = work.stop()};
   problems::RecordFit fit = problems::fit_record(*asked.machine, record, how);
   const std::size_t lacking = record.lacking;
   return {cli::RecordAnswer{asked.machine->source, lacking, std::move(record), std::move(fit)},
@@ -196,7 +196,7 @@ FoundFit fitted(const FitQuestion& asked, const SampleTable& table, Work& work) 
     const bool is_profile =
         problems::shows_profile(table) || (asked.machine && problems::goes_round(table));
     if (!asked.response && is_profile) return fitted_cam(asked, table, work);
-    return asked.machine ? fitted_record(asked, table) : fitted_motion(asked, table, work);
+    return asked.machine ? fitted_record(asked, table, work) : fitted_motion(asked, table, work);
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     if (what.starts_with(table.source)) throw;
@@ -241,7 +241,8 @@ nb::tuple fit_table(const SampleTable& table, const FitQuestion& asked, nb::hand
       [&](Work& work) {
         try {
           result = fitted(asked, table, work);
-        } catch (const Interrupted&) {
+        } catch (const optim::Interrupted&) {
+          if (!work.is_stopped()) throw;
         }
       },
       progress);
@@ -249,11 +250,11 @@ nb::tuple fit_table(const SampleTable& table, const FitQuestion& asked, nb::hand
   return nb::make_tuple(std::move(*result), interrupted);
 }
 
-FoundFit fit_constants(const std::string& constants, const StatedProblem* machine,
-                       const std::optional<std::string>& law) {
-  const nb::gil_scoped_release released;
+FoundFit constants_fitted(const std::string& constants, const StatedProblem* machine,
+                          const std::optional<std::string>& law, const Work& work) {
   problems::ConstantsQuestion question{
-      machine != nullptr ? machine->statement : problems::law_alone(), {}};
+      machine != nullptr ? machine->within(work) : problems::law_alone(), {}};
+  question.machine.stop = work.stop();
   question.constants = problems::parse_constants(constants, *question.machine.mechanism);
   std::vector<problems::ConstantsFit> fits;
   if (law && *law != "auto") {
@@ -269,6 +270,12 @@ FoundFit fit_constants(const std::string& constants, const StatedProblem* machin
     }
   }
   return {std::move(fits)};
+}
+
+FoundFit fit_constants(const std::string& constants, const StatedProblem* machine,
+                       const std::optional<std::string>& law) {
+  return run_whole(
+      [&](const Work& work) { return constants_fitted(constants, machine, law, work); });
 }
 
 /// The law of the largest motion; of a recorded curve the machine's own.
@@ -305,7 +312,8 @@ std::optional<StatedProblem> machine_of(const FoundFit& fit) {
 nb::object program_of(const FoundFit& fit) {
   const auto* samples = fit.samples();
   if (samples == nullptr || samples->cam() == nullptr) return nb::none();
-  const problems::FoundProgram program = problems::found_program(*samples->cam(), *fit.machine);
+  const problems::FoundProgram program =
+      without_lock([&] { return problems::found_program(*samples->cam(), *fit.machine); });
   nb::dict files;
   for (const problems::ProgramLaw& law : program.laws) {
     const problems::Json provenance{{"fitted_to", samples->source}, {"law", "smoothing spline"}};
@@ -325,12 +333,20 @@ cli::Figure figure_of(const FoundFit& fit) {
 void add_fits(nb::module_& module) {
   nb::class_<SampleTable>(module, "SampleTable");
   module.def("sample_table", &table_of, nb::arg("source"), nb::arg("names"), nb::arg("columns"));
-  module.def("sample_file", &problems::read_samples, nb::arg("path"));
+  module.def(
+      "sample_file",
+      [](const std::string& path) {
+        return without_lock([&] { return problems::read_samples(path); });
+      },
+      nb::arg("path"));
   nb::class_<FoundFit>(module, "Fit")
-      .def("facts", [](const FoundFit& f) { return python_of(cli::json_of(f.document())); })
+      .def("facts",
+           [](const FoundFit& f) {
+             return python_of(cli::json_of(without_lock([&] { return f.document(); })));
+           })
       .def("json_text", [](const FoundFit& f) { return cli::json_text(f.document()); })
-      .def("text", [](const FoundFit& f) { return plain(cli::text_of(f.document())); })
-      .def("html", [](const FoundFit& f) { return html_of(f.document()); })
+      .def("text", [](const FoundFit& f) { return cli::unshaded(cli::text_of(f.document())); })
+      .def("html", [](const FoundFit& f) { return cli::html_of(f.document()); })
       .def("law", &named_law_of)
       .def("law_text",
            [](const FoundFit& f) -> std::optional<std::string> {
@@ -339,7 +355,8 @@ void add_fits(nb::module_& module) {
            })
       .def("machine", &machine_of)
       .def("program", &program_of)
-      .def("figure", [](const FoundFit& f) { return dict_of(figure_of(f)); });
+      .def("figure",
+           [](const FoundFit& f) { return dict_of(without_lock([&] { return figure_of(f); })); });
   module.def(
       "fit",
       [](const SampleTable& table, std::optional<std::string> law, const StatedProblem* machine,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
 
 #include <algorithm>
@@ -11,11 +13,14 @@
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/tolerance_output.h"
+#include "output/document/printing.h"
 #include "output/document/short_version.h"
+#include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/fronts/study_worker.h"
 #include "problems/results/design_json.h"
 #include "problems/results/seal.h"
+#include "python/bindings/front_state.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/module.h"
 #include "python/bindings/problems.h"
@@ -122,11 +127,73 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
 
 /// The front that a record holds, without a search.
 FrontOwner front_file(const std::string& path) {
+  return run_whole([&](const Work& work) {
+    optim::StudyRecord record = optim::StudyRecord::read(path);
+    FrontOwner front(new FoundFront{FrontStudy::of(record), {}, path});
+    const FrontStudy watched = front->study.with_stop(work.stop());
+    front->stored = problems::stored_front(watched, record);
+    return answered(std::move(front));
+  });
+}
+
+/// An answer about the front that may be stopped: of(answer) for one that may.
+template <class Of>
+auto whole(const FoundFront& found, const Of& of) {
+  return run_whole([&](const Work& work) {
+    const FrontStudy study = found.study.with_stop(work.stop());
+    return of(cli::FrontAnswer(study, *found.answer));
+  });
+}
+
+cli::Document document_of(const FoundFront& found) {
+  return whole(found, [](const cli::FrontAnswer& answer) { return cli::front_document(answer); });
+}
+
+/// What becomes of a point that is not made as it was meant, as facts, text and HTML.
+nb::tuple sensitivity_of(const FoundFront& found, std::size_t k,
+                         const std::vector<std::string>& tolerances) {
+  const optim::FrontPoint& point = found.front().points[found.point(k)];
+  const cli::Document document = whole(found, [&](const cli::FrontAnswer& answer) {
+    return cli::tolerance_document(answer, point, cli::tolerances_of(answer, point, tolerances));
+  });
+  return nb::make_tuple(python_of(cli::json_of(document)), cli::unshaded(cli::text_of(document)),
+                        cli::html_of(document));
+}
+
+/// What a front is pickled as: its study as a record keeps it, how the study is called, the file of
+/// the record, the front itself (front_state.h), and what is said of the record.
+using FrontOwnState =
+    std::tuple<std::map<std::string, std::string>, std::string, std::string, FrontState,
+               std::vector<FaultState>, std::vector<std::string>, int>;
+
+FrontOwnState own_state_of(const FoundFront& found) {
+  std::vector<FaultState> faults;
+  for (const auto& fault : found.stored.faults) {
+    faults.emplace_back(fault.task, fault.is_damaged, fault.why);
+  }
+  return {found.study.settings(),
+          found.study.bound().statement().source,
+          found.file,
+          state_of(found.front()),
+          std::move(faults),
+          found.stored.notes,
+          static_cast<int>(found.stored.resuming)};
+}
+
+/// In place, where Python has room for it.
+void restore(FoundFront* place, const FrontOwnState& state) {
   const nb::gil_scoped_release released;
-  optim::StudyRecord record = optim::StudyRecord::read(path);
-  FrontOwner front(new FoundFront{FrontStudy::of(record), {}, path});
-  front->stored = problems::stored_front(front->study, record);
-  return answered(std::move(front));
+  const auto& [settings, source, file, front, faults, notes, resuming] = state;
+  new (place)
+      FoundFront{FrontStudy(settings.at("problem"), source, FrontStudy::settings_of(settings)),
+                 {.front = front_of(front),
+                  .notes = notes,
+                  .resuming = static_cast<problems::Resuming>(resuming)},
+                 file};
+  for (const auto& [task, is_damaged, why] : faults) {
+    place->stored.faults.push_back({task, is_damaged, why});
+  }
+  place->answer = std::make_unique<const cli::FrontAnswer>(place->study, place->stored);
 }
 
 /// Objectives and variables of each point, as numbers where they are, and its verdict.
@@ -186,7 +253,7 @@ StoredResult result_at(const FoundFront& found, std::size_t k) {
   design.reason = chosen.reason;
   design.global = chosen.is_global;
   StoredResult result = result_of(std::move(object), std::move(design));
-  result.document = std::move(document);
+  result.say(document);
   return result;
 }
 
@@ -213,27 +280,28 @@ void add_fronts(nb::module_& module) {
            [](const FoundFront& f, std::size_t k) {
              return StatedProblem{f.study.design(f.front().points[f.point(k)])};
            })
-      .def("facts",
+      .def("facts", [](const FoundFront& f) { return python_of(cli::json_of(document_of(f))); })
+      .def("text", [](const FoundFront& f) { return cli::unshaded(cli::text_of(document_of(f))); })
+      .def("html", [](const FoundFront& f) { return cli::html_of(document_of(f)); })
+      .def("csv",
            [](const FoundFront& f) {
-             return python_of(cli::json_of(cli::front_document(*f.answer)));
+             return whole(f, [](const cli::FrontAnswer& answer) { return cli::front_csv(answer); });
            })
-      .def("text",
-           [](const FoundFront& f) { return plain(cli::text_of(cli::front_document(*f.answer))); })
-      .def("html", [](const FoundFront& f) { return html_of(cli::front_document(*f.answer)); })
-      .def("csv", [](const FoundFront& f) { return cli::front_csv(*f.answer); })
-      .def("figure", [](const FoundFront& f) { return dict_of(cli::front_figure(*f.answer)); })
-      .def("sensitivity",
-           [](const FoundFront& f, std::size_t k, const std::vector<std::string>& tolerances) {
-             const optim::FrontPoint& point = f.front().points[f.point(k)];
-             const cli::Document document = cli::tolerance_document(
-                 *f.answer, point, cli::tolerances_of(*f.answer, point, tolerances));
-             return nb::make_tuple(python_of(cli::json_of(document)), plain(cli::text_of(document)),
-                                   html_of(document));
+      .def("figure",
+           [](const FoundFront& f) {
+             return dict_of(whole(
+                 f, [](const cli::FrontAnswer& answer) { return cli::front_figure(answer); }));
            })
-      .def("report", [](const FoundFront& f, const std::string& name) {
-        const nb::gil_scoped_release released;
-        return cli::page_html(cli::front_report(*f.answer, name));
-      });
+      .def("sensitivity", &sensitivity_of, nb::arg("point"), nb::arg("tolerances"))
+      .def("report",
+           [](const FoundFront& f, const std::string& name) {
+             return whole(f, [&](const cli::FrontAnswer& answer) {
+               return cli::page_html(cli::front_report(answer, name));
+             });
+           })
+      .def("__getstate__", [](const FoundFront& f) { return own_state_of(f); })
+      .def("__setstate__",
+           [](FoundFront& front, const FrontOwnState& state) { restore(&front, state); });
   module.def("pareto", &pareto, nb::arg("problem"), nb::arg("points"), nb::arg("method"),
              nb::arg("workers").none(), nb::arg("record"), nb::arg("resume"),
              nb::arg("progress").none());

@@ -2,19 +2,27 @@
 #include "python/bindings/laws.h"
 
 #include <fmt/format.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <tuple>
 
+#include "kinematics/laws/lone_law.h"
 #include "kinematics/limits.h"
 #include "kinematics/peaks.h"
+#include "kinematics/shape.h"
 #include "numerics/text/units.h"
 #include "output/answers/law_output.h"
 #include "output/figure/law_figure.h"
+#include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
+#include "problems/law_files/pieces_json.h"
 #include "python/bindings/module.h"
+#include "python/bindings/running.h"
 #include "python/bindings/values.h"
 
 namespace camlaw::python {
@@ -44,16 +52,52 @@ Array array_in(nb::handle self, std::size_t i) {
   return Array(row.data(), {row.size()}, self);
 }
 
+/// More places than this take some tenths of a millisecond, and are worked out beside Python: for
+/// fewer, a change of threads would take longer than they do.
+constexpr std::size_t kFew = std::size_t{1} << 15U;
+
+/// s, v, a, j at many places, piece by piece. Kept out of what few places run through.
+[[gnu::noinline]] void evaluate_beside(const NamedLaw& law, std::span<const double> x,
+                                       const MotionSpans& out) {
+  constexpr std::size_t kEach = std::size_t{1} << 20U;  // some milliseconds
+  run_whole([&](const Work& work) {
+    const optim::Deadline deadline({}, work.stop());
+    for (std::size_t from = 0; from < x.size(); from += kEach) {
+      deadline.check();
+      const auto part = [&](auto row) {
+        return row.subspan(from, std::min(kEach, row.size() - from));
+      };
+      evaluate(law.law, part(x), {part(out.s), part(out.v), part(out.a), part(out.j)});
+    }
+    return true;
+  });
+}
+
 MotionArrays motion_at(const NamedLaw& law, const Places& x) {
   MotionArrays result(x.shape(0));
-  evaluate(law.law, {x.data(), x.shape(0)}, result.spans());
+  const std::span<const double> places{x.data(), x.shape(0)};
+  if (places.size() > kFew) {
+    evaluate_beside(law, places, result.spans());
+  } else {
+    evaluate(law.law, places, result.spans());
+  }
   return result;
 }
 
 void motion_into(const NamedLaw& law, const Places& x, const std::array<Out, 4>& out) {
+  for (const Out& row : out) {
+    if (row.shape(0) == x.shape(0)) continue;
+    throw std::invalid_argument(
+        fmt::format("an array of {} numbers is given for {} places", row.shape(0), x.shape(0)));
+  }
   const auto span = [](const Out& row) { return std::span<double>(row.data(), row.shape(0)); };
-  evaluate(law.law, {x.data(), x.shape(0)},
-           {span(out[0]), span(out[1]), span(out[2]), span(out[3])});
+  const std::span<const double> places{x.data(), x.shape(0)};
+  const MotionSpans spans{span(out[0]), span(out[1]), span(out[2]), span(out[3])};
+  if (places.size() > kFew) {
+    evaluate_beside(law, places, spans);
+  } else {
+    evaluate(law.law, places, spans);
+  }
 }
 
 double read_value(std::string_view text, const Parameter& parameter, const std::string& what) {
@@ -62,6 +106,7 @@ double read_value(std::string_view text, const Parameter& parameter, const std::
 
 NamedLaw law_by_name(const std::string& text, const std::vector<std::string>& settings,
                      const std::string& folder) {
+  const nb::gil_scoped_release released;
   Member member = problems::find_any_law(text, folder, read_value);
   for (const std::string& setting : settings) set_argument(member, setting, read_value);
   return NamedLaw(std::move(member));
@@ -81,7 +126,7 @@ nb::dict parameters_of(const NamedLaw& law) {
 /// Value and place of the highest and the lowest of each quantity; of the smooth pieces alone where
 /// `inside`.
 nb::dict peaks_of(const NamedLaw& law) {
-  const Peaks<double> found = peaks(law.law);
+  const Peaks<double> found = without_lock([&] { return peaks(law.law); });
   nb::dict result;
   for (const auto& [name, quantity] :
        {std::pair{"v", Quantity::Velocity}, std::pair{"a", Quantity::Acceleration},
@@ -94,7 +139,7 @@ nb::dict peaks_of(const NamedLaw& law) {
 }
 
 nb::dict enclosures_of(const NamedLaw& law) {
-  const Peaks<Interval> found = peaks(law.member.law<Interval>());
+  const Peaks<Interval> found = without_lock([&] { return peaks(law.member.law<Interval>()); });
   nb::dict result;
   const auto both = [](const Interval& x) { return nb::make_tuple(x.lower(), x.upper()); };
   for (const auto& [name, quantity] :
@@ -124,6 +169,39 @@ double loop_seconds(const NamedLaw& law, std::size_t count, int rounds) {
   return best;
 }
 
+cli::Figure figure_of(const NamedLaw& law, int points) {
+  return cli::motion_figure(law.member.label(), {{.name = "", .law = law.law}}, points);
+}
+
+/// A law of the catalogue by its name; of any other the pieces, which alone are the law, and what
+/// its family says of itself.
+using LawState = std::tuple<std::string, std::optional<std::string>, std::string, std::string,
+                            std::vector<std::string>>;
+
+bool is_of_catalogue(const Member& law) {
+  const auto& all = catalogue();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Family& family) { return family.name == law.family->name; });
+}
+
+LawState state_of(const NamedLaw& law) {
+  const Family& family = *law.member.family;
+  if (is_of_catalogue(law.member)) return {law.member.name(), {}, "", "", {}};
+  return {law.member.name(), problems::law_file(law.law, family.formula, nullptr).dump(),
+          family.formula, family.source, family.aliases};
+}
+
+Member member_of(const LawState& state) {
+  const nb::gil_scoped_release released;
+  const auto& [name, pieces, formula, source, aliases] = state;
+  if (!pieces) return find_law(name);
+  const problems::Json file = problems::parse_json(*pieces);
+  const auto ends = file.at("ends").get<std::string>();
+  Law<double> law = problems::law_from_json(file.at("pieces"), problems::ends_of(ends));
+  LoneLaw about{name, formula, ends, source, aliases, is_symmetric(law)};
+  return lone_law(std::move(about), std::move(law));
+}
+
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
   for (const Family& family : catalogue()) names.push_back(family.name);
@@ -150,23 +228,30 @@ void add_laws(nb::module_& module) {
       .def("parameters", &parameters_of)
       .def("peaks", &peaks_of)
       .def("enclosures", &enclosures_of)
-      .def("limit_index", [](const NamedLaw& law) { return limit_index(peaks(law.law)); })
+      .def("limit_index",
+           [](const NamedLaw& law) {
+             return without_lock([&] { return limit_index(peaks(law.law)); });
+           })
       .def("facts",
            [](const NamedLaw& law) {
-             return python_of(cli::json_of(cli::law_document(law.member)));
+             return python_of(
+                 without_lock([&] { return cli::json_of(cli::law_document(law.member)); }));
            })
       .def("figure",
            [](const NamedLaw& law, int points) {
-             return dict_of(
-                 cli::motion_figure(law.member.label(), {{.name = "", .law = law.law}}, points));
+             return dict_of(without_lock([&] { return figure_of(law, points); }));
            })
       .def("svg",
            [](const NamedLaw& law) {
-             return cli::to_svg(
-                 cli::motion_figure(law.member.label(), {{.name = "", .law = law.law}}));
+             return without_lock([&] { return cli::to_svg(figure_of(law, cli::kMotionPoints)); });
            })
-      .def("file_text", [](const NamedLaw& law,
-                           const std::string& title) { return problems::law_text(law.law, title); })
+      .def("file_text",
+           [](const NamedLaw& law, const std::string& title) {
+             return without_lock([&] { return problems::law_text(law.law, title); });
+           })
+      .def("__getstate__", &state_of)
+      .def("__setstate__",
+           [](NamedLaw& law, const LawState& state) { new (&law) NamedLaw(member_of(state)); })
       .def("loop_seconds", &loop_seconds, nb::arg("count"), nb::arg("rounds"));
   module.def("law", &law_by_name, nb::arg("text"), nb::arg("settings"), nb::arg("folder") = "");
   module.def("law_names", &law_names);

@@ -145,12 +145,22 @@ Matrix values_at(const Model& model, const Designs& x) {
   check_size(x.shape(1), model);
   const std::size_t rows = x.shape(0), columns = model.outputs().size();
   std::vector<double> result(rows * columns);
-  {
+  const auto look = [&](std::size_t i) {
+    model.values({x.data() + i * model.size(), model.size()},
+                 std::span(result).subspan(i * columns, columns));
+  };
+  if (rows == 1) {  // an optimiser asks for thousands in turn: none is worth a thread of its own
     const nb::gil_scoped_release released;
-    for (std::size_t i = 0; i < rows; ++i) {
-      model.values({x.data() + i * model.size(), model.size()},
-                   std::span(result).subspan(i * columns, columns));
-    }
+    look(0);
+  } else {
+    run_whole([&](const Work& work) {
+      const optim::Deadline deadline({}, work.stop());
+      for (std::size_t i = 0; i < rows; ++i) {
+        deadline.check();
+        look(i);
+      }
+      return true;
+    });
   }
   return matrix_of(std::move(result), rows, columns);
 }
@@ -180,7 +190,10 @@ nb::list variables_of(const Model& model) {
 void add_model(nb::module_& module) {
   nb::class_<Model>(module, "Model")
       .def("__init__",
-           [](Model* self, const StatedProblem& problem) { new (self) Model(problem.statement); })
+           [](Model* self, const StatedProblem& problem) {
+             const nb::gil_scoped_release released;
+             new (self) Model(problem.statement);
+           })
       .def_prop_ro("objectives", &Model::objectives)
       .def("variables", &variables_of)
       .def("outputs",

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/problems.h"
 
+#include <fmt/format.h>
+#include <nanobind/stl/tuple.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "machines/registry.h"
-#include "optim/problem/check_derivatives.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/check_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/mechanism_output.h"
-#include "output/answers/optimum_output.h"
 #include "output/answers/possible.h"
 #include "output/answers/warnings.h"
+#include "output/document/printing.h"
 #include "output/figure/profile_figure.h"
+#include "output/report/html.h"
+#include "problems/law_files/json_text.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/default_machine.h"
+#include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/module.h"
@@ -27,10 +32,17 @@ using problems::EvaluatedResponse;
 using problems::ProblemStatement;
 
 StatedProblem problem_of_text(const std::string& text, const std::string& source) {
+  const nb::gil_scoped_release released;
   return {problems::read_problem(text, source)};
 }
 
+StatedProblem problem_file(const std::string& path) {
+  const nb::gil_scoped_release released;
+  return {problems::read_problem_file(path)};
+}
+
 StatedProblem problem_with(const StatedProblem& problem, const std::vector<std::string>& settings) {
+  const nb::gil_scoped_release released;
   StatedProblem result = problem;
   problems::set_values(result.statement, settings);
   return result;
@@ -96,79 +108,73 @@ nb::dict dict_of(const EvaluatedResponse& response) {
 }
 
 /// Every response, how the limits stand, whether it can be built, what is to be warned of.
-nb::dict evaluated(const StatedProblem& problem) {
+struct Evaluated {
   std::vector<EvaluatedResponse> responses;
   std::vector<optim::LimitReport> limits;
   problems::Buildability built;
   cli::Warnings warnings;
-  {
-    const nb::gil_scoped_release released;
-    responses = problems::evaluate(problem.statement);
-    cli::check_possible(problem.statement.source, problem.statement, responses);
-    limits = problems::standing(problem.statement);
-    built = problems::buildability(problem.statement);
-    warnings = cli::warnings_of(problem.statement);
-  }
+};
+
+nb::dict evaluated(const StatedProblem& problem) {
+  const Evaluated found = run_whole([&](const Work& work) {
+    const ProblemStatement statement = problem.within(work);
+    Evaluated all;
+    all.responses = problems::evaluate(statement);
+    cli::check_possible(statement.source, statement, all.responses);
+    all.limits = problems::standing(statement);
+    all.built = problems::buildability(statement);
+    all.warnings = cli::warnings_of(statement);
+    return all;
+  });
   nb::list rows;
-  for (const EvaluatedResponse& response : responses) rows.append(dict_of(response));
+  for (const EvaluatedResponse& response : found.responses) rows.append(dict_of(response));
   nb::dict result;
   result["responses"] = rows;
-  result["limits"] = list_of(limits);
-  result["buildable"] = python_of(cli::buildable_json(built));
-  result["warnings"] = warnings;
+  result["limits"] = list_of(found.limits);
+  result["buildable"] = python_of(cli::buildable_json(found.built));
+  result["warnings"] = found.warnings;
   return result;
-}
-
-nb::dict dict_of(const optim::DerivativeCheck& found, const std::string& label) {
-  nb::dict row;
-  row["problem"] = label;
-  row["derivatives"] = found.entries;
-  row["agrees"] = found.agrees && found.shapes.empty();
-  row["worst_error"] = found.worst.error;
-  row["response"] = found.worst.response;
-  row["variable"] = found.worst.variable;
-  row["second"] = found.worst.second;
-  row["shapes"] = found.shapes;
-  return row;
 }
 
 /// Every derivative against differences: of each law to choose from, and each objective.
 nb::list checked_derivatives(const StatedProblem& stated) {
-  const problems::BoundProblem bound(stated.statement);
-  const std::size_t laws = stated.statement.laws.empty() ? 1 : stated.statement.laws.size();
-  const auto& objectives = stated.statement.objectives;
+  const auto variants =
+      run_whole([&](const Work& work) { return cli::checked_derivatives(stated.within(work)); });
   nb::list result;
-  for (std::size_t i = 0; i < laws * objectives.size(); ++i) {
-    std::vector<std::size_t> chosen(bound.choices().size(), 0);
-    std::string label = objectives[i / laws].response.name;
-    if (stated.statement.chooses_law()) {
-      chosen.front() = i % laws;
-      label += ", law " + bound.choices().front().options[i % laws];
-    }
-    optim::DerivativeCheck found;
-    {
-      const nb::gil_scoped_release released;
-      const optim::Problem problem = bound.problem(chosen).alone(i / laws);
-      found = optim::check_derivatives(problem, problem.start());
-    }
-    result.append(dict_of(found, label));
+  for (const cli::CheckedVariant& variant : variants) {
+    const optim::DerivativeCheck& found = variant.found;
+    nb::dict row;
+    row["problem"] = variant.objective + (variant.law.empty() ? "" : ", law " + variant.law);
+    row["derivatives"] = found.entries;
+    row["agrees"] = found.agrees && found.shapes.empty();
+    row["worst_error"] = found.worst.error;
+    row["response"] = found.worst.response;
+    row["variable"] = found.worst.variable;
+    row["second"] = found.worst.second;
+    row["shapes"] = found.shapes;
+    result.append(row);
   }
   return result;
 }
 
 /// What variables and limits are divided by, and their tolerances.
 nb::object scaling_of(const StatedProblem& stated) {
-  if (stated.statement.objectives.empty()) {
-    throw std::invalid_argument("scaling: the problem has no objective, so that nothing is scaled");
-  }
-  const problems::BoundProblem bound(stated.statement);
-  const optim::Problem problem =
-      bound.problem(std::vector<std::size_t>(bound.choices().size(), 0)).alone(0);
-  return python_of(cli::json_of(cli::scaling_table(problem)));
+  return python_of(cli::json_of(
+      run_whole([&](const Work& work) { return cli::scaling_of(stated.within(work)); })));
+}
+
+/// The problem said back, as facts, text and HTML.
+nb::tuple said_back(const StatedProblem& stated) {
+  const cli::Document document = run_whole([&](const Work& work) {
+    return cli::checked_problem(stated.within(work), {}, stated.statement.source).document;
+  });
+  return nb::make_tuple(python_of(cli::json_of(document)), cli::unshaded(cli::text_of(document)),
+                        cli::html_of(document));
 }
 
 /// The formula of a response as it is recorded.
 std::string formula_of(const problems::Mechanism& mechanism, const std::string& response) {
+  const nb::gil_scoped_release released;
   return cli::json_of(cli::formula_document(mechanism, response))["formula"].get<std::string>();
 }
 
@@ -243,25 +249,72 @@ nb::list list_of(const std::vector<optim::LimitReport>& limits) {
   return rows;
 }
 
-nb::dict curves_of(const ProblemStatement& statement, int count) {
-  std::vector<double> places;
-  std::vector<std::pair<std::string, std::vector<double>>> columns;
-  {
-    const nb::gil_scoped_release released;
-    const std::vector<optim::Response> curves = problems::curves_of(statement);
-    if (!curves.empty()) {
-      const auto breaks = curves.front().curve().trace({})->breaks();
-      const auto where = optim::even_places(breaks.front(), breaks.back(), count);
-      for (const optim::Place& place : where) places.push_back(place.angle);
-      for (const optim::Response& curve : curves) {
-        columns.emplace_back(curve.name + " [" + curve.unit + "]",
-                             curve.curve().trace({})->values(where));
-      }
-    }
+namespace {
+
+/// The first law of this family among those that a statement was read with, with other values.
+Member law_with(const std::vector<Member>& laws, const ArgumentsState& state) {
+  const auto law = std::find_if(laws.begin(), laws.end(), [&](const Member& member) {
+    return member.family->name == state.first;
+  });
+  if (law == laws.end()) {
+    throw std::invalid_argument(fmt::format(
+        "the problem was pickled with a law '{}', which it does not have", state.first));
   }
+  Member result = *law;
+  result.arguments.values() = state.second;
+  return result;
+}
+
+}  // namespace
+
+ProblemState state_of(const StatedProblem& problem) {
+  const ProblemStatement& statement = problem.statement;
+  std::vector<double> starts;
+  for (const problems::VariableStatement& v : statement.variables) starts.push_back(v.start);
+  std::vector<ArgumentsState> laws;
+  for (Member law : statement.laws) laws.emplace_back(law.family->name, law.arguments.values());
+  return {statement.text,         statement.source,
+          statement.settings,     problems::laws_to_json(statement.files.laws).dump(),
+          statement.files.tables, statement.constants,
+          std::move(starts),      std::move(laws)};
+}
+
+StatedProblem problem_of(const ProblemState& state) {
+  const nb::gil_scoped_release released;
+  const auto& [text, source, settings, law_files, tables, constants, starts, laws] = state;
+  problems::HeldFiles files{problems::laws_from_json(problems::parse_json(law_files)), tables};
+  StatedProblem result{problems::read_problem(text, source, std::move(files))};
+  ProblemStatement& statement = result.statement;
+  problems::set_values(statement, settings);
+  statement.constants = constants;
+  for (std::size_t i = 0; i < statement.variables.size(); ++i) {
+    statement.variables[i].start = starts.at(i);
+  }
+  std::vector<Member> at_design;
+  for (const ArgumentsState& law : laws) at_design.push_back(law_with(statement.laws, law));
+  statement.laws = std::move(at_design);
+  return result;
+}
+
+nb::dict curves_of(const StatedProblem& problem, int count) {
+  using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
+  Columns columns = run_whole([&](const Work& work) {
+    const ProblemStatement statement = problem.within(work);
+    Columns result;
+    const std::vector<optim::Response> curves = problems::curves_of(statement);
+    if (curves.empty()) return result;
+    const auto breaks = curves.front().curve().trace({})->breaks();
+    const auto where = optim::even_places(breaks.front(), breaks.back(), count);
+    std::vector<double> places;
+    for (const optim::Place& place : where) places.push_back(place.angle);
+    result.emplace_back(problems::place_name(statement), std::move(places));
+    for (const optim::Response& curve : curves) {
+      result.emplace_back(curve.name + " [" + curve.unit + "]",
+                          curve.curve().trace({})->values(where));
+    }
+    return result;
+  });
   nb::dict result;
-  if (columns.empty()) return result;
-  result[nb::cast(problems::place_name(statement))] = array_of(std::move(places));
   for (auto& [name, values] : columns) result[nb::cast(name)] = array_of(std::move(values));
   return result;
 }
@@ -300,25 +353,24 @@ void add_problems(nb::module_& module) {
            })
       .def("machine", [](const StatedProblem& p) { return dict_of(*p.statement.mechanism); })
       .def("evaluate", &evaluated)
-      .def("check",
-           [](const StatedProblem& p) {
-             const cli::Document document =
-                 cli::checked_problem(p.statement, {}, p.statement.source).document;
-             return nb::make_tuple(python_of(cli::json_of(document)), plain(cli::text_of(document)),
-                                   html_of(document));
-           })
-      .def(
-          "curves", [](const StatedProblem& p, int count) { return curves_of(p.statement, count); },
-          nb::arg("count"))
+      .def("check", &said_back)
+      .def("curves", &curves_of, nb::arg("count"))
       .def("curves_figure",
-           [](const StatedProblem& p) { return dict_of(cli::curves_figure(p.statement)); })
+           [](const StatedProblem& p) {
+             return dict_of(
+                 run_whole([&](const Work& work) { return cli::curves_figure(p.within(work)); }));
+           })
       .def("profile_figure",
-           [](const StatedProblem& p) { return dict_of(cli::profile_figure(p.statement)); });
+           [](const StatedProblem& p) {
+             return dict_of(
+                 run_whole([&](const Work& work) { return cli::profile_figure(p.within(work)); }));
+           })
+      .def("__getstate__", &state_of)
+      .def("__setstate__", [](StatedProblem& problem, const ProblemState& state) {
+        new (&problem) StatedProblem(problem_of(state));
+      });
   module.def("problem", &problem_of_text, nb::arg("text"), nb::arg("source"));
-  module.def(
-      "problem_file",
-      [](const std::string& path) { return StatedProblem{problems::read_problem_file(path)}; },
-      nb::arg("path"));
+  module.def("problem_file", &problem_file, nb::arg("path"));
   module.def("mechanism_names", &mechanism_names);
   module.def("formula", [](const std::string& mechanism, const std::string& response) {
     return formula_of(problems::find_mechanism(mechanism), response);

@@ -10,6 +10,8 @@
 #include "output/answers/reproduction_output.h"
 #include "output/answers/study_fronts.h"
 #include "output/answers/study_output.h"
+#include "output/document/printing.h"
+#include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/published/cam_shape/solve.h"
 #include "problems/published/systems.h"
@@ -31,7 +33,7 @@ std::vector<std::string> system_names() {
   return names;
 }
 
-nb::tuple reproduce(const std::string& name, nb::handle progress) {
+Reproduced reproduce(const std::string& name, nb::handle progress) {
   const auto& systems = problems::reproducible_systems();
   const auto system =
       std::find_if(systems.begin(), systems.end(), [&](const auto& s) { return s.name == name; });
@@ -39,19 +41,14 @@ nb::tuple reproduce(const std::string& name, nb::handle progress) {
     throw std::invalid_argument(fmt::format("no system is called '{}'; there is {}", name,
                                             fmt::join(system_names(), ", ")));
   }
-  std::optional<Reproduced> result;
-  const bool interrupted =
-      run_beside([&](Work&) { result = Reproduced{system->reproduce()}; }, progress);
-  return nb::make_tuple(std::move(*result), interrupted);
+  return run_whole([&](const Work& work) { return Reproduced{system->reproduce(work.stop())}; },
+                   progress);
 }
 
 /// One case of the cam shape, of any size.
 nb::dict solve_cam_shape(int n) {
-  problems::CamShapeCase solved;
-  {
-    const nb::gil_scoped_release released;
-    solved = problems::solve_cam_shape(n);
-  }
+  const problems::CamShapeCase solved =
+      run_whole([&](const Work& work) { return problems::solve_cam_shape(n, work.stop()); });
   nb::dict result;
   result["n"] = solved.n;
   result["printed"] = solved.printed;
@@ -86,7 +83,8 @@ Study studied_cutter(const std::vector<std::string>& settings, bool table, int w
   if (!table) {
     const auto fronts = problems::prove_fronts(
         cutter, workers,
-        [&work](const std::string& front, double done) { work.tell(done, "front of " + front); });
+        [&work](const std::string& front, double done) { work.tell(done, "front of " + front); },
+        work.stop());
     cli::draw_fronts(fronts, result.trade_off.panels.front());
     result.answer.add(cli::fronts_document(fronts));
     result.answer.say("\n");
@@ -95,27 +93,24 @@ Study studied_cutter(const std::vector<std::string>& settings, bool table, int w
   return result;
 }
 
-nb::tuple study(const std::string& system, const std::vector<std::string>& settings, bool table,
-                std::optional<int> workers, nb::handle progress) {
+Study study(const std::string& system, const std::vector<std::string>& settings, bool table,
+            std::optional<int> workers, nb::handle progress) {
   const int crew =
       workers.value_or(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
-  std::optional<Study> result;
-  const bool interrupted = run_beside(
+  return run_whole(
       [&](Work& work) {
-        if (system == "spine-cutter") {
-          result = studied_cutter(settings, table, crew, work);
-        } else if (system != "sheet-delivery") {
+        if (system == "spine-cutter") return studied_cutter(settings, table, crew, work);
+        if (system != "sheet-delivery") {
           throw std::invalid_argument(fmt::format(
               "no study is called '{}'; there are spine-cutter, sheet-delivery", system));
-        } else if (!settings.empty()) {
-          throw std::invalid_argument("the study of the sheet delivery has no givens to set");
-        } else {
-          const auto choices = problems::trade_off_sheet_delivery();
-          result = Study{cli::delivery_document(choices), cli::delivery_figure(choices)};
         }
+        if (!settings.empty()) {
+          throw std::invalid_argument("the study of the sheet delivery has no givens to set");
+        }
+        const auto choices = problems::trade_off_sheet_delivery();
+        return Study{cli::delivery_document(choices), cli::delivery_figure(choices)};
       },
       progress);
-  return nb::make_tuple(std::move(*result), interrupted);
 }
 
 }  // namespace
@@ -133,14 +128,14 @@ void add_published(nb::module_& module) {
            })
       .def("text",
            [](const Reproduced& r) {
-             return plain(cli::text_of(cli::reproduction_document(r.result)));
+             return cli::unshaded(cli::text_of(cli::reproduction_document(r.result)));
            })
       .def("html",
-           [](const Reproduced& r) { return html_of(cli::reproduction_document(r.result)); });
+           [](const Reproduced& r) { return cli::html_of(cli::reproduction_document(r.result)); });
   nb::class_<Study>(module, "Study")
       .def("facts", [](const Study& s) { return python_of(cli::json_of(s.answer)); })
-      .def("text", [](const Study& s) { return plain(cli::text_of(s.answer)); })
-      .def("html", [](const Study& s) { return html_of(s.answer); })
+      .def("text", [](const Study& s) { return cli::unshaded(cli::text_of(s.answer)); })
+      .def("html", [](const Study& s) { return cli::html_of(s.answer); })
       .def("figure", [](const Study& s) { return dict_of(s.trade_off); });
   module.def("system_names", &system_names);
   module.def("reproduce", &reproduce, nb::arg("name"), nb::arg("progress").none());

@@ -2,12 +2,14 @@
 #include "python/bindings/results.h"
 
 #include <fmt/format.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <tuple>
 
 #include "numerics/text/file_text.h"
 #include "optim/search/memory.h"
@@ -17,7 +19,9 @@
 #include "output/answers/rulers.h"
 #include "output/answers/search_facts.h"
 #include "output/answers/warnings.h"
+#include "output/document/printing.h"
 #include "output/document/short_version.h"
+#include "output/report/html.h"
 #include "output/report/report.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
@@ -34,6 +38,12 @@ namespace {
 
 using problems::Json;
 using problems::ReadDesign;
+
+/// The design for work that may be stopped.
+ReadDesign within(const Work& work, ReadDesign design) {
+  design.problem.stop = design.statement.stop = work.stop();
+  return design;
+}
 
 /// How to search; what is not told is as the problem has it.
 struct SearchSettings {
@@ -146,7 +156,8 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
     measure(answer, rest, facts, document);
   }
   problems::seal(facts);
-  StoredResult result{.facts = std::move(facts), .document = std::move(document)};
+  StoredResult result{.facts = std::move(facts)};
+  result.say(document);
   if (auto design = design_of(answer)) {
     design->stated = problems::stated_numbers(result.facts);
     result.design = std::move(*design);
@@ -167,10 +178,14 @@ nb::tuple search(const StatedProblem& problem, bool synthesize, std::optional<st
   return nb::make_tuple(std::move(*result), interrupted);
 }
 
-StoredResult result_file(const std::string& path) {
-  const std::string text = problems::file_text(path, "result");
+StoredResult result_of_text(const std::string& text, const std::string& path) {
   ReadDesign design = problems::read_result(text, path);
   return {.facts = problems::parse_json(text), .design = std::move(design), .file = path};
+}
+
+StoredResult result_file(const std::string& path) {
+  const nb::gil_scoped_release released;
+  return result_of_text(problems::file_text(path, "result"), path);
 }
 
 const ReadDesign& design_in(const StoredResult& result) {
@@ -180,13 +195,15 @@ const ReadDesign& design_in(const StoredResult& result) {
 
 /// The claim of a result judged again.
 nb::dict verified(const StoredResult& result) {
-  problems::VerifiedDesign found;
-  std::vector<std::string> notes;
-  {
-    const nb::gil_scoped_release released;
-    found = problems::verified(design_in(result));
-    notes = problems::record_notes(*result.design, cli::short_version());
-  }
+  struct Verified {
+    problems::VerifiedDesign found;
+    std::vector<std::string> notes;
+  };
+  const auto [found, notes] = run_whole([&](const Work& work) {
+    const ReadDesign design = within(work, design_in(result));
+    return Verified{problems::verified(design),
+                    problems::record_notes(design, cli::short_version())};
+  });
   nb::dict object;
   object["holds"] = found.disagreements.empty();
   object["claimed"] = *result.design->verdict;
@@ -204,23 +221,66 @@ nb::dict verified(const StoredResult& result) {
   return object;
 }
 
+std::vector<std::string> review_of(const StoredResult& result) {
+  if (!result.design) return {};
+  return run_whole(
+      [&](const Work& work) { return cli::reviewed(within(work, *result.design)).words(); });
+}
+
 std::string report_of(const StoredResult& result) {
-  const nb::gil_scoped_release released;
-  const ReadDesign& design = design_in(result);
-  return cli::page_html(cli::design_report({.read = design,
-                                            .file = result.file,
-                                            .facts = cli::facts_of_search(result.facts),
-                                            .review = cli::reviewed(design)}));
+  return run_whole([&](const Work& work) {
+    const ReadDesign design = within(work, design_in(result));
+    return cli::page_html(cli::design_report({.read = design,
+                                              .file = result.file,
+                                              .facts = cli::facts_of_search(result.facts),
+                                              .review = cli::reviewed(design)}));
+  });
 }
 
 std::string report_of_problem(const StatedProblem& problem) {
+  return run_whole([&](const Work& work) {
+    const ReadDesign design{problem.within(work)};
+    return cli::page_html(
+        cli::design_report({.read = design, .file = problem.statement.source, .review = {}}));
+  });
+}
+
+/// What is drawn of a result that was found, or that was pickled; nothing of one that was read.
+cli::Figure cycle_figure_of(const StoredResult& result) {
+  if (!result.cycle) return {};
+  return without_lock([&] { return result.cycle(); });
+}
+
+/// A result as its file has it, whether there is a design, what it is called, and what a search
+/// says of it in words and in HTML.
+using ResultState = std::tuple<std::string, bool, std::string, std::optional<std::string>,
+                               std::optional<std::string>>;
+
+ResultState result_state_of(const StoredResult& result) {
+  return {result.facts.dump(), result.design.has_value(), result.file, result.text, result.html};
+}
+
+StoredResult result_from(const ResultState& state) {
   const nb::gil_scoped_release released;
-  const ReadDesign design{problem.statement};
-  return cli::page_html(
-      cli::design_report({.read = design, .file = problem.statement.source, .review = {}}));
+  const auto& [facts, has_design, file, text, html] = state;
+  StoredResult result;
+  if (has_design) {
+    result = result_of_text(facts, file);
+  } else {
+    result.facts = problems::parse_json(facts);
+    result.file = file;
+  }
+  result.text = text;
+  result.html = html;
+  return result;
 }
 
 }  // namespace
+
+void StoredResult::say(const cli::Document& document) {
+  text = cli::unshaded(cli::text_of(document));
+  html = cli::html_of(document);
+}
 
 StoredResult result_of(Json facts, ReadDesign design) {
   problems::seal(facts);
@@ -233,31 +293,22 @@ void add_results(nb::module_& module) {
       .def_prop_ro("file", [](const StoredResult& r) { return r.file; })
       .def("facts", [](const StoredResult& r) { return python_of(r.facts); })
       .def("json_text", [](const StoredResult& r) { return r.facts.dump(2) + "\n"; })
-      .def("text",
-           [](const StoredResult& r) -> std::optional<std::string> {
-             if (!r.document) return std::nullopt;
-             return plain(cli::text_of(*r.document));
-           })
-      .def("html",
-           [](const StoredResult& r) -> std::optional<std::string> {
-             if (!r.document) return std::nullopt;
-             return html_of(*r.document);
-           })
+      .def_prop_ro("text", [](const StoredResult& r) { return r.text; })
+      .def_prop_ro("html", [](const StoredResult& r) { return r.html; })
       .def("design",
            [](const StoredResult& r) -> std::optional<StatedProblem> {
              if (!r.design) return std::nullopt;
              return StatedProblem{r.design->statement};
            })
       .def("problem", [](const StoredResult& r) { return StatedProblem{design_in(r).problem}; })
-      .def("review",
-           [](const StoredResult& r) {
-             const nb::gil_scoped_release released;
-             return r.design ? cli::reviewed(*r.design).words() : std::vector<std::string>{};
-           })
-      .def("cycle_figure",
-           [](const StoredResult& r) { return dict_of(r.cycle ? r.cycle() : cli::Figure{}); })
+      .def("review", &review_of)
+      .def("cycle_figure", [](const StoredResult& r) { return dict_of(cycle_figure_of(r)); })
       .def("verify", &verified)
-      .def("report", &report_of);
+      .def("report", &report_of)
+      .def("__getstate__", &result_state_of)
+      .def("__setstate__", [](StoredResult& result, const ResultState& state) {
+        new (&result) StoredResult(result_from(state));
+      });
   module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),
              nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
              nb::arg("memory").none(), nb::arg("progress").none());

@@ -15,10 +15,13 @@ namespace camlaw::python {
 struct StoredResult {
   problems::Json facts;                             ///< with the checksum
   std::optional<problems::ReadDesign> design = {};  ///< none where the model gave no design
-  std::optional<cli::Document> document = {};       ///< of a search; a file has facts alone
-  std::string file = {};                            ///< as it was named
+  /// What is said of a search, in words and as a notebook shows it; a file has facts alone.
+  std::optional<std::string> text = {}, html = {};
+  std::string file = {};  ///< as it was named
   /// Draws what was limited and sought, over the cycle; of a search alone.
   std::function<cli::Figure()> cycle = {};
+
+  void say(const cli::Document& document);
 };
 
 /// A result of these facts, which it seals, for a design that a problem's statement has.

@@ -48,6 +48,12 @@ std::optional<Work::Told> Work::take() {
   return std::exchange(told_, std::nullopt);
 }
 
+void raise_interrupted() {
+  const nb::object type = nb::module_::import_("camlaw.errors").attr("Interrupted");
+  PyErr_SetObject(type.ptr(), type(nb::none()).ptr());
+  throw nb::python_error();
+}
+
 bool run_beside(const std::function<void(Work&)>& job, nb::handle progress) {
   Work work;
   std::exception_ptr failure;

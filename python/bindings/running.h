@@ -10,6 +10,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+
+#include "optim/search/deadline.h"
 
 /// Long work beside Python: it runs in a thread of its own without the interpreter's lock, while
 /// the calling thread hands on its progress and listens for Ctrl-C.
@@ -51,5 +55,35 @@ class Work {
 /// Whether Ctrl-C stopped it: then what it has is all there is. What `progress`, or another
 /// signal's handler, throws is thrown on when the work has ended.
 bool run_beside(const std::function<void(Work&)>& job, nb::handle progress);
+
+/// Does work of some milliseconds that is always short, while other threads of Python go on.
+template <class Job>
+std::invoke_result_t<const Job&> without_lock(const Job& job) {
+  const nb::gil_scoped_release released;
+  return job();
+}
+
+/// Raises camlaw.Interrupted without a result.
+[[noreturn]] void raise_interrupted();
+
+/// Does work that has no answer before its end, and returns what it returns; throws what it throws.
+/// `job` is called with the Work, whose stop flag it hands to the library: where that is set, the
+/// library throws optim::Interrupted, and Interrupted is raised. `progress` as run_beside has it.
+template <class Job>
+std::invoke_result_t<const Job&, Work&> run_whole(const Job& job,
+                                                  nb::handle progress = nb::none()) {
+  std::optional<std::invoke_result_t<const Job&, Work&>> result;
+  const bool interrupted = run_beside(
+      [&](Work& work) {
+        try {
+          result.emplace(job(work));
+        } catch (const optim::Interrupted&) {
+          if (!work.is_stopped()) throw;
+        }
+      },
+      progress);
+  if (interrupted || !result) raise_interrupted();
+  return *std::move(result);
+}
 
 }  // namespace camlaw::python

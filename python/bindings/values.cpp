@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/values.h"
 
-#include <algorithm>
 #include <memory>
 
-#include "output/report/html.h"
+#include "output/document/printing.h"
 
 namespace camlaw::python {
 namespace {
@@ -104,7 +103,7 @@ nb::object python_of(const problems::Json& value) {
       return result;
     }
     case Type::string:
-      return nb::cast(plain(value.get<std::string>()));
+      return nb::cast(cli::unshaded(value.get<std::string>()));
     case Type::boolean:
       return nb::cast(value.get<bool>());
     case Type::number_integer:
@@ -116,23 +115,6 @@ nb::object python_of(const problems::Json& value) {
     default:
       return nb::none();
   }
-}
-
-std::string plain(std::string text) {
-  std::erase_if(text, [](char c) { return c >= '\x11' && c <= '\x14'; });
-  return text;
-}
-
-std::string html_of(const cli::Document& document) {
-  std::string html;
-  for (const cli::Document::Block& block : document.blocks()) {
-    if (const auto* words = std::get_if<std::string>(&block)) {
-      html += cli::preformatted(plain(*words));
-    } else {
-      html += plain(cli::html_of(std::get<cli::Table>(block)));
-    }
-  }
-  return html;
 }
 
 nb::dict dict_of(const cli::Figure& figure) {

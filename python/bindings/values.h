@@ -30,12 +30,6 @@ Array array_of(std::vector<double> values);
 /// A fact of an answer: objects become dicts in their order, lists lists, null None.
 nb::object python_of(const problems::Json& value);
 
-/// A text without the marks of its colours.
-std::string plain(std::string text);
-
-/// A document as a notebook shows it.
-std::string html_of(const cli::Document& document);
-
 /// A figure as data, for whoever draws it: title, subtitle, columns and panels, each with its axes,
 /// lines and markers. Lines are arrays.
 nb::dict dict_of(const cli::Figure& figure);

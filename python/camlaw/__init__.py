@@ -18,12 +18,13 @@ from .errors import Error, InputError, Interrupted, MissingPackage
 
 if TYPE_CHECKING:
     from . import formulas
+    from .evaluations import Check, Evaluation
     from .fits import Fit, fit, fit_constants
     from .formulas import Expression, Machine, Response
     from .fronts import Front
     from .machines import mechanism, mechanisms
     from .motion_laws import Law, Motion, Peaks, law, law_file, laws
-    from .problems import Check, Evaluation, Problem
+    from .problems import Problem
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
 
@@ -45,8 +46,8 @@ _HOMES = {
     "laws": "motion_laws",
     "mechanism": "machines",
     "mechanisms": "machines",
-    "Check": "problems",
-    "Evaluation": "problems",
+    "Check": "evaluations",
+    "Evaluation": "evaluations",
     "Problem": "problems",
     "cam_shape": "published",
     "Reproduction": "published",

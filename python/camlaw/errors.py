@@ -27,3 +27,6 @@ class Interrupted(KeyboardInterrupt):
             "stopped by Ctrl-C" + ("" if result is None else "; .result has the answer so far")
         )
         self.result = result
+
+    def __reduce__(self) -> Any:
+        return Interrupted, (self.result,)

@@ -12,9 +12,11 @@ import numpy as np
 
 from . import plots, tables
 from .errors import InputError, Interrupted
+from .kept import Kept
 from .motion_laws import Law
 from .native import native
-from .problems import Problem, _written
+from .outputs import written
+from .problems import Problem
 from .progress import Progress, shown
 from .units import is_pint, pint_unit
 
@@ -67,6 +69,10 @@ class Fit:
         self._native = native_fit
         self.facts: dict[str, Any] = native_fit.facts()
 
+    def __getstate__(self) -> dict[str, Any]:
+        names = ("json_text", "text", "html", "law", "law_text", "machine", "program", "figure")
+        return self.__dict__ | {"_native": Kept(self._native, names)}
+
     @property
     def law(self) -> Law | None:
         """The law of the largest motion with its fitted coefficients: a spline where no law that has
@@ -109,15 +115,15 @@ class Fit:
         """Writes fit.json, and law.json and program.toml where there are such."""
         place = Path(folder)
         place.mkdir(parents=True, exist_ok=True)
-        _written(self._native.json_text(), place / "fit.json")
+        written(self._native.json_text(), place / "fit.json")
         law = self._native.law_text()
         if law is not None:
-            _written(law, place / "law.json")
+            written(law, place / "law.json")
         program = self._native.program()
         if program is not None:
-            _written(program[0], place / "program.toml")
+            written(program[0], place / "program.toml")
             for name, text in program[1].items():
-                _written(text, place / name)
+                written(text, place / name)
 
     def plot(self) -> Any:
         """Samples, law and what is left, drawn by matplotlib; returns the axes."""

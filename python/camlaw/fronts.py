@@ -9,8 +9,10 @@ from typing import Any
 
 from . import plots, tables, units
 from .errors import InputError
+from .evaluations import Check
 from .native import native
-from .problems import Check, Problem, _written
+from .outputs import written
+from .problems import Problem
 from .results import Result
 
 
@@ -98,7 +100,7 @@ class Front:
 
     def csv(self, path: str | Path | None = None) -> str:
         """The front as CSV, every digit."""
-        return _written(self._native.csv(), path)
+        return written(self._native.csv(), path)
 
     def plot(self) -> Any:
         """The front of two or three objectives, drawn by matplotlib; returns the axes."""
@@ -109,7 +111,7 @@ class Front:
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser: the front, and the curves of its designs."""
-        return _written(self._native.report(self._native.file or "front"), path)
+        return written(self._native.report(self._native.file or "front"), path)
 
     def __str__(self) -> str:
         return self._native.text()

@@ -17,6 +17,13 @@ from .native import native
 Place = namedtuple("Place", ["value", "at"])
 
 
+class _Arrays(NamedTuple):
+    s: np.ndarray
+    v: np.ndarray
+    a: np.ndarray
+    j: np.ndarray
+
+
 class Motion:
     """s, v, a and j at some places: displacement, velocity, acceleration and jerk, each an array.
 
@@ -54,6 +61,9 @@ class Motion:
 
     def __len__(self) -> int:
         return 4
+
+    def __reduce__(self) -> Any:
+        return Motion, (_Arrays(*self),)
 
     def __repr__(self) -> str:
         return f"Motion(s={self.s!r}, v={self.v!r}, a={self.a!r}, j={self.j!r})"
@@ -194,7 +204,7 @@ class Law:
         return isinstance(other, Law) and self.name == other.name
 
     def __reduce__(self) -> Any:
-        return law, (self.name,)
+        return Law, (self._native,)
 
     def __hash__(self) -> int:
         return hash(self.name)

@@ -1,143 +1,32 @@
 # SPDX-License-Identifier: MIT
-"""Problems: a machine, what may vary, what is wanted, what must hold."""
+"""Problems: a machine, what may vary, what is wanted, what must hold.
+
+How one is stated is in stating, what is said of it without a search in evaluations.
+"""
 
 from __future__ import annotations
 
-import os
-import threading
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import plots, tables, units
 from .errors import InputError, Interrupted
-from .formulas import Machine, Response
+from .evaluations import Check, Evaluation, Range
+from .formulas import Machine
 from .motion_laws import Law
 from .native import native
+from .outputs import export_options, written
 from .progress import Progress, shown
+from .stating import problem_table
 from .toml_text import toml_text
 
 if TYPE_CHECKING:
     from .fronts import Front
     from .results import Result
-
-
-class Range(NamedTuple):
-    """What a curve does over the cycle: its extremes, where they are, and whether they are proved."""
-
-    lowest: float
-    lowest_at: float
-    highest: float
-    highest_at: float
-    unit: str
-    proved: bool
-
-
-class Evaluation:
-    """Every response of a design, how its limits stand, and whether it can be built."""
-
-    def __init__(self, facts: dict[str, Any]) -> None:
-        self._rows = {row["response"]: row for row in facts["responses"]}
-        self._limits = facts["limits"]
-        self.buildable: dict[str, Any] | None = facts["buildable"]
-        self.warnings: list[str] = facts["warnings"]
-
-    def __getitem__(self, response: str) -> float | Range:
-        """A number's value; of a curve its Range."""
-        row = self._rows.get(response)
-        if row is None:
-            raise InputError(
-                f"no response is called '{response}'; there are {', '.join(self._rows)}"
-            )
-        if not row["curve"]:
-            return float(row["value"])
-        return Range(
-            row["lowest"],
-            row["lowest_at"],
-            row["highest"],
-            row["highest_at"],
-            row["unit"],
-            row["proved"],
-        )
-
-    @property
-    def responses(self) -> Any:
-        """A table: value, lowest, lowest_at, highest, highest_at, unit, proved, meaning."""
-        return tables.of_rows(list(self._rows.values()), index="response")
-
-    @property
-    def margins(self) -> Any:
-        """A table of the limits: value, bound, side, margin, unit, at, met, proved."""
-        return tables.of_rows(self._limits, index="name")
-
-    @property
-    def feasible(self) -> bool:
-        """Whether every limit is met."""
-        return all(limit["met"] for limit in self._limits)
-
-    def __repr__(self) -> str:
-        met = sum(limit["met"] for limit in self._limits)
-        return f"<camlaw evaluation: {len(self._rows)} responses, {met} of {len(self._limits)} limits met>"
-
-    def _repr_html_(self) -> str:
-        return self.responses._repr_html_() + (self.margins._repr_html_() if self._limits else "")
-
-
-class Check(NamedTuple):
-    """A problem said back: in words, as facts, as HTML."""
-
-    text: str
-    facts: dict[str, Any]
-    html: str
-
-    def __str__(self) -> str:
-        return self.text
-
-    def __repr__(self) -> str:
-        return self.text
-
-    def _repr_html_(self) -> str:
-        return self.html
-
-
-def _law_table(law: Any) -> Any:
-    if isinstance(law, Law):
-        if os.sep in law.name:
-            return {"name": law.name}
-        return {"name": law.family} | {
-            name: value for name, value in law.coefficients.items() if value != []
-        }
-    if isinstance(law, (list, tuple)):
-        return {"name": [item.name if isinstance(item, Law) else item for item in law]}
-    return {"name": law} if isinstance(law, str) else law
-
-
-def _bounds_table(bounds: Any) -> Any:
-    if isinstance(bounds, (tuple, list)) and len(bounds) == 2:
-        lower, upper = bounds
-        return {
-            key: value for key, value in (("lower", lower), ("upper", upper)) if value is not None
-        }
-    return bounds
-
-
-def _segment_table(segment: Mapping[str, Any]) -> dict[str, Any]:
-    return {
-        name: value.name if isinstance(value, Law) else value for name, value in segment.items()
-    }
-
-
-def _constraint_tables(constraints: Any) -> list[Any]:
-    if isinstance(constraints, Mapping):
-        return [{"response": name} | _bounds_table(bounds) for name, bounds in constraints.items()]
-    return list(constraints)
-
-
-def _response_table(response: Any) -> Any:
-    return response.table() if isinstance(response, Response) else response
 
 
 class Problem:
@@ -184,33 +73,22 @@ class Problem:
         if _native is not None:
             self._native = _native
             return
-        if isinstance(mechanism, Machine):
-            mechanism, machine = None, mechanism
-        stated = {name: _response_table(r) for name, r in (responses or {}).items()}
-        if machine is not None:
-            stated = {name: r.table() for name, r in machine.responses.items()} | stated
-        if isinstance(program, (list, tuple)):
-            program = {"segments": [_segment_table(segment) for segment in program]}
-        table = {
-            "title": title,
-            "mechanism": mechanism,
-            "machine": machine.table() if machine is not None else None,
-            "constants": dict(constants) if constants else None,
-            "responses": stated or None,
-            "law": _law_table(law) if law is not None else None,
-            "free": free,
-            "program": program,
-            "variables": {name: _bounds_table(b) for name, b in variables.items()}
-            if variables
-            else None,
-            "objective": {"minimize": objective} if isinstance(objective, str) else objective,
-            "objectives": [{"minimize": o} if isinstance(o, str) else o for o in objectives]
-            if objectives
-            else None,
-            "constraints": _constraint_tables(constraints) if constraints else None,
-            "buildable": buildable,
-            "solver": solver,
-        }
+        table = problem_table(
+            mechanism,
+            machine=machine,
+            title=title,
+            constants=constants,
+            law=law,
+            free=free,
+            program=program,
+            variables=variables,
+            objective=objective,
+            objectives=objectives,
+            constraints=constraints,
+            responses=responses,
+            buildable=buildable,
+            solver=solver,
+        )
         self._native = native.problem(toml_text(table), source)
 
     @classmethod
@@ -446,15 +324,12 @@ class Problem:
 
     def report(self, path: str | Path | None = None) -> str:
         """A page for the browser on the design at the variables' starts; written to `path`."""
-        return _written(native.report_of_problem(self._native), path)
+        return written(native.report_of_problem(self._native), path)
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam's curves, motion or law as a file's text; see Result.export."""
-        text = native.export_problem(self._native, _export_options(path, options))
-        return _written(text, path)
-
-    def __reduce__(self) -> Any:
-        return _problem_again, (self.text, self._native.source, self.settings)
+        text = native.export_problem(self._native, export_options(path, options))
+        return written(text, path)
 
     def __repr__(self) -> str:
         return f"<camlaw problem {self.title or self.mechanism}: {len(self._native.variables())} variables>"
@@ -463,42 +338,4 @@ class Problem:
         return f"<p><b>{escape(self.title or self.mechanism)}</b></p>{self.check().html}"
 
 
-def _problem_again(text: str, source: str, settings: list[str]) -> Problem:
-    return Problem(_native=native.problem(text, source).with_settings(settings))
-
-
-def _written(text: str, path: str | Path | None) -> str:
-    if path is not None:
-        place = Path(path)
-        beside = place.with_name(f".{place.name}.{os.getpid()}.{threading.get_ident()}")
-        try:
-            beside.write_text(text, encoding="utf-8")
-            os.replace(beside, place)
-        finally:
-            beside.unlink(missing_ok=True)
-    return text
-
-
-_EXPORT = {
-    "format",
-    "curve",
-    "tolerance",
-    "step",
-    "form",
-    "decimals",
-    "tool",
-    "feed",
-    "clearance",
-    "depth",
-    "slave",
-}
-
-
-def _export_options(path: str | Path | None, options: Mapping[str, Any]) -> dict[str, str]:
-    unknown = set(options) - _EXPORT
-    if unknown:
-        raise InputError(
-            f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_EXPORT))}"
-        )
-    told = {name: units.value_text(value) for name, value in options.items() if value is not None}
-    return told | ({"out": str(path)} if path is not None else {})
+__all__ = ["Check", "Evaluation", "Problem", "Range"]

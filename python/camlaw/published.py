@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from . import plots, tables, units
-from .errors import Interrupted
+from .kept import Kept
 from .native import native
-from .problems import _written
+from .outputs import written
 from .progress import Progress, shown
 
 
@@ -42,8 +42,11 @@ class Reproduction:
         """A table of the printed values beside those computed."""
         return tables.of_rows(self.facts.get("values") or [])
 
+    def __reduce__(self) -> Any:
+        return reproduce, (self.system,)  # the values are worked out again
+
     def report(self, path: str | Path | None = None) -> str:
-        return _written(native.report_of_reproductions([self._native]), path)
+        return written(native.report_of_reproductions([self._native]), path)
 
     def __str__(self) -> str:
         return self._native.text()
@@ -61,6 +64,9 @@ class Study:
     def __init__(self, native_study: Any) -> None:
         self._native = native_study
         self.facts: dict[str, Any] = native_study.facts()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_native": Kept(self._native, ("text", "html", "figure"))}
 
     def plot(self) -> Any:
         """What is gained for what, drawn by matplotlib; returns the axes."""
@@ -81,10 +87,7 @@ def reproducible() -> list[str]:
 def reproduce(system: str, *, progress: Progress = None) -> Reproduction:
     """A published table computed again, each difference with its cause."""
     with shown(progress, f"reproduce {system}") as tell:
-        found, interrupted = native.reproduce(system, tell)
-    if interrupted:
-        raise Interrupted(Reproduction(found))
-    return Reproduction(found)
+        return Reproduction(native.reproduce(system, tell))
 
 
 def cam_shape(n: int) -> dict[str, Any]:
@@ -103,9 +106,6 @@ def study(
     """Laws compared on "spine-cutter" or "sheet-delivery". table: of the spine cutter the table of
     laws alone, without the proved fronts."""
     with shown(progress, f"study {system}") as tell:
-        found, interrupted = native.study(
-            system, units.settings_of(dict(set or {})), table, workers, tell
+        return Study(
+            native.study(system, units.settings_of(dict(set or {})), table, workers, tell)
         )
-    if interrupted:
-        raise Interrupted(Study(found))
-    return Study(found)

@@ -11,7 +11,8 @@ from . import plots, tables
 from .errors import InputError
 from .motion_laws import Law
 from .native import native
-from .problems import Problem, _export_options, _written
+from .outputs import export_options, written
+from .problems import Problem
 
 
 class Verification(NamedTuple):
@@ -42,6 +43,14 @@ class Result:
     def __init__(self, native_result: Any) -> None:
         self._native = native_result
         self.facts: dict[str, Any] = native_result.facts()
+        self._figure: dict[str, Any] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        # What is drawn is worked out of the search, which does not go along.
+        return self.__dict__ | {"_figure": self._cycle_figure()}
+
+    def _cycle_figure(self) -> dict[str, Any]:
+        return self._native.cycle_figure() if self._figure is None else self._figure
 
     @classmethod
     def load(cls, path: str | Path) -> Result:
@@ -51,7 +60,7 @@ class Result:
 
     def save(self, path: str | Path) -> None:
         """Writes the result as 'camlaw optimize --out' does: it stands alone."""
-        _written(self._native.json_text(), path)
+        written(self._native.json_text(), path)
 
     @property
     def verdict(self) -> str:
@@ -151,7 +160,7 @@ class Result:
     def plot(self) -> Any:
         """The curves that are limited or sought, with their limits; of a result that was read, every
         curve. Returns the axes."""
-        figure = self._native.cycle_figure()
+        figure = self._cycle_figure()
         return plots.draw(figure) if figure["panels"] else self.design.plot()
 
     def plot_profile(self) -> Any:
@@ -161,7 +170,7 @@ class Result:
     def report(self, path: str | Path | None = None) -> str:
         """A page for any browser, offline: verdict, limits, curves, the machine in motion. Returned,
         and written where `path` is given."""
-        return _written(self._native.report(), path)
+        return written(self._native.report(), path)
 
     def export(self, path: str | Path | None = None, **options: Any) -> str:
         """The cam for drawing, cutting or control, as the text of a file; written to `path`, whose
@@ -172,18 +181,18 @@ class Result:
         the angle in place of a tolerance. form: lines, arcs, spline. decimals, tool, feed,
         clearance, depth, slave: as docs/exports.md has them.
         """
-        text = native.export_result(self._native, _export_options(path, options))
-        return _written(text, path)
+        text = native.export_result(self._native, export_options(path, options))
+        return written(text, path)
 
     def __str__(self) -> str:
-        text = self._native.text()
+        text = self._native.text
         return repr(self) if text is None else str(text)
 
     def __repr__(self) -> str:
         return f"<camlaw result: {self.verdict}, {self.facts.get('objective_name', 'objective')} = {self.objective:.10g}>"
 
     def _repr_html_(self) -> str:
-        html = self._native.html()
+        html = self._native.html
         if html is not None:
             return str(html)
         return f"<p><b>{escape(self.verdict)}</b>: {escape(self.reason)}</p>{self.margins._repr_html_()}"

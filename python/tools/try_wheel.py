@@ -26,6 +26,12 @@ assert len(scouted) >= 4
 assert result.report().startswith("<!DOCTYPE html>")
 with open("/proc/self/maps", encoding="utf-8") as maps:
     theirs = {line.split()[-1] for line in maps if ".so" in line}
+# What it needs of linear algebra comes with it, and is the reference.
+algebra = [library for library in theirs if "blas" in library or "lapack" in library]
+own = [library for library in algebra if "camlaw.libs" in library]
+others = [name for name in theirs if any(one in name for one in ("atlas", "openblas", "mkl", "blis"))]
+others = [name for name in others if "numpy" not in name]  # which brings its own
+assert len(own) >= 2 and others == [], (algebra, others)
 print(cl.__version__, package)
 for library in sorted(theirs):
     if any(name in library for name in ("ipopt", "nlopt", "ceres", "blas", "lapack", "mumps")):

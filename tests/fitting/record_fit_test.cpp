@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "machines/registry.h"
+#include "optim/search/deadline.h"
 #include "problems/statement/bind.h"
 #include "tests/problems/complaint.h"
 #include "tests/random_numbers.h"
@@ -114,6 +116,23 @@ TEST_CASE("intervals of a machine's sizes hold what they say", "[record]") {
   // 95 % of 180, less and more 3 deviations of that count.
   CHECK(within >= 171 - 9);
   CHECK(within <= 171 + 9);
+}
+
+TEST_CASE("a fit to a record keeps its time, and ends where it is stopped", "[record]") {
+  const RecordedCurve record = recorded("drive_torque", 20000, 0.05, 1);
+  const RecordFit cut = fit_record(cam(), record, {.time_limit = 1e-3});
+  CHECK_THAT(cut.distrust, Contains("the time limit of 0.001 s was reached"));
+  CHECK(cut.model.size() == record.place.size());
+  std::atomic<bool> stop = true;
+  CHECK_THROWS_AS(fit_record(cam(), record, {.stop = &stop}), optim::Interrupted);
+  stop = false;
+  const RecordFit watched = fit_record(cam(), recorded("drive_torque", 360, 0.05, 1),
+                                       {.time_limit = 1000, .stop = &stop});
+  const RecordFit plain = fit_record(cam(), recorded("drive_torque", 360, 0.05, 1));
+  for (const auto& [k, value] : kTrue) {
+    CHECK(watched.fit.parameters[k].value == plain.fit.parameters[k].value);
+  }
+  CHECK(watched.machine.stop == nullptr);
 }
 
 TEST_CASE("several turns, wrong zeros and outliers", "[record][long]") {

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "output/document/markdown.h"
+#include "output/document/printing.h"
+#include "output/report/html.h"
 
 namespace camlaw::cli::document_test {
 namespace {
@@ -159,6 +161,22 @@ TEST_CASE("a document is a page in Markdown: headings, sentences, columns of pag
   CHECK(text_of(document) ==
         "Laws\nTwo of them.\n\nsmooth\n\nlaw         text  note\n"
         "poly-3-4-5  no    |s| <= 1\nC2\n            no\n");
+}
+
+TEST_CASE("a document is HTML for a notebook: headings, sentences, tables, no marks of colours",
+          "[document]") {
+  Document document;
+  document.add(Heading{"Laws & cams", 3});
+  document.say(shaded("good", Shade::Good) + " <b>\n");
+  Table table = limits();
+  table.caption = "\nof the press\n";
+  document.add(std::move(table));
+  const std::string html = html_of(document);
+  CHECK_THAT(html, Catch::Contains("<h3>Laws &amp; cams</h3>\n"));
+  CHECK_THAT(html, Catch::Contains("good &lt;b&gt;\n"));
+  CHECK_THAT(html, Catch::Contains("of the press"));
+  CHECK_THAT(html, Catch::Contains("<table>") && Catch::Contains("<td>stress</td>"));
+  CHECK(html.find_first_of("\x11\x12\x13\x14") == std::string::npos);
 }
 
 }  // namespace camlaw::cli::document_test

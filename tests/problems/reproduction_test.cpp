@@ -337,7 +337,7 @@ TEST_CASE("a damaged table is refused with its name, the line and what is wrong"
 TEST_CASE("systems are known by name and verdicts have words", "[reproduction]") {
   REQUIRE_FALSE(reproducible_systems().empty());
   CHECK(reproducible_systems().front().name == "spine-cutter");
-  CHECK(reproducible_systems().front().reproduce().explained == 19);
+  CHECK(reproducible_systems().front().reproduce(nullptr).explained == 19);
   CHECK(to_string(optim::Finding::Reproduced) == "reproduced");
   CHECK(to_string(optim::Finding::Explained) == "explained");
   CHECK(to_string(optim::Finding::Unexplained) == "unexplained");
@@ -348,7 +348,7 @@ TEST_CASE("what is reproduced is the baseline, and what is worse than it is name
   for (const ReproducibleSystem& system : reproducible_systems()) {
     if (system.name == "cam-shape") continue;  // its own test; it takes seconds
     INFO(system.name);
-    CHECK(worsened(system.reproduce()).empty());
+    CHECK(worsened(system.reproduce(nullptr)).empty());
   }
   SystemReproduction changed = spine_cutter();
   for (ReproducedValue& value : changed.values) {

@@ -8,14 +8,14 @@ namespace {
 
 constexpr int kSuite = 1000;  // points of the value that is not from COPS
 
-double valve_opening(int n, bool widened) {
-  if (!widened) return solve_cam_shape(n).objective;
+double valve_opening(int n, bool widened, const std::atomic<bool>* stop) {
+  if (!widened) return solve_cam_shape(n, stop).objective;
   return cam_shape(n).objective().response.function().value(cam_shape_by_ipopt_defaults(n));
 }
 
 }  // namespace
 
-SystemReproduction reproduce_cam_shape() {
+SystemReproduction reproduce_cam_shape(const std::atomic<bool>* stop) {
   std::vector<PrintedValue> printed = printed_cam_shapes();
   optim::Table table;
   table.name = "cam-shape";
@@ -27,8 +27,8 @@ SystemReproduction reproduce_cam_shape() {
     table.depends.emplace_back();
     if (points.back() == kSuite) table.depends.back().push_back(0);
   }
-  table.model = [points](std::size_t row, std::span<const int> choice) {
-    return valve_opening(points[row], choice[0] != 0);
+  table.model = [points, stop](std::size_t row, std::span<const int> choice) {
+    return valve_opening(points[row], choice[0] != 0, stop);
   };
   return reproduce_system(
       "cam-shape", "COPS cam shape: valve opening of n radii",

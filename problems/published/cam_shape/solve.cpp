@@ -6,6 +6,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "optim/search/deadline.h"
 #include "optim/search/optimise.h"
 #include "optim/solvers/program.h"
 #include "optim/solvers/solver.h"
@@ -42,8 +43,10 @@ optim::Program published_program(const optim::Problem& problem) {
 
 }  // namespace
 
-CamShapeCase solve_cam_shape(int n) {
-  const optim::Optimum solved = optim::optimise(cam_shape(n), {.solver = "ipopt", .starts = 1});
+CamShapeCase solve_cam_shape(int n, const std::atomic<bool>* stop) {
+  const optim::Optimum solved =
+      optim::optimise(cam_shape(n), {.solver = "ipopt", .starts = 1, .stop = stop});
+  optim::Deadline({}, stop).check();
   const optim::Assessment& assessment = solved.found.assessment;
   CamShapeCase result;
   result.n = n;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ struct CamShapeCase {
 };
 
 /// Solves the problem of n radii with Ipopt. Throws std::invalid_argument for n outside
-/// [3, 100000].
-CamShapeCase solve_cam_shape(int n);
+/// [3, 100000], and optim::Interrupted where `stop` is set before the end.
+CamShapeCase solve_cam_shape(int n, const std::atomic<bool>* stop = nullptr);
 
 /// What Ipopt answers with its own settings to the rows as they are published: each bound is
 /// widened by 1e-8, which is a hundredth of d^2 at n = 1000. No feasible cam. Throws likewise, and

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "optim/search/deadline.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/front_study.h"
 #include "problems/fronts/ruler.h"
@@ -80,10 +81,21 @@ double share_of(const FrontStudy& study, const optim::Front& front) {
   return reached / ruler->hypervolume(front.reference);
 }
 
+/// Who watches the search, and may stop it.
+struct Watching {
+  FrontsProgress progress;
+  const std::atomic<bool>* stop;
+
+  /// Throws where it was stopped: half a front has no place in the study.
+  void check() const { optim::Deadline({}, stop).check(); }
+};
+
 /// Passes a front's progress on as that of all fronts: this is the one numbered `index`.
-optim::ParetoOptions with_progress(optim::ParetoOptions options, const std::string& name, int index,
-                                   const FrontsProgress& progress) {
+optim::ParetoOptions watched(optim::ParetoOptions options, const std::string& name, int index,
+                             const Watching& watching) {
   constexpr double kFronts = 3;
+  const FrontsProgress& progress = watching.progress;
+  options.solve.stop = watching.stop;
   if (!progress) return options;
   options.progress = [=](const optim::StudyProgress& p) {
     const double share = static_cast<double>(p.points) / static_cast<double>(p.wanted);
@@ -93,7 +105,7 @@ optim::ParetoOptions with_progress(optim::ParetoOptions options, const std::stri
 }
 
 ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_only, int workers,
-                              const FrontsProgress& progress) {
+                              const Watching& watching) {
   std::vector<FrontStudy> studies;
   std::vector<std::string> names;
   for (const VaryingFamily& family : kFamilies) {
@@ -104,13 +116,13 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
   }
   const JoinedStudies joined{"law", names, studies};
   const optim::ProblemSpace space = joined.space();
-  optim::ProcessExecutor executor(space, studies.front().options().solve, workers,
-                                  worker_program(joined));
   ProvedFront result;
   result.name = smooth_only ? "families of continuous acceleration" : "all families";
   const auto options =
-      with_progress(studies.front().options(), result.name, smooth_only ? 1 : 0, progress);
+      watched(studies.front().options(), result.name, smooth_only ? 1 : 0, watching);
+  optim::ProcessExecutor executor(space, options.solve, workers, worker_program(joined));
   result.front = optim::pareto(space, options, executor);
+  watching.check();
   for (const optim::FrontPoint& point : result.front.points) {
     optim::FrontPoint of_study = point;
     of_study.part = 0;
@@ -121,12 +133,13 @@ ProvedFront front_of_families(const SpineCutter<double>& cutter, bool smooth_onl
 }
 
 ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
-                              const FrontsProgress& progress) {
+                              const Watching& watching) {
   FrontStudy study = study_of(front_text(cutter, kFreeLaw));
-  study.options() = with_progress(study.options(), "free law", 2, progress);
+  study.options() = watched(study.options(), "free law", 2, watching);
   optim::ProcessExecutor executor(study.space(), study.options().solve, workers,
                                   worker_program(study));
   ProvedFront result{"free law (degree 2, 64 even knots)", study.run(executor), {}, 0};
+  watching.check();
   result.laws.assign(result.front.points.size(), "free law");
   result.share_of_limit = share_of(study, result.front);
   return result;
@@ -134,16 +147,19 @@ ProvedFront front_of_free_law(const SpineCutter<double>& cutter, int workers,
 
 /// The free law's least of one number with the other no greater than `bound`.
 optim::Optimum least(const SpineCutter<double>& cutter, const char* sought, const char* limited,
-                     double bound) {
+                     double bound, const Watching& watching) {
   const std::string text =
       machine_text(cutter, kFreeLaw) +
       fmt::format(
           "[objective]\nminimize = \"{}\"\n[[constraints]]\nresponse = \"{}\"\nupper = {}\n",
           sought, limited, bound);
-  return optim::optimise(BoundProblem(read_problem(text, "spine cutter")).space());
+  optim::Optimum optimum = optim::optimise(BoundProblem(read_problem(text, "spine cutter")).space(),
+                                           {.stop = watching.stop});
+  watching.check();
+  return optimum;
 }
 
-Saving saving_over(const SpineCutter<double>& cutter, const char* law) {
+Saving saving_over(const SpineCutter<double>& cutter, const char* law, const Watching& watching) {
   const Peaks<double> peak = peaks(find_law(law).law());
   Saving saving{law,
                 cutter.minimum_cam_radius(peak.max_velocity()) * 1e3,
@@ -152,8 +168,8 @@ Saving saving_over(const SpineCutter<double>& cutter, const char* law) {
                 0,
                 {},
                 {}};
-  const auto force = least(cutter, kForce, kRadius, saving.cam_radius);
-  const auto radius = least(cutter, kRadius, kForce, saving.inertia_force);
+  const auto force = least(cutter, kForce, kRadius, saving.cam_radius, watching);
+  const auto radius = least(cutter, kRadius, kForce, saving.inertia_force, watching);
   saving.least_force = force.found.assessment.objective.value;
   saving.least_radius = radius.found.assessment.objective.value;
   saving.force_verdict = force.found.assessment.verdict;
@@ -164,13 +180,14 @@ Saving saving_over(const SpineCutter<double>& cutter, const char* law) {
 }  // namespace
 
 SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
-                               const FrontsProgress& progress) {
-  SpineCutterFronts fronts{front_of_families(cutter, false, workers, progress),
-                           front_of_families(cutter, true, workers, progress),
-                           front_of_free_law(cutter, workers, progress),
+                               const FrontsProgress& progress, const std::atomic<bool>* stop) {
+  const Watching watching{progress, stop};
+  SpineCutterFronts fronts{front_of_families(cutter, false, workers, watching),
+                           front_of_families(cutter, true, workers, watching),
+                           front_of_free_law(cutter, workers, watching),
                            {}};
   for (const char* law : {"cosine", "polynomial-5 alpha=-3"}) {
-    fronts.savings.push_back(saving_over(cutter, law));
+    fronts.savings.push_back(saving_over(cutter, law, watching));
   }
   return fronts;
 }

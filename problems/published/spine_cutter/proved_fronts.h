@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 
@@ -38,8 +39,10 @@ struct SpineCutterFronts {
 /// Told which front is looked for, and which share of all the work is done, 0 .. 1.
 using FrontsProgress = std::function<void(const std::string& front, double done)>;
 
-/// `workers` processes search side by side; the answer does not depend on them.
+/// `workers` processes search side by side; the answer does not depend on them. Throws
+/// optim::Interrupted where `stop` is set before the end.
 SpineCutterFronts prove_fronts(const SpineCutter<double>& cutter, int workers,
-                               const FrontsProgress& progress = {});
+                               const FrontsProgress& progress = {},
+                               const std::atomic<bool>* stop = nullptr);
 
 }  // namespace camlaw::problems

@@ -50,6 +50,9 @@ class Model:
         if not self.variables:
             raise InputError("nothing varies in the problem; it needs variables")
 
+    def __reduce__(self) -> Any:
+        return Model, (self.problem,)
+
     @property
     def lower(self) -> np.ndarray:
         return np.array([v.lower for v in self.variables])

@@ -3,14 +3,18 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "numerics/linear/least_squares.h"
 #include "optim/fit/loss.h"
+#include "optim/search/deadline.h"
 #include "tests/optim/fit/fitted_data.h"
 
 namespace camlaw::optim::least_squares_test {
@@ -538,6 +542,52 @@ TEST_CASE("what the model throws comes through", "[fit]") {
     return true;
   });
   CHECK_THROWS_WITH(fit(named({"p"}, {0}), throwing), "no such lift");
+}
+
+TEST_CASE("a fit that runs out of time has the best that it has seen, and says so", "[fit]") {
+  // The model is slow from its third call on: the search has then just begun.
+  int calls = 0;
+  const AutomaticResiduals slow(2, [&](const auto& p, const auto& r) {
+    if (++calls > 3) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    r[0] = exp(p[0]) - 3.0;
+    r[1] = 0.1 * p[0];
+    return true;
+  });
+  const FitResult cut = fit(named({"p"}, {0}), slow, {.time_limit = 0.03});
+  const double sum_at_start = 4;
+  CHECK(cut.sum_of_squares <= sum_at_start);
+  CHECK(cut.reason.starts_with("the time limit of 0.03 s was reached before the fit had ended"));
+  CHECK(calls < 20);
+  const FitResult whole = fit(named({"p"}, {0}), slow, {.time_limit = 100});
+  CHECK(whole.converged);
+  CHECK(whole.reason.empty());
+  CHECK_THROWS_WITH(fit(named({"p"}, {0}), slow, {.time_limit = 0}),
+                    Catch::Contains("the time limit of 0 s is not above zero"));
+}
+
+TEST_CASE("a fit with a time that is enough has the bits of one without", "[fit]") {
+  const auto parameters = named({"a", "b"}, {0, 0});
+  const FitResult free = fit(parameters, against(kX, kY, kLine));
+  const FitResult timed = fit(parameters, against(kX, kY, kLine), {.time_limit = 1000});
+  for (std::size_t j = 0; j < 2; ++j) {
+    CHECK(same_bits(free.parameters[j].value, timed.parameters[j].value));
+    CHECK(same_bits(free.parameters[j].low, timed.parameters[j].low));
+  }
+  CHECK(free.evaluations == timed.evaluations);
+}
+
+TEST_CASE("a fit that is stopped has no answer", "[fit]") {
+  std::atomic<bool> stop = false;
+  int calls = 0;
+  const AutomaticResiduals stopping(2, [&](const auto& p, const auto& r) {
+    if (++calls == 4) stop = true;
+    r[0] = exp(p[0]) - 3.0;
+    r[1] = 0.1 * p[0];
+    return true;
+  });
+  CHECK_THROWS_AS(fit(named({"p"}, {0}), stopping, {.time_limit = 100, .stop = &stop}),
+                  Interrupted);
+  CHECK(calls == 4);
 }
 
 TEST_CASE("the same fit has the same bits", "[fit]") {

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""Every long call ends at Ctrl-C within about a second, and lets other threads run meanwhile."""
+
+import signal
+import threading
+import time
+from contextlib import contextmanager
+
+import camlaw as cl
+import numpy as np
+import pytest
+from conftest import PROBLEMS
+
+BUILDABLE = PROBLEMS / "cams/smallest_buildable.toml"
+
+
+@pytest.fixture(scope="module")
+def many_segments():
+    """A problem of which everything takes a while: a cycle of a hundred rises and returns."""
+    segments = [
+        {"name": f"{motion}_{k}", "angle": "3.6 deg", "law": "modified-sine"}
+        for k in range(50)
+        for motion in ("rise", "return")
+    ]
+    del segments[-1]["angle"]  # what is left of the turn
+    return cl.Problem(
+        mechanism="disc-cam-roller",
+        constants={"stroke": "5 mm", "roller_radius": "8 mm", "speed": "20 rpm", "mass": "1 kg"},
+        program=segments,
+        variables={"base_radius": {"lower": "100 mm", "upper": "900 mm", "start": "400 mm"}},
+        objective="base_radius",
+        constraints={"pressure_angle": ("-40 deg", "30 deg"), "undercut": {"upper": 0.8}},
+    )
+
+
+@pytest.fixture(scope="module")
+def found(many_segments):
+    return many_segments.optimize(time_limit=1)
+
+
+@pytest.fixture(scope="module")
+def front():
+    return cl.Problem.load(PROBLEMS / "cams/roller_front.toml").pareto(points=60, workers=2)
+
+
+def recorded(rows):
+    """A recorded torque of so many rows, with noise."""
+    machine = cl.Problem.load(PROBLEMS / "cams/recorded_torque.toml")
+    curves = machine.curves(720)
+    names = list(curves)
+    angle = np.linspace(0, 360, rows, endpoint=False)
+    torque = next(name for name in names if name.startswith("drive_torque"))
+    value = np.interp(angle, np.asarray(curves[names[0]]), np.asarray(curves[torque]))
+    noise = np.random.default_rng(1).normal(size=rows) * 0.05 * np.abs(value).max()
+    return machine, {names[0]: angle, torque: value + noise}
+
+
+def fit_of_a_recorded_curve(given):
+    machine, table = recorded(20_000)
+    return lambda: cl.fit(table, mechanism=machine, loss="huber")
+
+
+def fit_of_a_motion(given):
+    x = np.linspace(0, 1, 1800)
+    lift = 20 * cl.law("cycloidal")(x).s + np.random.default_rng(1).normal(size=x.size) * 1e-3
+    return lambda: cl.fit({"angle [deg]": 90 * x, "lift [mm]": lift})
+
+
+def check_of_derivatives(given):
+    problem = cl.Problem.load(PROBLEMS / "spine_cutter/moving_front.toml")
+    return problem.check_derivatives
+
+
+#: Each makes a call that takes a while.
+CALLS = {
+    "evaluate": lambda given: given("many_segments").evaluate,
+    "evaluate_many": lambda given: lambda: given("many_segments").evaluate_many(
+        {"base_radius": np.linspace(200, 800, 100_000)}
+    ),
+    "check_derivatives": check_of_derivatives,
+    "report of a problem": lambda given: given("many_segments").report,
+    "export": lambda given: lambda: given("many_segments").export(
+        format="json", tolerance="0.05 um", decimals=9
+    ),
+    "report of a result": lambda given: given("found").report,
+    "verify": lambda given: given("found").verify,
+    "report of a front": lambda given: given("front").report,
+    "sensitivity": lambda given: lambda: given("front").sensitivity(0),
+    "study": lambda given: lambda: cl.study("spine-cutter", workers=1),
+    "reproduce": lambda given: lambda: cl.reproduce("cam-shape"),
+    "cam_shape": lambda given: lambda: cl.cam_shape(20_000),
+    "fit of a recorded curve": fit_of_a_recorded_curve,
+    "fit of a motion": fit_of_a_motion,
+}
+
+
+@contextmanager
+def ctrl_c_after(seconds):
+    """Ctrl-C, by a timer of the process: it comes while the library is at work."""
+
+    def handler(number, frame):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, handler)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def stopped_by_ctrl_c(call, delay):
+    """What Ctrl-C raises, and after how many seconds; nothing where the call had ended."""
+    began = time.monotonic()
+    try:
+        with ctrl_c_after(delay):
+            call()
+    except KeyboardInterrupt as stopped:
+        return stopped, time.monotonic() - began - delay
+    return None, 0
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_ctrl_c_ends_a_long_call(name, request, many_segments):
+    call = CALLS[name](request.getfixturevalue)
+    # Where Python itself was at work, on a busy machine, the library had not begun.
+    for delay in (0.05, 0.2, 0.8):
+        stopped, late = stopped_by_ctrl_c(call, delay)
+        if isinstance(stopped, cl.Interrupted):
+            break
+    assert isinstance(stopped, cl.Interrupted)
+    assert late < 2  # a second, and as much again where the machine has other things to do
+    assert stopped.result is None
+    assert cl.law("cycloidal").C_v == pytest.approx(2)  # all goes on
+    assert len(many_segments.curves(36)) == 37
+
+
+def test_a_fit_to_a_recorded_curve_keeps_its_time():
+    machine, table = recorded(40_000)
+    began = time.monotonic()
+    found = cl.fit(table, mechanism=machine, loss="huber", time_limit=0.02)
+    assert time.monotonic() - began < 2
+    assert not found.trusted
+    assert found.reason.startswith("the time limit of 0.02 s was reached before the fit had ended")
+    assert found.machine.constants["mass"] > 0
+
+
+@contextmanager
+def another_thread():
+    """A thread of Python that looks at the clock; yields what it saw."""
+    seen, ended = [], threading.Event()
+
+    def look():
+        while not ended.is_set():
+            seen.append(time.monotonic())
+            time.sleep(0.0005)
+
+    other = threading.Thread(target=look)
+    other.start()
+    while not seen:
+        time.sleep(0.001)
+    try:
+        yield seen
+    finally:
+        ended.set()
+        other.join()
+
+
+BESIDE = {
+    "evaluate": lambda problem, front: problem.evaluate(),
+    "check": lambda problem, front: problem.check(),
+    "check_derivatives": lambda problem, front: problem.check_derivatives(),
+    "scaling": lambda problem, front: problem.scaling(),
+    "curves": lambda problem, front: problem.curves(7200),
+    "curves_figure": lambda problem, front: problem._native.curves_figure(),
+    "profile_figure": lambda problem, front: problem._native.profile_figure(),
+    "report": lambda problem, front: problem.report(),
+    "export": lambda problem, front: problem.export(format="dxf"),
+    "reading": lambda problem, front: cl.Problem.from_text(problem.text),
+    "law": lambda problem, front: cl.law("modified-sine")(np.linspace(0, 1, 4_000_000)),
+    "report of a front": lambda problem, front: front.report(),
+    "words of a front": lambda problem, front: (front.facts, str(front)),
+}
+
+
+@pytest.mark.parametrize("name", BESIDE)
+def test_other_threads_run_beside_a_call(name, many_segments, front):
+    call = BESIDE[name]
+    call(many_segments, front)  # what is done once is done
+    with another_thread() as seen:
+        time.sleep(0.005)
+        began = time.monotonic()
+        while time.monotonic() - began < 0.3:  # the same again where it is short
+            call(many_segments, front)
+        ended = time.monotonic()
+    took = ended - began
+    times = [began, *(t for t in seen if began < t < ended), ended]
+    blocked = max(b - a for a, b in zip(times, times[1:]))
+    # Held by the call, the lock would come free between two calls only.
+    assert blocked < max(0.1, 0.3 * took), (blocked, took)
+    assert len(times) > 20
