@@ -12,6 +12,7 @@
 #include "machines/follower_train/mechanism.h"
 #include "machines/geneva/mechanism.h"
 #include "machines/normalised_law/normalised_law.h"
+#include "machines/servo_axis/mechanism.h"
 #include "machines/sheet_delivery/mechanism.h"
 #include "machines/signature_feeder/mechanism.h"
 #include "machines/spine_cutter/mechanism.h"
@@ -50,6 +51,8 @@ constexpr Listed kListed[] = {
     {"disc-springs", disc_springs_mechanism},
     {"helical-spring", helical_spring_mechanism},
     {"follower-train", follower_train_mechanism},
+    {"servo-axis", servo_axis_mechanism},
+    {"linear-servo-axis", linear_servo_axis_mechanism},
     {"law", normalised_law_mechanism}};
 constexpr std::size_t kMechanisms = std::size(kListed);
 

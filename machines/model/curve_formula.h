@@ -58,11 +58,14 @@ class CurveFormula {
 /// Series of s, v, a, j from the derivatives of s by x.
 template <std::size_t N, class T, std::size_t M>
 MotionSeries<T, N> motion_series(const std::array<T, M>& d) {
-  static_assert(N <= 3 && M >= N + 3);
-  const auto series = [&](std::size_t k) {
-    Series<T, N> result(d[k]);
-    if constexpr (N > 1) result.c[1] = d[k + 1];
-    if constexpr (N > 2) result.c[2] = 0.5 * d[k + 2];
+  static_assert(M >= N + 3);
+  const auto series = [&](std::size_t order) {
+    Series<T, N> result(d[order]);
+    double factorial = 1;
+    for (std::size_t k = 1; k < N; ++k) {
+      factorial *= static_cast<double>(k);
+      result.c[k] = d[order + k] / number<T>(factorial);
+    }
     return result;
   };
   return {series(0), series(1), series(2), series(3)};

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "kinematics/expansion.h"
 #include "machines/model/curve_formula.h"
+#include "machines/model/enclosed.h"
 #include "numerics/polynomial/gauss_legendre.h"
 
 namespace camlaw::problems {
@@ -29,59 +33,166 @@ int steps_over(const Piece<T>& piece, double whole) {
   return std::max(kLeastSteps, static_cast<int>(std::ceil(rate * length)));
 }
 
-/// Gauss-Legendre of 10 points on even steps.
+/// Adds the terms of Gauss-Legendre of 10 points over a step of this middle to a sum that half the
+/// step's length is a factor of.
 template <class T, class F>
-T piece_integral(const Piece<T>& piece, const F& f) {
+void add_gauss(const Piece<T>& piece, const F& f, const T& middle, const T& half, T& sum) {
   const auto& [places, weights] = gauss_legendre(10);
-  const T length = piece.end - piece.begin;
-  const int steps = steps_over(piece, kMeanSteps);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      const T x = middle + number<T>(side * places[k]) * half;
+      const auto d = derivatives<4>(piece, x);
+      sum = sum + number<T>(weights[k]) * f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
+    }
+  }
+}
+
+/// On even steps, as many by length of the piece from one place to another.
+template <class T, class F>
+T stretch_integral(const Piece<T>& piece, const T& begin, const T& end, const F& f) {
+  const T length = end - begin;
+  const double whole = value_of(piece.end) - value_of(piece.begin);
+  const double share = whole > 0 ? value_of(length) / whole : 0;
+  const int steps = std::max(1, static_cast<int>(std::ceil(share * steps_over(piece, kMeanSteps))));
   const T half = length / number<T>(2.0 * steps);
   T sum = number<T>(0);
   for (int i = 0; i < steps; ++i) {
-    const T middle = piece.begin + number<T>(2 * i + 1) * half;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      for (const double side : {-1.0, 1.0}) {
-        const T x = middle + number<T>(side * places[k]) * half;
-        const auto d = derivatives<4>(piece, x);
-        sum = sum + number<T>(weights[k]) * f(Motion<T>{d[0], d[1], d[2], d[3]}, x);
-      }
-    }
+    add_gauss(piece, f, T(begin + number<T>(2 * i + 1) * half), half, sum);
   }
   return half * sum;
 }
 
-/// Encloses: over a step from a to b about c, f(c) (b - a) + f'(c) ((b - c)^2 - (a - c)^2) / 2 +
-/// f''/2 ((b - c)^3 - (a - c)^3) / 3, f'' over the whole step.
+template <class T, class F>
+T piece_integral(const Piece<T>& piece, const F& f) {
+  return stretch_integral(piece, piece.begin, piece.end, f);
+}
+
+/// Where a continuous g changes its sign between two places. Where it jumps it is not asked: what
+/// makes it jump is a sign of its own.
+template <class G>
+std::vector<double> sign_changes(const G& g, double begin, double end) {
+  constexpr int kSamples = 256, kNearer = 10;     // even ones, and closer and closer to the ends
+  constexpr double kNoise = 1e-13, kJump = 1e-6;  // of the size
+  std::vector<double> shares;
+  for (int i = 1; i < kSamples; ++i) shares.push_back(static_cast<double>(i) / kSamples);
+  for (int k = 1; k <= kNearer; ++k) {
+    const double near = std::ldexp(1.0 / kSamples, -k);
+    shares.insert(shares.begin(), near);
+    shares.push_back(1 - near);
+  }
+  std::vector<std::pair<double, double>> samples;
+  double size = 0;
+  for (const double share : shares) {
+    const double x = std::lerp(begin, end, share);
+    samples.emplace_back(x, g(x));
+    size = std::max(size, std::abs(samples.back().second));
+  }
+  std::vector<double> places;
+  double before = begin, sign = 0;
+  for (const auto& [x, value] : samples) {
+    if (!(std::abs(value) > kNoise * size)) continue;
+    if (value * sign < 0) {
+      double low = before, high = x;
+      for (double middle = std::midpoint(low, high); low < middle && middle < high;
+           middle = std::midpoint(low, high)) {
+        (g(middle) * sign > 0 ? low : high) = middle;
+      }
+      if (std::abs(g(high) - g(low)) <= kJump * size) places.push_back(low);
+    }
+    before = x, sign = value;
+  }
+  return places;
+}
+
+/// Encloses the integral over steps. Where f may have a kink or a jump a step is halved, so that
+/// nearly all of it is smooth.
+template <class F>
+class StepEnclosure {
+ public:
+  StepEnclosure(const Piece<Interval>& piece, const F& f)
+      : piece_(piece), expander_(piece), f_(f) {}
+
+  /// (R2) From the Taylor terms of f about the middle c of the step from a to b, the last one over
+  /// the whole step.
+  Interval operator()(const Interval& a, const Interval& b, int halvings = kHalvings) {
+    const Interval box = boost::numeric::hull(a, b), one(1.0);
+    const Expansion motion = expander_(box);
+    const Interval c(motion.middle), left = a - c, right = b - c;
+    const auto at = f_(motion_series<kTerms>(derivatives<kTerms + 3>(piece_, c)),
+                       Series<Interval, kTerms>::variable(c, one));
+    auto all = derivatives<kTerms + 3>(piece_, box);
+    // Each is sharp where the other is not: the first of a piece that rests.
+    for (std::size_t k = 0; k < motion.over.size(); ++k) all[k] = both(all[k], motion.over[k]);
+    const auto over = f_(motion_series<kTerms>(all), Series<Interval, kTerms>::variable(box, one));
+    // By so many terms, an odd number, so that the power of x - c in the last one has one sign.
+    const auto by_terms = [&](std::size_t terms) {
+      Interval sum(0.0), from = left, to = right;
+      for (std::size_t k = 0; k < terms; ++k) {
+        const Interval& term = k + 1 < terms ? at.c[k] : over.c[k];
+        sum += term * (to - from) / Interval(static_cast<double>(k + 1));
+        from *= left, to *= right;
+      }
+      return sum;
+    };
+    Interval result = by_terms(kTerms);
+    const bool may_halve = halvings > 0 && halved_ < kMostHalved && is_bounded(over.c[0]);
+    if (!is_bounded(result) && may_halve) {
+      ++halved_;
+      return (*this)(a, c, halvings - 1) + (*this)(c, b, halvings - 1);
+    }
+    for (const std::size_t terms : {3, 1}) result = both(result, by_terms(terms));
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kTerms = 7;
+  /// A jump is known to a part in 2^30 of a step, and a piece may have many.
+  static constexpr int kHalvings = 30, kMostHalved = 2000;
+  static bool is_bounded(const Interval& x) {
+    return std::isfinite(x.lower()) && std::isfinite(x.upper());
+  }
+
+  const Piece<Interval>& piece_;
+  PieceExpander expander_;
+  const F& f_;
+  int halved_ = 0;
+};
+
+/// Encloses, over even steps.
 template <class F>
 Interval piece_integral(const Piece<Interval>& piece, const F& f) {
-  const PieceExpander expander(piece);
-  const Interval length = piece.end - piece.begin, one(1.0);
+  StepEnclosure step(piece, f);
+  const Interval length = piece.end - piece.begin;
   const int steps = steps_over(piece, kMeanBoxes);
   const auto edge = [&](int i) {
     return piece.begin + length * Interval(double(i)) / Interval(double(steps));
   };
   Interval sum(0.0);
-  for (int i = 0; i < steps; ++i) {
-    const Interval a = edge(i), b = edge(i + 1), box = boost::numeric::hull(a, b);
-    const Expansion motion = expander(box);
-    const Interval c(motion.middle), left = a - c, right = b - c;
-    const auto at = f(motion_series<2>(motion.at), Series<Interval, 2>::variable(c, one));
-    const auto over = f(motion_series<3>(motion.over), Series<Interval, 3>::variable(box, one));
-    sum = sum + at.c[0] * (b - a) + at.c[1] * (right * right - left * left) / Interval(2.0) +
-          over.c[2] * (right * right * right - left * left * left) / Interval(3.0);
-  }
+  for (int i = 0; i < steps; ++i) sum = sum + step(edge(i), edge(i + 1));
   return sum;
 }
 
 }  // namespace detail
 
 /// The integral over x from 0 to 1 of f(motion, x) along a law: for intervals an enclosure, else by
-/// Gauss-Legendre quadrature, to the last places for what is smooth within the pieces. With the
-/// derivatives by whatever the law depends on, its breaks included.
-template <class T, class F>
-T cycle_mean(const Law<T>& law, const F& f) {
+/// Gauss-Legendre quadrature, to the last places for what is smooth within the pieces but at the
+/// places that breaks(piece) names, increasing. With the derivatives by whatever the law depends
+/// on, its breaks included.
+template <class T, class F, class Breaks>
+T cycle_mean(const Law<T>& law, const F& f, const Breaks& breaks) {
   T sum = number<T>(0);
-  for (const Piece<T>& piece : law.pieces()) sum = sum + detail::piece_integral(piece, f);
+  for (const Piece<T>& piece : law.pieces()) {
+    if constexpr (std::is_same_v<T, Interval>) {
+      sum = sum + detail::piece_integral(piece, f);
+    } else {
+      T begin = piece.begin;
+      for (const T& place : breaks(piece)) {
+        sum = sum + detail::stretch_integral(piece, begin, place, f);
+        begin = place;
+      }
+      sum = sum + detail::stretch_integral(piece, begin, piece.end, f);
+    }
+  }
   return sum;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "machines/model/mean_number.h"
 
+#include <algorithm>
+#include <array>
+
 #include "machines/model/arguments.h"
 #include "machines/model/cycle_mean.h"
 #include "machines/model/law_number.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/pulse.h"
+#include "numerics/formula/deciders.h"
 
 namespace camlaw::problems {
 namespace {
@@ -16,11 +20,58 @@ struct MeanFormulas {
   Recorded integrand, of_mean;
 };
 
+/// What of its deciders changes with the motion, whose s, v, a, j are the last inputs.
+std::vector<Formula> moving_deciders(const Recorded& integrand) {
+  std::vector<Formula> all = deciders(integrand.formula);
+  std::erase_if(all, [&](const Formula& decider) {
+    return std::ranges::none_of(decider.uses(),
+                                [&](std::size_t input) { return input >= integrand.arguments; });
+  });
+  return all;
+}
+
+/// A formula of a motion at a place of a piece.
+template <class T>
+T at_place(const FormulaAlong<T>& formula, const Piece<T>& piece, const T& x) {
+  const auto motion = derivatives<4>(piece, x);
+  return formula(std::span<const T>(motion));
+}
+
+/// Adds where a decider changes its sign, with the derivatives of these places, unless another one
+/// has done so there: what is a product of that one may have a kink there itself.
+template <class T>
+void add_decisions(const Formula& decider, std::span<const T> machine, const Piece<T>& piece,
+                   std::vector<T>& places) {
+  constexpr double kBeside = 1e-5, kSame = 1e-9;  // of the piece's length
+  constexpr int kSteps = 4;  // the first has the first derivatives, the next the second
+  std::vector<double> plain;
+  for (const T& value : machine) plain.push_back(value_of(value));
+  const Piece<double> same = piece_as<double>(piece);
+  const FormulaAlong<double> look(decider, plain);
+  const FormulaAlong<T> exact(decider, machine);
+  const auto value = [&](double x) { return at_place(look, same, x); };
+  const double beside = kBeside * (same.end - same.begin);
+  for (const double place : detail::sign_changes(value, same.begin, same.end)) {
+    const bool is_known = std::ranges::any_of(places, [&](const T& known) {
+      return std::abs(value_of(known) - place) <= kSame * (same.end - same.begin);
+    });
+    if (is_known) continue;
+    const double slope = (value(place + beside) - value(place - beside)) / (2 * beside);
+    T root = number<T>(place);
+    for (int step = 0; slope != 0 && step < kSteps; ++step) {
+      root = root - at_place(exact, piece, root) / number<T>(slope);
+    }
+    places.push_back(root);
+  }
+}
+
 /// The mean as a formula generic in its scalar.
 class MeanOfRecord {
  public:
   MeanOfRecord(MeanFormulas formulas, std::shared_ptr<const LawBinding> law)
-      : formulas_(std::move(formulas)), law_(std::move(law)) {}
+      : formulas_(std::move(formulas)),
+        law_(std::move(law)),
+        deciders_(moving_deciders(formulas_.integrand)) {}
 
   template <class T>
   T operator()(std::span<const T> u) const {
@@ -31,16 +82,28 @@ class MeanOfRecord {
     if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(detail::kNaN);
     std::vector<T> inputs(machine.begin(), machine.end());
     const FormulaAlong<T> integrand(formulas_.integrand.formula, machine);
-    inputs.push_back(cycle_mean(*law, [&]<class X>(const Motion<X>& m, const X&) {
+    const auto along = [&]<class X>(const Motion<X>& m, const X&) {
       const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
       return integrand(std::span<const X>(motion));
-    }));
+    };
+    inputs.push_back(
+        cycle_mean(*law, along, [&](const Piece<T>& piece) { return decided(machine, piece); }));
     return formulas_.of_mean.formula(std::span<const T>(inputs));
   }
 
  private:
+  /// Where the integrand decides otherwise inside a piece.
+  template <class T>
+  std::vector<T> decided(std::span<const T> machine, const Piece<T>& piece) const {
+    std::vector<T> places;
+    for (const Formula& decider : deciders_) add_decisions(decider, machine, piece, places);
+    std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
+    return places;
+  }
+
   MeanFormulas formulas_;
   std::shared_ptr<const LawBinding> law_;
+  std::vector<Formula> deciders_;
 };
 
 }  // namespace

@@ -289,5 +289,7 @@ template Series<Interval, 2> FormulaAlong<Interval>::operator()(
     std::span<const Series<Interval, 2>>) const;
 template Series<Interval, 3> FormulaAlong<Interval>::operator()(
     std::span<const Series<Interval, 3>>) const;
+template Series<Interval, 7> FormulaAlong<Interval>::operator()(
+    std::span<const Series<Interval, 7>>) const;
 
 }  // namespace camlaw

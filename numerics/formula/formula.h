@@ -81,8 +81,8 @@ class Formula {
 };
 
 /// A formula with its first inputs fixed as plain numbers, as a machine stays while its motion
-/// runs. The others are series over T, which is double, or Interval with N up to 3; or numbers of
-/// the same kind, in Dual and Dual2 too.
+/// runs. The others are series over T, which is double with N 3, or Interval with N up to 3 or 7;
+/// or numbers of the same kind, in Dual and Dual2 too.
 template <class T>
 class FormulaAlong {
  public:

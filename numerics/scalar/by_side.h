@@ -56,10 +56,11 @@ inline Interval along(const Interval& direction, const Interval& x) {
   return boost::numeric::hull(size, -size);
 }
 
-/// Over a box in which the direction may change nothing is known of the derivatives.
+/// Over a box in which the direction may change nothing is known of the derivatives, unless x is 0.
 template <std::size_t N>
 Series<Interval, N> along(const Series<Interval, N>& direction, const Series<Interval, N>& x) {
   const Interval& way = direction.c[0];
+  if (is_number(x, 0.0) && !boost::numeric::empty(way)) return x;
   if (way.lower() > 0) return absolute(x);
   if (way.upper() < 0) return -absolute(x);
   Series<Interval, N> result(along(way, x.c[0]));
@@ -81,9 +82,11 @@ inline Interval unless_zero(const Interval& force, const Interval& x) {
   return boost::numeric::zero_in(force) ? boost::numeric::hull(x, Interval(0.0)) : x;
 }
 
-/// Over a box in which the force may be 0 nothing is known of the derivatives: x may jump there.
+/// Over a box in which the force may be 0 nothing is known of the derivatives, unless x is 0: x may
+/// jump there.
 template <std::size_t N>
 Series<Interval, N> unless_zero(const Series<Interval, N>& force, Series<Interval, N> x) {
+  if (is_number(x, 0.0) && !boost::numeric::empty(force.c[0])) return x;
   if (!boost::numeric::empty(force.c[0]) && !boost::numeric::zero_in(force.c[0])) return x;
   if (is_number(force, 0.0)) return Series<Interval, N>(Interval(0.0));
   x.c[0] = unless_zero(force.c[0], x.c[0]);

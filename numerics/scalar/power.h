@@ -48,12 +48,31 @@ T power_less(const T& x, double p, int n) {
   return power(x, p - n);
 }
 
-/// By the derivatives p f^(p-1) and p (p-1) f^(p-2) of a power, which exist at 0 too where p leaves
-/// them. Over a box in which the power may break nothing is known of the derivatives: a slope of
-/// one sign would say that it runs through.
+/// Adds the terms from the third on to a power that has those before: those are, of the k-th term
+/// of f^p = sum_m binom(p, m) f(0)^(p-m) (f - f(0))^m, the summands of every m.
+template <class T, std::size_t N>
+void add_higher_terms(const Series<T, N>& f, double p, Series<T, N>& result) {
+  Series<T, N> rest = f, power_of_rest;
+  rest.c[0] = number<T>(0);
+  power_of_rest.c[0] = number<T>(1);
+  T binomial = number<T>(1);
+  for (int m = 1; m < static_cast<int>(N); ++m) {
+    const double left = p - (m - 1);
+    if (left == 0) return;  // of p = m - 1, an integer, no more
+    binomial = binomial * (number<T>(p) - number<T>(m - 1)) / number<T>(m);
+    power_of_rest = power_of_rest * rest;
+    const T factor = binomial * power_less(f.c[0], p, m);
+    for (std::size_t k = 3; k < N; ++k) {
+      result.c[k] = result.c[k] + factor * power_of_rest.c[k];
+    }
+  }
+}
+
+/// By the derivatives p f^(p-1), p (p-1) f^(p-2), ... of a power, which exist at 0 too where p
+/// leaves them. Over a box in which the power may break nothing is known of the derivatives: a
+/// slope of one sign would say that it runs through.
 template <class T, std::size_t N>
 Series<T, N> power(const Series<T, N>& f, double p) {
-  static_assert(N <= 3);
   Series<T, N> result(power(f.c[0], p));
   if (p == 0) return result;
   if constexpr (std::is_same_v<T, Interval>) {
@@ -71,6 +90,7 @@ Series<T, N> power(const Series<T, N>& f, double p) {
       result.c[2] = result.c[2] + factor * power_less(f.c[0], p, 2) * f.c[1] * f.c[1];
     }
   }
+  if constexpr (N > 3) add_higher_terms(f, p, result);
   return result;
 }
 

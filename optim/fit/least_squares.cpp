@@ -310,19 +310,11 @@ std::vector<double> counted_residuals(const FitResult& fit) {
   return counted;
 }
 
-<<<<<<< HEAD
-Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
-                                 const Residuals& residuals, const FitOptions& options) {
-  check(parameters, options);
-  if (auto fault = fault_of(parameters, residuals)) return std::move(*fault);
-  Search search(parameters, residuals, options);
-=======
 namespace {
 
 /// Searches from all starts, each in every way, until an end is sound; `best` is the best so far.
 void search_all(const std::vector<FitParameter>& parameters, const FitOptions& options,
                 Search& search, std::optional<Search::End>& best) {
->>>>>>> python
   const auto starts = all_starts(parameters, options);
   for (const Way way : ways(options.reach)) {
     if (best && best->sound) break;
@@ -353,9 +345,10 @@ Search::End unfinished(const TimedResiduals& seen, std::optional<Search::End> be
 
 }  // namespace
 
-FitResult fit(const std::vector<FitParameter>& parameters, const Residuals& residuals,
-              const FitOptions& options) {
-  check(parameters, residuals, options);
+Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
+                                 const Residuals& residuals, const FitOptions& options) {
+  check(parameters, options);
+  if (auto fault = fault_of(parameters, residuals)) return std::move(*fault);
   const TimedResiduals timed(residuals, options);
   Search search(parameters, timed, options);
   std::optional<Search::End> best;

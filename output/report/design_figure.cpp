@@ -37,13 +37,14 @@ bool is_coordinate(const Panel& panel) {
 bool is_of_law(const Panel& panel) { return panel.x.label == "x = t / T"; }
 
 std::string group_of(const Panel& panel) {
-  static const std::set<std::string> motion{"displacement", "velocity", "acceleration", "jerk"};
+  static const std::set<std::string> motion{"displacement", "velocity", "acceleration", "jerk",
+                                            "speed"};
   static const std::set<std::string> loads{"N", "kN", "N m", "W", "J"};
   if (is_of_law(panel)) return kLawGroup;
   const std::string& name = panel.y.label;
   const auto last = name.substr(name.rfind('_') + 1);
   if (motion.contains(last)) return "Motion";
-  if (loads.contains(panel.y.unit) || name == "inertia_fraction")
+  if (loads.contains(panel.y.unit) || name == "inertia_fraction" || last == "utilisation")
     return "Forces, torques and power";
   const bool contact = panel.y.unit == "MPa" || name.ends_with("half_width") || last == "approach";
   return contact ? "Contact" : "Geometry";

@@ -170,8 +170,8 @@ double read_advance(const Entry& program, const ProgramUnits& units, const Mecha
   if (entry == nullptr) return 0;
   if (mechanism.form != Form::Other) {
     refuse(*entry, fmt::format("the motion of {} returns to where it began; a motion that advances "
-                               "is for a machine of the file's own, [machine] with moved_by = "
-                               "\"program\"",
+                               "is for a servo axis and for a machine of the file's own, [machine] "
+                               "with moved_by = \"program\"",
                                mechanism.name));
   }
   return units.level(*entry);

@@ -130,7 +130,7 @@ TEST_CASE("root mean squares are those of a fine sum, and enclosed", "[cams]") {
     const auto bounds = f.enclose(design.x);
     const double value = f.value(design.x);
     CHECK((bounds.lower <= value && value <= bounds.upper));
-    CHECK(bounds.upper - bounds.lower < 1e-4 * value);
+    CHECK(bounds.upper - bounds.lower < 1e-8 * value);
   }
 }
 

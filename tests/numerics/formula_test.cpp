@@ -5,6 +5,7 @@
 
 #include "machines/cams/roller_cam.h"
 #include "numerics/formula/blocks/formula_blocks.h"
+#include "numerics/formula/deciders.h"
 #include "numerics/formula/expression.h"
 #include "numerics/scalar/by_side.h"
 #include "numerics/scalar/dual.h"
@@ -314,6 +315,47 @@ TEST_CASE("a machine's record goes by the machine's own formulas", "[formula]") 
   const std::vector<double> u{0.003, 0.4, 1.3, -2, 7};
   CHECK(at(record, u) == at(stress, u));
   CHECK(record.uses() == std::vector<std::size_t>{0, 1, 2, 3});  // the jerk loads nothing
+}
+
+TEST_CASE("what a formula decides by is found in its steps", "[formula]") {
+  using E = Expression;
+  const Formula formula = Formula::record(2, [](std::span<const E> u) {
+    const E kinked = absolute(u[0] - E(2));
+    return by_side(u[1], kinked, greater_of(kinked, u[0] * u[1])) + along(u[1], E(3));
+  });
+  const std::vector<Formula> found = deciders(formula);
+  const std::vector<double> at{5, -0.5};
+  std::vector<double> values;
+  for (const Formula& decider : found) values.push_back(decider(std::span<const double>(at)));
+  // x - 2; |x - 2| - x y; y, once for both; and the constant 3.
+  std::ranges::sort(values);
+  REQUIRE(values.size() == 4);
+  CHECK(values[0] == -0.5);
+  CHECK(values[1] == 3);
+  CHECK(values[2] == 3);
+  CHECK(values[3] == 5.5);
+  const Formula smooth = Formula::record(1, [](std::span<const E> u) { return sin(u[0]); });
+  CHECK(deciders(smooth).empty());
+}
+
+TEST_CASE("high terms of a power are those of logarithm and product", "[formula]") {
+  Series<double, 7> f;
+  f.c = {1.7, 0.4, -0.3, 0.2, 0.05, -0.1, 0.03};
+  const auto check = [](const Series<double, 7>& a, const Series<double, 7>& b) {
+    for (std::size_t k = 0; k < 7; ++k) CHECK(a.c[k] == Approx(b.c[k]).epsilon(1e-12));
+  };
+  for (const double p : {-1.5, 0.5, 2.0, 3.0, 7.25}) check(power(f, p), exp(p * log(f)));
+  Series<double, 7> from_zero = f;
+  from_zero.c[0] = 0;
+  check(power(from_zero, 3), from_zero * from_zero * from_zero);
+}
+
+TEST_CASE("a friction of 0 leaves what is known of slopes as it is", "[formula]") {
+  const auto box = Series<Interval, 3>::variable(Interval(-1, 1), Interval(1.0));
+  const auto zero = number<Series<Interval, 3>>(0);
+  for (const auto& f : {along(box, zero), unless_zero(box, zero)}) {
+    for (const Interval& term : f.c) CHECK((term.lower() == 0 && term.upper() == 0));
+  }
 }
 
 }  // namespace camlaw

@@ -233,6 +233,25 @@ TEST_CASE("a mark on its way is where the displacement says", "[cli][report]") {
   }
 }
 
+TEST_CASE("a servo motor's working point runs along its way, below what the motor gives",
+          "[cli][report]") {
+  const auto design = shipped("servo_axis/pick_and_place");
+  const Picture picture(design);
+  const double wide = 100 / problems::constant_of(design, "maximum_speed");
+  const double high = 60 / problems::constant_of(design, "maximum_torque");
+  for (const int place : kPlaces) {
+    INFO(place);
+    const Point point = picture.shape("working point", "roller", place).points[0];
+    CHECK(point.x == Approx(wide * picture.value("motor_speed", place)).margin(1e-3));
+    CHECK(point.y == Approx(high * picture.value("motor_torque", place)).margin(1e-3));
+    CHECK(distance_to_path(point, picture.shape("way of", "pitch", place).points) < 0.02);
+    // The motor's curve, at this speed, is what the machine says.
+    const Point most{point.x, high * picture.value("available_torque", place)};
+    const Shape curve = picture.shape("greatest torque", "cam", place);
+    CHECK(distance_to_path(most, curve.points) < 0.02);
+  }
+}
+
 TEST_CASE("a drawn balancing cam lifts its roller as the model says", "[cli][report]") {
   for (const char* name : {"balancing-cam", "balancing-cam-spherical"}) {
     INFO(name);

@@ -54,7 +54,9 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "sheet_delivery/greatest_least_efficiency.toml",
                                            "signature_feeder/least_acceleration.toml",
                                            "own/slider_crank.toml",
-                                           "own/bearing_load.toml"};
+                                           "own/bearing_load.toml",
+                                           "servo_axis/pick_and_place.toml",
+                                           "servo_axis/cross_sealer.toml"};
 
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};

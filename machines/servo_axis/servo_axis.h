@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kinematics/law.h"
+#include "numerics/scalar/by_side.h"
+#include "numerics/scalar/extremes.h"
+#include "numerics/scalar/where_positive.h"
+
+/// Axes that a servo motor moves through a gear, by a program instead of a cam (docs/theory.md,
+/// "Servo axes"). SI units; T is double or Expression, X is T or a series over it.
+namespace camlaw {
+
+/// What the motor's shaft gives.
+template <class T>
+struct ServoMotor {
+  T inertia;            ///< J_M, kg m^2, with a brake
+  T continuous_torque;  ///< M_0, N m, root mean square that its heat allows
+  T maximum_torque;     ///< M_max, N m, up to the corner speed
+  T corner_speed;       ///< omega_c, rad/s
+  T maximum_speed;      ///< omega_max, rad/s
+  T end_torque;         ///< M_e, N m, at the maximum speed
+
+  bool is_possible() const {
+    return value_of(corner_speed) >= 0 && value_of(corner_speed) < value_of(maximum_speed);
+  }
+  /// (SV7) Greatest torque at a speed of either sense, N m: M_max up to the corner speed, from
+  /// there on the line down to M_e at the maximum speed.
+  template <class X>
+  X available_torque(const X& speed) const {
+    const T slope = (maximum_torque - end_torque) / (maximum_speed - corner_speed);
+    const X line = maximum_torque - slope * (absolute(speed) - corner_speed);
+    return lesser_of(X(number<X>(0) + maximum_torque), line);
+  }
+};
+
+/// Where the load is, and how it moves: m or rad, and seconds.
+template <class X>
+struct AxisMotion {
+  X s, v, a, j;
+};
+
+/// Motor, gear and load of an axis; what is said of the load is in kg, N and m, or in kg m^2, N m
+/// and rad.
+template <class T>
+struct ServoDrive {
+  ServoMotor<T> motor;
+  T turns;         ///< k, angle of the motor by way of the load: rad/m, or 1
+  T gear_inertia;  ///< J_G, kg m^2, at the motor's shaft
+  T efficiency;    ///< eta, of gear and all that the load drives or is driven by
+  T load_inertia;  ///< m, or J_L
+  T load;          ///< F_L, constant, against motion to greater displacements
+  T friction;      ///< F_C, against the motion, whatever its speed
+  T viscosity;     ///< d, friction by velocity
+
+  /// (SV2) What the gear gives the load: F = m a + d v + F_C sgn v + F_L.
+  template <class X>
+  X output(const AxisMotion<X>& y) const {
+    return load_inertia * y.a + viscosity * y.v + along(y.v, X(number<X>(0) + friction)) + load;
+  }
+  /// Motor and gear, at the motor's shaft.
+  T own_inertia() const { return motor.inertia + gear_inertia; }
+  /// (SV3) The load's inertia at the motor's shaft, kg m^2: m / k^2.
+  T reflected_inertia() const { return load_inertia / (turns * turns); }
+  /// (SV4) Torque on the motor's shaft, N m: (J_M + J_G) k a + M + M_R, where M = F / k and M_R is
+  /// what the gear's losses add to M eta^-1 where the motor drives the load and leave of it, M eta,
+  /// where the load drives the motor. At rest neither drives.
+  template <class X>
+  X motor_torque(const AxisMotion<X>& y) const {
+    const X lossless = output(y) / turns;
+    const X driving = (number<T>(1) / efficiency - number<T>(1)) * lossless;
+    const X driven = (efficiency - number<T>(1)) * lossless;
+    const X losses = by_side(y.v, X(greater_of(driving, driven)), X(lesser_of(driving, driven)));
+    return own_inertia() * turns * y.a + lossless + unless_zero(y.v, losses);
+  }
+  /// (SV5) What of it accelerates, without losses: (J_M + J_G + m / k^2) k a.
+  template <class X>
+  X acceleration_torque(const AxisMotion<X>& y) const {
+    return (own_inertia() + reflected_inertia()) * turns * y.a;
+  }
+  /// (SV6) Power of the motor's shaft, W; below 0 the load drives the motor.
+  template <class X>
+  X motor_power(const AxisMotion<X>& y) const {
+    return motor_torque(y) * (turns * y.v);
+  }
+  template <class X>
+  X available_torque(const AxisMotion<X>& y) const {
+    return motor.available_torque(X(turns * y.v));
+  }
+  /// (SV8) What is left of the available torque, N m. Below 0 the motor does not follow.
+  template <class X>
+  X torque_reserve(const AxisMotion<X>& y) const {
+    return available_torque(y) - absolute(motor_torque(y));
+  }
+  /// (SV9) Torque over what is available; not a number where nothing is.
+  template <class X>
+  X torque_utilisation(const AxisMotion<X>& y) const {
+    const X available = available_torque(y);
+    return where_positive(available, X(absolute(motor_torque(y)) / available));
+  }
+  /// (SV11) Inertia of gear and load at the motor's shaft over the motor's own.
+  T inertia_ratio() const { return (gear_inertia + reflected_inertia()) / motor.inertia; }
+  /// (SV12) The k that needs the least torque for an acceleration of the load, without losses:
+  /// there the reflected inertia is that of motor and gear.
+  T matched_turns() const {
+    using std::sqrt;
+    return sqrt(load_inertia / own_inertia());
+  }
+};
+
+/// An axis that turns its load. Fields in SI units.
+template <class T>
+struct ServoAxis {
+  T stroke = number<T>(1.5707963267949);          ///< S, rad, of the load
+  T cycle_speed = number<T>(12.566370614359172);  ///< omega, rad/s, 2 pi by cycle
+  T gear_ratio = number<T>(10);                   ///< i, turns of the motor by turn of the load
+  T gear_inertia = number<T>(0.3e-4);             ///< J_G, kg m^2, at the motor's shaft
+  T efficiency = number<T>(0.95);                 ///< eta
+  T load_inertia = number<T>(0.02);               ///< J_L, kg m^2
+  T load = number<T>(0);                          ///< M_L, N m
+  T friction = number<T>(0);                      ///< M_C, N m
+  T viscosity = number<T>(0);                     ///< d, N m s
+  T motor_inertia = number<T>(1.6e-4);
+  T continuous_torque = number<T>(2.4);
+  T maximum_torque = number<T>(7.2);
+  T corner_speed = number<T>(376.99111843077515);
+  T maximum_speed = number<T>(628.3185307179587);
+  T end_torque = number<T>(3);
+
+  ServoMotor<T> motor() const {
+    return {motor_inertia, continuous_torque, maximum_torque,
+            corner_speed,  maximum_speed,     end_torque};
+  }
+  bool is_possible() const { return motor().is_possible(); }
+  ServoDrive<T> drive() const {
+    return {motor(), gear_ratio, gear_inertia, efficiency, load_inertia, load, friction, viscosity};
+  }
+  /// (SV12) Gear ratio of the matched inertia.
+  T matched_ratio() const { return drive().matched_turns(); }
+};
+
+/// An axis that moves its load along a line, by a screw, a pinion or a belt. Fields in SI units.
+template <class T>
+struct LinearServoAxis {
+  T stroke = number<T>(0.2);                     ///< S, m, of the load
+  T feed = number<T>(0.1);                       ///< p, m, by turn of the screw or pinion
+  T cycle_speed = number<T>(6.283185307179586);  ///< omega, rad/s, 2 pi by cycle
+  T gear_ratio = number<T>(3);                   ///< i, turns of the motor by turn of the pinion
+  T gear_inertia = number<T>(0.3e-4);            ///< J_G, kg m^2, at the motor's shaft
+  T efficiency = number<T>(0.95);                ///< eta
+  T mass = number<T>(10);                        ///< m, kg
+  T load = number<T>(0);                         ///< F_L, N
+  T friction = number<T>(0);                     ///< F_C, N
+  T viscosity = number<T>(0);                    ///< d, N s/m
+  T motor_inertia = number<T>(1.6e-4);
+  T continuous_torque = number<T>(2.4);
+  T maximum_torque = number<T>(7.2);
+  T corner_speed = number<T>(376.99111843077515);
+  T maximum_speed = number<T>(628.3185307179587);
+  T end_torque = number<T>(3);
+
+  ServoMotor<T> motor() const {
+    return {motor_inertia, continuous_torque, maximum_torque,
+            corner_speed,  maximum_speed,     end_torque};
+  }
+  bool is_possible() const { return motor().is_possible(); }
+  /// k = 2 pi i / p.
+  ServoDrive<T> drive() const {
+    const T turns = number<T>(2) * pi<T>() * gear_ratio / feed;
+    return {motor(), turns, gear_inertia, efficiency, mass, load, friction, viscosity};
+  }
+  /// (SV12) Gear ratio of the matched inertia.
+  T matched_ratio() const { return drive().matched_turns() * feed / (number<T>(2) * pi<T>()); }
+};
+
+/// (SV1) The load's motion in time: s = S s(x), v = S s' / t_c, a = S s'' / t_c^2, ..., with the
+/// time of a cycle t_c = 2 pi / omega.
+template <class Axis, class X>
+AxisMotion<X> axis_motion(const Axis& axis, const Motion<X>& motion) {
+  using T = decltype(axis.stroke);
+  const T rate = axis.cycle_speed / (number<T>(2) * pi<T>());
+  const T first = axis.stroke * rate, second = first * rate, third = second * rate;
+  return {axis.stroke * motion.s, first * motion.v, second * motion.a, third * motion.j};
+}
+
+}  // namespace camlaw

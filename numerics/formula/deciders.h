@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "numerics/formula/formula.h"
+
+namespace camlaw {
+
+/// What a formula decides by: where one of these, functions of the same inputs, changes its sign
+/// the formula may have a kink or jump, and nowhere else but at poles. None of a formula that
+/// searches for roots.
+std::vector<Formula> deciders(const Formula& formula);
+
+}  // namespace camlaw

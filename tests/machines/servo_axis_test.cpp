@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "machines/servo_axis/servo_axis.h"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "machines/registry.h"
+#include "problems/statement/parameters.h"
+#include "tests/machines/system_fixture.h"
+
+namespace camlaw::problems::servo_axis_test {
+namespace {
+
+using testing::design_of, testing::response_of, testing::TestDesign;
+constexpr double kPi = std::numbers::pi;
+
+/// Up in the first quarter of the cycle, back in the third one.
+std::string program_of(const std::string& law) {
+  return fmt::format(R"([program]
+matched = "velocity"
+segments = [{{name = "up", angle = "90 deg", law = "{0}"}}, {{name = "high", angle = "90 deg"}},
+            {{name = "down", angle = "90 deg", law = "{0}"}}, {{name = "low"}}]
+)",
+                     law);
+}
+
+ProblemStatement axis(const std::string& mechanism, const std::string& constants,
+                      const std::string& program, const std::string& rest = "") {
+  return read_problem(
+      fmt::format("mechanism = '{}'\n[constants]\n{}{}{}", mechanism, constants, program, rest),
+      "axis.toml");
+}
+
+/// Values of everything that an axis has.
+class Answers {
+ public:
+  explicit Answers(const ProblemStatement& statement) : all_(evaluate(statement)) {}
+  const EvaluatedResponse& operator[](const std::string& name) const {
+    for (const EvaluatedResponse& r : all_) {
+      if (r.name == name) return r;
+    }
+    throw std::invalid_argument(name);
+  }
+
+ private:
+  std::vector<EvaluatedResponse> all_;
+};
+
+constexpr const char* kPlain =
+    "stroke = '180 deg'\nspeed = '60 rpm'\ngear_ratio = 5\ngear_inertia = '1 kg cm2'\n"
+    "gear_efficiency = 1\nload_inertia = '0.01 kg m2'\nmotor_inertia = '2 kg cm2'\n";
+
+/// An axis by the formulas that a designer writes down, apart from those of the machine.
+struct ByHand {
+  double turns, own, load, constant, coulomb, viscous, efficiency;
+  double torque(double v, double a) const {
+    const double side = v > 0 ? 1 : v < 0 ? -1 : 0;
+    const double at_shaft = (load * a + viscous * v + coulomb * side + constant) / turns;
+    const double factor = side == 0             ? 1
+                          : at_shaft * side > 0 ? 1 / efficiency
+                                                : efficiency;  // of the power
+    return own * turns * a + at_shaft * factor;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a parabolic move has the rms torque, power and energy of a triangle of velocity",
+          "[servo-axis]") {
+  const Answers is(axis("servo-axis", kPlain, program_of("parabolic")));
+  // A move of 0.25 s at +-4 S / T^2: (2e-4 + 1e-4 + 0.01 / 25) 5 a, for half of the cycle.
+  const double a = 4 * kPi / (0.25 * 0.25), torque = 7e-4 * 5 * a, top = 5 * 2 * kPi / 0.25;
+  CHECK(is["torque_rms"].value == Approx(torque * std::sqrt(0.5)).epsilon(1e-12));
+  CHECK(is["rms_utilisation"].value == Approx(torque * std::sqrt(0.5) / 2.4).epsilon(1e-12));
+  CHECK(is["mean_power"].value == Approx(0).margin(1e-12));
+  CHECK(is["regenerated_energy"].value == Approx(2 * 0.5 * 7e-4 * top * top).epsilon(1e-12));
+  CHECK(is["motor_torque"].highest == Approx(torque).epsilon(1e-12));
+  CHECK(is["motor_speed"].highest == Approx(top * 30 / kPi).epsilon(1e-12));
+  CHECK(is["motor_power"].highest == Approx(torque * top).epsilon(1e-9));
+  CHECK(is["inertia_ratio"].value == Approx(5e-4 / 2e-4).epsilon(1e-12));
+  CHECK(is["matched_ratio"].value == Approx(std::sqrt(0.01 / 3e-4)).epsilon(1e-12));
+}
+
+TEST_CASE("friction, gear losses and a constant load add what four phases say", "[servo-axis]") {
+  const Answers is(axis("linear-servo-axis",
+                        "stroke = '100 mm'\nspeed = '60 rpm'\nfeed = '20 mm'\ngear_ratio = 2\n"
+                        "gear_inertia = 0\ngear_efficiency = 0.8\nmass = 20\nload_force = 100\n"
+                        "friction_force = 60\nmotor_inertia = '2 kg cm2'\n",
+                        program_of("parabolic")));
+  const double k = 2 * kPi * 2 / 0.02, a = 4 * 0.1 / (0.25 * 0.25), top = 2 * 0.1 / 0.25;
+  const double own = 2e-4 * k * a, eta = 0.8;
+  // Up: 20 a + 160 N drives, 20 a - 160 drives back where it is above 0 before the sign is turned.
+  const double phases[] = {
+      own + (20 * a + 160) / k / eta,                               // up, faster
+      -own + (-20 * a + 160) / k * (20 * a > 160 ? eta : 1 / eta),  // up, slower
+      -own + (-20 * a + 40) / k * (20 * a > 40 ? 1 / eta : eta),    // down, faster
+      own + (20 * a + 40) / k * eta};                               // down, slower
+  const double hold = 100 / k;
+  double square = hold * hold / 2, power = 0, back = 0;
+  const double way[] = {1, 1, -1, -1};
+  for (int i = 0; i < 4; ++i) {
+    square += phases[i] * phases[i] / 8;
+    const double work = phases[i] * way[i] * k * top / 2 / 8;
+    power += work;
+    back += std::max(0.0, -work);
+  }
+  CHECK(is["torque_rms"].value == Approx(std::sqrt(square)).epsilon(1e-12));
+  CHECK(is["mean_power"].value == Approx(power).epsilon(1e-11));
+  CHECK(is["regenerated_energy"].value == Approx(back).epsilon(1e-11));
+  CHECK(is["motor_torque"].highest == Approx(phases[0]).epsilon(1e-12));
+}
+
+TEST_CASE("numbers and curves of any axis are those of a fine sum", "[servo-axis]") {
+  std::mt19937_64 random(20261126);
+  std::uniform_real_distribution<double> even(0, 1);
+  const Mechanism& mechanism = find_mechanism("linear-servo-axis");
+  for (int trial = 0; trial < 24; ++trial) {
+    const double friction = trial % 3 == 0 ? 0 : 80 * even(random);
+    const double efficiency = trial % 4 == 0 ? 1 : 0.5 + 0.5 * even(random);
+    const std::string constants = fmt::format(
+        "stroke = {}\nspeed = {}\nfeed = {}\ngear_ratio = {}\ngear_inertia = {}\n"
+        "gear_efficiency = {}\nmass = {}\nload_force = {}\nfriction_force = {}\n"
+        "viscous_friction = {}\nmotor_inertia = {}\n",
+        50 + 300 * even(random), 30 + 60 * even(random), 20 + 150 * even(random),
+        1 + 5 * even(random), even(random), efficiency, 2 + 30 * even(random),
+        -100 + 200 * even(random), friction, 40 * even(random), 0.5 + 3 * even(random));
+    INFO(constants);
+    const char* const law[] = {"modified-sine", "cycloidal", "poly-3-4-5", "parabolic"};
+    const ProblemStatement statement =
+        axis("linear-servo-axis", constants, program_of(law[trial % 4]));
+    const auto given = [&](const char* name) { return constant_of(statement, name); };
+    const ByHand by{2 * kPi * given("gear_ratio") / (1e-3 * given("feed")),
+                    1e-4 * (given("motor_inertia") + given("gear_inertia")),
+                    given("mass"),
+                    given("load_force"),
+                    friction,
+                    given("viscous_friction"),
+                    efficiency};
+    const Law<double> motion = statement.laws.front().law();
+    const double cycle = 60 / given("speed"), stroke = 1e-3 * given("stroke");
+    constexpr int kPoints = 400000;
+    double square = 0, power = 0, back = 0, peak = 0, fastest = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      const auto at = motion((i + 0.5) / kPoints);
+      const double v = stroke * at.v / cycle, a = stroke * at.a / (cycle * cycle);
+      const double torque = by.torque(v, a), rate = torque * by.turns * v;
+      square += torque * torque / kPoints;
+      power += rate / kPoints;
+      back += cycle * std::max(0.0, -rate) / kPoints;
+      peak = std::max(peak, std::abs(torque));
+      fastest = std::max(fastest, std::abs(by.turns * v) * 30 / kPi);
+    }
+    const Answers is(statement);
+    CHECK(is["torque_rms"].value == Approx(std::sqrt(square)).epsilon(1e-7));
+    CHECK(is["mean_power"].value == Approx(power).epsilon(1e-7).margin(1e-7));
+    CHECK(is["regenerated_energy"].value == Approx(back).epsilon(1e-7).margin(1e-7));
+    CHECK(is["peak_motor_speed"].value == Approx(fastest).epsilon(2e-5));
+    const auto& torque = is["motor_torque"];
+    CHECK(std::max(torque.highest, -torque.lowest) == Approx(peak).epsilon(2e-5));
+    // What intervals say of the means holds them, and closely.
+    for (const char* name : {"torque_rms", "mean_power", "regenerated_energy"}) {
+      INFO(name);
+      Binding binding{
+          {},
+          {},
+          {},
+          std::make_shared<LawBinding>(statement.laws.front(), std::vector<LawVariable>{})};
+      for (const auto& p : mechanism.parameters) binding.constants.push_back(given(p.name.c_str()));
+      const auto f = response_of(mechanism, name, binding).function();
+      const std::vector<double> nothing;
+      const auto bounds = f.enclose(nothing);
+      const double value = f.value(nothing), size = std::abs(value) + std::abs(power);
+      CHECK((bounds.lower <= value + 1e-12 * size && value - 1e-12 * size <= bounds.upper));
+      CHECK(bounds.upper - bounds.lower <= 1e-4 * size);
+    }
+  }
+}
+
+TEST_CASE("without losses a cycle takes no power, and what comes back is what was given",
+          "[servo-axis]") {
+  const Answers is(
+      axis("servo-axis", std::string(kPlain) + "load_torque = 3\n", program_of("modified-sine")));
+  CHECK(is["mean_power"].value == Approx(0).margin(1e-10));
+  // Viscous friction takes d times the mean square of the velocity.
+  const Answers viscous(axis("servo-axis", std::string(kPlain) + "viscous_friction = 0.2\n",
+                             program_of("parabolic")));
+  const double top = 2 * kPi / 0.25;
+  CHECK(viscous["mean_power"].value == Approx(0.2 * top * top / 3 * 0.5).epsilon(1e-12));
+}
+
+TEST_CASE("the gear ratio of least torque reflects the inertia of motor and gear", "[servo-axis]") {
+  const std::string rest = R"(
+[variables.gear_ratio]
+lower = 1
+upper = 40
+[objective]
+minimize = "torque_rms"
+)";
+  std::string constants = kPlain;
+  constants.erase(constants.find("gear_ratio"), std::string_view("gear_ratio = 5\n").size());
+  const BoundProblem problem(axis("servo-axis", constants, program_of("modified-sine"), rest));
+  const auto found = optim::optimise(problem.space()).found;
+  CHECK(found.assessment.verdict == optim::Verdict::Certified);
+  const double matched = std::sqrt(0.01 / 3e-4);
+  CHECK(found.x[0] == Approx(matched).epsilon(1e-6));
+  // Twice the ratio needs a quarter more.
+  const auto f = problem.space().problem({}).objective().response.function();
+  CHECK(f.value(std::vector{2 * matched}) == Approx(1.25 * f.value(std::vector{matched})));
+}
+
+TEST_CASE("the motor's curve limits a shipped axis, and is proved to hold", "[servo-axis]") {
+  const BoundProblem problem = testing::shipped("servo_axis/pick_and_place.toml");
+  const auto found = optim::optimise(problem.space()).found;
+  CHECK(found.assessment.verdict == optim::Verdict::Certified);
+  const optim::LimitReport& limit = found.assessment.limits.front();
+  REQUIRE(limit.name == "torque_utilisation");
+  CHECK((limit.proved && limit.met));
+  CHECK(limit.margin == Approx(0).margin(1e-8));
+  CHECK(limit.multiplier > 0);
+  // Beyond the corner speed, where 7.2 N m fall to 0.8 N m between 2800 and 5000 rpm.
+  const auto& space = problem.space();
+  const auto choices = std::vector<std::size_t>(space.choices.size(), 0);
+  const optim::Problem stated = space.problem(choices);
+  const auto at = [&](const std::string& name) {
+    const ProblemStatement& statement = problem.statement();
+    const ResponseName response = find_response(*statement.mechanism, name);
+    ProblemStatement here = statement;
+    for (std::size_t i = 0; i < found.x.size(); ++i) {
+      set_value(here, fmt::format("{}={:.17g}", here.variables[i].name, found.x[i]));
+    }
+    for (const auto& curve : curves_of(here)) {
+      if (curve.name == response.name) {
+        return curve.curve().trace({})->at({limit.worst_angle.value()})[0];
+      }
+    }
+    throw std::invalid_argument(name);
+  };
+  const double speed = std::abs(at("motor_speed"));
+  CHECK(speed > 2800);
+  const double line = 7.2 - 6.4 * (speed - 2800) / 2200;
+  CHECK(at("available_torque") == Approx(line).epsilon(1e-9));
+  CHECK(std::abs(at("motor_torque")) == Approx(0.9 * line).epsilon(1e-6));
+}
+
+TEST_CASE("a move takes the time that its file states, and an axis may advance", "[servo-axis]") {
+  const BoundProblem problem = testing::shipped("servo_axis/cross_sealer.toml");
+  const ProblemStatement& statement = problem.statement();
+  for (const auto& curve : curves_of(statement)) {
+    const auto trace = curve.curve().trace({});
+    if (curve.name == "displacement") {
+      // After 90 ms of 300 ms, 0.6 m/s on 60 mm.
+      CHECK(trace->at({108})[0] == Approx(0.6 * 0.09 / 0.06 * 180 / kPi).epsilon(1e-5));
+      CHECK(trace->at({360, true})[0] == Approx(360).epsilon(1e-12));
+    }
+    if (curve.name == "velocity") CHECK(trace->at({50})[0] == Approx(10).epsilon(1e-5));
+  }
+  const auto found = optim::optimise(problem.space()).found;
+  CHECK(found.assessment.verdict == optim::Verdict::Certified);
+}
+
+TEST_CASE("derivatives of an axis that turns round inside a segment are exact", "[servo-axis]") {
+  // From 0 by way of 1 to 0.4 and on to 0: it turns round inside, against Coulomb friction.
+  const std::string program = R"([program]
+[[program.segments]]
+name = "over"
+angle = "150 deg"
+law = "joining"
+to = 0.4
+points = [{angle = "60 deg", to = 1}]
+[[program.segments]]
+name = "back"
+angle = "120 deg"
+law = "joining"
+to = 0
+[[program.segments]]
+name = "low"
+[variables.over_to]
+lower = 0.2
+upper = 0.6
+[variables.gear_ratio]
+lower = 1
+upper = 40
+[objective]
+minimize = "torque_rms"
+)";
+  for (const char* sought : {"torque_rms", "regenerated_energy", "mean_power"}) {
+    INFO(sought);
+    std::string text = program;
+    text.replace(text.find("torque_rms"), 10, sought);
+    const BoundProblem problem(axis("servo-axis",
+                                    "stroke = '180 deg'\nspeed = '60 rpm'\ngear_efficiency = 0.8\n"
+                                    "friction_torque = 4\nload_torque = 1\n",
+                                    text));
+    const auto stated = problem.space().problem({});
+    testing::check_derivatives(stated.objective().response.function(), stated.start(), 1e-4, 1e-5);
+  }
+}
+
+TEST_CASE("a motor whose torque falls before it may is not possible", "[servo-axis]") {
+  const Answers is(axis("servo-axis", "corner_speed = 6000\nmaximum_speed = 6000\n",
+                        program_of("modified-sine")));
+  CHECK(std::isnan(is["torque_rms"].value));
+  const ServoMotor<double> motor{1e-4, 2, 7, 300, 600, 3};
+  CHECK(motor.available_torque(-100.0) == 7);
+  CHECK(motor.available_torque(300.0) == 7);
+  CHECK(motor.available_torque(-450.0) == Approx(5));
+  CHECK(motor.available_torque(600.0) == Approx(3));
+}
+
+}  // namespace camlaw::problems::servo_axis_test
