@@ -178,7 +178,7 @@ void run(const Problem& problem, const Sizes& sizes, const Solver& solver,
     const bool usable =
         went_well(attempt.status) || stalled || attempt.status == Status::IterationLimit;
     if (!usable || attempt.error) return;
-    const bool solved_sharply = went_well(attempt.status) && solver.is_sharp(program);
+    const bool solved_sharply = went_well(attempt.status) && solver.is_sharp();
     const bool sharp = solved_sharply && needs_no_polish(problem);
     if (sharp) share = finest_without_polish(problem);  // one solve more costs more than its rows
     bool settled = working.add_violated(attempt.x, auxiliary, share) == 0;

@@ -10,7 +10,7 @@ std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x, 
   const bool optimum = aim == Aim::Optimum;
   for (const Solver* solver :
        optimum ? plan(problem, "auto").solvers : least_violation_plan(problem)) {
-    if (!solver->solves_linear_programs()) continue;
+    if (!solver->is_sharp()) continue;
     Attempt attempt = exchange(problem, sizes, x, *solver, {}, aim);
     if (is_interruption(attempt.error)) std::rethrow_exception(attempt.error);
     if (!attempt.told.empty()) return std::move(attempt.told);

@@ -7,9 +7,10 @@
 
 namespace camlaw::optim {
 
-/// What holds a design of a linear problem, from solving the problem once more from there:
-/// multipliers that the verdict (verdict/kkt.h) might be long to find, for a design that comes
-/// without the search that led to it. Empty for other problems, and where no solve succeeds.
+/// What holds a design of a problem that a sharp method takes (Solver::is_sharp), from solving it
+/// once more from there: multipliers that the verdict (verdict/kkt.h) might be long to find, for a
+/// design that comes without the search that led to it. Empty for other problems, and where no
+/// solve succeeds.
 std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x,
                           Aim aim = Aim::Optimum);
 

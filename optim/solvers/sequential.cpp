@@ -338,7 +338,7 @@ class SequentialSolver final : public Solver {
  public:
   std::string name() const override { return "sequential"; }
   bool is_global() const override { return false; }
-  bool is_sharp(const Program&) const override { return true; }
+  bool is_sharp() const override { return true; }
   std::optional<std::string> refusal(const Program&) const override { return {}; }
 
  private:

@@ -60,11 +60,9 @@ class Solver {
   virtual bool is_global() const = 0;
   /// Whether it ends at the optimum of a linear program, as far as doubles go, and not near it.
   virtual bool solves_linear_programs() const { return false; }
-  /// Whether it ends at an optimum of the program, as far as doubles go, with multipliers that hold
-  /// it there.
-  virtual bool is_sharp(const Program& program) const {
-    return solves_linear_programs() && program.is_linear();
-  }
+  /// Whether it ends at an optimum of what it takes, as far as doubles go, with multipliers that
+  /// hold it there.
+  virtual bool is_sharp() const { return solves_linear_programs(); }
   /// Why this method cannot take the program, in words; empty where it can.
   virtual std::optional<std::string> refusal(const Program& program) const = 0;
   /// The options that it has beside those of SolverOptions.

@@ -17,8 +17,9 @@ namespace camlaw::optim {
 /// violation (counted in the constraints' sizes).
 enum class Optimality { Objective, LeastViolation };
 
-/// A limit that holds a design, with its multiplier, as a method for linear programs tells it. Only
-/// the choice of limits and their prices are its word: what they are worth, the conditions say.
+/// A limit that holds a design, with its multiplier, as a sharp method (Solver::is_sharp) tells it.
+/// Only the choice of limits and their prices are its word: what they are worth, the conditions
+/// say.
 struct Push {
   std::optional<std::size_t> constraint, variable;  ///< neither: the objective's peak
   std::optional<Function> function;                 ///< of the problem; none for a variable's bound
