@@ -49,6 +49,9 @@ void add_decisions(const Formula& decider, std::span<const T> machine, const Pie
   const Piece<double> same = piece_as<double>(piece);
   const FormulaAlong<double> look(decider, plain);
   const FormulaAlong<T> exact(decider, machine);
+  const std::vector<Dual> fixed(plain.begin(), plain.end());
+  const FormulaAlong<Dual> slopes(decider, fixed);
+  const Piece<Dual> along_x = piece_as<Dual>(same);
   const auto value = [&](double x) { return at_place(look, same, x); };
   const double beside = kBeside * (same.end - same.begin);
   for (const double place : detail::sign_changes(value, same.begin, same.end)) {
@@ -56,12 +59,14 @@ void add_decisions(const Formula& decider, std::span<const T> machine, const Pie
       return std::abs(value_of(known) - place) <= kSame * (same.end - same.begin);
     });
     if (is_known) continue;
-    const double slope = (value(place + beside) - value(place - beside)) / (2 * beside);
+    const double slope = at_place(slopes, along_x, Dual(place, 0)).v[0];
     T root = number<T>(place);
     for (int step = 0; slope != 0 && step < kSteps; ++step) {
       root = root - at_place(exact, piece, root) / number<T>(slope);
     }
-    places.push_back(root);
+    // Where the slope all but vanishes, a step leads anywhere.
+    const bool is_near = std::abs(value_of(root) - place) <= beside;
+    places.push_back(is_near ? root : number<T>(place));
   }
 }
 

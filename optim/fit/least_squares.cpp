@@ -140,7 +140,10 @@ class TimedResiduals final : public Residuals {
     if (!residuals_.evaluate(p, r, jacobian)) return false;
     double sum = 0;
     for (const double each : r) sum += each * each;
-    if (sum < least_) {  // not where it is not a number
+    // Where slopes were asked for too: the report needs them. Not where one is not a number.
+    const bool is_whole = std::all_of(jacobian.begin(), jacobian.end(),
+                                      [](double slope) { return std::isfinite(slope); });
+    if (!jacobian.empty() && is_whole && sum < least_) {
       least_ = sum;
       best_.assign(p.begin(), p.end());
     }

@@ -53,7 +53,10 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
   std::erase_if(convex.constraints, [](const Constraint& c) { return !is_convex_limit(c); });
   if (convex.constraints.empty()) return {start.begin(), start.end()};
   const std::vector<double> own = setting.problem.start();
-  if (trail.found.starts > 2) convex.objectives = {towards(own, start, variable_scales(convex))};
+  // Where every limit is convex, the optimum of that part is where the first start has led.
+  const bool leaves_out = convex.constraints.size() < setting.problem.constraints.size();
+  if (trail.found.starts > 2 || !leaves_out)
+    convex.objectives = {towards(own, start, variable_scales(convex))};
   SolverOptions how;
   how.time_limit = setting.deadline.left();
   how.stop = setting.options.stop;
@@ -63,7 +66,7 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
   trail.found.evaluations += led.evaluations;
   trail.found.solves += led.rounds;
   if (is_interruption(led.error)) throw Interrupted();
-  return led.x.empty() ? own : led.x;
+  return led.x.empty() || led.status == Status::Unbounded ? own : led.x;
 }
 
 }  // namespace camlaw::optim

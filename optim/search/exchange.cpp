@@ -30,9 +30,9 @@ SolverOptions tightened(const Problem& problem, const Sizes& sizes, SolverOption
 
 bool went_well(Status status) { return status == Status::Solved || status == Status::Acceptable; }
 
-/// Whether an optimum of a linear program needs no polish, and its conditions of optimality are
-/// left to the verdict: to look at them takes longer than a few rounds more. Of few variables one
-/// peak that moves tells.
+/// Whether an optimum that a sharp method has found needs no polish, and its conditions of
+/// optimality are left to the verdict: to look at them takes longer than a few rounds more. Of few
+/// variables one peak that moves tells.
 bool needs_no_polish(const Problem& problem) { return problem.variables.size() > kManyVariables; }
 
 /// To what share of their tolerances the exchange goes after peaks from such an optimum on: not to

@@ -34,6 +34,13 @@ bool is_proved(const Problem& problem, const Found& found) {
          (sought.is_curve() || a.objective.value == sought.function().value(found.x));
 }
 
+/// The method that goes on from a design that was found: of nonlinear problems a sharp one, if the
+/// plan begins with one, since others take far longer; else the plan's last.
+const Solver& finisher(const Setting& setting) {
+  const Solver& first = *setting.plan.solvers.front();
+  return first.is_sharp() && !first.solves_linear_programs() ? first : *setting.plan.solvers.back();
+}
+
 /// Conditions that held in the sizes of a search may not hold in those of the design it led to:
 /// then the search goes on from there.
 void settle_in_own_sizes(const Setting& setting, Trail& trail) {
@@ -44,7 +51,7 @@ void settle_in_own_sizes(const Setting& setting, Trail& trail) {
   trail.sizes = std::move(own);
   if (known) return;
   best = assess(setting.problem, trail.sizes, trail.found.x, false, told_as(trail.told));
-  const Solver& solver = *setting.plan.solvers.back();
+  const Solver& solver = finisher(setting);
   if (is_settled(best) || solver.is_global() || setting.deadline.passed()) return;
   Reached reached;
   attempt(trail.found.x, solver, setting, trail, reached);
@@ -65,7 +72,7 @@ Assessment judged_best(const Setting& setting, const Trail& trail) {
 
 /// Searches from the best design on, now that more is known of the curves.
 void search_again(const Setting& setting, Trail& trail) {
-  const Solver& solver = *setting.plan.solvers.back();
+  const Solver& solver = finisher(setting);
   const Attempt again = attempt(trail.found.x, solver, setting, trail, Aim::Optimum);
   if (!again.x.empty()) {
     trail.found.x = again.x;

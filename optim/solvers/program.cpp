@@ -25,6 +25,7 @@ struct Derivatives {
 /// Sets the negative eigenvalues of a packed symmetric matrix to 0.
 void leave_out_negative(std::span<double> packed_matrix, std::size_t inputs) {
   const auto n = static_cast<Eigen::Index>(inputs);
+  if (n == 0) return;
   Eigen::MatrixXd A(n, n);
   for (std::size_t i = 0; i < inputs; ++i) {
     for (std::size_t j = 0; j <= i; ++j)
@@ -265,8 +266,11 @@ void Program::add_hessians(std::span<const double> y, double weight,
     d.fit_second(inputs.size());
     function.hessian(x, d.g, d.h);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j)
-        d.h[packed(i, j)] *= factor * columns_[inputs[i]].scale * columns_[inputs[j]].scale;
+      for (std::size_t j = 0; j <= i; ++j) {
+        const bool varies = places[packed(i, j)] >= 0;
+        d.h[packed(i, j)] *=
+            varies ? factor * columns_[inputs[i]].scale * columns_[inputs[j]].scale : 0;
+      }
     }
     if (curvature == Curvature::Convex) leave_out_negative(d.h, inputs.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {

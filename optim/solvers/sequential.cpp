@@ -69,9 +69,10 @@ struct Model {
   }
 };
 
+/// Curvature that decides among steps that are worth the same.
+constexpr double kProximal = 1e-9;
+
 Model model_at(const Program& program, const Place& place, const VectorXd& row_multipliers) {
-  // It decides among steps that are worth the same, and is 0 where a step is.
-  constexpr double kProximal = 1e-9;
   const auto n = static_cast<Eigen::Index>(program.variables());
   Model model;
   model.gradient.resize(n);
@@ -100,7 +101,7 @@ struct Step {
 /// The rows of a quadratic program in the step and one more variable, by which any row may pass its
 /// bounds at a price: so that there always is a step.
 class Elastic {
-  /// Of the penalty, which all multipliers of rows together do not exceed: less is an idle row's.
+  /// Of the largest multiplier: less is an idle row's, or an idle bound's.
   static constexpr double kIdle = 1e-11;
 
  public:
@@ -124,8 +125,10 @@ class Elastic {
     }
     quadratic_.rows.finalize();
     quadratic_.cost.resize(n + 1);
-    quadratic_.curvature = model.curvature;
-    quadratic_.curvature.conservativeResize(n + 1, n + 1);
+    curvature_ = model.curvature;
+    curvature_.conservativeResize(n + 1, n + 1);
+    flat_.resize(n + 1, n + 1);
+    for (Eigen::Index i = 0; i < n; ++i) flat_.insert(i, i) = kProximal;
   }
 
   /// The step from a place whose rows are these there, no farther than the radius; none where the
@@ -137,6 +140,7 @@ class Elastic {
     if (rows_alone) penalty = 1;
     quadratic_.cost.head(n) = (rows_alone ? 0 : 1) * model_.gradient;
     quadratic_.cost[n] = penalty;
+    quadratic_.curvature = rows_alone ? flat_ : curvature_;
     const auto count = static_cast<Eigen::Index>(sides_.size());
     quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
     quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
@@ -163,17 +167,21 @@ class Elastic {
     // One that is not exact is a step all the same: the merit decides.
     if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
     Step step{found.y.head(n), 0, {}};
+    const double idle =
+        kIdle * std::max({found.row_multipliers.cwiseAbs().maxCoeff(),
+                          found.lower_multipliers.maxCoeff(), found.upper_multipliers.maxCoeff()});
     step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
     for (Eigen::Index k = 0; k < count; ++k) {
-      if (std::abs(found.row_multipliers[k]) > kIdle * penalty)
+      if (std::abs(found.row_multipliers[k]) > idle)
         step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] +=
             found.row_multipliers[k];
     }
     step.multipliers.lower = found.lower_multipliers.head(n);
     step.multipliers.upper = found.upper_multipliers.head(n);
     for (Eigen::Index i = 0; i < n; ++i) {  // the trust region's are not the program's
-      if (quadratic_.lower[i] == -radius) step.multipliers.lower[i] = 0;
-      if (quadratic_.upper[i] == radius) step.multipliers.upper[i] = 0;
+      double &lower = step.multipliers.lower[i], &upper = step.multipliers.upper[i];
+      if (quadratic_.lower[i] == -radius || lower <= idle) lower = 0;
+      if (quadratic_.upper[i] == radius || upper <= idle) upper = 0;
       step.d[i] = std::clamp(step.d[i], quadratic_.lower[i], quadratic_.upper[i]);
     }
     step.elastic = largest_violation_of(program_, rows + model_.jacobian * step.d);
@@ -185,13 +193,17 @@ class Elastic {
   const Model& model_;
   std::vector<std::pair<Eigen::Index, double>> sides_;  ///< a row, and 1 its upper bound, -1 lower
   QuadraticProgram quadratic_;
+  Eigen::SparseMatrix<double> curvature_, flat_;
 };
 
 /// Steps of a program from one place on.
 class Sequence {
  public:
   Sequence(const Program& program, const SolverOptions& options, VectorXd y)
-      : program_(program), options_(options), place_(place_at(program, std::move(y))) {
+      : program_(program),
+        options_(options),
+        place_(place_at(program, std::move(y))),
+        met_(std::min(1e-9, options.tolerance)) {
     multipliers_.rows = VectorXd::Zero(static_cast<Eigen::Index>(program.rows()));
     interior_.least_objective = 1;  // programs are scaled, and a last step is worth nothing
     interior_.goes_on = [this](int, double, double) { return !ended(); };
@@ -205,18 +217,23 @@ class Sequence {
   Solution run() {
     constexpr int kMost = 100;
     if (!place_.is_finite()) return answer(Status::NonFiniteStart, "not a number at the start");
-    const int most = std::min(options_.max_iterations, kMost);
-    while (iterations_ < most) {
+    while (iterations_ < options_.max_iterations) {
+      if (iterations_ >= kMost) return answer(Status::Stalled, "the steps do not come to an end");
       if (options_.progress) {
         options_.progress(
             {iterations_, program_.unscaled_objective(place_.objective), place_.violation});
       }
       const Advance advance = advanced();
+      if (advance == Advance::Undefined && iterations_ == 0)
+        return answer(Status::NonFiniteStart, "a slope is not a number at the start");
       ++iterations_;
       if (stopped_) return answer(stopped_->status, stopped_->message);
-      if (advance == Advance::None) return answer(Status::Stalled, "no step leads on");
+      if (advance == Advance::None || advance == Advance::Undefined)
+        return answer(Status::Stalled, "no step leads on");
+      if (place_.violation <= met_ && is_far_out(program_, as_span(place_.y)))
+        return answer(Status::Unbounded, "the objective falls without end");
       if (advance == Advance::Last) {
-        if (place_.violation > kMet) return answer(Status::Infeasible, "no step meets the rows");
+        if (place_.violation > met_) return answer(Status::Infeasible, "no step meets the rows");
         return answer(Status::Solved, "no step is worth anything");
       }
     }
@@ -224,18 +241,26 @@ class Sequence {
   }
 
  private:
-  enum class Advance { Some, Last, None };
-  static constexpr double kMet = 1e-9;        // of rows, by their sizes
+  enum class Advance { Some, Last, None, Undefined };
   static constexpr double kLastStep = 1e-6;   // of a variable: Newton's next would be rounding
   static constexpr double kRounding = 1e-11;  // of a merit: what it changes by says nothing
 
+  /// The place after a step, on whose way no variable passes a bound by rounding.
+  VectorXd moved(const VectorXd& d) const {
+    VectorXd y = place_.y + d;
+    for (std::size_t i = 0; i < program_.variables(); ++i) {
+      double& at = y[static_cast<Eigen::Index>(i)];
+      at = std::clamp(at, program_.lower()[i], program_.upper()[i]);
+    }
+    return y;
+  }
   double merit(const Place& place) const { return place.objective + penalty_ * place.violation; }
 
   /// One step that is worth taking, from models of the place where it stands.
   Advance advanced() {
     constexpr double kLeastRadius = 1e-10;
     const Model model = model_at(program_, place_, multipliers_.rows);
-    if (!model.is_finite()) return Advance::None;
+    if (!model.is_finite()) return Advance::Undefined;
     Elastic elastic(program_, model);
     while (radius_ > kLeastRadius) {
       const auto step = elastic.step(place_.y, place_.rows, radius_, penalty_, interior_);
@@ -258,7 +283,7 @@ class Sequence {
   /// a step that looks at them alone would bring far more.
   bool wants_more_penalty(Elastic& elastic, const Step& step) {
     constexpr double kMostPenalty = 1e7, kGood = 0.1;
-    if (step.elastic <= kMet || penalty_ >= kMostPenalty) return false;
+    if (step.elastic <= met_ || penalty_ >= kMostPenalty) return false;
     const auto best = elastic.step(place_.y, place_.rows, radius_, kInfinity, interior_);
     return best && place_.violation - step.elastic < kGood * (place_.violation - best->elastic);
   }
@@ -268,11 +293,13 @@ class Sequence {
   std::optional<Advance> taken(const Model& model, Elastic& elastic, const Step& step) {
     const double promised = penalty_ * (place_.violation - step.elastic) - model.change(step.d);
     const double length = step.d.cwiseAbs().maxCoeff();
-    const bool is_last = length <= kLastStep;
-    const bool in_rounding = promised <= kRounding * (1 + std::abs(merit(place_)));
-    Place trial = place_at(program_, place_.y + step.d);
-    if (is_last || in_rounding) {
-      const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, kMet);
+    const double rounding = kRounding * (1 + std::abs(merit(place_)));
+    if (promised < -rounding) return {};  // the quadratic program's method did not end well
+    // A step that the region cut short says nothing.
+    const bool is_short = length <= kLastStep && length < kAtEdge * radius_;
+    Place trial = place_at(program_, moved(step.d));
+    if (is_short || promised <= rounding) {
+      const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
       multipliers_ = step.multipliers;
       if (holds) place_ = std::move(trial);
       return Advance::Last;
@@ -282,7 +309,7 @@ class Sequence {
     const VectorXd bent = trial.rows - model.jacobian * step.d;
     const auto second = elastic.step(place_.y, bent, radius_, penalty_, interior_);
     if (!second) return {};
-    Place corrected = place_at(program_, place_.y + second->d);
+    Place corrected = place_at(program_, moved(second->d));
     if (!is_good(corrected, promised)) return {};
     return take(std::move(corrected), *second, promised, length);
   }
@@ -296,8 +323,9 @@ class Sequence {
   }
 
   Advance take(Place trial, const Step& step, double promised, double length) {
-    constexpr double kVeryGood = 0.5, kGrow = 4, kAtEdge = 0.9;
-    if (share(trial, promised) >= kVeryGood && length >= kAtEdge * radius_) radius_ *= kGrow;
+    constexpr double kVeryGood = 0.5, kGrow = 4, kMostRadius = 1e6;
+    if (share(trial, promised) >= kVeryGood && length >= kAtEdge * radius_)
+      radius_ = std::min(kMostRadius, kGrow * radius_);
     place_ = std::move(trial);
     multipliers_ = step.multipliers;
     return Advance::Some;
@@ -321,13 +349,14 @@ class Sequence {
     return solution;
   }
 
-  static constexpr double kShrink = 0.25;
+  static constexpr double kShrink = 0.25, kAtEdge = 0.9;
 
   const Program& program_;
   const SolverOptions& options_;
   Place place_;
   Multipliers multipliers_;
   InteriorOptions interior_;
+  double met_;  ///< a row passed by less, by its size, is met
   double radius_ = 10, penalty_ = 10;
   int iterations_ = 0;
   std::optional<RunEnd> stopped_;

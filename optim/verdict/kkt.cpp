@@ -155,10 +155,9 @@ class Weighing {
     return weighed.residual <= kGood || is_tight(weighed) || is_enough(weighed);
   }
 
-  /// Whether the conditions hold, and sharper multipliers would tell no bound either.
+  /// Whether the conditions hold, and no multipliers would tell a bound.
   bool is_enough(const Weighed& weighed) const {
-    return weighed.residual <= kKktTolerance &&
-           !largest_gain(problem_, sizes_, x_, layout_, weighed);
+    return weighed.residual <= kKktTolerance && !why_convex(problem_);
   }
 
   /// Whether a lower bound leaves nothing better: then multipliers need not be sharper.

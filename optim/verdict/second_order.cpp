@@ -102,9 +102,12 @@ Eigen::SparseMatrix<double> gradients(const Layout& layout,
 Held held(const SecondOrderPoint& point, const std::vector<ActiveLimit>& limits,
           const std::vector<double>& multipliers) {
   constexpr double kHeld = 1e-8, kMet = 1e-7;
+  // A limit that was told may have room, and then a multiplier that is idle: it holds nothing.
+  constexpr double kRoom = 1e-4;
   std::vector<const ActiveLimit*> pushing, met;
   for (std::size_t j = 0; j < limits.size(); ++j) {
-    if (limits[j].is_equation || std::abs(multipliers[j]) > kHeld) {
+    const bool has_room = !limits[j].is_equation && limits[j].margin > kRoom;
+    if (limits[j].is_equation || (std::abs(multipliers[j]) > kHeld && !has_room)) {
       pushing.push_back(&limits[j]);
     } else if (limits[j].margin <= kMet) {
       met.push_back(&limits[j]);
