@@ -167,9 +167,10 @@ class Elastic {
     // One that is not exact is a step all the same: the merit decides.
     if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
     Step step{found.y.head(n), 0, {}};
+    const auto largest = [](const VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
     const double idle =
-        kIdle * std::max({found.row_multipliers.cwiseAbs().maxCoeff(),
-                          found.lower_multipliers.maxCoeff(), found.upper_multipliers.maxCoeff()});
+        kIdle * std::max({largest(found.row_multipliers), largest(found.lower_multipliers),
+                          largest(found.upper_multipliers)});
     step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
     for (Eigen::Index k = 0; k < count; ++k) {
       if (std::abs(found.row_multipliers[k]) > idle)

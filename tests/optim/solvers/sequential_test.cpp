@@ -42,6 +42,16 @@ Program outside() {
   return {{{-5, 5, 2, 1}, {-5, 5, -1, 1}}, distance, 1, 1, {{circle, 1, kInfinity, 1, {}}}};
 }
 
+/// A half, whatever varies.
+class Fixed final : public Kernel {
+ public:
+  double value(std::span<const double>) const override { return 0.5; }
+  double gradient(std::span<const double>, std::span<double>) const override { return 0.5; }
+  double hessian(std::span<const double>, std::span<double>, std::span<double>) const override {
+    return 0.5;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("a sequence of quadratic programs finds optimum and shadow prices", "[sequential]") {
@@ -64,6 +74,16 @@ TEST_CASE("a sequence of quadratic programs takes what is not convex", "[sequent
   CHECK(x[0] == Approx(0.5 / distance).epsilon(1e-5));
   CHECK(x[1] == Approx(0.2 / distance).epsilon(1e-5));
   CHECK(s.rows[0] == Approx(distance - 1).epsilon(1e-5));
+}
+
+TEST_CASE("what no variable moves does not bend a program", "[sequential]") {
+  // A place where a curve is fixed gives a row without inputs.
+  const Function fixed({}, std::make_shared<Fixed>());
+  const Program program{{{-5, 5, 2, 1}}, sum_of({0}, {1}), 1, 1, {{fixed, -kInfinity, 1, 1, {}}}};
+  std::vector<double> entries(program.hessian_pattern().size());
+  const std::vector<double> y{2}, multipliers{1};
+  program.convex_hessian(y, 1, multipliers, entries);
+  CHECK(sequential_solver().solve(program, {}).status == Status::Solved);
 }
 
 TEST_CASE("a sequence of quadratic programs says how it ended", "[sequential]") {
