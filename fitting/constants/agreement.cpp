@@ -216,7 +216,7 @@ std::optional<std::vector<double>> Agreement::solved_from(const std::vector<doub
   std::vector<optim::FitParameter> parameters;
   for (std::size_t i = 0; i < start.size(); ++i) {
     const Unknown& u = model_->unknowns()[i];
-    // A size of the machine may be called as a coefficient of the law is.
+    // Numbered, since a size of the machine and a coefficient of the law may have the same name.
     parameters.push_back(
         {fmt::format("{} {}", i + 1, u.name), u.unit, lower_[i], upper_[i], start[i]});
   }

@@ -208,7 +208,7 @@ Family boundary_family(int count, std::string name, std::string alias, std::stri
               begin.push_back(a.scalar(k));
               end.push_back(a.scalar(k + static_cast<std::size_t>(count)));
             }
-            return boundary_polynomial<S>(begin, end);
+            return possible_boundary_polynomial<S>(begin, end);
           }};
 }
 

@@ -38,7 +38,7 @@ inline std::vector<double> own_values(const Binding& binding) {
 }
 
 /// formula(numbers, law), a number or a Possible one, as a function of a binding's arguments, the
-/// machine's and then the law's: no number where they make no law or the formula has none.
+/// machine's and then the law's: NaN where they make no law or the formula has no value.
 template <class F>
 auto law_formula(const Binding& binding, std::vector<Recorded> parts, const UnitFactor& factor,
                  const F& formula) {

@@ -12,7 +12,7 @@ template <>
 struct MachineTraits<ServoAxis> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
+  static constexpr std::array<T ServoAxis<T>::*, 15> fields{
       &ServoAxis<T>::stroke,        &ServoAxis<T>::cycle_speed,       &ServoAxis<T>::gear_ratio,
       &ServoAxis<T>::gear_inertia,  &ServoAxis<T>::efficiency,        &ServoAxis<T>::load_inertia,
       &ServoAxis<T>::load,          &ServoAxis<T>::friction,          &ServoAxis<T>::viscosity,
@@ -24,7 +24,7 @@ template <>
 struct MachineTraits<LinearServoAxis> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
+  static constexpr std::array<T LinearServoAxis<T>::*, 16> fields{
       &LinearServoAxis<T>::stroke,         &LinearServoAxis<T>::feed,
       &LinearServoAxis<T>::cycle_speed,    &LinearServoAxis<T>::gear_ratio,
       &LinearServoAxis<T>::gear_inertia,   &LinearServoAxis<T>::efficiency,
@@ -40,15 +40,15 @@ namespace {
 using optim::Part;
 using AxisParameters = std::vector<MechanismParameter>;
 
-/// The gear, of turns by `turn`.
+/// The gear, whose ratio is per turn of `turn`.
 void add_gear(AxisParameters& all, double ratio, const std::string& turn) {
-  all.insert(
-      all.end(),
-      {{"gear_ratio", "i", "1", "1", "turns of the motor by turn of the " + turn, ratio, 1e-3, 1e5},
-       {"gear_inertia", "J_G", "kg cm2", "kg m2",
-        "moment of inertia of gear and coupling, at the motor's shaft", 0.3, 0, 1e8},
-       {"gear_efficiency", "eta", "1", "1", "of gear and guide, in either direction of power", 0.95,
-        0.01, 1}});
+  all.insert(all.end(),
+             {{"gear_ratio", "i", "1", "1", "turns of the motor per turn of the " + turn, ratio,
+               1e-3, 1e5},
+              {"gear_inertia", "J_G", "kg cm2", "kg m2",
+               "moment of inertia of gear and coupling, at the motor's shaft", 0.3, 0, 1e8},
+              {"gear_efficiency", "eta", "1", "1",
+               "of gear and guide, in either direction of power", 0.95, 0.01, 1}});
 }
 
 void add_motor(AxisParameters& all) {
@@ -57,7 +57,7 @@ void add_motor(AxisParameters& all) {
       {{"motor_inertia", "J_M", "kg cm2", "kg m2", "moment of inertia of the motor, with a brake",
         1.6, 1e-6, 1e8},
        {"continuous_torque", "M_0", "N m", "N m",
-        "torque that the motor bears all the time, by its heat", 2.4, 1e-6, 1e7},
+        "torque that the motor can give all the time without overheating", 2.4, 1e-6, 1e7},
        {"maximum_torque", "M_max", "N m", "N m", "greatest torque up to the corner speed", 7.2,
         1e-6, 1e7},
        {"corner_speed", "n_c", "rpm", "rad/s", "speed from which the greatest torque falls", 3600,
@@ -67,7 +67,7 @@ void add_motor(AxisParameters& all) {
 }
 
 MechanismParameter cycles_per_minute(double n) {
-  return {"speed", "n", "rpm", "rad/s", "cycles of the axis, by minute", n, 1e-3, 1e6};
+  return {"speed", "n", "rpm", "rad/s", "cycles of the axis per minute", n, 1e-3, 1e6};
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ MechanismParameter cycles_per_minute(double n) {
 const std::vector<MechanismParameter>& MachineTraits<ServoAxis>::parameters() {
   static const AxisParameters all = [] {
     AxisParameters list{
-        {"stroke", "S", "deg", "rad", "way of the load, at displacement 1", 90, 1e-6, 1e6},
+        {"stroke", "S", "deg", "rad", "travel of the load at displacement 1", 90, 1e-6, 1e6},
         cycles_per_minute(120)};
     add_gear(list, 10, "load");
     list.insert(
@@ -99,9 +99,9 @@ const std::vector<MechanismParameter>& MachineTraits<ServoAxis>::parameters() {
 const std::vector<MechanismParameter>& MachineTraits<LinearServoAxis>::parameters() {
   static const AxisParameters all = [] {
     AxisParameters list{
-        {"stroke", "S", "mm", "m", "way of the load, at displacement 1", 200, 1e-6, 1e6},
+        {"stroke", "S", "mm", "m", "travel of the load at displacement 1", 200, 1e-6, 1e6},
         {"feed", "p", "mm", "m",
-         "way of the load by turn of the screw, of the pinion or of the belt's pulley", 100, 1e-3,
+         "travel of the load per turn of the screw, the pinion or the belt's pulley", 100, 1e-3,
          1e5},
         cycles_per_minute(60)};
     add_gear(list, 3, "screw or pinion");
@@ -206,7 +206,7 @@ std::vector<MechanismResponse> servo_curves(const AxisWords& w) {
                                                        axis_motion(axis, motion));
                                   }));
   };
-  add(C::Displacement, "displacement", w.place, w.place_stored, "way of the load");
+  add(C::Displacement, "displacement", w.place, w.place_stored, "travel of the load");
   add(C::Velocity, "velocity", w.velocity, w.velocity, "velocity of the load");
   add(C::Acceleration, "acceleration", w.acceleration, w.acceleration, "acceleration of the load");
   add(C::Jerk, "jerk", w.jerk, w.jerk, "jerk of the load");

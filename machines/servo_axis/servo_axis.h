@@ -44,7 +44,7 @@ struct AxisMotion {
 template <class T>
 struct ServoDrive {
   ServoMotor<T> motor;
-  T turns;         ///< k, angle of the motor by way of the load: rad/m, or 1
+  T turns;         ///< k, angle of the motor per travel of the load: rad/m, or 1
   T gear_inertia;  ///< J_G, kg m^2, at the motor's shaft
   T efficiency;    ///< eta, of gear and all that the load drives or is driven by
   T load_inertia;  ///< m, or J_L
@@ -107,18 +107,9 @@ struct ServoDrive {
   }
 };
 
-/// An axis that turns its load. Fields in SI units.
+/// The motor's fields of an axis, as ServoMotor names them.
 template <class T>
-struct ServoAxis {
-  T stroke = number<T>(1.5707963267949);          ///< S, rad, of the load
-  T cycle_speed = number<T>(12.566370614359172);  ///< omega, rad/s, 2 pi by cycle
-  T gear_ratio = number<T>(10);                   ///< i, turns of the motor by turn of the load
-  T gear_inertia = number<T>(0.3e-4);             ///< J_G, kg m^2, at the motor's shaft
-  T efficiency = number<T>(0.95);                 ///< eta
-  T load_inertia = number<T>(0.02);               ///< J_L, kg m^2
-  T load = number<T>(0);                          ///< M_L, N m
-  T friction = number<T>(0);                      ///< M_C, N m
-  T viscosity = number<T>(0);                     ///< d, N m s
+struct MotorOfAxis {
   T motor_inertia = number<T>(1.6e-4);
   T continuous_torque = number<T>(2.4);
   T maximum_torque = number<T>(7.2);
@@ -131,8 +122,24 @@ struct ServoAxis {
             corner_speed,  maximum_speed,     end_torque};
   }
   bool is_possible() const { return motor().is_possible(); }
+};
+
+/// An axis that turns its load. Fields in SI units.
+template <class T>
+struct ServoAxis : MotorOfAxis<T> {
+  T stroke = number<T>(1.5707963267949);          ///< S, rad, of the load
+  T cycle_speed = number<T>(12.566370614359172);  ///< omega, rad/s, 2 pi per cycle
+  T gear_ratio = number<T>(10);                   ///< i, turns of the motor per turn of the load
+  T gear_inertia = number<T>(0.3e-4);             ///< J_G, kg m^2, at the motor's shaft
+  T efficiency = number<T>(0.95);                 ///< eta
+  T load_inertia = number<T>(0.02);               ///< J_L, kg m^2
+  T load = number<T>(0);                          ///< M_L, N m
+  T friction = number<T>(0);                      ///< M_C, N m
+  T viscosity = number<T>(0);                     ///< d, N m s
+
   ServoDrive<T> drive() const {
-    return {motor(), gear_ratio, gear_inertia, efficiency, load_inertia, load, friction, viscosity};
+    return {this->motor(), gear_ratio, gear_inertia, efficiency,
+            load_inertia,  load,       friction,     viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
   T matched_ratio() const { return drive().matched_turns(); }
@@ -140,33 +147,22 @@ struct ServoAxis {
 
 /// An axis that moves its load along a line, by a screw, a pinion or a belt. Fields in SI units.
 template <class T>
-struct LinearServoAxis {
+struct LinearServoAxis : MotorOfAxis<T> {
   T stroke = number<T>(0.2);                     ///< S, m, of the load
-  T feed = number<T>(0.1);                       ///< p, m, by turn of the screw or pinion
-  T cycle_speed = number<T>(6.283185307179586);  ///< omega, rad/s, 2 pi by cycle
-  T gear_ratio = number<T>(3);                   ///< i, turns of the motor by turn of the pinion
+  T feed = number<T>(0.1);                       ///< p, m, per turn of the screw or pinion
+  T cycle_speed = number<T>(6.283185307179586);  ///< omega, rad/s, 2 pi per cycle
+  T gear_ratio = number<T>(3);                   ///< i, turns of the motor per turn of the pinion
   T gear_inertia = number<T>(0.3e-4);            ///< J_G, kg m^2, at the motor's shaft
   T efficiency = number<T>(0.95);                ///< eta
   T mass = number<T>(10);                        ///< m, kg
   T load = number<T>(0);                         ///< F_L, N
   T friction = number<T>(0);                     ///< F_C, N
   T viscosity = number<T>(0);                    ///< d, N s/m
-  T motor_inertia = number<T>(1.6e-4);
-  T continuous_torque = number<T>(2.4);
-  T maximum_torque = number<T>(7.2);
-  T corner_speed = number<T>(376.99111843077515);
-  T maximum_speed = number<T>(628.3185307179587);
-  T end_torque = number<T>(3);
 
-  ServoMotor<T> motor() const {
-    return {motor_inertia, continuous_torque, maximum_torque,
-            corner_speed,  maximum_speed,     end_torque};
-  }
-  bool is_possible() const { return motor().is_possible(); }
   /// k = 2 pi i / p.
   ServoDrive<T> drive() const {
     const T turns = number<T>(2) * pi<T>() * gear_ratio / feed;
-    return {motor(), turns, gear_inertia, efficiency, mass, load, friction, viscosity};
+    return {this->motor(), turns, gear_inertia, efficiency, mass, load, friction, viscosity};
   }
   /// (SV12) Gear ratio of the matched inertia.
   T matched_ratio() const { return drive().matched_turns() * feed / (number<T>(2) * pi<T>()); }

@@ -62,9 +62,7 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
   how.stop = setting.options.stop;
   const Attempt led =
       exchange(convex, sizes(convex, own), own, sequential_solver(), how, Aim::Optimum);
-  trail.found.iterations += led.iterations;
-  trail.found.evaluations += led.evaluations;
-  trail.found.solves += led.rounds;
+  trail.count(led);
   if (is_interruption(led.error)) throw Interrupted();
   return led.x.empty() || led.status == Status::Unbounded ? own : led.x;
 }

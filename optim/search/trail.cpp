@@ -58,6 +58,12 @@ std::string words_of(const std::exception_ptr& error, const std::string& who) {
   }
 }
 
+void Trail::count(const Attempt& attempt) {
+  found.iterations += attempt.iterations;
+  found.evaluations += attempt.evaluations;
+  found.solves += attempt.rounds;
+}
+
 void Trail::fail(const std::string& why) {
   found.assessment.verdict = Verdict::Failed;
   found.assessment.reason = why;
@@ -70,9 +76,7 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
   if (trail.in_vain && aim == Aim::Optimum && !trail.is_within_limits())
     how.max_iterations = 1 + how.max_iterations / kShare;
   Attempt result = exchange(setting.problem, trail.sizes, start, solver, how, aim);
-  trail.found.iterations += result.iterations;
-  trail.found.evaluations += result.evaluations;
-  trail.found.solves += result.rounds;
+  trail.count(result);
   if (!result.x.empty()) trail.last = result.x;
   if (is_interruption(result.error)) throw Interrupted();
   if (result.error) trail.thrown = words_of(result.error, result.message);

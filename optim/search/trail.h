@@ -39,6 +39,8 @@ struct Trail {
 
   bool is_infeasible() const { return found.assessment.verdict == Verdict::Infeasible; }
   bool is_within_limits() const { return is_feasible(found.assessment); }
+  /// Adds to the work of all attempts what this one took.
+  void count(const Attempt& attempt);
   /// Records that the search gave no answer.
   void fail(const std::string& why);
 };

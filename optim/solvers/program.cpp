@@ -6,6 +6,7 @@
 #include <map>
 
 #include "numerics/linear/dense.h"
+#include "optim/solvers/run_end.h"
 
 namespace camlaw::optim {
 namespace {
@@ -25,13 +26,12 @@ struct Derivatives {
 /// Sets the negative eigenvalues of a packed symmetric matrix to 0.
 void leave_out_negative(std::span<double> packed_matrix, std::size_t inputs) {
   const auto n = static_cast<Eigen::Index>(inputs);
-  if (n == 0) return;
+  if (n == 0 || !all_finite(packed_matrix)) return;
   Eigen::MatrixXd A(n, n);
   for (std::size_t i = 0; i < inputs; ++i) {
     for (std::size_t j = 0; j <= i; ++j)
       A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = packed_matrix[packed(i, j)];
   }
-  if (!A.triangularView<Eigen::Lower>().toDenseMatrix().allFinite()) return;
   const SymmetricEigen eigen = symmetric_eigen(A);
   if (eigen.values[0] >= 0) return;
   A = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
@@ -272,7 +272,8 @@ void Program::add_hessians(std::span<const double> y, double weight,
             varies ? factor * columns_[inputs[i]].scale * columns_[inputs[j]].scale : 0;
       }
     }
-    if (curvature == Curvature::Convex) leave_out_negative(d.h, inputs.size());
+    if (curvature == Curvature::Convex)
+      leave_out_negative({d.h.data(), packed_size(inputs.size())}, inputs.size());
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         const int place = places[packed(i, j)];
