@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "optim/search/interruptible.h"
-#include "optim/solvers/sequential.h"
+#include "optim/search/plan.h"
 
 namespace camlaw::optim {
 namespace {
@@ -33,13 +33,18 @@ class WeightedSum final : public Kernel {
   std::vector<double> weights_;
 };
 
-/// Least where a design lies farthest from one towards another, by the variables' scales.
+/// Least where a design lies farthest from one towards another, by the variables' scales; it falls
+/// by one on the path between them.
 Objective towards(Design from, Design to, const std::vector<double>& scales) {
   std::vector<std::size_t> inputs(from.size());
   std::iota(inputs.begin(), inputs.end(), std::size_t{0});
   std::vector<double> weights(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i)
+  double distance = 0;  // squared
+  for (std::size_t i = 0; i < from.size(); ++i) {
     weights[i] = (from[i] - to[i]) / (scales[i] * scales[i]);
+    distance += weights[i] * (from[i] - to[i]);
+  }
+  for (double& weight : weights) weight /= distance > 0 ? distance : 1;
   Objective objective;
   objective.response = {"direction", "1",
                         Function(inputs, std::make_shared<WeightedSum>(weights), Shape::Linear)};
@@ -55,13 +60,16 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
   const std::vector<double> own = setting.problem.start();
   // Where every limit is convex, the optimum of that part is where the first start has led.
   const bool leaves_out = convex.constraints.size() < setting.problem.constraints.size();
-  if (trail.found.starts > 2 || !leaves_out)
+  Sizes own_sizes = sizes(convex, own);
+  if (trail.found.starts > 2 || !leaves_out) {
     convex.objectives = {towards(own, start, variable_scales(convex))};
+    own_sizes.objective = 1;
+  }
   SolverOptions how;
   how.time_limit = setting.deadline.left();
   how.stop = setting.options.stop;
   const Attempt led =
-      exchange(convex, sizes(convex, own), own, sequential_solver(), how, Aim::Optimum);
+      exchange(convex, own_sizes, own, *plan(convex, "auto").solvers.front(), how, Aim::Optimum);
   trail.count(led);
   if (is_interruption(led.error)) throw Interrupted();
   return led.x.empty() || led.status == Status::Unbounded ? own : led.x;

@@ -23,17 +23,25 @@ struct Derivatives {
   }
 };
 
-/// Sets the negative eigenvalues of a packed symmetric matrix to 0.
-void leave_out_negative(std::span<double> packed_matrix, std::size_t inputs) {
-  const auto n = static_cast<Eigen::Index>(inputs);
+/// Sets the negative eigenvalues of a packed symmetric matrix to 0, and what it does along a normal
+/// that is not zero.
+void leave_out_negative(std::span<double> packed_matrix, const Eigen::VectorXd& normal) {
+  const Eigen::Index n = normal.size();
+  const auto inputs = static_cast<std::size_t>(n);
   if (n == 0 || !all_finite(packed_matrix)) return;
   Eigen::MatrixXd A(n, n);
   for (std::size_t i = 0; i < inputs; ++i) {
-    for (std::size_t j = 0; j <= i; ++j)
-      A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = packed_matrix[packed(i, j)];
+    for (std::size_t j = 0; j <= i; ++j) {
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+      A(row, column) = A(column, row) = packed_matrix[packed(i, j)];
+    }
+  }
+  if (const double length = normal.norm(); length > 0 && std::isfinite(length)) {
+    const Eigen::VectorXd unit = normal / length;
+    A -= unit * (unit.transpose() * A).eval();
+    A -= (A * unit).eval() * unit.transpose();
   }
   const SymmetricEigen eigen = symmetric_eigen(A);
-  if (eigen.values[0] >= 0) return;
   A = eigen.vectors * eigen.values.cwiseMax(0).asDiagonal() * eigen.vectors.transpose();
   for (std::size_t i = 0; i < inputs; ++i) {
     for (std::size_t j = 0; j <= i; ++j)
@@ -259,7 +267,7 @@ void Program::add_hessians(std::span<const double> y, double weight,
   const std::vector<double> x = design(y);
   std::fill(entries.begin(), entries.end(), 0.0);
   Derivatives d;
-  const auto add = [&](const Function& function, int list, double factor) {
+  const auto add = [&](const Function& function, int list, double factor, bool is_limit) {
     if (list < 0 || factor == 0) return;
     const std::vector<int>& places = hessian_places_[static_cast<std::size_t>(list)];
     const auto& inputs = function.inputs();
@@ -272,8 +280,14 @@ void Program::add_hessians(std::span<const double> y, double weight,
             varies ? factor * columns_[inputs[i]].scale * columns_[inputs[j]].scale : 0;
       }
     }
-    if (curvature == Curvature::Convex)
-      leave_out_negative({d.h.data(), packed_size(inputs.size())}, inputs.size());
+    if (curvature == Curvature::Convex) {
+      Eigen::VectorXd normal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(inputs.size()));
+      for (std::size_t i = 0; is_limit && i < inputs.size(); ++i) {
+        if (places[packed(i, i)] >= 0)
+          normal[static_cast<Eigen::Index>(i)] = d.g[i] * columns_[inputs[i]].scale;
+      }
+      leave_out_negative({d.h.data(), packed_size(inputs.size())}, normal);
+    }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         const int place = places[packed(i, j)];
@@ -282,9 +296,10 @@ void Program::add_hessians(std::span<const double> y, double weight,
     }
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    add(rows_[r].function, places_of_[r], multipliers[r] / rows_[r].size);
+    const bool is_limit = !rows_[r].auxiliary;  // else it tells the auxiliary's value
+    add(rows_[r].function, places_of_[r], multipliers[r] / rows_[r].size, is_limit);
   }
-  add(objective_, places_of_.back(), weight * sign_ / objective_size_);
+  add(objective_, places_of_.back(), weight * sign_ / objective_size_, false);
 }
 
 }  // namespace camlaw::optim

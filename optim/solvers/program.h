@@ -74,7 +74,7 @@ class Program {
   void hessian(std::span<const double> y, double weight, std::span<const double> multipliers,
                std::span<double> entries) const;
   /// The same with negative eigenvalues of each function's second derivatives, as they are
-  /// weighted, set to 0.
+  /// weighted, set to 0; of a row without auxiliary only what it does across its own gradient.
   void convex_hessian(std::span<const double> y, double weight, std::span<const double> multipliers,
                       std::span<double> entries) const;
 

@@ -98,32 +98,29 @@ struct Step {
   Multipliers multipliers;
 };
 
-/// The rows of a quadratic program in the step and one more variable, by which any row may pass its
-/// bounds at a price: so that there always is a step.
+/// A bound of a row: its number, and 1 for its upper bound, -1 for the lower one.
+struct Side {
+  Eigen::Index row;
+  double sign;
+};
+
+/// The quadratic programs of a place, in the step and one more variable, by which any row may pass
+/// its bounds at a price: so that there always is a step.
 class Elastic {
   /// Of the largest multiplier: less is an idle row's, or an idle bound's.
   static constexpr double kIdle = 1e-11;
 
  public:
-  Elastic(const Program& program, const Model& model) : program_(program), model_(model) {
+  /// Sides with more room than `reach` come into a program only where its step passes them.
+  Elastic(const Program& program, const Model& model, double reach)
+      : program_(program), model_(model), reach_(reach) {
     const auto m = static_cast<Eigen::Index>(program.rows());
     for (Eigen::Index r = 0; r < m; ++r) {
       const auto row = static_cast<std::size_t>(r);
-      if (std::isfinite(program.row_upper()[row])) sides_.emplace_back(r, 1);
-      if (std::isfinite(program.row_lower()[row])) sides_.emplace_back(r, -1);
+      if (std::isfinite(program.row_upper()[row])) sides_.push_back({r, 1});
+      if (std::isfinite(program.row_lower()[row])) sides_.push_back({r, -1});
     }
     const auto n = static_cast<Eigen::Index>(program.variables());
-    quadratic_.rows.resize(static_cast<Eigen::Index>(sides_.size()), n + 1);
-    quadratic_.rows.reserve(2 * model.jacobian.nonZeros() + m);
-    for (std::size_t k = 0; k < sides_.size(); ++k) {
-      const auto [r, sign] = sides_[k];
-      quadratic_.rows.startVec(static_cast<Eigen::Index>(k));
-      using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-      for (Entry entry(model.jacobian, r); entry; ++entry)
-        quadratic_.rows.insertBack(static_cast<Eigen::Index>(k), entry.col()) = entry.value();
-      quadratic_.rows.insertBack(static_cast<Eigen::Index>(k), n) = -sign;
-    }
-    quadratic_.rows.finalize();
     quadratic_.cost.resize(n + 1);
     curvature_ = model.curvature;
     curvature_.conservativeResize(n + 1, n + 1);
@@ -135,23 +132,61 @@ class Elastic {
   /// interior-point method finds none. With an infinite penalty it looks at the rows alone.
   std::optional<Step> step(const VectorXd& y, const VectorXd& rows, double radius, double penalty,
                            const InteriorOptions& options) {
+    set_costs(penalty);
+    set_region(y, radius);
+    std::vector<bool> is_near(sides_.size());
+    for (std::size_t k = 0; k < sides_.size(); ++k) is_near[k] = room(sides_[k], rows) <= reach_;
+    while (true) {
+      const std::vector<Side> near = chosen(is_near);
+      set_rows(near, rows);
+      const InteriorSolution found = solve_by_interior_point(quadratic_, start(rows), options);
+      // One that is not exact is a step all the same: the merit decides.
+      if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
+      Step step = read(found, near, radius);
+      const VectorXd after = rows + model_.jacobian * step.d;
+      step.elastic = largest_violation_of(program_, after);
+      if (!added_passed(after, found.y[found.y.size() - 1], is_near)) return step;
+    }
+  }
+
+ private:
+  double bound(const Side& side) const {
+    const auto row = static_cast<std::size_t>(side.row);
+    return side.sign > 0 ? program_.row_upper()[row] : program_.row_lower()[row];
+  }
+  double room(const Side& side, const VectorXd& rows) const {
+    return side.sign * (bound(side) - rows[side.row]);
+  }
+  std::vector<Side> chosen(const std::vector<bool>& is_near) const {
+    std::vector<Side> near;
+    for (std::size_t k = 0; k < sides_.size(); ++k)
+      if (is_near[k]) near.push_back(sides_[k]);
+    return near;
+  }
+
+  /// Whether a step passes sides that its program did not have by more than it passes others; they
+  /// are near from then on.
+  bool added_passed(const VectorXd& after, double elastic, std::vector<bool>& is_near) const {
+    constexpr double kPassed = 1e-10;
+    bool any = false;
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      if (is_near[k] || room(sides_[k], after) >= -std::max(0.0, elastic) - kPassed) continue;
+      is_near[k] = true;
+      any = true;
+    }
+    return any;
+  }
+
+  void set_costs(double penalty) {
     const auto n = static_cast<Eigen::Index>(program_.variables());
     const bool rows_alone = std::isinf(penalty);
-    if (rows_alone) penalty = 1;
     quadratic_.cost.head(n) = (rows_alone ? 0 : 1) * model_.gradient;
-    quadratic_.cost[n] = penalty;
+    quadratic_.cost[n] = rows_alone ? 1 : penalty;
     quadratic_.curvature = rows_alone ? flat_ : curvature_;
-    const auto count = static_cast<Eigen::Index>(sides_.size());
-    quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
-    quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
-    double elastic = 0;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const auto [r, sign] = sides_[static_cast<std::size_t>(k)];
-      const auto row = static_cast<std::size_t>(r);
-      const double bound = sign > 0 ? program_.row_upper()[row] : program_.row_lower()[row];
-      (sign > 0 ? quadratic_.row_upper : quadratic_.row_lower)[k] = bound - rows[r];
-      elastic = std::max(elastic, sign * (rows[r] - bound));
-    }
+  }
+
+  void set_region(const VectorXd& y, double radius) {
+    const auto n = static_cast<Eigen::Index>(program_.variables());
     quadratic_.lower = VectorXd::Constant(n + 1, -radius);
     quadratic_.upper = VectorXd::Constant(n + 1, radius);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -161,21 +196,46 @@ class Elastic {
     }
     quadratic_.lower[n] = 0;
     quadratic_.upper[n] = kInfinity;
-    VectorXd start = VectorXd::Zero(n + 1);
-    start[n] = elastic;
-    const InteriorSolution found = solve_by_interior_point(quadratic_, start, options);
-    // One that is not exact is a step all the same: the merit decides.
-    if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
+  }
+
+  void set_rows(const std::vector<Side>& near, const VectorXd& rows) {
+    const auto n = static_cast<Eigen::Index>(program_.variables());
+    const auto count = static_cast<Eigen::Index>(near.size());
+    quadratic_.rows.resize(count, n + 1);
+    quadratic_.rows.reserve(2 * model_.jacobian.nonZeros() + count);
+    quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
+    quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Side& side = near[static_cast<std::size_t>(k)];
+      quadratic_.rows.startVec(k);
+      using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+      for (Entry entry(model_.jacobian, side.row); entry; ++entry)
+        quadratic_.rows.insertBack(k, entry.col()) = entry.value();
+      quadratic_.rows.insertBack(k, n) = -side.sign;
+      (side.sign > 0 ? quadratic_.row_upper : quadratic_.row_lower)[k] =
+          bound(side) - rows[side.row];
+    }
+    quadratic_.rows.finalize();
+  }
+
+  /// No step, and what the rows are passed by.
+  VectorXd start(const VectorXd& rows) const {
+    VectorXd start = VectorXd::Zero(quadratic_.cost.size());
+    start[start.size() - 1] = largest_violation_of(program_, rows);
+    return start;
+  }
+
+  Step read(const InteriorSolution& found, const std::vector<Side>& near, double radius) const {
+    const auto n = static_cast<Eigen::Index>(program_.variables());
     Step step{found.y.head(n), 0, {}};
     const auto largest = [](const VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
     const double idle =
         kIdle * std::max({largest(found.row_multipliers), largest(found.lower_multipliers),
                           largest(found.upper_multipliers)});
     step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
-    for (Eigen::Index k = 0; k < count; ++k) {
-      if (std::abs(found.row_multipliers[k]) > idle)
-        step.multipliers.rows[sides_[static_cast<std::size_t>(k)].first] +=
-            found.row_multipliers[k];
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const double multiplier = found.row_multipliers[static_cast<Eigen::Index>(k)];
+      if (std::abs(multiplier) > idle) step.multipliers.rows[near[k].row] += multiplier;
     }
     step.multipliers.lower = found.lower_multipliers.head(n);
     step.multipliers.upper = found.upper_multipliers.head(n);
@@ -185,14 +245,13 @@ class Elastic {
       if (quadratic_.upper[i] == radius || upper <= idle) upper = 0;
       step.d[i] = std::clamp(step.d[i], quadratic_.lower[i], quadratic_.upper[i]);
     }
-    step.elastic = largest_violation_of(program_, rows + model_.jacobian * step.d);
     return step;
   }
 
- private:
   const Program& program_;
   const Model& model_;
-  std::vector<std::pair<Eigen::Index, double>> sides_;  ///< a row, and 1 its upper bound, -1 lower
+  double reach_;
+  std::vector<Side> sides_;
   QuadraticProgram quadratic_;
   Eigen::SparseMatrix<double> curvature_, flat_;
 };
@@ -213,6 +272,7 @@ class Sequence {
   void begin_with(const std::vector<double>& rows) {
     if (rows.size() == program_.rows())
       multipliers_.rows = Eigen::Map<const VectorXd>(rows.data(), multipliers_.rows.size());
+    reach_ = kWarmReach;
   }
 
   Solution run() {
@@ -256,13 +316,14 @@ class Sequence {
     return y;
   }
   double merit(const Place& place) const { return place.objective + penalty_ * place.violation; }
+  double rounding() const { return kRounding * (1 + std::abs(merit(place_))); }
 
   /// One step that is worth taking, from models of the place where it stands.
   Advance advanced() {
     constexpr double kLeastRadius = 1e-10;
     const Model model = model_at(program_, place_, multipliers_.rows);
     if (!model.is_finite()) return Advance::Undefined;
-    Elastic elastic(program_, model);
+    Elastic elastic(program_, model, reach_);
     while (radius_ > kLeastRadius) {
       const auto step = elastic.step(place_.y, place_.rows, radius_, penalty_, interior_);
       if (ended()) return Advance::None;
@@ -276,6 +337,7 @@ class Sequence {
       }
       if (const auto advance = taken(model, elastic, *step)) return *advance;
       radius_ = kShrink * std::min(radius_, step->d.cwiseAbs().maxCoeff());
+      is_cut_ = true;
     }
     return Advance::None;
   }
@@ -294,25 +356,24 @@ class Sequence {
   std::optional<Advance> taken(const Model& model, Elastic& elastic, const Step& step) {
     const double promised = penalty_ * (place_.violation - step.elastic) - model.change(step.d);
     const double length = step.d.cwiseAbs().maxCoeff();
-    const double rounding = kRounding * (1 + std::abs(merit(place_)));
-    if (promised < -rounding) return {};  // the quadratic program's method did not end well
+    if (promised < -rounding()) return {};  // the quadratic program's method did not end well
     // A step that the region cut short says nothing.
     const bool is_short = length <= kLastStep && length < kAtEdge * radius_;
     Place trial = place_at(program_, moved(step.d));
-    if (is_short || promised <= rounding) {
+    if (is_short || promised <= rounding()) {
       const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
       multipliers_ = step.multipliers;
       if (holds) place_ = std::move(trial);
       return Advance::Last;
     }
-    if (is_good(trial, promised)) return take(std::move(trial), step, promised, length);
+    if (is_good(trial, promised)) return take(std::move(trial), model, step, promised);
     if (!trial.is_finite()) return {};
     const VectorXd bent = trial.rows - model.jacobian * step.d;
     const auto second = elastic.step(place_.y, bent, radius_, penalty_, interior_);
     if (!second) return {};
     Place corrected = place_at(program_, moved(second->d));
     if (!is_good(corrected, promised)) return {};
-    return take(std::move(corrected), *second, promised, length);
+    return take(std::move(corrected), model, *second, promised);
   }
 
   double share(const Place& trial, double promised) const {
@@ -323,13 +384,26 @@ class Sequence {
     return trial.is_finite() && share(trial, promised) >= kGood;
   }
 
-  Advance take(Place trial, const Step& step, double promised, double length) {
-    constexpr double kVeryGood = 0.5, kGrow = 4, kMostRadius = 1e6;
-    if (share(trial, promised) >= kVeryGood && length >= kAtEdge * radius_)
-      radius_ = std::min(kMostRadius, kGrow * radius_);
+  Advance take(Place trial, const Model& model, const Step& step, double promised) {
+    constexpr double kMostRadius = 1e6, kReach = 2;
+    // Of a region that a step had to be cut to: it is near what the models are good for.
+    struct Growth {
+      double least_share, factor;
+    };
+    constexpr Growth kAtFirst{0.5, 4}, kLater{0.8, 1.5};
+    const bool at_edge = step.d.lpNorm<Eigen::Infinity>() >= kAtEdge * radius_;
+    // Where the model tells merit and rows to rounding the next step will be worth nothing.
+    const VectorXd bends = trial.rows - place_.rows - model.jacobian * step.d;
+    const double unforeseen = std::abs(promised - (merit(place_) - merit(trial))) +
+                              step.multipliers.rows.cwiseAbs().dot(bends.cwiseAbs());
+    const bool last = unforeseen <= rounding() && !at_edge && trial.violation <= met_;
+    const Growth& growth = is_cut_ ? kLater : kAtFirst;
+    if (share(trial, promised) >= growth.least_share && at_edge)
+      radius_ = std::min(kMostRadius, growth.factor * radius_);
+    reach_ = kReach * (model.jacobian * step.d).lpNorm<Eigen::Infinity>();
     place_ = std::move(trial);
     multipliers_ = step.multipliers;
-    return Advance::Some;
+    return last ? Advance::Last : Advance::Some;
   }
 
   bool ended() {
@@ -350,7 +424,7 @@ class Sequence {
     return solution;
   }
 
-  static constexpr double kShrink = 0.25, kAtEdge = 0.9;
+  static constexpr double kShrink = 0.5, kAtEdge = 0.9, kWarmReach = 1e-2;
 
   const Program& program_;
   const SolverOptions& options_;
@@ -359,6 +433,8 @@ class Sequence {
   InteriorOptions interior_;
   double met_;  ///< a row passed by less, by its size, is met
   double radius_ = 10, penalty_ = 10;
+  bool is_cut_ = false;       ///< whether a step was refused
+  double reach_ = kInfinity;  ///< rows with more room hardly come into play
   int iterations_ = 0;
   std::optional<RunEnd> stopped_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

@@ -86,6 +86,32 @@ TEST_CASE("what no variable moves does not bend a program", "[sequential]") {
   CHECK(sequential_solver().solve(program, {}).status == Status::Solved);
 }
 
+TEST_CASE("a limit bends a program across its own gradient alone, a peak's place in all directions",
+          "[sequential]") {
+  // The gradient at (1, 0) is (2, 0), the second derivatives are 2 and 4.
+  const auto bowl = function<Interval>(
+      {0, 1}, [](const auto& u) { return square(u[0]) + 2.0 * square(u[1]); }, Shape::Convex);
+  const std::vector<double> y{1, 0, 0}, multipliers{1};
+  const auto entries_of = [&](Row row) {
+    const Program program{
+        {{-5, 5, 1, 1}, {-5, 5, 0, 1}, {-5, 5, 0, 1}}, sum_of({2}, {1}), 1, 1, {std::move(row)}};
+    std::vector<double> entries(program.hessian_pattern().size());
+    program.convex_hessian(y, 1, multipliers, entries);
+    double along = 0, across = 0;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      if (program.hessian_pattern().rows[k] != program.hessian_pattern().columns[k]) continue;
+      (program.hessian_pattern().rows[k] == 0 ? along : across) += entries[k];
+    }
+    return std::pair(along, across);
+  };
+  const auto [along, across] = entries_of({bowl, -kInfinity, 1, 1, {}});
+  CHECK(along == Approx(0).margin(1e-14));
+  CHECK(across == Approx(4));
+  const auto [peak_along, peak_across] = entries_of({bowl, -kInfinity, 0, 1, {{2, -1.0}}});
+  CHECK(peak_along == Approx(2));
+  CHECK(peak_across == Approx(4));
+}
+
 TEST_CASE("a sequence of quadratic programs says how it ended", "[sequential]") {
   SECTION("rows that contradict one another") {
     const Program program{
