@@ -94,114 +94,138 @@ Model model_at(const Program& program, const Place& place, const VectorXd& row_m
 /// A step, by how much rows pass their bounds after it to first order, and the multipliers.
 struct Step {
   VectorXd d;
-  double elastic = 0;
+  double passed = 0;
   Multipliers multipliers;
+  bool is_exact = true;  ///< whether its program was solved
+
+  double length() const { return d.lpNorm<Eigen::Infinity>(); }
 };
 
-/// A bound of a row: its number, and 1 for its upper bound, -1 for the lower one.
+/// A bound of a row: its number, and 1 for its upper bound, -1 for the lower one; 0 for both of an
+/// equation.
 struct Side {
   Eigen::Index row;
   double sign;
 };
 
-/// The quadratic programs of a place, in the step and one more variable, by which any row may pass
-/// its bounds at a price: so that there always is a step.
-class Elastic {
+/// What a step is for: the objective within the rows, or the rows alone, in as far as they can be
+/// met.
+enum class Goal { Objective, Rows };
+
+/// The quadratic programs of a place, in the step. If the rows are the goal there is one more
+/// variable, by which any row may pass its bounds: so that there always is a step.
+class Quadratics {
   /// Of the largest multiplier: less is an idle row's, or an idle bound's.
   static constexpr double kIdle = 1e-11;
 
  public:
   /// Sides with more room than `reach` come into a program only where its step passes them.
-  Elastic(const Program& program, const Model& model, double reach)
+  Quadratics(const Program& program, const Model& model, double reach)
       : program_(program), model_(model), reach_(reach) {
     const auto m = static_cast<Eigen::Index>(program.rows());
     for (Eigen::Index r = 0; r < m; ++r) {
       const auto row = static_cast<std::size_t>(r);
+      if (program.row_is_equation(row)) {
+        sides_.push_back({r, 0});
+        continue;
+      }
       if (std::isfinite(program.row_upper()[row])) sides_.push_back({r, 1});
       if (std::isfinite(program.row_lower()[row])) sides_.push_back({r, -1});
     }
-    const auto n = static_cast<Eigen::Index>(program.variables());
-    quadratic_.cost.resize(n + 1);
-    curvature_ = model.curvature;
-    curvature_.conservativeResize(n + 1, n + 1);
-    flat_.resize(n + 1, n + 1);
-    for (Eigen::Index i = 0; i < n; ++i) flat_.insert(i, i) = kProximal;
   }
 
   /// The step from a place whose rows are these there, no farther than the radius; none where the
-  /// interior-point method finds none. With an infinite penalty it looks at the rows alone.
-  std::optional<Step> step(const VectorXd& y, const VectorXd& rows, double radius, double penalty,
+  /// interior-point method finds none.
+  std::optional<Step> step(const VectorXd& y, const VectorXd& rows, double radius, Goal goal,
                            const InteriorOptions& options) {
-    set_costs(penalty);
-    set_region(y, radius);
+    set_costs(goal);
+    set_region(y, radius, goal);
     std::vector<bool> is_near(sides_.size());
     for (std::size_t k = 0; k < sides_.size(); ++k) is_near[k] = room(sides_[k], rows) <= reach_;
     while (true) {
-      const std::vector<Side> near = chosen(is_near);
-      set_rows(near, rows);
+      const std::vector<Side> near = chosen(is_near, goal);
+      set_rows(near, rows, goal);
       const InteriorSolution found = solve_by_interior_point(quadratic_, start(rows), options);
-      // One that is not exact is a step all the same: the merit decides.
       if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
       Step step = read(found, near, radius);
       const VectorXd after = rows + model_.jacobian * step.d;
-      step.elastic = largest_violation_of(program_, after);
-      if (!added_passed(after, found.y[found.y.size() - 1], is_near)) return step;
+      step.passed = largest_violation_of(program_, after);
+      step.is_exact = found.end == InteriorEnd::Optimal || found.end == InteriorEnd::Acceptable;
+      const double allowed = goal == Goal::Rows ? std::max(0.0, found.y[found.y.size() - 1]) : 0;
+      if (added_passed(after, allowed, is_near)) continue;
+      // One that is not exact is a step all the same, as long as it does what rows ask for.
+      constexpr double kMet = 1e-8;
+      return goal == Goal::Rows || step.passed <= kMet ? std::optional(std::move(step))
+                                                       : std::nullopt;
     }
   }
 
  private:
   double bound(const Side& side) const {
     const auto row = static_cast<std::size_t>(side.row);
-    return side.sign > 0 ? program_.row_upper()[row] : program_.row_lower()[row];
+    return side.sign >= 0 ? program_.row_upper()[row] : program_.row_lower()[row];
   }
   double room(const Side& side, const VectorXd& rows) const {
-    return side.sign * (bound(side) - rows[side.row]);
+    const double left = bound(side) - rows[side.row];
+    return side.sign == 0 ? -std::abs(left) : side.sign * left;
   }
-  std::vector<Side> chosen(const std::vector<bool>& is_near) const {
+  /// If the rows are the goal an equation has two sides.
+  std::vector<Side> chosen(const std::vector<bool>& is_near, Goal goal) const {
     std::vector<Side> near;
-    for (std::size_t k = 0; k < sides_.size(); ++k)
-      if (is_near[k]) near.push_back(sides_[k]);
+    for (std::size_t k = 0; k < sides_.size(); ++k) {
+      if (!is_near[k]) continue;
+      if (sides_[k].sign == 0 && goal == Goal::Rows) {
+        near.push_back({sides_[k].row, 1});
+        near.push_back({sides_[k].row, -1});
+      } else {
+        near.push_back(sides_[k]);
+      }
+    }
     return near;
   }
 
-  /// Whether a step passes sides that its program did not have by more than it passes others; they
-  /// are near from then on.
-  bool added_passed(const VectorXd& after, double elastic, std::vector<bool>& is_near) const {
+  /// Whether a step passes sides that its program did not have by more than is allowed; they are
+  /// near from then on.
+  bool added_passed(const VectorXd& after, double allowed, std::vector<bool>& is_near) const {
     constexpr double kPassed = 1e-10;
     bool any = false;
     for (std::size_t k = 0; k < sides_.size(); ++k) {
-      if (is_near[k] || room(sides_[k], after) >= -std::max(0.0, elastic) - kPassed) continue;
+      if (is_near[k] || room(sides_[k], after) >= -allowed - kPassed) continue;
       is_near[k] = true;
       any = true;
     }
     return any;
   }
 
-  void set_costs(double penalty) {
+  void set_costs(Goal goal) {
     const auto n = static_cast<Eigen::Index>(program_.variables());
-    const bool rows_alone = std::isinf(penalty);
-    quadratic_.cost.head(n) = (rows_alone ? 0 : 1) * model_.gradient;
-    quadratic_.cost[n] = rows_alone ? 1 : penalty;
-    quadratic_.curvature = rows_alone ? flat_ : curvature_;
+    if (goal == Goal::Objective) {
+      quadratic_.cost = model_.gradient;
+      quadratic_.curvature = model_.curvature;
+      return;
+    }
+    quadratic_.cost = VectorXd::Zero(n + 1);
+    quadratic_.cost[n] = 1;
+    quadratic_.curvature.resize(n + 1, n + 1);
+    for (Eigen::Index i = 0; i < n; ++i) quadratic_.curvature.insert(i, i) = kProximal;
   }
 
-  void set_region(const VectorXd& y, double radius) {
+  void set_region(const VectorXd& y, double radius, Goal goal) {
     const auto n = static_cast<Eigen::Index>(program_.variables());
-    quadratic_.lower = VectorXd::Constant(n + 1, -radius);
-    quadratic_.upper = VectorXd::Constant(n + 1, radius);
+    const Eigen::Index columns = n + (goal == Goal::Rows ? 1 : 0);
+    quadratic_.lower = VectorXd::Zero(columns);
+    quadratic_.upper = VectorXd::Constant(columns, kInfinity);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto at = static_cast<std::size_t>(i);
       quadratic_.lower[i] = std::max(-radius, std::min(0.0, program_.lower()[at] - y[i]));
       quadratic_.upper[i] = std::min(radius, std::max(0.0, program_.upper()[at] - y[i]));
     }
-    quadratic_.lower[n] = 0;
-    quadratic_.upper[n] = kInfinity;
   }
 
-  void set_rows(const std::vector<Side>& near, const VectorXd& rows) {
+  void set_rows(const std::vector<Side>& near, const VectorXd& rows, Goal goal) {
     const auto n = static_cast<Eigen::Index>(program_.variables());
     const auto count = static_cast<Eigen::Index>(near.size());
-    quadratic_.rows.resize(count, n + 1);
+    quadratic_.rows.resize(count, quadratic_.cost.size());
     quadratic_.rows.reserve(2 * model_.jacobian.nonZeros() + count);
     quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
     quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
@@ -211,9 +235,10 @@ class Elastic {
       using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
       for (Entry entry(model_.jacobian, side.row); entry; ++entry)
         quadratic_.rows.insertBack(k, entry.col()) = entry.value();
-      quadratic_.rows.insertBack(k, n) = -side.sign;
-      (side.sign > 0 ? quadratic_.row_upper : quadratic_.row_lower)[k] =
-          bound(side) - rows[side.row];
+      if (goal == Goal::Rows) quadratic_.rows.insertBack(k, n) = -side.sign;
+      const double level = bound(side) - rows[side.row];
+      if (side.sign >= 0) quadratic_.row_upper[k] = level;
+      if (side.sign <= 0) quadratic_.row_lower[k] = level;
     }
     quadratic_.rows.finalize();
   }
@@ -221,7 +246,8 @@ class Elastic {
   /// No step, and what the rows are passed by.
   VectorXd start(const VectorXd& rows) const {
     VectorXd start = VectorXd::Zero(quadratic_.cost.size());
-    start[start.size() - 1] = largest_violation_of(program_, rows);
+    if (start.size() > static_cast<Eigen::Index>(program_.variables()))
+      start[start.size() - 1] = largest_violation_of(program_, rows);
     return start;
   }
 
@@ -253,7 +279,27 @@ class Elastic {
   double reach_;
   std::vector<Side> sides_;
   QuadraticProgram quadratic_;
-  Eigen::SparseMatrix<double> curvature_, flat_;
+};
+
+/// Pairs of violation and objective that later places have to be better than in one or the other
+/// (Fletcher and Leyffer 2002).
+class Filter {
+ public:
+  bool accepts(double violation, double objective) const {
+    return std::all_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+      return is_better(violation, objective, pair.first, pair.second);
+    });
+  }
+  static bool is_better(double violation, double objective, double than_violation,
+                        double than_objective) {
+    constexpr double kMargin = 1e-5;
+    return violation <= (1 - kMargin) * than_violation ||
+           objective <= than_objective - kMargin * violation;
+  }
+  void add(double violation, double objective) { pairs_.emplace_back(violation, objective); }
+
+ private:
+  std::vector<std::pair<double, double>> pairs_;
 };
 
 /// Steps of a program from one place on.
@@ -265,6 +311,7 @@ class Sequence {
         place_(place_at(program, std::move(y))),
         met_(std::min(1e-9, options.tolerance)) {
     multipliers_.rows = VectorXd::Zero(static_cast<Eigen::Index>(program.rows()));
+    multipliers_.lower = multipliers_.upper = VectorXd::Zero(place_.y.size());
     interior_.least_objective = 1;  // programs are scaled, and a last step is worth nothing
     interior_.goes_on = [this](int, double, double) { return !ended(); };
   }
@@ -304,106 +351,157 @@ class Sequence {
  private:
   enum class Advance { Some, Last, None, Undefined };
   static constexpr double kLastStep = 1e-6;   // of a variable: Newton's next would be rounding
-  static constexpr double kRounding = 1e-11;  // of a merit: what it changes by says nothing
+  static constexpr double kRounding = 1e-11;  // of an objective: what it changes by says nothing
 
   /// The place after a step, on whose way no variable passes a bound by rounding.
-  VectorXd moved(const VectorXd& d) const {
+  Place moved(const VectorXd& d) const {
     VectorXd y = place_.y + d;
     for (std::size_t i = 0; i < program_.variables(); ++i) {
       double& at = y[static_cast<Eigen::Index>(i)];
       at = std::clamp(at, program_.lower()[i], program_.upper()[i]);
     }
-    return y;
+    return place_at(program_, std::move(y));
   }
-  double merit(const Place& place) const { return place.objective + penalty_ * place.violation; }
-  double rounding() const { return kRounding * (1 + std::abs(merit(place_))); }
+  double rounding() const { return kRounding * (1 + std::abs(place_.objective)); }
+  /// Of a place; what is met is met.
+  double passed(const Place& place) const { return place.violation <= met_ ? 0 : place.violation; }
 
   /// One step that is worth taking, from models of the place where it stands.
   Advance advanced() {
     constexpr double kLeastRadius = 1e-10;
     const Model model = model_at(program_, place_, multipliers_.rows);
     if (!model.is_finite()) return Advance::Undefined;
-    Elastic elastic(program_, model, reach_);
+    Quadratics quadratics(program_, model, reach_);
     while (radius_ > kLeastRadius) {
-      const auto step = elastic.step(place_.y, place_.rows, radius_, penalty_, interior_);
+      const auto advance =
+          goal_ == Goal::Rows ? restored(model, quadratics) : improved(model, quadratics);
       if (ended()) return Advance::None;
-      if (!step) {
-        radius_ *= kShrink;
-        continue;
-      }
-      if (wants_more_penalty(elastic, *step)) {
-        penalty_ *= 10;
-        continue;
-      }
-      if (const auto advance = taken(model, elastic, *step)) return *advance;
-      radius_ = kShrink * std::min(radius_, step->d.cwiseAbs().maxCoeff());
-      is_cut_ = true;
+      if (advance) return *advance;
     }
     return Advance::None;
   }
 
-  /// Whether rows stay passed because to pass them is cheap (Byrd, Nocedal and Waltz 2008): whether
-  /// a step that looks at them alone would bring far more.
-  bool wants_more_penalty(Elastic& elastic, const Step& step) {
-    constexpr double kMostPenalty = 1e7, kGood = 0.1;
-    if (step.elastic <= met_ || penalty_ >= kMostPenalty) return false;
-    const auto best = elastic.step(place_.y, place_.rows, radius_, kInfinity, interior_);
-    return best && place_.violation - step.elastic < kGood * (place_.violation - best->elastic);
+  void cut_region(double length) {
+    radius_ = kShrink * std::min(radius_, length);
+    is_cut_ = true;
   }
 
-  /// Takes the step, or the same corrected for how rows bend, where the merit falls by a good part
-  /// of what the model says.
-  std::optional<Advance> taken(const Model& model, Elastic& elastic, const Step& step) {
-    const double promised = penalty_ * (place_.violation - step.elastic) - model.change(step.d);
-    const double length = step.d.cwiseAbs().maxCoeff();
-    if (promised < -rounding()) return {};  // the quadratic program's method did not end well
+  /// A step towards rows that are met; none where it is refused, or the rows can be met after all.
+  std::optional<Advance> restored(const Model& model, Quadratics& quadratics) {
+    constexpr double kGood = 0.1, kWorth = 1e-3;
+    const auto step = quadratics.step(place_.y, place_.rows, radius_, Goal::Rows, interior_);
+    if (!step) {
+      cut_region(radius_);
+      return {};
+    }
+    if (step->passed <= met_) {
+      goal_ = Goal::Objective;
+      return {};
+    }
+    const double promised = place_.violation - step->passed;
+    if (promised <= kWorth * met_ || promised <= kRounding * place_.violation) return Advance::Last;
+    Place trial = moved(step->d);
+    if (!trial.is_finite() || place_.violation - trial.violation < kGood * promised) {
+      cut_region(step->length());
+      return {};
+    }
+    filter_.add(passed(place_), place_.objective);
+    const double share = (place_.violation - trial.violation) / promised;
+    grow_region(share, *step);
+    go_to(std::move(trial), model, step->d);
+    return Advance::Some;
+  }
+
+  /// A step to a better objective within the rows, or the same corrected for how rows bend.
+  std::optional<Advance> improved(const Model& model, Quadratics& quadratics) {
+    const auto step = quadratics.step(place_.y, place_.rows, radius_, Goal::Objective, interior_);
+    if (!step) {
+      if (ended()) return Advance::None;
+      goal_ = Goal::Rows;
+      return {};
+    }
+    constexpr int kMostInexact = 4;
+    inexact_ = step->is_exact ? 0 : inexact_ + 1;
+    if (inexact_ > kMostInexact) return Advance::None;
+    const double promised = -model.change(step->d);
     // A step that the region cut short says nothing.
-    const bool is_short = length <= kLastStep && length < kAtEdge * radius_;
-    Place trial = place_at(program_, moved(step.d));
-    if (is_short || promised <= rounding()) {
+    const bool is_short = step->length() <= kLastStep && step->length() < kAtEdge * radius_;
+    const bool is_met = passed(place_) == 0;
+    Place trial = moved(step->d);
+    if (is_short || (is_met && std::abs(promised) <= rounding())) {
       const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
-      multipliers_ = step.multipliers;
+      multipliers_ = step->multipliers;
       if (holds) place_ = std::move(trial);
       return Advance::Last;
     }
-    if (is_good(trial, promised)) return take(std::move(trial), model, step, promised);
-    if (!trial.is_finite()) return {};
-    const VectorXd bent = trial.rows - model.jacobian * step.d;
-    const auto second = elastic.step(place_.y, bent, radius_, penalty_, interior_);
-    if (!second) return {};
-    Place corrected = place_at(program_, moved(second->d));
-    if (!is_good(corrected, promised)) return {};
-    return take(std::move(corrected), model, *second, promised);
+    if (is_good(trial, promised)) return taken(std::move(trial), model, *step, promised);
+    if (trial.is_finite()) {
+      const VectorXd bent = trial.rows - model.jacobian * step->d;
+      const auto second = quadratics.step(place_.y, bent, radius_, Goal::Objective, interior_);
+      if (second) {
+        Place corrected = moved(second->d);
+        if (is_good(corrected, promised))
+          return taken(std::move(corrected), model, *second, promised);
+      }
+    }
+    cut_region(step->length());
+    return {};
   }
 
-  double share(const Place& trial, double promised) const {
-    return (merit(place_) - merit(trial)) / promised;
-  }
+  /// Whether the objective falls by a good part of what the model says, if it says that it falls by
+  /// more than the rows are worth; else whether the filter takes the place.
   bool is_good(const Place& trial, double promised) const {
-    constexpr double kGood = 0.1;
-    return trial.is_finite() && share(trial, promised) >= kGood;
+    constexpr double kGood = 0.1, kMost = 10;
+    if (!trial.is_finite()) return false;
+    const double violation = passed(trial), before = passed(place_);
+    if (violation > std::max(kMost, 2 * most_passed_)) return false;
+    if (!filter_.accepts(violation, trial.objective) ||
+        !Filter::is_better(violation, trial.objective, before, place_.objective)) {
+      return false;
+    }
+    return !is_about_objective(promised) || place_.objective - trial.objective >= kGood * promised;
+  }
+  bool is_about_objective(double promised) const {
+    const double before = passed(place_);
+    return promised > 0 && promised >= 1e-4 * before * before && promised > rounding();
   }
 
-  Advance take(Place trial, const Model& model, const Step& step, double promised) {
-    constexpr double kMostRadius = 1e6, kReach = 2;
-    // Of a region that a step had to be cut to: it is near what the models are good for.
+  Advance taken(Place trial, const Model& model, const Step& step, double promised) {
+    const double gained = place_.objective - trial.objective;
+    const bool at_edge = step.length() >= kAtEdge * radius_;
+    // Where the model tells objective and rows to rounding the next step will be worth nothing.
+    const VectorXd bends = trial.rows - place_.rows - model.jacobian * step.d;
+    const double unforeseen =
+        std::abs(promised - gained) + step.multipliers.rows.cwiseAbs().dot(bends.cwiseAbs());
+    const bool last = unforeseen <= rounding() && !at_edge && passed(trial) == 0;
+    if (is_about_objective(promised)) {
+      grow_region(gained / promised, step);
+    } else {
+      filter_.add(passed(place_), place_.objective);
+      grow_region(1, step);
+    }
+    multipliers_ = step.multipliers;
+    go_to(std::move(trial), model, step.d);
+    return last ? Advance::Last : Advance::Some;
+  }
+
+  /// After a step to its edge that kept its promise. A region that a step had to be cut to is near
+  /// what the models are good for.
+  void grow_region(double share, const Step& step) {
+    constexpr double kMostRadius = 1e6;
     struct Growth {
       double least_share, factor;
     };
     constexpr Growth kAtFirst{0.5, 4}, kLater{0.8, 1.5};
-    const bool at_edge = step.d.lpNorm<Eigen::Infinity>() >= kAtEdge * radius_;
-    // Where the model tells merit and rows to rounding the next step will be worth nothing.
-    const VectorXd bends = trial.rows - place_.rows - model.jacobian * step.d;
-    const double unforeseen = std::abs(promised - (merit(place_) - merit(trial))) +
-                              step.multipliers.rows.cwiseAbs().dot(bends.cwiseAbs());
-    const bool last = unforeseen <= rounding() && !at_edge && trial.violation <= met_;
     const Growth& growth = is_cut_ ? kLater : kAtFirst;
-    if (share(trial, promised) >= growth.least_share && at_edge)
+    if (share >= growth.least_share && step.length() >= kAtEdge * radius_)
       radius_ = std::min(kMostRadius, growth.factor * radius_);
-    reach_ = kReach * (model.jacobian * step.d).lpNorm<Eigen::Infinity>();
+  }
+
+  void go_to(Place trial, const Model& model, const VectorXd& d) {
+    constexpr double kReach = 2;
+    reach_ = kReach * (model.jacobian * d).lpNorm<Eigen::Infinity>();
     place_ = std::move(trial);
-    multipliers_ = step.multipliers;
-    return last ? Advance::Last : Advance::Some;
   }
 
   bool ended() {
@@ -431,8 +529,12 @@ class Sequence {
   Place place_;
   Multipliers multipliers_;
   InteriorOptions interior_;
+  Filter filter_;
+  Goal goal_ = Goal::Objective;
   double met_;  ///< a row passed by less, by its size, is met
-  double radius_ = 10, penalty_ = 10;
+  double most_passed_ = place_.violation;
+  double radius_ = 10;
+  int inexact_ = 0;           ///< programs in a row that were not solved
   bool is_cut_ = false;       ///< whether a step was refused
   double reach_ = kInfinity;  ///< rows with more room hardly come into play
   int iterations_ = 0;

@@ -211,7 +211,7 @@ TEST_CASE("what all tolerances together allow is less than 1e-7 of the optimum",
   }
 }
 
-TEST_CASE("Ipopt finds the true optimum, and the verdict certifies it", "[cam-shape]") {
+TEST_CASE("The true optimum is found, and the verdict certifies it", "[cam-shape]") {
   for (const int n : {3, 10, 100, 400, 1000}) {
     const CamShapeCase found = solve_cam_shape(n);
     INFO(n << ": " << found.reason);
@@ -220,7 +220,7 @@ TEST_CASE("Ipopt finds the true optimum, and the verdict certifies it", "[cam-sh
     CHECK(found.true_optimum == cam_shape_optimum(n));
     CHECK(found.objective == Approx(found.true_optimum).epsilon(1e-7));
     CHECK(found.max_violation <= 1e-10);
-    CHECK(found.iterations > 0);
+    if (n > 30) CHECK(found.iterations > 0);  // slsqp, which fewer variables take, counts none
     CHECK(found.wall_s > 0);
     CHECK(found.printed.has_value() == (n >= 100));
   }

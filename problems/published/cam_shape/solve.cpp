@@ -44,8 +44,7 @@ optim::Program published_program(const optim::Problem& problem) {
 }  // namespace
 
 CamShapeCase solve_cam_shape(int n, const std::atomic<bool>* stop) {
-  const optim::Optimum solved =
-      optim::optimise(cam_shape(n), {.solver = "ipopt", .starts = 1, .stop = stop});
+  const optim::Optimum solved = optim::optimise(cam_shape(n), {.starts = 1, .stop = stop});
   optim::Deadline({}, stop).check();
   const optim::Assessment& assessment = solved.found.assessment;
   CamShapeCase result;

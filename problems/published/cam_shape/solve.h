@@ -24,8 +24,9 @@ struct CamShapeCase {
   double wall_s = 0;  ///< search and verdict
 };
 
-/// Solves the problem of n radii with Ipopt. Throws std::invalid_argument for n outside
-/// [3, 100000], and optim::Interrupted where `stop` is set before the end.
+/// Solves the problem of n radii, by the methods that problems of this kind take. Throws
+/// std::invalid_argument for n outside [3, 100000], and optim::Interrupted where `stop` is set
+/// before the end.
 CamShapeCase solve_cam_shape(int n, const std::atomic<bool>* stop = nullptr);
 
 /// What Ipopt answers with its own settings to the rows as they are published: each bound is
