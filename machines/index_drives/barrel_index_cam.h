@@ -39,6 +39,7 @@ struct BarrelIndexCam {
   T lever() const { return turret_radius; }
   /// x, m: height over the plane through the cam's axis that the rollers stand on.
   T distance_at(RollerPlace place) const {
+    if (place == RollerPlace::Middle) return cam_radius;
     return cam_radius - number<T>(share_of(place)) * face_width;
   }
 

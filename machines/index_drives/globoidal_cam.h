@@ -37,6 +37,7 @@ struct GloboidalCam {
   T lever() const { return turret_radius; }
   /// u, m, from the turret's axis.
   T distance_at(RollerPlace place) const {
+    if (place == RollerPlace::Middle) return turret_radius;
     return turret_radius + number<T>(share_of(place)) * face_width;
   }
 

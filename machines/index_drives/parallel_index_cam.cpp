@@ -16,16 +16,15 @@ template <>
 struct MachineTraits<ParallelIndexCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array<T ParallelIndexCam<T>::*, 17> fields{
-      &ParallelIndexCam<T>::stations,       &ParallelIndexCam<T>::rollers,
-      &ParallelIndexCam<T>::plates,         &ParallelIndexCam<T>::axis_distance,
-      &ParallelIndexCam<T>::turret_radius,  &ParallelIndexCam<T>::roller_radius,
-      &ParallelIndexCam<T>::takeover_angle, &ParallelIndexCam<T>::angular_speed,
-      &ParallelIndexCam<T>::inertia,        &ParallelIndexCam<T>::friction,
-      &ParallelIndexCam<T>::load,           &ParallelIndexCam<T>::face_width,
-      &ParallelIndexCam<T>::youngs_modulus, &ParallelIndexCam<T>::poisson_ratio,
-      &ParallelIndexCam<T>::cutter_radius,  &ParallelIndexCam<T>::bore_radius,
-      &ParallelIndexCam<T>::shaft_radius};
+  static constexpr std::array<T ParallelIndexCam<T>::*, 16> fields{
+      &ParallelIndexCam<T>::stations,      &ParallelIndexCam<T>::rollers,
+      &ParallelIndexCam<T>::plates,        &ParallelIndexCam<T>::axis_distance,
+      &ParallelIndexCam<T>::turret_radius, &ParallelIndexCam<T>::roller_radius,
+      &ParallelIndexCam<T>::angular_speed, &ParallelIndexCam<T>::inertia,
+      &ParallelIndexCam<T>::friction,      &ParallelIndexCam<T>::load,
+      &ParallelIndexCam<T>::face_width,    &ParallelIndexCam<T>::youngs_modulus,
+      &ParallelIndexCam<T>::poisson_ratio, &ParallelIndexCam<T>::cutter_radius,
+      &ParallelIndexCam<T>::bore_radius,   &ParallelIndexCam<T>::shaft_radius};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
@@ -35,9 +34,6 @@ const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::paramete
                {"plates", "P", "1", "1", "disc cams on the shaft", 2, 2, 4, true}},
               index_sizes(90, 60),
               roller_radius_parameter(8),
-              {{"takeover_angle", "eps", "deg", "rad",
-                "angle of the turret by which, before a station, the next roller has taken over", 2,
-                1e-3, 60}},
               index_load(),
               contact_parameters(),
               cutter_parameter(),
@@ -134,7 +130,7 @@ Mechanism parallel_index_cam_mechanism() {
        .moved_by = MovedBy::Program,
        .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
        .form = Form::ParallelIndex,
-       .possible = {{{"axis_distance", "turret_radius", "takeover_angle"}, "DS13"}}},
+       .possible = {{{"axis_distance", "turret_radius"}, "DS13"}}},
       {conjugate_checks(), shaft_checks(), ring_checks()});
 }
 

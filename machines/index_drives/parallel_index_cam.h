@@ -49,14 +49,17 @@ struct IndexFlank {
   }
 };
 
+/// The part of a step by which a roller takes over early: enough that the end of a flank, where the
+/// roller before it moves, stands out no further than its arc of rest.
+inline constexpr double kTakeover = 0.1;
+
 /// A parallel index drive (docs/theory.md, "Parallel index cams"): P disc cams on one shaft turn a
 /// turret about a parallel axis, at the distance a, by a station S and cycle. Each cam has its own
 /// ring of N rollers on the turret; the rings stand a P-th of a roller's pitch apart. Of all cams
 /// one flank drives and one holds at a time, each for a step of delta = 2 pi / (N P), then those of
 /// the next cam take over. Cam and turret turn opposite ways. Fields in SI units.
 ///
-/// Valid for a > R_t, with rollers that take over beyond the line of centres, for programs that
-/// only gain. The drive runs without play and without bracing.
+/// Valid for a > R_t, for programs that only gain. The drive runs without play and without bracing.
 template <class T>
 struct ParallelIndexCam {
   T stations = number<T>(4);                     ///< S, 3 or more
@@ -65,7 +68,6 @@ struct ParallelIndexCam {
   T axis_distance = number<T>(0.090);            ///< a, m
   T turret_radius = number<T>(0.060);            ///< R_t, m, of the circle of the rollers' centres
   T roller_radius = number<T>(0.008);            ///< r_r, m
-  T takeover_angle = number<T>(0.035);           ///< epsilon, rad, of the turret before a station
   T angular_speed = number<T>(10.471975511966);  ///< omega, rad/s, of the cam
   T inertia = number<T>(0.1);                    ///< J, kg m^2
   T friction = number<T>(0);                     ///< M_C, N m
@@ -77,10 +79,7 @@ struct ParallelIndexCam {
   T bore_radius = number<T>(0.012);              ///< r_0, m, of the cams
   T shaft_radius = number<T>(0.010);             ///< r_S, m, of the turret's shaft beside them
 
-  bool is_possible() const {
-    return value_of(axis_distance) > value_of(turret_radius) &&
-           value_of(resting_angle()) > value_of(takeover_angle);
-  }
+  bool is_possible() const { return value_of(axis_distance) > value_of(turret_radius); }
   /// (IX4) delta, rad: what the turret turns by while a roller drives.
   T step() const { return number<T>(2) * pi<T>() / (rollers * plates); }
   /// (IX6) Where the roller that drives rests, rad from the line of centres: (P - 1) delta / 2.
@@ -90,10 +89,8 @@ struct ParallelIndexCam {
   }
   IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
   /// The driving flank, and the holding one on the other side of the line of centres.
-  IndexFlank<T> main() const { return flank(resting_angle() - takeover_angle, takeover_angle); }
-  IndexFlank<T> second() const {
-    return flank(takeover_angle - resting_angle() - step(), step() - takeover_angle);
-  }
+  IndexFlank<T> main() const { return flank(resting_angle() - lead(), lead()); }
+  IndexFlank<T> second() const { return flank(lead() - resting_angle() - step(), step() - lead()); }
 
   template <class X>
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
@@ -155,6 +152,8 @@ struct ParallelIndexCam {
   }
 
  private:
+  /// epsilon, rad.
+  T lead() const { return number<T>(kTakeover) * step(); }
   template <class X>
   static X distance(const IndexFlank<T>& flank, const FollowerMotion<X>& f) {
     return flank.of_roller(f, [&](const auto& roller) { return roller.profile(f).distance(); });

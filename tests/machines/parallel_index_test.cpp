@@ -23,7 +23,7 @@ constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 std::string drive(const std::string& more = "", double index = 190) {
   return fmt::format(
       "mechanism = 'parallel-index-cam'\n[constants]\nstations = 8\nrollers = 8\nplates = 3\n"
-      "axis_distance = 138\nturret_radius = 100\nroller_radius = 8\ntakeover_angle = 1.5\nspeed = "
+      "axis_distance = 138\nturret_radius = 100\nroller_radius = 8\nspeed = "
       "'120 rpm'\n"
       "inertia = 0.6\n{}[program]\nsegments = [{{name = 'dwell', angle = {}}}, {{name = 'index', "
       "angle = {}, law = 'modified-sine'}}, {{name = 'rest'}}]\n",
