@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "machines/index_drives/parallel_index_cam.h"
+#include "machines/registry.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
 #include "tests/machines/index_fixture.h"
@@ -216,6 +217,39 @@ TEST_CASE("the motion of either flank is the other's, run backwards", "[index-dr
           Approx(-curves["second_pressure_angle"][1000 - i]).margin(1e-6));
     CHECK(curves["undercut"][i] == Approx(curves["second_undercut"][1000 - i]).margin(1e-6));
   }
+}
+
+TEST_CASE("about a hand-over an enclosure holds the two rollers' values and not what is between",
+          "[index-drives]") {
+  const ProblemStatement statement = read_problem(drive(), "drive.toml");
+  const Curves curves(statement, 36000);
+  const std::vector<double>& psi = curves["roller_angle"];
+  std::size_t before = 0;  // the place of the first hand-over, in hundredths of a degree
+  while (psi[before + 1] > psi[before] - 5) ++before;
+  for (const optim::Response& response : curves_of(statement)) {
+    const bool looked_at = response.name == "undercut" || response.name == "pressure_angle" ||
+                           response.name == "centre_distance" || response.name == "contact_stress";
+    if (!looked_at) continue;
+    INFO(response.name);
+    const auto trace = response.curve().trace({});
+    const double from = 0.01 * static_cast<double>(before), to = from + 0.01;
+    const double left = curves[response.name][before], right = curves[response.name][before + 1];
+    const optim::Bounds bounds = trace->enclose(from, to);
+    const double jump = std::abs(right - left);
+    CHECK(bounds.lower <= std::min(left, right));
+    CHECK(bounds.upper >= std::max(left, right));
+    CHECK(bounds.upper - bounds.lower <= 1.1 * jump);
+  }
+}
+
+TEST_CASE("curves of a parallel index drive have exact derivatives and close enclosures",
+          "[index-drives]") {
+  const Mechanism& mechanism = find_mechanism("parallel-index-cam");
+  const auto design =
+      testing::design_of(mechanism, "poly-3-4-5", {},
+                         {"axis_distance", "turret_radius", "roller_radius", "inertia", "speed"});
+  testing::check_curves(mechanism, design, {100, 150, 215, 260});
+  testing::check_numbers(mechanism, design);
 }
 
 TEST_CASE("a dwell at a hand-over belongs to the roller that takes over", "[index-drives]") {

@@ -9,6 +9,7 @@
 
 #include "machines/index_drives/barrel_index_cam.h"
 #include "machines/index_drives/globoidal_cam.h"
+#include "machines/registry.h"
 #include "problems/statement/parameters.h"
 #include "tests/machines/index_fixture.h"
 #include "tests/machines/system_fixture.h"
@@ -241,6 +242,18 @@ TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angl
   CHECK(found.x[0] == Approx(end * (1 + rate / std::tan(40 * kDegree))).epsilon(1e-7));
   CHECK(found.x[1] == Approx(turret).epsilon(1e-7));
   CHECK(found.assessment.verdict == optim::Verdict::Certified);
+}
+
+TEST_CASE("curves of cams with ribs have exact derivatives and close enclosures",
+          "[index-drives]") {
+  for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
+    const Mechanism& mechanism = find_mechanism(name);
+    const auto design =
+        testing::design_of(mechanism, "poly-3-4-5", {},
+                           {"axis_distance", "turret_radius", "roller_radius", "face_width"});
+    testing::check_curves(mechanism, design, {100, 150, 215, 260});
+    testing::check_numbers(mechanism, design);
+  }
 }
 
 TEST_CASE("at rest an axial roller's pressure angle is its angle to the line of centres",
