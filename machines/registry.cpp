@@ -11,6 +11,7 @@
 #include "machines/die_press/mechanism.h"
 #include "machines/follower_train/mechanism.h"
 #include "machines/geneva/mechanism.h"
+#include "machines/index_drives/index_drives.h"
 #include "machines/normalised_law/normalised_law.h"
 #include "machines/servo_axis/mechanism.h"
 #include "machines/sheet_delivery/mechanism.h"
@@ -48,6 +49,9 @@ constexpr Listed kListed[] = {
     {"end-cam", end_cam_mechanism},
     {"end-cam-oscillating", oscillating_end_cam_mechanism, "end-cam-swinging"},
     {"linear-cam", linear_cam_mechanism},
+    {"parallel-index-cam", parallel_index_cam_mechanism},
+    {"indexing-barrel", barrel_index_cam_mechanism},
+    {"globoidal-cam", globoidal_cam_mechanism},
     {"disc-springs", disc_springs_mechanism},
     {"helical-spring", helical_spring_mechanism},
     {"follower-train", follower_train_mechanism},

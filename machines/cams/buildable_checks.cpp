@@ -198,6 +198,37 @@ Checks pivot_checks() {
            .closure = Closure::Force}};
 }
 
+Checks shaft_checks() {
+  const auto shaft = [](const std::string& of) {
+    return BuildableCheck{.name = of + "shaft",
+                          .fault = "the cam runs into the turret's shaft",
+                          .response = of + "shaft_clearance",
+                          .is_upper = false,
+                          .bound = nothing,
+                          .needs = {"shaft_radius"}};
+  };
+  return {shaft(""), shaft("second_")};
+}
+
+Checks rib_checks() {
+  Checks all;
+  for (const char* const end : {"root_", "tip_"}) {
+    for (const char* const flank : {"", "second_"})
+      all.push_back(undercut(std::string(flank) + end));
+  }
+  all.push_back(wall_of(""));
+  all.push_back(stress("stress", "tip_contact_stress", "tip_undercut", Closure::Any));
+  return all;
+}
+
+Checks ring_checks() {
+  return {{.name = "rollers",
+           .fault = "neighbouring rollers of the turret overlap",
+           .response = "roller_gap",
+           .is_upper = false,
+           .bound = nothing}};
+}
+
 Checks roller_stress_checks() {
   return {stress("stress", "contact_stress", "undercut", Closure::Force),
           stress("groove_stress", "groove_stress", "undercut", Closure::Form)};

@@ -29,6 +29,12 @@ Checks wall_checks();
 Checks pivot_checks();
 /// The arm of a roller beside the cam.
 Checks arm_checks();
+/// The shaft of a turret outside the circles that its cams turn in.
+Checks shaft_checks();
+/// Both flanks along a roller that runs between ribs, the wall below its end, and the stress there.
+Checks rib_checks();
+/// Neighbouring rollers of a turret.
+Checks ring_checks();
 /// The stress where the cam is touched.
 Checks stress_checks();
 /// The same where there may be a groove: there on the flank that bears.

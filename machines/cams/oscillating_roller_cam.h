@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_arm.h"
 #include "machines/cams/roller_contact.h"
 
 namespace camlaw {
@@ -60,28 +60,14 @@ struct OscillatingRollerCam {
   FollowerMotion<X> over_angle(const Motion<X>& motion) const {
     return follower_over_angle(swing, motion);
   }
-  /// The roller's centre, the pivot on the x axis: with E = l exp(-i psi), w = d - E,
-  /// w1 = -i d + i (1 + psi') E, w2 = -d + ((1 + psi')^2 + i psi'') E.
   template <class X>
   CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
-    const auto [c, s] = arm(f);
-    const X rate = f.ds + number<T>(1), square = rate * rate;
-    const X none = number<X>(0);
-    return {none - c + pivot_distance,
-            s,
-            rate * s,
-            rate * c - pivot_distance,
-            square * c + f.dds * s - pivot_distance,
-            f.dds * c - square * s};
+    return arm().pitch_curve(angle(f), f);
   }
-  /// (M14) Pressure angle, rad, between the normal and the path of the roller's centre:
-  /// tan alpha = (l (1 + psi') - d cos psi) / (d sin psi).
+  /// (M14) Pressure angle, rad.
   template <class X>
   X pressure_angle(const FollowerMotion<X>& f) const {
-    using std::atan;
-    const auto [c, s] = arm(f);
-    const X along = arm_length * (f.ds + number<T>(1)) - pivot_distance * unit(c);
-    return atan(along / (pivot_distance * unit(s)));
+    return arm().pressure_angle(angle(f), f);
   }
   /// (M15) Force between roller and cam, N: N = M / (l cos alpha).
   template <class X>
@@ -91,17 +77,10 @@ struct OscillatingRollerCam {
   }
 
  private:
-  /// l cos psi, l sin psi.
+  RollerArm<T> arm() const { return {arm_length, pivot_distance}; }
   template <class X>
-  std::pair<X, X> arm(const FollowerMotion<X>& f) const {
-    using std::cos;
-    using std::sin;
-    const X psi = f.s + lowest_angle();
-    return {arm_length * cos(psi), arm_length * sin(psi)};
-  }
-  template <class X>
-  X unit(const X& length) const {
-    return length / arm_length;
+  X angle(const FollowerMotion<X>& f) const {
+    return f.s + lowest_angle();
   }
 };
 

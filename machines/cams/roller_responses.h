@@ -21,10 +21,10 @@ enum class RollerCurve {
   GrooveStress
 };
 
+/// Those of the pitch curve alone, for a machine with pitch_curve(), pressure_angle() and roller().
 template <class Cam, class X>
-X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
+X roller_geometry(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
   if (which == RollerCurve::PressureAngle) return cam.pressure_angle(f);
-  if (which == RollerCurve::ContactForce) return cam.contact_force(f);
   const auto roller = cam.roller();
   const X k = cam.pitch_curve(f).curvature();
   switch (which) {
@@ -34,18 +34,29 @@ X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
       return roller.profile_curvature(k);
     case RollerCurve::ToolFit:
       return roller.tool_fit(k);
-    case RollerCurve::ContactStress:
-      return roller.stress(cam.contact_force(f), k);
-    case RollerCurve::ContactHalfWidth:
-      return roller.half_width(cam.contact_force(f), k);
     case RollerCurve::OuterUndercut:
       return outer_undercut(roller, k);
-    case RollerCurve::GrooveStress:
-      return groove_stress(roller, cam.contact_force(f), k);
     default:
       break;
   }
   return k;
+}
+
+template <class Cam, class X>
+X roller_curve(const Cam& cam, RollerCurve which, const FollowerMotion<X>& f) {
+  if (which == RollerCurve::ContactForce) return cam.contact_force(f);
+  const auto curvature = [&] { return cam.pitch_curve(f).curvature(); };
+  switch (which) {
+    case RollerCurve::ContactStress:
+      return cam.roller().stress(cam.contact_force(f), curvature());
+    case RollerCurve::ContactHalfWidth:
+      return cam.roller().half_width(cam.contact_force(f), curvature());
+    case RollerCurve::GrooveStress:
+      return groove_stress(cam.roller(), cam.contact_force(f), curvature());
+    default:
+      break;
+  }
+  return roller_geometry(cam, which, f);
 }
 
 /// All of them for a machine M with pitch_curve(), pressure_angle(), contact_force() and roller().

@@ -166,7 +166,10 @@ enum class Form : char {
   Geneva,
   SphericalGeneva,
   SignatureFeeder,
-  LawAlone,  ///< a law by itself, no machine
+  ParallelIndex,  ///< disc cams that turn a turret by stations
+  BarrelIndex,    ///< a barrel cam and a turret whose rollers are parallel to its axis
+  RollerGear,     ///< a globoidal cam and a turret with radial rollers
+  LawAlone,       ///< a law by itself, no machine
 };
 
 /// Says of the responses of these names where they are numbers.
@@ -205,13 +208,25 @@ struct BuildableCheck {
   std::string after = {};          ///< a check that must hold for this one to mean something
 };
 
+/// Of a machine whose motion does not return: an index drive.
+struct AdvancingCycle {
+  double advance = 1;  ///< how far a cycle gets, in strokes, where a program does not say
+  /// The parameters that decide whether the machine meets the next cycle as it met this one. They
+  /// do not vary in a search.
+  std::vector<std::string> by = {};
+  /// Of all parameters, in their listed units, and the advance: why it does not, in words; empty
+  /// where it does.
+  std::function<std::string(std::span<const double>, double)> why_open = {};
+};
+
 struct Mechanism {
   std::string name, title, source;
   std::vector<MechanismParameter> parameters;
   std::vector<MechanismResponse> responses;
   std::vector<NamedPeak> peaks;
   MovedBy moved_by = MovedBy::Law;
-  std::shared_ptr<const Cycle> cycle = {};  ///< of the curves of a machine that a file states
+  std::shared_ptr<const Cycle> cycle = {};      ///< of the curves of a machine that a file states
+  std::optional<AdvancingCycle> advances = {};  ///< none: its motion returns, or it does not matter
   std::vector<ValidityLimit> validity = {};
   Form form = Form::Other;
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "kinematics/laws/catalogue.h"
 #include "machines/model/mechanism.h"
 
 namespace camlaw::problems {

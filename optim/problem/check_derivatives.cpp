@@ -141,7 +141,8 @@ class Checker {
     if (entry.error >= result_.worst.error) result_.worst = std::move(entry);
   }
 
-  /// Values on a segment between two designs, for a shape.
+  /// Values on a segment between two designs, for a shape. It is said of designs that have a value:
+  /// one between two such must have one too.
   void check_shape(const std::string& name, const Function& f) {
     constexpr int kPairs = 64;
     if (f.shape() == Shape::General) return;
@@ -152,6 +153,7 @@ class Checker {
         middle[i] = std::midpoint(points[k][i], points[k + 1][i]);
       }
       const double a = f.value(points[k]), b = f.value(points[k + 1]), m = f.value(middle);
+      if (std::isnan(a) || std::isnan(b)) continue;
       const double room = 1e-9 * std::max({std::abs(a), std::abs(b), std::abs(m)});
       const bool below = m <= std::midpoint(a, b) + room, above = m >= std::midpoint(a, b) - room;
       const bool under = m <= std::max(a, b) + room, over = m >= std::min(a, b) - room;

@@ -93,6 +93,7 @@ std::optional<Scene> balancing_scene(const problems::ProblemStatement& design, i
 std::optional<Scene> disc_scene(const problems::ProblemStatement& design, int points);
 std::optional<Scene> feeder_scene(const problems::ProblemStatement& design, int points);
 std::optional<Scene> geneva_scene(const problems::ProblemStatement& design, int points);
+std::optional<Scene> index_scene(const problems::ProblemStatement& design, int points);
 std::optional<Scene> plate_scene(const problems::ProblemStatement& design, int points);
 std::optional<Scene> spherical_geneva_scene(const problems::ProblemStatement& design, int points);
 /// The working point of a servo motor in the plane of its speed and torque.

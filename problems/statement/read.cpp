@@ -3,6 +3,7 @@
 
 #include "numerics/text/file_format.h"
 #include "numerics/text/file_text.h"
+#include "problems/statement/advancing_cycle.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -39,6 +40,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   read_free_variables(file, problem, fixed);
   read_tolerances(file, problem);
   check_laws_at_start(file, problem);
+  located(file, [&] { check_advancing_cycle(problem); });
   read_objectives(file, problem);
   read_constraints(file, problem);
   read_buildable(file, problem);

@@ -167,11 +167,11 @@ StatedSegment read_segment(const Entry& file, const Entry& entry, std::size_t in
 /// How much further than it began a cycle ends, in parts of the stroke.
 double read_advance(const Entry& program, const ProgramUnits& units, const Mechanism& mechanism) {
   const Entry* entry = find(program, "advance");
-  if (entry == nullptr) return 0;
-  if (mechanism.form != Form::Other) {
+  if (entry == nullptr) return mechanism.advances ? mechanism.advances->advance : 0;
+  if (mechanism.form != Form::Other && !mechanism.advances) {
     refuse(*entry, fmt::format("the motion of {} returns to where it began; a motion that advances "
-                               "is for a servo axis and for a machine of the file's own, [machine] "
-                               "with moved_by = \"program\"",
+                               "is for an index drive, a servo axis and a machine of the file's "
+                               "own, [machine] with moved_by = \"program\"",
                                mechanism.name));
   }
   return units.level(*entry);
@@ -263,7 +263,12 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
 }  // namespace
 
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem) {
-  if (find(program, "table") != nullptr) {
+  if (const Entry* table = find(program, "table")) {
+    if (problem.mechanism->advances) {
+      refuse(*table, fmt::format("the motion of a table returns to where it began, and {} advances; "
+                                 "write [[program.segments]]",
+                                 problem.mechanism->name));
+    }
     read_table(file, program, problem);
     return;
   }

@@ -6,6 +6,7 @@
 
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "problems/statement/advancing_cycle.h"
 #include "problems/statement/buildable.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
@@ -99,6 +100,7 @@ void set_values(ProblemStatement& problem, std::span<const std::string> assignme
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
   for (const std::string& assignment : assignments) assign(changed, assignment);
   check_laws(changed);  // values that are possible together only come together
+  check_advancing_cycle(changed);
   limit_to_checks(changed);
   limit_to_laws(changed);
   changed.settings.insert(changed.settings.end(), assignments.begin(), assignments.end());

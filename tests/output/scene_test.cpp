@@ -194,6 +194,29 @@ TEST_CASE("drawn rollers stay on their cams", "[cli][report]") {
   }
 }
 
+TEST_CASE("of a drawn index drive one roller is driven and one held at every place",
+          "[cli][report]") {
+  const problems::ProblemStatement design = shipped("index_drives/parallel_eight");
+  const Picture picture(design);
+  const double radius = problems::constant_of(design, "roller_radius");
+  constexpr double kRounding = 0.03;  // mm, of coordinates and of chords
+  for (int place = 0; place <= kSamples; place += 5) {
+    INFO(place);
+    std::vector<Shape> flanks = picture.shapes("cams", "cam", place);
+    for (Shape& other : picture.shapes("cams", "cam second", place)) {
+      flanks.push_back(std::move(other));
+    }
+    int touching = 0;
+    for (const Shape& flank : flanks) {
+      for (const Shape& roller : picture.shapes("turret", "roller", place)) {
+        const double gap = distance_to_path(roller.points[0], flank.points) - radius;
+        touching += std::abs(gap) < kRounding;
+      }
+    }
+    CHECK(touching >= 2);
+  }
+}
+
 TEST_CASE("the second roller of a drawn conjugate cam stays on the second cam", "[cli][report]") {
   const Picture picture(shipped("cams/conjugate_least_distance"));
   for (const int place : kPlaces) {

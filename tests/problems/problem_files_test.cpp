@@ -56,7 +56,10 @@ const std::vector<const char*> kShipped = {"least_radius.toml",
                                            "own/slider_crank.toml",
                                            "own/bearing_load.toml",
                                            "servo_axis/pick_and_place.toml",
-                                           "servo_axis/cross_sealer.toml"};
+                                           "servo_axis/cross_sealer.toml",
+                                           "index_drives/parallel_eight.toml",
+                                           "index_drives/barrel_eight.toml",
+                                           "index_drives/globoidal_eight.toml"};
 
 /// The machine of the force problems: SI units.
 const SpineCutter<double> kCutter{.stroke = 0.04, .block_speed = 0.3, .depth = 0.001, .mass = 2.4};

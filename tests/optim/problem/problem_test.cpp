@@ -690,6 +690,13 @@ TEST_CASE("a declared shape that does not hold is found, one that holds is not",
        {S::Convex, S::Concave, S::Linear, S::Quasiconvex, S::Quasiconcave, S::Quasilinear}) {
     CHECK_FALSE(found(plane, right));
   }
+  // Beyond a line it has no value, which says nothing; with a hole its designs are not convex.
+  const auto cut = [&](const auto& u) { return plane(u) + 0.0 * sqrt(u[0] + u[1] - 0.5); };
+  CHECK_FALSE(found(cut, S::Linear));
+  const auto holed = [&](const auto& u) {
+    return plane(u) + 0.0 * sqrt((u[0] - 0.5) * (u[0] - 0.5) + (u[1] - 0.5) * (u[1] - 0.5) - 0.04);
+  };
+  CHECK(found(holed, S::Linear));
   // (x - 1) / (y + 1), y >= 0: linear over positive linear, neither convex nor concave.
   const auto quotient = [](const auto& u) { return (u[0] - 1.0) / (u[1] + 1.0); };
   CHECK_FALSE(found(quotient, S::Quasilinear));

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "machines/index_drives/index_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "machines/index_drives/index_load.h"
+
+namespace camlaw::problems {
+
+using optim::Part;
+
+Parameters stations_parameter(double stations) {
+  return {{"stations", "S", "1", "1", "stops of the turret in a turn", stations, 3, 60, true}};
+}
+
+Parameters index_sizes(double axis_distance, double turret_radius) {
+  return {{"axis_distance", "a", "mm", "m", "distance of the axes of cam and turret", axis_distance,
+           1e-3, 1e5},
+          {"turret_radius", "R_t", "mm", "m", "radius of the circle of the rollers' centres",
+           turret_radius, 1e-3, 1e5}};
+}
+
+Parameters turret_rollers(double rollers) {
+  return {{"rollers", "N", "1", "1", "rollers of the turret", rollers, 3, 60, true}};
+}
+
+Parameters roller_radius_parameter(double radius) {
+  return {{"roller_radius", "r_r", "mm", "m", "radius of a roller", radius, 1e-3, 1e5}};
+}
+
+Parameters roller_contact() {
+  Parameters all = contact_parameters();
+  all.front().meaning = "length of the contact along a roller";
+  return all;
+}
+
+Parameters index_load() {
+  return {{"speed", "n", "rpm", "rad/s", "speed of the cam", 100, 1e-3, 1e6},
+          {"inertia", "J", "kg m2", "kg m2", "moment of inertia of all that turns with the turret",
+           0.1, 0, 1e6},
+          {"friction_torque", "M_C", "N m", "N m",
+           "friction of the turret, against its motion at every speed", 0, 0, 1e9},
+          {"load_torque", "M_L", "N m", "N m", "constant torque on the turret against its motion",
+           0, -1e9, 1e9}};
+}
+
+NamedPeak peak_turret_torque() {
+  return {"peak_turret_torque", "turret_torque", Part::Magnitude,
+          "greatest torque that turret, table and load ask for"};
+}
+
+NamedPeak shaft_clearance() {
+  return {"shaft_clearance", "shaft_gap", Part::Lowest,
+          "what the circle that the cam turns in leaves to the turret's shaft"};
+}
+
+std::vector<NamedPeak> rib_peaks() {
+  const auto at_end = [](NamedPeak peak, const std::string& end, const char* where) {
+    peak.curve = end + "_" + peak.curve;
+    peak.name.replace(0, std::string("peak").size(), "peak_" + end);
+    peak.meaning += where;
+    return peak;
+  };
+  const char* const tip = " at the rollers' ends towards the cam's axis";
+  return {peak_pressure_angle(), at_end(peak_pressure_angle(), "tip", tip),
+          peak_turret_torque(),  peak_torque(),
+          peak_stress(),         at_end(peak_stress(), "tip", tip)};
+}
+
+std::string why_rollers_differ(double stations, double rollers, double advance, double handovers) {
+  const double pitches = rollers * advance / stations;
+  if (!(advance > 0))
+    return fmt::format("an index drive advances by 1 or more; {:g} is given", advance);
+  constexpr double kRounding = 1e-9;
+  if (std::abs(pitches - std::round(pitches)) > kRounding) {
+    return fmt::format(
+        "{:g} of {:g} stations are {:.4g} pitches of the {:g} rollers that a cam has; each cam "
+        "repeats itself where that is a whole number",
+        advance, stations, pitches, rollers);
+  }
+  if (handovers > kMostHandovers + kRounding) {
+    return fmt::format("{:g} rollers are handed over in a cycle; at most {} are accepted",
+                       handovers, kMostHandovers);
+  }
+  return "";
+}
+
+std::string why_ribs_differ(std::span<const double> parameters, double advance) {
+  const double stations = parameters[0], rollers = parameters[1];
+  return why_rollers_differ(stations, rollers, advance, rollers / stations * advance);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "machines/index_drives/parallel_index_cam.h"
+
+#include "machines/cams/buildable_checks.h"
+#include "machines/cams/cam_tables.h"
+#include "machines/cams/extent_responses.h"
+#include "machines/cams/pair_responses.h"
+#include "machines/index_drives/index_drives.h"
+#include "machines/index_drives/index_tables.h"
+#include "machines/index_drives/turret_responses.h"
+#include "machines/model/append.h"
+
+namespace camlaw::problems {
+
+template <>
+struct MachineTraits<ParallelIndexCam> {
+  static const std::vector<MechanismParameter>& parameters();
+  template <class T>
+  static constexpr std::array<T ParallelIndexCam<T>::*, 16> fields{
+      &ParallelIndexCam<T>::stations,      &ParallelIndexCam<T>::rollers,
+      &ParallelIndexCam<T>::plates,        &ParallelIndexCam<T>::axis_distance,
+      &ParallelIndexCam<T>::turret_radius, &ParallelIndexCam<T>::roller_radius,
+      &ParallelIndexCam<T>::angular_speed, &ParallelIndexCam<T>::inertia,
+      &ParallelIndexCam<T>::friction,      &ParallelIndexCam<T>::load,
+      &ParallelIndexCam<T>::face_width,    &ParallelIndexCam<T>::youngs_modulus,
+      &ParallelIndexCam<T>::poisson_ratio, &ParallelIndexCam<T>::cutter_radius,
+      &ParallelIndexCam<T>::bore_radius,   &ParallelIndexCam<T>::shaft_radius};
+};
+
+const std::vector<MechanismParameter>& MachineTraits<ParallelIndexCam>::parameters() {
+  static const Parameters all =
+      joined({stations_parameter(4),
+              {{"rollers", "N", "1", "1", "rollers of the turret for each cam", 4, 2, 60, true},
+               {"plates", "P", "1", "1", "disc cams on the shaft", 2, 2, 4, true}},
+              index_sizes(90, 60),
+              roller_radius_parameter(8),
+              index_load(),
+              contact_parameters(),
+              cutter_parameter(),
+              bore_parameter(),
+              {{"shaft_radius", "r_S", "mm", "m", "radius of the turret's shaft beside the cams",
+                10, 0, 1e5}}});
+  return all;
+}
+
+namespace {
+
+constexpr const char *kDriving = "driving flank", *kHolding = "holding flank";
+
+MechanismResponse shaft_gap(bool second) {
+  return listed_curve<ParallelIndexCam>(
+      {second ? "second_shaft_gap" : "shaft_gap", "mm", "m",
+       std::string("distance that the ") + (second ? kHolding : kDriving) +
+           ", as the cam turns, keeps from the turret's shaft"},
+      turn_of_the_cam(), second ? Extent::SecondCentreDistance : Extent::CentreDistance,
+      [](const auto& cam, Extent wanted, const auto& motion) {
+        return -extent(cam, wanted, cam.over_angle(motion)) +
+               (cam.axis_distance - cam.shaft_radius);
+      });
+}
+
+MechanismResponse roller_angle(OfPair which) {
+  const bool second = which == OfPair::Second;
+  return listed_curve<ParallelIndexCam>(
+      {second ? "second_roller_angle" : "roller_angle", "deg", "rad",
+       second ? "angle of the roller on the holding flank to the line of centres"
+              : "angle of the roller on the driving flank to the line of centres"},
+      turn_of_the_cam(), which, [](const auto& cam, OfPair wanted, const auto& motion) {
+        const auto f = cam.over_angle(motion);
+        return (wanted == OfPair::Main ? cam.main() : cam.second()).serving(f).angle;
+      });
+}
+
+/// Drawn, but not exported as a profile: they are parts of several cams.
+std::vector<MechanismResponse> flanks() {
+  using D = DrawnCurve;
+  const char* const driving = "driving flanks of all cams, in their own coordinates";
+  const char* const holding = "holding flanks of all cams, in the same coordinates";
+  const char* const path = "path of the driving rollers' centres over the cams";
+  return {drawn_response<ParallelIndexCam>(D::ProfileX, "flank_x", driving),
+          drawn_response<ParallelIndexCam>(D::ProfileY, "flank_y", driving),
+          drawn_response<ParallelIndexCam>(D::SecondX, "second_flank_x", holding),
+          drawn_response<ParallelIndexCam>(D::SecondY, "second_flank_y", holding),
+          drawn_response<ParallelIndexCam>(D::PitchX, "roller_path_x", path),
+          drawn_response<ParallelIndexCam>(D::PitchY, "roller_path_y", path)};
+}
+
+std::vector<MechanismResponse> parallel_responses() {
+  std::vector<MechanismResponse> all = turret_responses<ParallelIndexCam>();
+  all.push_back(roller_angle(OfPair::Main));
+  all.push_back(roller_angle(OfPair::Second));
+  append(all, pair_responses<ParallelIndexCam>(kDriving, kHolding));
+  append(all, flanks());
+  append(all, extent_responses<ParallelIndexCam>(kHolding));
+  all.push_back(listed_curve<ParallelIndexCam>(
+      {"crossing_ratio", "1", "1",
+       "above 1 a roller on the line of centres runs ahead of the cam's surface; well above 1 it "
+       "cuts into the flank that it meets next"},
+      turn_of_the_cam(), 0, [](const auto& cam, int, const auto& motion) {
+        return cam.crossing_ratio(cam.over_angle(motion));
+      }));
+  all.push_back(shaft_gap(false));
+  all.push_back(shaft_gap(true));
+  all.push_back(number_response<ParallelIndexCam>(
+      {"roller_gap", "mm", "m", "what is left between neighbouring rollers of a ring"},
+      [](const auto& cam) { return cam.roller_gap(); }));
+  return all;
+}
+
+/// Why the cams do not close after this many stations, in words; empty where they do.
+std::string why_open(std::span<const double> parameters, double advance) {
+  const double stations = parameters[0], rollers = parameters[1], plates = parameters[2];
+  return why_rollers_differ(stations, rollers, advance, rollers * plates / stations * advance);
+}
+
+}  // namespace
+
+Mechanism parallel_index_cam_mechanism() {
+  return checked(
+      {.name = "parallel-index-cam",
+       .title = "parallel index drive: conjugate disc cams that turn a turret with rollers",
+       .source = "docs/theory.md, Index drives",
+       .parameters = MachineTraits<ParallelIndexCam>::parameters(),
+       .responses = parallel_responses(),
+       .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle(), kHolding), peak_undercut(),
+                 of_second(peak_undercut(), kHolding), peak_turret_torque(), peak_torque(),
+                 peak_stress(), outer_radius(), of_second(outer_radius(), kHolding), least_wall(),
+                 of_second(least_wall(), kHolding), shaft_clearance(),
+                 of_second(shaft_clearance(), kHolding)},
+       .moved_by = MovedBy::Program,
+       .advances = {{.by = {"stations", "rollers", "plates"}, .why_open = why_open}},
+       .form = Form::ParallelIndex,
+       .possible = {{{"axis_distance", "turret_radius"}, "DS13"}}},
+      {conjugate_checks(), shaft_checks(), ring_checks()});
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/bearing_side.h"
+#include "machines/cams/roller_arm.h"
+#include "machines/index_drives/index_load.h"
+
+namespace camlaw {
+
+/// A roller of a parallel index drive at the angle psi to the line of centres, and what it does to
+/// the flank below it.
+template <class T, class X>
+struct IndexRoller {
+  RollerArm<T> arm;
+  X angle;  ///< psi, rad
+  RollerContact<T> contact;
+
+  RollerContact<T> roller() const { return contact; }
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const { return arm.pitch_curve(angle, f); }
+  X pressure_angle(const FollowerMotion<X>& f) const { return arm.pressure_angle(angle, f); }
+  /// 1 / cos alpha, above 0 where the flank drives and below where it holds.
+  X inclination(const FollowerMotion<X>& f) const { return arm.inclination(angle, f); }
+  CamPoint<X> profile(const FollowerMotion<X>& f) const {
+    return pitch_curve(f).inside(contact.roller_radius);
+  }
+};
+
+/// One flank of the cams of a parallel index drive: that under the roller which, after it has taken
+/// over, turns from the angle `begin` to the line of centres by a step.
+template <class T>
+struct IndexFlank {
+  RollerArm<T> arm;
+  T begin;   ///< rad
+  T step;    ///< delta, rad
+  T gained;  ///< rad, since a roller took over, where the cycle begins
+  RollerContact<T> contact;
+
+  /// (IX6) The roller that serves.
+  template <class X>
+  IndexRoller<T, X> serving(const FollowerMotion<X>& f) const {
+    return {arm, since_handover(X(f.s + gained), step) + begin, contact};
+  }
+  /// formula(serving roller).
+  template <class X, class F>
+  X of_roller(const FollowerMotion<X>& f, F formula) const {
+    return handed_over(X(f.s + gained), step, [&](const X& gain) {
+      return X(formula(IndexRoller<T, X>{arm, gain + begin, contact}));
+    });
+  }
+};
+
+/// The part of a step by which a roller takes over early: enough that the end of a flank, where the
+/// roller before it moves, stands out no further than its arc of rest.
+inline constexpr double kTakeover = 0.1;
+
+/// A parallel index drive (docs/theory.md, "Parallel index cams"): P disc cams on one shaft turn a
+/// turret about a parallel axis, at the distance a, by a station S and cycle. Each cam has its own
+/// ring of N rollers on the turret; the rings stand a P-th of a roller's pitch apart. Of all cams
+/// one flank drives and one holds at a time, each for a step of delta = 2 pi / (N P), then those of
+/// the next cam take over. Cam and turret turn opposite ways. Fields in SI units.
+///
+/// Valid for a > R_t, for programs that only gain. The drive runs without play and without bracing.
+template <class T>
+struct ParallelIndexCam {
+  T stations = number<T>(4);                     ///< S, 3 or more
+  T rollers = number<T>(4);                      ///< N, of each cam
+  T plates = number<T>(2);                       ///< P, cams
+  T axis_distance = number<T>(0.090);            ///< a, m
+  T turret_radius = number<T>(0.060);            ///< R_t, m, of the circle of the rollers' centres
+  T roller_radius = number<T>(0.008);            ///< r_r, m
+  T angular_speed = number<T>(10.471975511966);  ///< omega, rad/s, of the cam
+  T inertia = number<T>(0.1);                    ///< J, kg m^2
+  T friction = number<T>(0);                     ///< M_C, N m
+  T load = number<T>(0);                         ///< M_L, N m
+  T face_width = number<T>(0.012);               ///< b, m, of a roller's contact
+  T youngs_modulus = number<T>(2.1e11);          ///< E, Pa
+  T poisson_ratio = number<T>(0.3);              ///< nu
+  T cutter_radius = number<T>(0.008);            ///< r_c, m
+  T bore_radius = number<T>(0.012);              ///< r_0, m, of the cams
+  T shaft_radius = number<T>(0.010);             ///< r_S, m, of the turret's shaft beside them
+
+  bool is_possible() const { return value_of(axis_distance) > value_of(turret_radius); }
+  /// (IX4) delta, rad: what the turret turns by while a roller drives.
+  T step() const { return number<T>(2) * pi<T>() / (rollers * plates); }
+  /// (IX6) Where the roller that drives rests, rad from the line of centres: (P - 1) delta / 2.
+  T resting_angle() const { return (plates - number<T>(1)) * step() / number<T>(2); }
+  RollerContact<T> roller() const {
+    return {roller_radius, cutter_radius, face_width, {youngs_modulus, poisson_ratio}};
+  }
+  IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
+  /// The driving flank, and the holding one on the other side of the line of centres.
+  IndexFlank<T> main() const { return flank(resting_angle() - lead(), lead()); }
+  IndexFlank<T> second() const { return flank(lead() - resting_angle() - step(), step() - lead()); }
+
+  template <class X>
+  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
+    return follower_over_angle(station_angle(stations), motion);
+  }
+  template <class X>
+  const FollowerMotion<X>& second_motion(const FollowerMotion<X>& f) const {
+    return f;
+  }
+  /// Where the driving roller is, and the points of both flanks.
+  template <class X>
+  CamCurve<X> pitch_curve(const FollowerMotion<X>& f) const {
+    return main().serving(f).pitch_curve(f);
+  }
+  template <class X>
+  CamPoint<X> second_profile(const FollowerMotion<X>& f) const {
+    return second().serving(f).profile(f);
+  }
+  /// Their distance from the cam's centre, m.
+  template <class X>
+  X profile_distance(const FollowerMotion<X>& f) const {
+    return distance(main(), f);
+  }
+  template <class X>
+  X second_profile_distance(const FollowerMotion<X>& f) const {
+    return distance(second(), f);
+  }
+  /// (IX7) Force between the flank that bears and its roller, N, above 0 where that one drives:
+  /// N = M / (R_t cos alpha).
+  template <class X>
+  X contact_force(const FollowerMotion<X>& f) const {
+    const auto inclined = [&](const auto& roller) { return roller.inclination(f); };
+    const X force = follower().torque(f) / turret_radius;
+    return force *
+           by_side(force, main().of_roller(f, inclined), X(-second().of_roller(f, inclined)));
+  }
+  /// Greatest pressure, Pa, on the flank that bears. NaN where that one is undercut.
+  template <class X>
+  X contact_stress(const FollowerMotion<X>& f) const {
+    const X force = follower().torque(f) / turret_radius, size = absolute(force);
+    const auto stress = [&](const IndexFlank<T>& flank, int side) {
+      return flank.of_roller(f, [&](const auto& roller) {
+        const X inclined = number<T>(side) * roller.inclination(f);
+        return roller.contact.stress(X(size * inclined), roller.pitch_curve(f).curvature());
+      });
+    };
+    return unless_zero(force, by_side(force, stress(main(), 1), stress(second(), -1)));
+  }
+  /// (IX9) R_t (1 + psi') / a, above 1 where a roller on the line of centres runs ahead of the
+  /// cam's surface. Well above 1 it cuts into the flank that it is to meet next.
+  template <class X>
+  X crossing_ratio(const FollowerMotion<X>& f) const {
+    return turret_radius / axis_distance * (f.ds + number<T>(1));
+  }
+  /// (IX8) What is left between two neighbouring rollers of a ring, m: 2 (R_t sin(pi / N) - r_r).
+  T roller_gap() const {
+    using std::sin;
+    return number<T>(2) * (turret_radius * sin(pi<T>() / rollers) - roller_radius);
+  }
+
+ private:
+  /// epsilon, rad.
+  T lead() const { return number<T>(kTakeover) * step(); }
+  template <class X>
+  static X distance(const IndexFlank<T>& flank, const FollowerMotion<X>& f) {
+    return flank.of_roller(f, [&](const auto& roller) { return roller.profile(f).distance(); });
+  }
+  IndexFlank<T> flank(const T& begin, const T& gained) const {
+    return {{turret_radius, axis_distance}, begin, step(), gained, roller()};
+  }
+};
+
+}  // namespace camlaw

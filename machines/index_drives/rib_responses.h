@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/bearing_side.h"
+#include "machines/index_drives/ruled_contact.h"
+#include "machines/index_drives/turret_responses.h"
+#include "machines/model/append.h"
+
+/// What index drives have alike whose rollers run between the ribs of a cam with its axis across.
+namespace camlaw::problems {
+
+enum class RibCurve {
+  RollerAngle,
+  PressureAngle,
+  Undercut,
+  SecondUndercut,
+  CurvatureSum,
+  SecondCurvatureSum,
+  ContactForce,
+  ContactStress
+};
+
+/// Sides of the roller: on that behind it the rib drives, on that before it the next one holds.
+inline constexpr double kDrives = -1, kHolds = 1;
+
+/// (IX18) Force between the flank that bears and the roller, N, as if it acted at the middle, above
+/// 0 where it drives: N = M / (R cos alpha).
+template <class Drive, class X>
+X rib_force(const Drive& drive, const RuledContact<X>& middle, const FollowerMotion<X>& f) {
+  return drive.follower().torque(f) / drive.lever() * middle.inclination();
+}
+
+/// Of a driving roller at the angle psi.
+template <class Drive, class X>
+X rib_curve(const Drive& drive, RibCurve which, RollerPlace place, const X& psi,
+            const FollowerMotion<X>& f) {
+  const RuledContact<X> contact = drive.contact(place, psi, f);
+  const auto& radius = drive.roller_radius;
+  switch (which) {
+    case RibCurve::PressureAngle:
+      return contact.pressure_angle();
+    case RibCurve::Undercut:
+      return contact.undercut(radius, kDrives);
+    case RibCurve::SecondUndercut:
+      return contact.undercut(radius, kHolds);
+    case RibCurve::CurvatureSum:
+      return contact.curvature_sum(radius, kDrives);
+    case RibCurve::SecondCurvatureSum:
+      return contact.curvature_sum(radius, kHolds);
+    default:
+      break;
+  }
+  const RuledContact<X> middle = drive.contact(RollerPlace::Middle, psi, f);
+  const X force = rib_force(drive, middle, f);
+  if (which == RibCurve::ContactForce) return force;
+  using T = std::decay_t<decltype(drive.face_width)>;
+  const LineContact<T> material{drive.youngs_modulus, drive.poisson_ratio};
+  const X sum =
+      by_side(force, contact.curvature_sum(radius, kDrives), contact.curvature_sum(radius, kHolds));
+  return unless_zero(force, material.pressure(X(absolute(force) / drive.face_width), sum));
+}
+
+template <template <class> class M>
+std::vector<MechanismResponse> rib_responses() {
+  std::vector<MechanismResponse> all = turret_responses<M>();
+  const auto add = [&](RibCurve which, RollerPlace place, ResponseAbout about) {
+    all.push_back(listed_curve<M>(
+        std::move(about), turn_of_the_cam(), std::pair(which, place),
+        [](const auto& drive, std::pair<RibCurve, RollerPlace> wanted, const auto& motion) {
+          const auto f = drive.over_angle(motion);
+          using X = std::decay_t<decltype(f.s)>;
+          const auto step = drive.step();
+          if (wanted.first == RibCurve::RollerAngle) return drive.angle(since_handover(f.s, step));
+          return handed_over(f.s, step, [&](const X& gain) {
+            return rib_curve(drive, wanted.first, wanted.second, drive.angle(gain), f);
+          });
+        }));
+  };
+  using C = RibCurve;
+  const auto middle = RollerPlace::Middle;
+  add(C::RollerAngle, middle,
+      {"roller_angle", "deg", "rad", "angle of the driving roller to the line of centres"});
+  for (const RollerPlace place : {middle, RollerPlace::Root, RollerPlace::Tip}) {
+    const bool root = place == RollerPlace::Root;
+    const std::string prefix = place == middle ? "" : root ? "root_" : "tip_";
+    const std::string at = place == middle ? " at the middle of the roller"
+                           : root          ? " at the roller's end away from the cam's axis"
+                                           : " at the roller's end towards the cam's axis";
+    add(C::PressureAngle, place,
+        {prefix + "pressure_angle", "deg", "rad",
+         "between normal and path of the roller" + at + ", signed as the slope"});
+    add(C::Undercut, place,
+        {prefix + "undercut", "1", "1",
+         "what the roller takes of the driving flank" + at + "; at 1 it is undercut"});
+    add(C::SecondUndercut, place,
+        {"second_" + prefix + "undercut", "1", "1",
+         "what the roller takes of the holding flank" + at + "; at 1 it is undercut"});
+    add(C::ContactStress, place,
+        {prefix + "contact_stress", "MPa", "Pa",
+         "greatest Hertz pressure on the flank that bears" + at});
+    for (const std::string& undercut : {prefix + "undercut", "second_" + prefix + "undercut"}) {
+      set_defined_while(all, {prefix + "contact_stress"}, {.response = undercut, .upper = 1});
+    }
+  }
+  add(C::CurvatureSum, middle,
+      {"curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and driving flank"});
+  add(C::SecondCurvatureSum, middle,
+      {"second_curvature_sum", "1/mm", "1/m", "sum of the curvatures of roller and holding flank"});
+  add(C::ContactForce, middle,
+      {"contact_force", "N", "N",
+       "force between the flank that bears and its roller, above 0 where it is the driving one"});
+  const auto number_of = [&](const char* name, const char* meaning, auto formula) {
+    all.push_back(number_response<M>({name, "mm", "m", meaning}, formula));
+  };
+  number_of("roller_gap", "what is left between neighbouring rollers: the rib's thickness",
+            [](const auto& drive) { return drive.roller_gap(); });
+  number_of("throat_radius", "least radius of the cam, below the rollers' ends",
+            [](const auto& drive) { return drive.throat_radius(); });
+  number_of("outer_radius", "greatest radius of the cam that a roller needs",
+            [](const auto& drive) { return drive.outer_radius(); });
+  number_of("wall", "wall between the cam's bore and the rollers' ends",
+            [](const auto& drive) { return drive.throat_radius() - drive.bore_radius; });
+  return all;
+}
+
+}  // namespace camlaw::problems

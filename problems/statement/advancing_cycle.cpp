@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/advancing_cycle.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace camlaw::problems {
+
+void check_advancing_cycle(const ProblemStatement& problem) {
+  const Mechanism& mechanism = *problem.mechanism;
+  if (!mechanism.advances) return;
+  for (const VariableStatement& variable : problem.variables) {
+    for (const std::string& name : mechanism.advances->by) {
+      if (variable.of_law || variable.name != name) continue;
+      throw std::invalid_argument(fmt::format(
+          "{} cannot vary: with the motion it decides whether the cams close; state it under "
+          "[constants]",
+          name));
+    }
+  }
+  for (const Member& law : problem.laws) {
+    const Law<double> motion = law.law();
+    const double advance = motion(1.0).s - motion(0.0).s;
+    const std::string why = mechanism.advances->why_open(problem.constants, advance);
+    if (!why.empty()) throw std::invalid_argument(why);
+  }
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "machines/index_drives/barrel_index_cam.h"
+#include "machines/index_drives/globoidal_cam.h"
+#include "machines/registry.h"
+#include "problems/statement/parameters.h"
+#include "tests/machines/index_fixture.h"
+#include "tests/machines/system_fixture.h"
+
+namespace camlaw::problems::rib_index_test {
+namespace {
+
+using Catch::Contains, testing::Curves, testing::refusal_of;
+constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
+
+using Vector = std::array<double, 3>;
+Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector operator*(double k, const Vector& a) { return {k * a[0], k * a[1], k * a[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector unit(const Vector& a) { return 1 / length(a) * a; }
+/// Turned about the cam's axis, y.
+Vector turned(const Vector& p, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0]};
+}
+
+/// A line, of a roller's axis.
+struct Line {
+  Vector at, along;
+};
+/// Where a roller's axis is at the turret's angle psi, its point at u.
+Line axis_of(const GloboidalCam<double>& drive, double psi, double u) {
+  const Vector e{-std::cos(psi), std::sin(psi), 0};
+  return {Vector{drive.axis_distance, 0, 0} + u * e, e};
+}
+Line axis_of(const BarrelIndexCam<double>& drive, double psi, double u) {
+  return {{u, drive.turret_radius * std::sin(psi),
+           drive.turret_radius * std::cos(psi) - drive.axis_distance},
+          {1, 0, 0}};
+}
+/// The roller's way with the turret, and what is square to it and to the axis.
+std::pair<Vector, Vector> way_of(const GloboidalCam<double>&, double psi) {
+  return {{std::sin(psi), std::cos(psi), 0}, {0, 0, 1}};
+}
+std::pair<Vector, Vector> way_of(const BarrelIndexCam<double>&, double psi) {
+  return {{0, std::cos(psi), -std::sin(psi)}, {0, std::sin(psi), std::cos(psi)}};
+}
+
+/// A motion of the turret by the cam's angle, about phi = 0.
+struct TurretMotion {
+  double psi, rate, second;
+  double at(double phi) const { return psi + phi * (rate + 0.5 * second * phi); }
+};
+
+/// A roller that moves over the cam, seen from the cam, which is all that the envelope is found
+/// from: nothing here differentiates by a formula.
+template <class Drive>
+struct Mover {
+  const Drive& drive;
+  TurretMotion motion;
+
+  Line axis(double phi, double u) const {
+    const Line line = axis_of(drive, motion.at(phi), u);
+    return {turned(line.at, -phi), turned(line.along, -phi)};
+  }
+  Vector surface(double phi, double u, double theta) const {
+    const auto [t, b] = way_of(drive, motion.at(phi));
+    const Vector n = std::cos(theta) * t + std::sin(theta) * b;
+    return turned(axis_of(drive, motion.at(phi), u).at + drive.roller_radius * n, -phi);
+  }
+  double distance(const Vector& x, double phi) const {
+    const Line line = axis(phi, drive.distance_at(RollerPlace::Middle));
+    const Vector d = x - line.at;
+    return length(d - dot(d, line.along) * line.along);
+  }
+  /// How fast the roller's surface goes away from a point of itself that stays on the cam.
+  double parting(double phi, double u, double theta) const {
+    const Vector x = surface(phi, u, theta);
+    const double h = 1e-4;
+    return (8 * (distance(x, phi + h) - distance(x, phi - h)) -
+            (distance(x, phi + 2 * h) - distance(x, phi - 2 * h))) /
+           (12 * h);
+  }
+  /// The place round the roller near `guess` where it touches its envelope.
+  double touching(double phi, double u, double guess) const {
+    double low = guess - 0.5, high = guess + 0.5;
+    const bool rises = parting(phi, u, low) < 0;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      ((parting(phi, u, middle) < 0) == rises ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  }
+  /// Twice the gap that the roller leaves beside the line of contact, over the square of the way.
+  double curvature_sum(double u, double theta) const {
+    const double h = 1e-3;
+    const Vector x = surface(0, u, theta);
+    const Vector line = unit(surface(0, u + h * u, touching(0, u + h * u, theta)) -
+                             surface(0, u - h * u, touching(0, u - h * u, theta)));
+    const Line roller = axis(0, u);
+    const Vector d = x - roller.at;
+    const Vector across = cross(unit(d - dot(d, roller.along) * roller.along), line);
+    const auto of_step = [&](double phi) {
+      const Vector y = surface(phi, u, touching(phi, u, theta));
+      const double way = dot(y - x, across);
+      return 2 * (distance(y, 0) - drive.roller_radius) / (way * way);
+    };
+    const auto even = [&](double phi) { return 0.5 * (of_step(phi) + of_step(-phi)); };
+    return (4 * even(0.004) - even(0.008)) / 3;
+  }
+};
+
+template <class Drive>
+void check_envelope(const Drive& drive, const TurretMotion& motion) {
+  const Mover<Drive> mover{drive, motion};
+  // s of the drive's formulas counts from half a pitch before the line of centres.
+  const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
+  REQUIRE(drive.angle(f.s) == Approx(motion.psi).margin(1e-9));
+  for (const RollerPlace place : {RollerPlace::Root, RollerPlace::Middle, RollerPlace::Tip}) {
+    const RuledContact<double> contact = drive.contact(place, motion.psi, f);
+    const double u = drive.distance_at(place);
+    for (const double side : {-1.0, 1.0}) {
+      const double stated = -contact.pressure_angle() + (side < 0 ? kPi : 0);
+      const double theta = mover.touching(0, u, stated);
+      CHECK(theta == Approx(stated).margin(1e-8));
+      if (contact.undercut(drive.roller_radius, side) > 0.8) continue;
+      CHECK(contact.curvature_sum(drive.roller_radius, side) ==
+            Approx(mover.curvature_sum(u, theta)).epsilon(2e-5));
+    }
+  }
+}
+
+std::string globoidal(const std::string& more = "") {
+  return "mechanism = 'globoidal-cam'\n[constants]\nstations = 8\nrollers = 8\nspeed = '120 rpm'\n"
+         "inertia = 0.6\n" +
+         more +
+         "[program]\nsegments = [{name = 'dwell', angle = 120}, {name = 'index', angle = 120, law "
+         "= 'modified-sine'}, {name = 'rest'}]\n";
+}
+std::string barrel(const std::string& more = "") {
+  std::string text = globoidal(more);
+  return text.replace(text.find("globoidal-cam"), 13, "indexing-barrel");
+}
+
+}  // namespace
+
+TEST_CASE("lines of contact and curvatures along a roller are those of a numerical envelope",
+          "[index-drives]") {
+  std::mt19937_64 random(20261126);
+  std::uniform_real_distribution<double> even(-1, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    // The barrel's test counts along its rollers from the cam's axis, in mm as the other one.
+    const TurretMotion motion{0.35 * even(random), 0.4 + 0.4 * even(random), 0.8 * even(random)};
+    GloboidalCam<double> gear;
+    gear.axis_distance = 120 + 20 * even(random);
+    gear.turret_radius = 70;
+    gear.roller_radius = 11 + 3 * even(random);
+    gear.face_width = 14;
+    check_envelope(gear, motion);
+    BarrelIndexCam<double> drum;
+    drum.axis_distance = 80 + 10 * even(random);
+    drum.turret_radius = 80;
+    drum.cam_radius = 60 + 10 * even(random);
+    drum.roller_radius = 10 + 3 * even(random);
+    drum.face_width = 14;
+    check_envelope(drum, motion);
+  }
+}
+
+TEST_CASE("forces on radial and on axial rollers do the cam's work", "[index-drives]") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> even(-1, 1);
+  const auto check = [&](const auto& drive) {
+    const TurretMotion motion{0.3 * even(random), 0.4 + 0.3 * even(random), even(random)};
+    const FollowerMotion<double> f{motion.psi + 0.5 * drive.step(), motion.rate, motion.second, 0};
+    const double torque = drive.follower().torque(f);
+    const auto contact = drive.contact(RollerPlace::Middle, motion.psi, f);
+    const double force = torque / drive.lever() * contact.inclination();
+    const double theta = kPi - contact.pressure_angle();  // the flank that drives
+    const auto [t, b] = way_of(drive, motion.psi);
+    const Vector n = std::cos(theta) * t + std::sin(theta) * b;
+    const Vector point = axis_of(drive, motion.psi, drive.distance_at(RollerPlace::Middle)).at +
+                         drive.roller_radius * n;
+    // On the roller acts -n; on the cam n, which turns about y.
+    const Vector moment = cross(point, force * n);
+    CHECK(-moment[1] == Approx(torque * motion.rate).epsilon(1e-9));
+    CHECK(drive.follower().drive_torque(f) == Approx(torque * motion.rate).epsilon(1e-12));
+    const double h = 1e-6, u = drive.distance_at(RollerPlace::Middle);
+    const Vector way =
+        0.5 / h * (axis_of(drive, motion.psi + h, u).at - axis_of(drive, motion.psi - h, u).at);
+    CHECK(-dot(force * n, way) == Approx(torque).epsilon(1e-6));
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    check(GloboidalCam<double>{});
+    check(BarrelIndexCam<double>{});
+  }
+}
+
+TEST_CASE(
+    "a roller gear's pressure angle is greatest at the rollers' ends, in the middle of the "
+    "index",
+    "[index-drives]") {
+  const Curves curves(read_problem(globoidal(), "drive.toml"), 720);
+  // Modified sine: 4 pi / (4 + pi) of the mean; the mean is 45 of 120 deg.
+  const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
+  const double end = 70 + 7.5;  // the default face width is 15 mm
+  CHECK(curves["tip_pressure_angle"][360] ==
+        Approx(std::atan(end * rate / (120 - end)) / kDegree).epsilon(1e-9));
+  for (std::size_t i = 0; i <= 720; ++i) {
+    CHECK(curves["tip_pressure_angle"][i] <= curves["tip_pressure_angle"][360] + 1e-9);
+    CHECK(curves["root_pressure_angle"][i] <= curves["pressure_angle"][i] + 1e-12);
+    CHECK(curves["pressure_angle"][i] <= curves["tip_pressure_angle"][i] + 1e-12);
+  }
+  CHECK(curves["pressure_angle"][20] == Approx(0).margin(1e-12));
+  CHECK(curves["displacement"].back() == Approx(45));
+}
+
+TEST_CASE("the shipped roller gear is as small as its ribs and its pressure angle let it be",
+          "[index-drives]") {
+  const auto found =
+      optim::optimise(testing::shipped("index_drives/globoidal_eight.toml").space()).found;
+  // Ribs of 14 mm between rollers of 13 mm, where these are nearest; then 40 deg at their other
+  // end.
+  const double turret = 9 + (13 + 7) / std::sin(kPi / 8), end = turret + 9;
+  const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
+  CHECK(found.x[0] == Approx(end * (1 + rate / std::tan(40 * kDegree))).epsilon(1e-7));
+  CHECK(found.x[1] == Approx(turret).epsilon(1e-7));
+  CHECK(found.assessment.verdict == optim::Verdict::Certified);
+}
+
+TEST_CASE("curves of cams with ribs have exact derivatives and close enclosures",
+          "[index-drives]") {
+  for (const char* name : {"globoidal-cam", "indexing-barrel"}) {
+    const Mechanism& mechanism = find_mechanism(name);
+    const auto design =
+        testing::design_of(mechanism, "poly-3-4-5", {},
+                           {"axis_distance", "turret_radius", "roller_radius", "face_width"});
+    testing::check_curves(mechanism, design, {100, 150, 215, 260});
+    testing::check_numbers(mechanism, design);
+  }
+}
+
+TEST_CASE("at rest an axial roller's pressure angle is its angle to the line of centres",
+          "[index-drives]") {
+  const Curves curves(read_problem(barrel(), "drive.toml"), 720);
+  CHECK(curves["roller_angle"][20] == Approx(-22.5));
+  for (const char* angle : {"pressure_angle", "tip_pressure_angle", "root_pressure_angle"}) {
+    CHECK(curves[angle][20] == Approx(22.5));
+  }
+  const double rate = 4 * kPi / (4 + kPi) * 45 / 120;
+  CHECK(curves["pressure_angle"][360] == Approx(std::atan(80 * rate / 60) / kDegree));
+  CHECK(curves["displacement"].back() == Approx(45));
+}
+
+TEST_CASE("a cam with ribs that does not close is refused in words", "[index-drives]") {
+  for (const auto& text : {globoidal("face_width = 12\n"), barrel("face_width = 12\n")}) {
+    const auto refused = [&](const std::string& from, const std::string& to) {
+      std::string changed = text;
+      changed.replace(changed.find(from), from.size(), to);
+      return refusal_of(changed);
+    };
+    CHECK(refusal_of(text).empty());
+    CHECK_THAT(refused("stations = 8", "stations = 2"), Contains("3"));
+    CHECK_THAT(refused("rollers = 8", "rollers = 12"), Contains("1.5 pitches of the 12 rollers"));
+  }
+}
+
+}  // namespace camlaw::problems::rib_index_test
