@@ -42,9 +42,6 @@ class Reproduction:
         """A table of the printed values beside those computed."""
         return tables.of_rows(self.facts.get("values") or [])
 
-    def __reduce__(self) -> Any:
-        return reproduce, (self.system,)  # the values are worked out again
-
     def report(self, path: str | Path | None = None) -> str:
         return written(native.report_of_reproductions([self._native]), path)
 

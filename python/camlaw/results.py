@@ -32,6 +32,10 @@ class Verification(NamedTuple):
     record: list[str]
     facts: dict[str, Any]
 
+    def __repr__(self) -> str:
+        said = "holds" if self.holds else "; ".join(self.disagreements) or "does not hold"
+        return f"<camlaw verification: {said}; {self.verdict}>"
+
 
 class Result:
     """The answer to a problem: a design with its verdict.
