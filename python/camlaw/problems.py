@@ -248,8 +248,8 @@ class Problem:
                 problem._native,
                 synthesize,
                 solver,
-                starts,
-                seed,
+                units.whole(starts, "starts", 1),
+                units.whole(seed, "seed"),
                 units.seconds(time_limit),
                 units.size_in_bytes(memory),
                 tell,
@@ -320,9 +320,9 @@ class Problem:
         with shown(progress, "pareto") as tell:
             found, interrupted = native.pareto(
                 self._native,
-                points,
+                units.whole(points, "points", 2),
                 method,
-                workers,
+                units.whole(workers, "workers", 1),
                 "" if record is None else str(record),
                 resume,
                 units.seconds(time_limit),

@@ -72,6 +72,10 @@ class Study:
     def __str__(self) -> str:
         return self._native.text()
 
+    def __repr__(self) -> str:
+        compared = self.facts.get("rows") or self.facts.get("points") or []
+        return f"<camlaw study of {self.facts['study']}: {len(compared)} compared>"
+
     def _repr_html_(self) -> str:
         return self._native.html()
 

@@ -108,7 +108,7 @@ class Result:
         if name in known:
             return known[name]
         raise InputError(
-            f"the design has no '{name}'; it has {', '.join([*self.variables, *known])}"
+            f"the design has no '{name}'; it has {', '.join({**self.variables, **known})}"
         )
 
     @property

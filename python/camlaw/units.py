@@ -5,6 +5,7 @@ A bare number is in the unit that the program lists; no unit is guessed.
 """
 
 import re
+from operator import index
 from typing import Any
 
 from .errors import InputError
@@ -45,6 +46,19 @@ def seconds(time_limit: Any) -> float | None:
     if time_limit is None:
         return None
     return native.quantity(value_text(time_limit), "s", "s", "time_limit")
+
+
+def whole(value: Any, what: str, least: int = 0) -> Any:
+    """A whole number from `least`; None where none is named. Raises InputError."""
+    if value is None:
+        return None
+    try:
+        number = -1 if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = least - 1
+    if number < least:
+        raise InputError(f"{what}: {value!r} is not a whole number from {least}")
+    return number
 
 
 _SIZES = {

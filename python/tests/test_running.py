@@ -76,6 +76,12 @@ def test_limits_of_a_search_are_numbers_texts_and_quantities():
         problem.optimize(time_limit="3 mm")
     with pytest.raises(cl.InputError, match="above zero"):
         problem.optimize(time_limit=-1)
+    for name, wrong in (("seed", -1), ("seed", 1.5), ("starts", 0), ("starts", True)):
+        with pytest.raises(cl.InputError, match=f"{name}: {wrong}"):
+            problem.optimize(**{name: wrong})
+    for name, wrong in (("points", 1), ("points", 5.0), ("workers", 0)):
+        with pytest.raises(cl.InputError, match=f"{name}: {wrong}"):
+            cl.Problem.load(QUICK).pareto(**{name: wrong})
 
 
 def test_ctrl_c_stops_a_fit():
