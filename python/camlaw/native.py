@@ -5,7 +5,7 @@ from pathlib import Path
 
 from . import _camlaw as native
 
-# Beside the module: where the sources are linked, as an editable installation does, that is elsewhere.
+# Beside the module: an editable installation has the sources elsewhere.
 native.add_own_folder(str(Path(native.__file__).parent / "libexec"))
 
 __all__ = ["native"]
