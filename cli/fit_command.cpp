@@ -240,10 +240,10 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
   how.place_shift = shifts(options, "abscissa") || shifts(options, "place");
   how.value_shift = shifts(options, "value");
   if (options.deadline) {
-    constexpr double kLeast = 1e-3;  // s, where reading has taken all of the time
     const std::chrono::duration<double> left =
         *options.deadline - problems::LawFitOptions::Clock::now();
-    how.time_limit = std::max(kLeast, left.count());
+    how.time_limit = time_limit_of(options.limits);  // which the answer names
+    how.time_spent = *how.time_limit - left.count();
   }
   const problems::RecordFit fit = problems::fit_record(machine, record, how);
   const RecordAnswer answer{*options.mechanism, record.lacking, std::move(record), fit};

@@ -177,7 +177,7 @@ void profile_ends(const MotionSamples& samples, const MotionGuess& guess,
   const std::vector<double> found = values_of(fit.fit);
   const auto own = starting_at(residuals.own(), std::span(found).first(fit.base));
   profile_intervals(residuals.residuals(), own, fit.base, fit.inflation, options.confidence,
-                    fit.fit);
+                    options.stop, fit.fit);
 }
 
 Possible<double> cross_validated(const MotionSamples& samples, const LawFit& fit,

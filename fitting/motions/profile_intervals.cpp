@@ -40,11 +40,12 @@ double reach(const optim::FitParameter& parameter, const std::function<double(do
 
 /// The least sum of squares with one parameter held at x.
 double squares_at(const optim::Residuals& residuals, std::vector<optim::FitParameter> parameters,
-                  std::size_t which, double x) {
+                  std::size_t which, double x, const std::atomic<bool>* stop) {
   parameters[which].lower = parameters[which].upper = parameters[which].start = x;
   optim::FitOptions near;
   near.reach = optim::FitReach::Near;
   near.max_iterations = 50;
+  near.stop = stop;
   const auto fit = optim::possible_fit(parameters, residuals, near);
   return fit ? fit->sum_of_squares : optim::kInfinity;
 }
@@ -54,7 +55,7 @@ double squares_at(const optim::Residuals& residuals, std::vector<optim::FitParam
 void profile_intervals(const optim::Residuals& residuals,
                        const std::vector<optim::FitParameter>& parameters, std::size_t count,
                        const std::vector<double>& inflation, double confidence,
-                       optim::FitResult& fit) {
+                       const std::atomic<bool>* stop, optim::FitResult& fit) {
   if (!(fit.sigma > 0) || fit.degrees_of_freedom < 1) return;
   const double t = optim::student_quantile(fit.degrees_of_freedom, confidence);
   for (std::size_t j = 0; j < count; ++j) {
@@ -64,7 +65,7 @@ void profile_intervals(const optim::Residuals& residuals,
     }
     const double deviation = inflation[j] * fit.sigma, variance = deviation * deviation;
     const auto deviations = [&](double x) {
-      const double more = squares_at(residuals, parameters, j, x) - fit.sum_of_squares;
+      const double more = squares_at(residuals, parameters, j, x, stop) - fit.sum_of_squares;
       return std::sqrt(std::max(more, 0.0) / variance);
     };
     p.low = reach(parameters[j], deviations, t, -t * p.standard_deviation);

@@ -16,9 +16,10 @@ namespace camlaw::problems {
 /// kink or a jump, and at bounds. `parameters` are as they were fitted, with the fit's values as
 /// starts; `inflation` has the f of each parameter: by how much its deviation is larger than that
 /// of independent residuals. Parameters that are held or not determined keep their intervals.
+/// Throws optim::Interrupted where `stop`, which may be null, is set before the end.
 void profile_intervals(const optim::Residuals& residuals,
                        const std::vector<optim::FitParameter>& parameters, std::size_t count,
                        const std::vector<double>& inflation, double confidence,
-                       optim::FitResult& fit);
+                       const std::atomic<bool>* stop, optim::FitResult& fit);
 
 }  // namespace camlaw::problems

@@ -174,6 +174,7 @@ RecordFit fit_record(const ProblemStatement& machine, const RecordedCurve& recor
   how.loss = options.loss;
   how.confidence = options.confidence;
   how.time_limit = options.time_limit;
+  how.time_spent = options.time_spent;
   how.stop = options.stop;
   RecordFit result{optim::fit(parameters, residuals, how), machine, {}, {}, {}, ""};
   std::vector<double> x;

@@ -21,6 +21,7 @@ struct RecordFitOptions {
   bool value_shift = false;  ///< and that of its value
   /// Seconds: the best values so far are the answer then, which is not to be trusted.
   std::optional<double> time_limit = {};
+  double time_spent = 0;  ///< seconds of it that have passed before the fit, or that it is to leave
   /// Set where the fit is to end without an answer: it throws optim::Interrupted.
   const std::atomic<bool>* stop = nullptr;
 };

@@ -126,24 +126,24 @@ std::vector<std::vector<double>> all_starts(const std::vector<FitParameter>& par
   return starts(box, options.starts, options.seed);
 }
 
-/// The residuals until a deadline, after which they throw Interrupted; of the parameters that they
-/// were asked at those with the least sum are kept.
+/// The residuals until a deadline, after which they throw Interrupted, but for the first: then
+/// there is an answer. Of the parameters that they were asked at those with the least sum are kept.
 class TimedResiduals final : public Residuals {
  public:
   TimedResiduals(const Residuals& residuals, const FitOptions& options)
-      : residuals_(residuals), deadline_(options.time_limit, options.stop) {}
+      : residuals_(residuals), deadline_(options.time_limit, options.stop, options.time_spent) {}
 
   std::size_t count() const override { return residuals_.count(); }
   bool evaluate(std::span<const double> p, std::span<double> r,
                 std::span<double> jacobian) const override {
-    deadline_.check();
+    if (!best_.empty() || deadline_.stopped()) deadline_.check();
     if (!residuals_.evaluate(p, r, jacobian)) return false;
     double sum = 0;
     for (const double each : r) sum += each * each;
     // Where slopes were asked for too: the report needs them. Not where one is not a number.
     const bool is_whole = std::all_of(jacobian.begin(), jacobian.end(),
                                       [](double slope) { return std::isfinite(slope); });
-    if (!jacobian.empty() && is_whole && sum < least_) {
+    if (!jacobian.empty() && is_whole && (best_.empty() || sum < least_)) {
       least_ = sum;
       best_.assign(p.begin(), p.end());
     }
@@ -351,15 +351,15 @@ Search::End unfinished(const TimedResiduals& seen, std::optional<Search::End> be
 Possible<FitResult> possible_fit(const std::vector<FitParameter>& parameters,
                                  const Residuals& residuals, const FitOptions& options) {
   check(parameters, options);
-  if (auto fault = fault_of(parameters, residuals)) return std::move(*fault);
   const TimedResiduals timed(residuals, options);
+  if (auto fault = fault_of(parameters, timed)) return std::move(*fault);
   Search search(parameters, timed, options);
   std::optional<Search::End> best;
   try {
     search_all(parameters, options, search, best);
   } catch (const Interrupted&) {
     // The model's own, and a stop that is asked for, have no answer.
-    if (timed.deadline().stopped() || !timed.deadline().passed() || timed.best().empty()) throw;
+    if (timed.deadline().stopped() || !timed.deadline().passed()) throw;
     best = unfinished(timed, std::move(best), options);
   }
   FitResult result = fit_report(parameters, residuals, options, search.box(), best->end);

@@ -57,9 +57,11 @@ struct FitOptions {
   double confidence = 0.95;   ///< of the intervals
   int max_iterations = 1000;  ///< of one search from one start
   FitReach reach = FitReach::Full;
-  /// Seconds. When they have passed, the best parameters that were seen are the answer, and its
-  /// reason says so; it is late by what two evaluations take, and the intervals of the answer.
+  /// Seconds. When they have passed, the best parameters that were seen are the answer, at worst
+  /// the parameters' own starts, and its reason says so; it is late by what two evaluations take,
+  /// and the intervals of the answer.
   std::optional<double> time_limit = {};
+  double time_spent = 0;  ///< seconds of it that have passed before the fit, or that it is to leave
   /// Set where the fit is to end without an answer: it throws optim::Interrupted.
   const std::atomic<bool>* stop = nullptr;
 };

@@ -30,9 +30,10 @@ FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const problems::StoredF
   resuming = stored.resuming;
 }
 
-FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const FrontAnswer& other)
+FrontAnswer::FrontAnswer(const problems::FrontStudy& of, const optim::Front& found,
+                         const FrontAnswer& other)
     : study(of),
-      front(other.front),
+      front(found),
       ruler(other.ruler),
       warnings(other.warnings),
       built(other.built),

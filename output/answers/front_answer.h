@@ -25,8 +25,10 @@ struct FrontAnswer {
   /// Of a record.
   FrontAnswer(const problems::FrontStudy& study, const problems::StoredFront& stored);
 
-  /// The same answer of a study that is the same, but for what may stop it.
-  FrontAnswer(const problems::FrontStudy& study, const FrontAnswer& other);
+  /// The same answer of a study and a front that are the same, but for where they are and for what
+  /// may stop the study.
+  FrontAnswer(const problems::FrontStudy& study, const optim::Front& front,
+              const FrontAnswer& other);
 
   /// A point's option of each choice but the law, and the values of its variables, with units.
   std::vector<DesignValue> values(const optim::FrontPoint& point) const;

@@ -231,6 +231,9 @@ FitQuestion question_of(std::optional<std::string> law, const StatedProblem* mac
     }
     *known = true;
   }
+  if (time_limit && !(*time_limit > 0)) {
+    refuse(fmt::format("the time limit of {} s is not above zero", *time_limit));
+  }
   asked.time_limit = time_limit;
   return asked;
 }

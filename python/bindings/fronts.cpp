@@ -54,6 +54,14 @@ FrontOwner answered(FrontOwner front) {
   return front;
 }
 
+/// Throws optim::Interrupted where the work is stopped meanwhile.
+FrontOwner answered(FrontOwner front, const Work& work) {
+  const FrontStudy watched = front->study.with_stop(work.stop());
+  const cli::FrontAnswer answer(watched, front->stored);
+  front->answer = std::make_unique<const cli::FrontAnswer>(front->study, front->front(), answer);
+  return front;
+}
+
 std::optional<optim::StudyRecord> record_of(const std::string& path, const FrontStudy& study,
                                             bool resume) {
   if (path.empty()) return std::nullopt;
@@ -96,7 +104,7 @@ void search(FoundFront& found, int workers, bool resume, Work& work) {
 
 nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::string& method,
                  std::optional<int> workers, const std::string& record, bool resume,
-                 nb::handle progress) {
+                 std::optional<double> time_limit, nb::handle progress) {
   constexpr int kMostWorkers = 256;
   if (points < 2 || points > problems::kMostPoints) {
     throw std::invalid_argument(
@@ -121,7 +129,7 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
         search(*front, crew, resume, work);
         front = answered(std::move(front));
       },
-      progress);
+      progress, time_limit);
   return nb::make_tuple(std::move(front), interrupted);
 }
 
@@ -132,7 +140,7 @@ FrontOwner front_file(const std::string& path) {
     FrontOwner front(new FoundFront{FrontStudy::of(record), {}, path});
     const FrontStudy watched = front->study.with_stop(work.stop());
     front->stored = problems::stored_front(watched, record);
-    return answered(std::move(front));
+    return answered(std::move(front), work);
   });
 }
 
@@ -141,7 +149,7 @@ template <class Of>
 auto whole(const FoundFront& found, const Of& of) {
   return run_whole([&](const Work& work) {
     const FrontStudy study = found.study.with_stop(work.stop());
-    return of(cli::FrontAnswer(study, *found.answer));
+    return of(cli::FrontAnswer(study, found.front(), *found.answer));
   });
 }
 
@@ -180,20 +188,27 @@ FrontOwnState own_state_of(const FoundFront& found) {
           static_cast<int>(found.stored.resuming)};
 }
 
-/// In place, where Python has room for it.
-void restore(FoundFront* place, const FrontOwnState& state) {
-  const nb::gil_scoped_release released;
+/// The front of a state; what is said of its points is worked out again.
+FrontOwner restored(const FrontOwnState& state, const Work& work) {
   const auto& [settings, source, file, front, faults, notes, resuming] = state;
-  new (place)
-      FoundFront{FrontStudy(settings.at("problem"), source, FrontStudy::settings_of(settings)),
-                 {.front = front_of(front),
-                  .notes = notes,
-                  .resuming = static_cast<problems::Resuming>(resuming)},
-                 file};
+  FrontOwner result(
+      new FoundFront{FrontStudy(settings.at("problem"), source, FrontStudy::settings_of(settings)),
+                     {.front = front_of(front),
+                      .notes = notes,
+                      .resuming = static_cast<problems::Resuming>(resuming)},
+                     file});
   for (const auto& [task, is_damaged, why] : faults) {
-    place->stored.faults.push_back({task, is_damaged, why});
+    result->stored.faults.push_back({task, is_damaged, why});
   }
-  place->answer = std::make_unique<const cli::FrontAnswer>(place->study, place->stored);
+  return answered(std::move(result), work);
+}
+
+/// In place, where Python has room for it, once all is there.
+void restore(FoundFront* place, const FrontOwnState& state) {
+  FrontOwner made = run_whole([&](const Work& work) { return restored(state, work); });
+  new (place) FoundFront{std::move(made->study), std::move(made->stored), std::move(made->file)};
+  place->answer =
+      std::make_unique<const cli::FrontAnswer>(place->study, place->front(), *made->answer);
 }
 
 /// Objectives and variables of each point, as numbers where they are, and its verdict.
@@ -304,7 +319,7 @@ void add_fronts(nb::module_& module) {
            [](FoundFront& front, const FrontOwnState& state) { restore(&front, state); });
   module.def("pareto", &pareto, nb::arg("problem"), nb::arg("points"), nb::arg("method"),
              nb::arg("workers").none(), nb::arg("record"), nb::arg("resume"),
-             nb::arg("progress").none());
+             nb::arg("time_limit").none(), nb::arg("progress").none());
   module.def("front_file", &front_file, nb::arg("path"));
 }
 

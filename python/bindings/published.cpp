@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "problems/published/cam_shape/solve.h"
 #include "problems/published/systems.h"
 #include "python/bindings/module.h"
+#include "python/bindings/reproduction_state.h"
 #include "python/bindings/running.h"
 #include "python/bindings/values.h"
 
@@ -78,7 +80,7 @@ Study studied_cutter(const std::vector<std::string>& settings, bool table, int w
                      Work& work) {
   SpineCutter<double> cutter;
   for (const std::string& setting : settings) problems::set_given(cutter, setting);
-  const auto study = problems::study_spine_cutter(cutter);
+  const auto study = problems::study_spine_cutter(cutter, work.stop());
   Study result{.answer = {}, .trade_off = cli::trade_off_figure(study)};
   if (!table) {
     const auto fronts = problems::prove_fronts(
@@ -107,7 +109,9 @@ Study study(const std::string& system, const std::vector<std::string>& settings,
         if (!settings.empty()) {
           throw std::invalid_argument("the study of the sheet delivery has no givens to set");
         }
-        const auto choices = problems::trade_off_sheet_delivery();
+        const auto choices = problems::trade_off_sheet_delivery(
+            {.progress = [&work](double done) { work.tell(done, "slow-downs"); },
+             .stop = work.stop()});
         return Study{cli::delivery_document(choices), cli::delivery_figure(choices)};
       },
       progress);
@@ -131,7 +135,11 @@ void add_published(nb::module_& module) {
              return cli::unshaded(cli::text_of(cli::reproduction_document(r.result)));
            })
       .def("html",
-           [](const Reproduced& r) { return cli::html_of(cli::reproduction_document(r.result)); });
+           [](const Reproduced& r) { return cli::html_of(cli::reproduction_document(r.result)); })
+      .def("__getstate__", [](const Reproduced& r) { return state_of(r.result); })
+      .def("__setstate__", [](Reproduced& place, const ReproductionState& state) {
+        new (&place) Reproduced{reproduction_of(state)};
+      });
   nb::class_<Study>(module, "Study")
       .def("facts", [](const Study& s) { return python_of(cli::json_of(s.answer)); })
       .def("text", [](const Study& s) { return cli::unshaded(cli::text_of(s.answer)); })

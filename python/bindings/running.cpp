@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings/running.h"
 
+#include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
 #include <exception>
+#include <stdexcept>
 #include <thread>
 
 namespace camlaw::python {
@@ -54,7 +56,13 @@ void raise_interrupted() {
   throw nb::python_error();
 }
 
-bool run_beside(const std::function<void(Work&)>& job, nb::handle progress) {
+bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
+                std::optional<double> time_limit) {
+  if (time_limit && !(*time_limit > 0)) {
+    throw std::invalid_argument(
+        fmt::format("the time limit of {} s is not above zero", *time_limit));
+  }
+  const optim::Deadline deadline(time_limit, nullptr);
   Work work;
   std::exception_ptr failure;
   std::optional<nb::python_error> raised;
@@ -79,7 +87,7 @@ bool run_beside(const std::function<void(Work&)>& job, nb::handle progress) {
                raised);
       }
     }
-    if (raised) work.stop_ = true;
+    if (raised || deadline.passed()) work.stop_ = true;
   }
   thread.join();
   const bool interrupted = raised && raised->matches(PyExc_KeyboardInterrupt);

@@ -32,7 +32,7 @@ class Work {
   void tell(std::optional<double> done, std::string words);
 
  private:
-  friend bool run_beside(const std::function<void(Work&)>&, nb::handle);
+  friend bool run_beside(const std::function<void(Work&)>&, nb::handle, std::optional<double>);
   struct Told {
     std::optional<double> done;
     std::string words;
@@ -53,8 +53,11 @@ class Work {
 /// Does the work; throws what it throws. `progress` is None, or is called with the share that is
 /// done or None, and words. On Ctrl-C, and where `progress` throws, the work is asked to stop.
 /// Whether Ctrl-C stopped it: then what it has is all there is. What `progress`, or another
-/// signal's handler, throws is thrown on when the work has ended.
-bool run_beside(const std::function<void(Work&)>& job, nb::handle progress);
+/// signal's handler, throws is thrown on when the work has ended. The work is asked to stop too
+/// once `time_limit` seconds have passed, which is no interruption. Throws std::invalid_argument
+/// for a limit that is not above zero.
+bool run_beside(const std::function<void(Work&)>& job, nb::handle progress,
+                std::optional<double> time_limit = {});
 
 /// Does work of some milliseconds that is always short, while other threads of Python go on.
 template <class Job>

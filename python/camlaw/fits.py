@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import plots, tables
+from . import plots, tables, units
 from .errors import InputError, Interrupted
 from .kept import Kept
 from .motion_laws import Law
@@ -18,7 +18,6 @@ from .native import native
 from .outputs import written
 from .problems import Problem
 from .progress import Progress, shown
-from .units import is_pint, pint_unit
 
 _TITLE = re.compile(r"\s*(.*?)\s*[\[(]([^\])]*)[\])]\s*$")
 
@@ -39,10 +38,10 @@ def _sample_table(data: Any) -> Any:
     names, columns = [], []
     for title, values in data.items():
         name, unit = _name_and_unit(title)
-        if is_pint(values):
-            unit, values = pint_unit(values.units), values.magnitude
-        elif is_pint(getattr(values, "array", None)):
-            unit, values = pint_unit(values.array.units), values.array.quantity.magnitude
+        if units.is_pint(values):
+            unit, values = units.pint_unit(values.units), values.magnitude
+        elif units.is_pint(getattr(values, "array", None)):
+            unit, values = units.pint_unit(values.array.units), values.array.quantity.magnitude
         try:
             columns.append(np.ascontiguousarray(values, dtype=np.float64))
         except (TypeError, ValueError) as error:
@@ -149,7 +148,7 @@ def fit(
     response: str | None = None,
     shift: str | Sequence[str] = (),
     loss: str = "none",
-    time_limit: float | None = None,
+    time_limit: Any = None,
     progress: Progress = None,
 ) -> Fit:
     """The law behind measured samples, a worn cam, or a machine behind a recorded curve.
@@ -160,7 +159,8 @@ def fit(
     problem file or a Problem: what runs on a measured cam, or whose curve was recorded and whose
     variables are unknown; `set` sets its values. response: the recorded curve where several columns
     could be one. shift: what of the record is unknown: "centre"; of a recorded curve "abscissa",
-    "value". loss: "none", "huber" or "cauchy". time_limit: seconds. Raises InputError.
+    "value". loss: "none", "huber" or "cauchy". time_limit: seconds, or such as "1 min": the laws that
+    were tried by then, or the best values seen, are the answer. Raises InputError.
     """
     table = _sample_table(data)
     shifts = [shift] if isinstance(shift, str) else list(shift)
@@ -168,7 +168,7 @@ def fit(
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
         found, interrupted = native.fit(
-            table, name, machine, response, shifts, loss, time_limit, tell
+            table, name, machine, response, shifts, loss, units.seconds(time_limit), tell
         )
     answer = None if found is None else Fit(found)
     if interrupted or answer is None:

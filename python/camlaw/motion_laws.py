@@ -13,6 +13,7 @@ import numpy as np
 from . import plots, tables, units
 from .errors import InputError
 from .native import native
+from .outputs import written
 
 Place = namedtuple("Place", ["value", "at"])
 
@@ -198,7 +199,7 @@ class Law:
 
     def save(self, path: str | Path, title: str = "") -> None:
         """Writes the law's own file, which law(path) and problem files read."""
-        Path(path).write_text(self._native.file_text(title or self._native.label), encoding="utf-8")
+        written(self._native.file_text(title or self._native.label), path)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Law) and self.name == other.name

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from . import _camlaw as native
 
-native.add_own_folder(str(Path(__file__).parent / "libexec"))
+# Beside the module: an editable installation has the sources elsewhere.
+native.add_own_folder(str(Path(native.__file__).parent / "libexec"))
 
 __all__ = ["native"]

@@ -19,8 +19,12 @@ def written(text: str, path: str | Path | None) -> str:
         place = Path(path)
         beside = place.with_name(f".{place.name}.{os.getpid()}.{threading.get_ident()}")
         try:
-            beside.write_text(text, encoding="utf-8")
-            os.replace(beside, place)
+            try:
+                beside.write_text(text, encoding="utf-8")
+                os.replace(beside, place)
+            except OSError as error:
+                error.filename, error.filename2 = str(place), None
+                raise
         finally:
             beside.unlink(missing_ok=True)
     return text

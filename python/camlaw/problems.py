@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from .results import Result
 
 
+#: Of curves, as many as the program tabulates.
+_MOST_POINTS = 1_000_000
+
+
 class Problem:
     """A design problem, as a problem file states one (docs/problem-files.md).
 
@@ -107,7 +111,7 @@ class Problem:
             raise InputError(
                 f"values were set beside the problem's text: {', '.join(self.settings)}"
             )
-        Path(path).write_text(self.text, encoding="utf-8")
+        written(self.text, path)
 
     @property
     def text(self) -> str:
@@ -216,7 +220,12 @@ class Problem:
         return np.ascontiguousarray(np.atleast_1d(values), dtype=np.float64)
 
     def curves(self, points: int = 720) -> Any:
-        """A table of every curve at even places of the cycle, "NAME [UNIT]"; the place first."""
+        """A table of every curve at even places of the cycle, "NAME [UNIT]"; the place first.
+
+        points: how many stretches the cycle is cut into; there is a row more. Raises InputError.
+        """
+        if not 1 <= points <= _MOST_POINTS:
+            raise InputError(f"points: {points} is outside 1 .. {_MOST_POINTS}")
         return tables.of_columns(self._native.curves(points))
 
     def _search(
@@ -226,8 +235,8 @@ class Problem:
         solver: str | None,
         starts: int | None,
         seed: int | None,
-        time_limit: float | None,
-        memory: float | None,
+        time_limit: Any,
+        memory: Any,
         start: Mapping[str, Any] | None,
         progress: Progress,
     ) -> Result:
@@ -236,7 +245,14 @@ class Problem:
         problem = self.set(start) if start else self
         with shown(progress, what) as tell:
             found, interrupted = native.search(
-                problem._native, synthesize, solver, starts, seed, time_limit, memory, tell
+                problem._native,
+                synthesize,
+                solver,
+                units.whole(starts, "starts", 1),
+                units.whole(seed, "seed"),
+                units.seconds(time_limit),
+                units.size_in_bytes(memory),
+                tell,
             )
         result = Result(found)
         if interrupted:
@@ -249,16 +265,16 @@ class Problem:
         solver: str | None = None,
         starts: int | None = None,
         seed: int | None = None,
-        time_limit: float | None = None,
-        memory: float | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
         """The best design, with a verdict.
 
         What is not given is as the problem has it. starts: how many places to search from. start:
-        the values to begin at. time_limit: seconds; the best so far is the answer then. memory:
-        bytes that the search may take. Ctrl-C raises Interrupted, whose result is the best so far.
+        the values to begin at. time_limit: seconds, or such as "1 min"; the best so far is the answer
+        then. memory: bytes that the search may take, or such as "4 GB". Ctrl-C raises Interrupted, whose result is the best so far.
         """
         return self._search(
             False, "optimize", solver, starts, seed, time_limit, memory, start, progress
@@ -270,8 +286,8 @@ class Problem:
         solver: str | None = None,
         starts: int | None = None,
         seed: int | None = None,
-        time_limit: float | None = None,
-        memory: float | None = None,
+        time_limit: Any = None,
+        memory: Any = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
@@ -289,24 +305,27 @@ class Problem:
         method: str = "auto",
         record: str | Path | None = None,
         resume: bool = False,
+        time_limit: Any = None,
         progress: Progress = None,
     ) -> Front:
         """The front of two objectives or more.
 
         workers: processes at work side by side; the front does not depend on them. They are started
         afresh, so that it does not matter which threads are running here. record: a file that the
-        study is written to as it goes; with resume what is in it is not searched again.
+        study is written to as it goes; with resume what is in it is not searched again. time_limit:
+        seconds, or such as "1 min"; what has been found by then is the answer, which is `stopped`.
         """
         from .fronts import Front
 
         with shown(progress, "pareto") as tell:
             found, interrupted = native.pareto(
                 self._native,
-                points,
+                units.whole(points, "points", 2),
                 method,
-                workers,
+                units.whole(workers, "workers", 1),
                 "" if record is None else str(record),
                 resume,
+                units.seconds(time_limit),
                 tell,
             )
         front = Front(found)

@@ -2,6 +2,7 @@
 """Progress of long work: a bar of tqdm where that is installed and somebody watches."""
 
 import sys
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -29,7 +30,10 @@ def shown(progress: Progress, what: str) -> Iterator[Told | None]:
         yield None
         return
     try:
-        from tqdm.auto import tqdm
+        with warnings.catch_warnings():
+            # In a notebook without ipywidgets tqdm draws its bar of text, which is enough.
+            warnings.filterwarnings("ignore", message="IProgress not found")
+            from tqdm.auto import tqdm
     except ImportError:
         yield None
         return

@@ -42,9 +42,6 @@ class Reproduction:
         """A table of the printed values beside those computed."""
         return tables.of_rows(self.facts.get("values") or [])
 
-    def __reduce__(self) -> Any:
-        return reproduce, (self.system,)  # the values are worked out again
-
     def report(self, path: str | Path | None = None) -> str:
         return written(native.report_of_reproductions([self._native]), path)
 
@@ -74,6 +71,10 @@ class Study:
 
     def __str__(self) -> str:
         return self._native.text()
+
+    def __repr__(self) -> str:
+        compared = self.facts.get("rows") or self.facts.get("points") or []
+        return f"<camlaw study of {self.facts['study']}: {len(compared)} compared>"
 
     def _repr_html_(self) -> str:
         return self._native.html()

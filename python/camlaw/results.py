@@ -32,6 +32,10 @@ class Verification(NamedTuple):
     record: list[str]
     facts: dict[str, Any]
 
+    def __repr__(self) -> str:
+        said = "holds" if self.holds else "; ".join(self.disagreements) or "does not hold"
+        return f"<camlaw verification: {said}; {self.verdict}>"
+
 
 class Result:
     """The answer to a problem: a design with its verdict.
@@ -104,7 +108,7 @@ class Result:
         if name in known:
             return known[name]
         raise InputError(
-            f"the design has no '{name}'; it has {', '.join([*self.variables, *known])}"
+            f"the design has no '{name}'; it has {', '.join({**self.variables, **known})}"
         )
 
     @property

@@ -8,8 +8,32 @@ from typing import Any
 import numpy as np
 
 
+_SHOWN = 20  #: rows from the beginning, and from the end, of a table as text
+
+
+def _cell(value: Any) -> str:
+    return f"{value:.8g}" if isinstance(value, float) else str(value)
+
+
 class Columns(dict[str, Any]):
-    """A table without pandas: arrays and lists by the names of their columns."""
+    """A table without pandas: arrays and lists by the names of their columns; a list of names gives
+    the table of these."""
+
+    def __getitem__(self, name: Any) -> Any:
+        if isinstance(name, list):
+            return Columns({each: self[each] for each in name})
+        return super().__getitem__(name)
+
+    def __repr__(self) -> str:
+        rows = list(zip(*self.values()))
+        shown = rows if len(rows) <= 2 * _SHOWN else [*rows[:_SHOWN], *rows[-_SHOWN:]]
+        lines = [list(self), *([_cell(cell) for cell in row] for row in shown)]
+        widths = [max(map(len, column)) for column in zip(*lines)]
+        text = ["  ".join(cell.rjust(w) for cell, w in zip(line, widths)) for line in lines]
+        if len(shown) < len(rows):
+            text[1 + _SHOWN : 1 + _SHOWN] = ["..."]
+            text.append(f"({len(rows)} rows)")
+        return "\n".join(text)
 
     def _repr_html_(self) -> str:
         names = list(self)

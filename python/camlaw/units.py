@@ -4,9 +4,12 @@
 A bare number is in the unit that the program lists; no unit is guessed.
 """
 
+import re
+from operator import index
 from typing import Any
 
 from .errors import InputError
+from .native import native
 
 
 def is_pint(value: Any) -> bool:
@@ -36,6 +39,48 @@ def value_text(value: Any) -> str:
     if isinstance(value, (int, float)):
         return repr(value)
     raise InputError(f"{value!r} is not a number, a text with a unit or a quantity of pint")
+
+
+def seconds(time_limit: Any) -> float | None:
+    """A time limit, seconds or such as "1 min"; None where there is none."""
+    if time_limit is None:
+        return None
+    return native.quantity(value_text(time_limit), "s", "s", "time_limit")
+
+
+def whole(value: Any, what: str, least: int = 0) -> Any:
+    """A whole number from `least`; None where none is named. Raises InputError."""
+    if value is None:
+        return None
+    try:
+        number = -1 if isinstance(value, bool) else index(value)
+    except TypeError:
+        number = least - 1
+    if number < least:
+        raise InputError(f"{what}: {value!r} is not a whole number from {least}")
+    return number
+
+
+_SIZES = {
+    "": 1,
+    **{f"{prefix}B": 1000 ** (k + 1) for k, prefix in enumerate("kMGT")},
+    **{f"{prefix}iB": 1024 ** (k + 1) for k, prefix in enumerate("KMGT")},
+}
+
+
+def size_in_bytes(memory: Any) -> float | None:
+    """Memory, bytes or such as "4 GB" or "2 GiB"; None where none is named."""
+    if memory is None:
+        return None
+    found = re.fullmatch(r"\s*([-+.0-9eE]+)\s*([A-Za-z]*)\s*", value_text(memory))
+    try:
+        if found is not None:
+            return float(found[1]) * _SIZES[found[2]]
+    except (KeyError, ValueError):
+        pass
+    raise InputError(
+        f"memory: {memory!r} is not bytes, nor a size with a unit from kB to TB or KiB to TiB"
+    )
 
 
 def settings_of(values: dict[str, Any]) -> list[str]:

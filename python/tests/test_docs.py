@@ -64,3 +64,20 @@ def test_a_notebook_runs(notebook, tmp_path):
     NotebookClient(
         read, timeout=300, resources={"metadata": {"path": str(notebook.parent)}}
     ).execute()
+
+
+@pytest.mark.full
+def test_a_notebook_has_a_bar_of_its_own():
+    needs("nbclient"), needs("ipywidgets")
+    import nbformat
+    from nbclient import NotebookClient
+
+    code = (
+        "import camlaw as cl\n"
+        f"cl.Problem.load({str(ROOT / 'problems/cams/roller_front.toml')!r}).pareto(points=4, workers=2);"
+    )
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(code)])
+    NotebookClient(notebook, timeout=300).execute()
+    shown = [output.get("data", {}) for output in notebook.cells[0].outputs]
+    assert any("application/vnd.jupyter.widget-view+json" in data for data in shown), shown
+    assert not [o for o in notebook.cells[0].outputs if o.output_type == "stream"]

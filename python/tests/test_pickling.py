@@ -11,6 +11,7 @@ import shutil
 import camlaw as cl
 import numpy as np
 import pytest
+from camlaw.native import native
 from conftest import PROBLEMS, ROOT, same
 
 
@@ -160,6 +161,18 @@ def test_a_front(elsewhere, folder):
             assert same(again[0].facts, front[0].facts)
             assert str(again.sensitivity(1)) == str(front.sensitivity(1))
             assert timeless(again.report()) == timeless(front.report())
+
+
+def test_a_table_computed_again_is_not_computed_once_more(elsewhere, monkeypatch):
+    found = cl.reproduce("sheet-delivery")
+    text, html, back = elsewhere.apply(told, (found,))
+    assert text == str(found) and html == found._repr_html_()
+    monkeypatch.delattr(native, "reproduce")
+    for again in (*copies(found), pickle.loads(back)):
+        assert same(again.facts, found.facts) and str(again) == str(found)
+        assert again.system == found.system and again.counts == found.counts
+        assert again.worsened == found.worsened == []
+        assert timeless(again.report()) == timeless(found.report())
 
 
 def test_fits(elsewhere, folder):

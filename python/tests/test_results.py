@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 import json
+import pickle
+import sys
 
 import camlaw as cl
 import pytest
@@ -137,3 +139,18 @@ def test_it_shows_itself(roller):
     pytest.importorskip("matplotlib").use("Agg")
     roller.plot()
     roller.plot_profile()
+
+
+def test_tables_are_columns_without_pandas(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    result = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml").optimize()
+    margins = result.margins
+    some = margins[["name", "bound", "met"]]
+    assert list(some) == ["name", "bound", "met"] and some["bound"] is margins["bound"]
+    assert repr(some).splitlines()[1].split() == ["pressure_angle", "30", "True"]
+    with pytest.raises(KeyError):
+        margins[["price"]]
+    curves = result.curves
+    assert len(repr(curves).splitlines()) == 43 and "(721 rows)" in repr(curves)
+    assert "<table>" in margins._repr_html_()
+    assert pickle.loads(pickle.dumps(some))["name"] == some["name"]

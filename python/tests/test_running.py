@@ -49,6 +49,41 @@ def test_ctrl_c_stops_a_front_with_what_it_has():
     assert cl.law("cycloidal").C_v == pytest.approx(2)  # all goes on
 
 
+def test_a_time_limit_ends_a_front_with_what_it_has(tmp_path):
+    problem, record = cl.Problem.load(FRONT), tmp_path / "study.db"
+    began = time.monotonic()
+    front = problem.pareto(points=400, workers=2, time_limit="1.5 s", record=record)
+    assert time.monotonic() - began < 8
+    assert front.stopped and not front.complete
+    whole = cl.Problem.load(QUICK).pareto(points=6, workers=2, time_limit=600)
+    assert not whole.stopped and len(whole) >= 6
+    with pytest.raises(cl.InputError, match="time limit of 0 s is not above zero"):
+        problem.pareto(points=4, time_limit=0)
+
+
+def test_limits_of_a_search_are_numbers_texts_and_quantities():
+    problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
+    alone = problem.optimize()
+    for time_limit, memory in ((60, 4e9), ("1 min", "4 GB"), (60.0, "2 GiB"), ("60", None)):
+        found = problem.optimize(time_limit=time_limit, memory=memory)
+        assert found["base_radius"] == alone["base_radius"]
+    with pytest.raises(cl.InputError, match="the search needs about"):
+        problem.optimize(memory="1 kB")
+    for wrong in ("4 apples", "much", True):
+        with pytest.raises(cl.InputError):
+            problem.optimize(memory=wrong)
+    with pytest.raises(cl.InputError, match="time_limit"):
+        problem.optimize(time_limit="3 mm")
+    with pytest.raises(cl.InputError, match="above zero"):
+        problem.optimize(time_limit=-1)
+    for name, wrong in (("seed", -1), ("seed", 1.5), ("starts", 0), ("starts", True)):
+        with pytest.raises(cl.InputError, match=f"{name}: {wrong}"):
+            problem.optimize(**{name: wrong})
+    for name, wrong in (("points", 1), ("points", 5.0), ("workers", 0)):
+        with pytest.raises(cl.InputError, match=f"{name}: {wrong}"):
+            cl.Problem.load(QUICK).pareto(**{name: wrong})
+
+
 def test_ctrl_c_stops_a_fit():
     timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
@@ -115,7 +150,13 @@ def test_speed():
     x = np.linspace(0, 1, 4096)
     for name in ("polynomial-5", "cycloidal", "modified-sine"):
         law = cl.law(name)
-        assert holds(lambda: best(lambda: law(x)) < 1.2 * law._native.loop_seconds(4096, 30)), name
+        least = [1e9]
+
+        def is_quick():
+            least.append(best(lambda: law(x)))
+            return min(least) < 1.2 * law._native.loop_seconds(4096, 30)
+
+        assert holds(is_quick), name
     problem = cl.Problem.load(PROBLEMS / "cams/roller_least_base.toml")
     radii = np.linspace(40, 100, 1000)
 

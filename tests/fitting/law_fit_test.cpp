@@ -2,6 +2,7 @@
 // Laws through samples: tables, motions, intervals that hold as often as they say.
 #include <fmt/format.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
@@ -15,6 +16,7 @@
 #include "fitting/samples/condensed.h"
 #include "numerics/tables/sample_table.h"
 #include "optim/fit/loss.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems::law_fit_test {
 namespace {
@@ -230,6 +232,16 @@ TEST_CASE("intervals hold as often as they say", "[law-fit][heavy]") {
     CHECK(held >= 180);
     CHECK(held <= 199);
   }
+}
+
+TEST_CASE("intervals by profiles end once they are stopped", "[law-fit]") {
+  const Member law = find_law("cycloidal");
+  const MotionSamples samples = sampled(law.law(), 100, 0.01, 1);
+  LawFit fit = fit_law(samples, law, rough());
+  std::atomic<bool> stop = true;
+  CHECK_THROWS_AS(profile_ends(samples, rough(), {.stop = &stop}, fit), optim::Interrupted);
+  stop = false;
+  CHECK_NOTHROW(profile_ends(samples, rough(), {.stop = &stop}, fit));
 }
 
 TEST_CASE("the law that was sampled is named first", "[law-fit][heavy]") {

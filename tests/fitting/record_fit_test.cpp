@@ -123,6 +123,8 @@ TEST_CASE("a fit to a record keeps its time, and ends where it is stopped", "[re
   const RecordFit cut = fit_record(cam(), record, {.time_limit = 1e-3});
   CHECK_THAT(cut.distrust, Contains("the time limit of 0.001 s was reached"));
   CHECK(cut.model.size() == record.place.size());
+  const RecordFit left = fit_record(cam(), record, {.time_limit = 60.0, .time_spent = 60.0});
+  CHECK_THAT(left.distrust, Contains("the time limit of 60 s was reached"));
   std::atomic<bool> stop = true;
   CHECK_THROWS_AS(fit_record(cam(), record, {.stop = &stop}), optim::Interrupted);
   stop = false;

@@ -202,7 +202,7 @@ TEST_CASE("the greatest least efficiency is that of a search by hand",
 
 TEST_CASE("the trade-off of slow-down and efficiency is a certified front whose slope is its price",
           "[sheet-delivery][problem-files]") {
-  const auto front = trade_off_sheet_delivery(0.1, 0.4, 7);
+  const auto front = trade_off_sheet_delivery({0.1, 0.4, 7});
   REQUIRE(front.size() == 7);
   for (std::size_t i = 0; i < front.size(); ++i) {
     INFO(front[i].slow_down);
@@ -217,8 +217,8 @@ TEST_CASE("the trade-off of slow-down and efficiency is a certified front whose 
     const double high = std::max(front[i].price, front[i - 1].price);
     CHECK((slope > low * 0.98 && slope < high * 1.02));
   }
-  CHECK_THROWS_AS(trade_off_sheet_delivery(0.4, 0.1, 7), std::invalid_argument);
-  CHECK_THROWS_AS(trade_off_sheet_delivery(0.1, 0.4, 1), std::invalid_argument);
+  CHECK_THROWS_AS(trade_off_sheet_delivery({0.4, 0.1, 7}), std::invalid_argument);
+  CHECK_THROWS_AS(trade_off_sheet_delivery({0.1, 0.4, 1}), std::invalid_argument);
 }
 
 }  // namespace camlaw::problems::sheet_delivery_test

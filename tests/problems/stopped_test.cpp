@@ -7,6 +7,8 @@
 
 #include "optim/search/deadline.h"
 #include "problems/published/cam_shape/solve.h"
+#include "problems/published/sheet_delivery/trade_off.h"
+#include "problems/published/spine_cutter/study.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/buildable.h"
@@ -87,6 +89,22 @@ TEST_CASE("whatever is worked out of a problem ends once it is stopped", "[stop]
   stop = true;
   CHECK_THROWS_AS(buildability(shipped("cams/smallest_buildable.toml", &stop)), Interrupted);
   CHECK_THROWS_AS(solve_cam_shape(50, &stop), Interrupted);
+}
+
+TEST_CASE("studies of published machines tell how far they are, and end once they are stopped",
+          "[stop]") {
+  std::atomic<bool> stop = true;
+  CHECK_THROWS_AS(study_spine_cutter({}, &stop), Interrupted);
+  stop = false;
+  CHECK_NOTHROW(study_spine_cutter({}, &stop));
+  std::vector<double> told;
+  const auto stop_at_the_third = [&](double share) {
+    told.push_back(share);
+    stop = told.size() == 3;
+  };
+  CHECK_THROWS_AS(trade_off_sheet_delivery({.progress = stop_at_the_third, .stop = &stop}),
+                  Interrupted);
+  CHECK(told == std::vector{0.0, 0.1, 0.2});
 }
 
 }  // namespace camlaw::problems::stopped_test

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "optim/search/deadline.h"
 #include "optim/search/optimise.h"
 #include "problems/sheet_delivery/greatest_least_efficiency.toml.h"
 #include "problems/statement/bind.h"
@@ -12,10 +13,12 @@
 namespace camlaw::problems {
 namespace {
 
-DeliveryChoice best_for(ProblemStatement statement, double slow_down) {
+DeliveryChoice best_for(ProblemStatement statement, double slow_down,
+                        const std::atomic<bool>* stop) {
   statement.constraints.front().lower = slow_down;
   const BoundProblem bound(std::move(statement));
-  const optim::Optimum optimum = optim::optimise(bound.space());
+  const optim::Optimum optimum = optim::optimise(bound.space(), {.stop = stop});
+  optim::Deadline({}, stop).check();
   const optim::Assessment& assessment = optimum.found.assessment;
   DeliveryChoice choice{.slow_down = slow_down, .verdict = assessment.verdict};
   if (optimum.found.x.empty()) return choice;
@@ -30,7 +33,8 @@ DeliveryChoice best_for(ProblemStatement statement, double slow_down) {
 
 }  // namespace
 
-std::vector<DeliveryChoice> trade_off_sheet_delivery(double least, double greatest, int points) {
+std::vector<DeliveryChoice> trade_off_sheet_delivery(const DeliveryQuestion& question) {
+  const auto& [least, greatest, points, progress, stop] = question;
   if (!(least > 0 && least < greatest && greatest < 1) || points < 2) {
     throw std::invalid_argument(fmt::format(
         "trade-off: slow-downs from {} to {} in {} points; wanted are 0 < from < to < 1 "
@@ -41,7 +45,8 @@ std::vector<DeliveryChoice> trade_off_sheet_delivery(double least, double greate
       read_problem(data::greatest_least_efficiency, "greatest_least_efficiency.toml");
   std::vector<DeliveryChoice> choices;
   for (int i = 0; i < points; ++i) {
-    choices.push_back(best_for(statement, least + (greatest - least) * i / (points - 1)));
+    if (progress) progress(static_cast<double>(i) / points);
+    choices.push_back(best_for(statement, least + (greatest - least) * i / (points - 1), stop));
   }
   return choices;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,15 @@ struct DeliveryChoice {
 
 /// The trade-off of the sheet delivery between the slow-down of its carriage and the least
 /// efficiency: greatest_least_efficiency.toml for even slow-downs of the range, over its laws,
-/// lambda and alpha_max. Throws std::invalid_argument for a range or count that makes none.
-std::vector<DeliveryChoice> trade_off_sheet_delivery(double least = 0.05, double greatest = 0.5,
-                                                     int points = 10);
+/// lambda and alpha_max.
+struct DeliveryQuestion {
+  double least = 0.05, greatest = 0.5;  ///< of the slow-downs
+  int points = 10;
+  std::function<void(double share)> progress = {};  ///< told what share is done, 0 .. 1
+  const std::atomic<bool>* stop = nullptr;
+};
+/// Throws std::invalid_argument for a range or count that makes none, and optim::Interrupted where
+/// `stop` is set before the end.
+std::vector<DeliveryChoice> trade_off_sheet_delivery(const DeliveryQuestion& question = {});
 
 }  // namespace camlaw::problems

@@ -11,6 +11,7 @@
 
 #include "kinematics/limits.h"
 #include "optim/pareto/dominance.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems {
 namespace {
@@ -182,11 +183,16 @@ double least_inertia_force(const SpineCutter<double>& cutter, double cam_radius)
   return cutter.peak_inertia_force(least_acceleration(B));
 }
 
-SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter) {
+SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter,
+                                    const std::atomic<bool>* stop) {
   check(cutter);
+  const optim::Deadline deadline({}, stop);
   SpineCutterStudy study{};
   study.cutter = cutter;
-  for (Member& member : laws_to_study()) study.rows.push_back(study_law(cutter, std::move(member)));
+  for (Member& member : laws_to_study()) {
+    deadline.check();
+    study.rows.push_back(study_law(cutter, std::move(member)));
+  }
   std::stable_sort(study.rows.begin(), study.rows.end(), [](const StudyRow& a, const StudyRow& b) {
     return std::pair(a.cam_radius, a.inertia_force) < std::pair(b.cam_radius, b.inertia_force);
   });

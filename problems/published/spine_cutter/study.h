@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,8 +56,10 @@ struct SpineCutterStudy {
 };
 
 /// Computes the study: every law of the catalogue that comes to rest at both turns, and the members
-/// of its families listed in study.cpp.
-SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter);
+/// of its families listed in study.cpp. Throws optim::Interrupted where `stop` is set before the
+/// end.
+SpineCutterStudy study_spine_cutter(const SpineCutter<double>& cutter,
+                                    const std::atomic<bool>* stop = nullptr);
 
 /// The paper's six laws, in the order of its table 2.
 const std::vector<std::string>& published_laws();

@@ -565,6 +565,36 @@ TEST_CASE("a fit that runs out of time has the best that it has seen, and says s
                     Catch::Contains("the time limit of 0 s is not above zero"));
 }
 
+TEST_CASE("a fit whose time passes before it begins has its start, and says so", "[fit]") {
+  int calls = 0;
+  const AutomaticResiduals slow(2, [&](const auto& p, const auto& r) {
+    ++calls;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    r[0] = exp(p[0]) - 3.0;
+    r[1] = 0.1 * p[0];
+    return true;
+  });
+  for (const Loss loss : {Loss::None, Loss::Huber}) {
+    calls = 0;
+    const FitResult late = fit(named({"p"}, {0}), slow, {.loss = loss, .time_limit = 1e-3});
+    CHECK(late.parameters[0].value == 0);
+    CHECK(late.sum_of_squares == 4);
+    CHECK_FALSE(late.converged);
+    CHECK(
+        late.reason.starts_with("the time limit of 0.001 s was reached before the fit had ended"));
+    CHECK(calls <= 4);
+  }
+}
+
+TEST_CASE("a fit that is to leave a part of its time names all of it", "[fit]") {
+  const auto parameters = named({"a", "b"}, {0, 0});
+  const FitResult cut =
+      fit(parameters, against(kX, kY, kLine), {.time_limit = 30.0, .time_spent = 30.0});
+  CHECK(cut.reason.starts_with("the time limit of 30 s was reached before the fit had ended"));
+  CHECK(fit(parameters, against(kX, kY, kLine), {.time_limit = 1000.0, .time_spent = 12.0})
+            .reason.empty());
+}
+
 TEST_CASE("a fit with a time that is enough has the bits of one without", "[fit]") {
   const auto parameters = named({"a", "b"}, {0, 0});
   const FitResult free = fit(parameters, against(kX, kY, kLine));
