@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "optim/study/serve.h"
+#include "optim/crew/serve.h"
 #include "problems/fronts/study_worker.h"
 
 /// A process that works on a study: started by the library, with a socket as its standard input,
@@ -16,5 +16,5 @@ int main() {
                stderr);
     return 2;
   }
-  return camlaw::optim::serve_as_program(STDIN_FILENO, camlaw::problems::space_of_worker);
+  return camlaw::optim::serve_as_program(STDIN_FILENO, camlaw::problems::service_of_worker);
 }

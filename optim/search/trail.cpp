@@ -64,6 +64,30 @@ void Trail::count(const Attempt& attempt) {
   found.solves += attempt.rounds;
 }
 
+void Trail::join(const Problem& problem, Trail next) {
+  const bool says_none = next.is_infeasible() && !is_within_limits();
+  const bool is_better =
+      !next.found.x.empty() &&
+      (found.x.empty() || improves(problem, next.sizes, next.found.assessment, found.assessment));
+  Found work = found;
+  work.add_work(next.found);
+  if (says_none || is_better) {
+    found = std::move(next.found);
+    told = std::move(next.told);
+    message = std::move(next.message);
+  }
+  found.starts = work.starts + 1;
+  found.planned_starts = work.planned_starts;
+  found.iterations = work.iterations;
+  found.evaluations = work.evaluations;
+  found.solves = work.solves;
+  if (!next.sizes.variables.empty()) sizes = std::move(next.sizes);
+  if (!next.last.empty()) last = std::move(next.last);
+  if (!next.thrown.empty()) thrown = std::move(next.thrown);
+  in_vain = in_vain || next.in_vain;
+  unbounded = unbounded || next.unbounded;
+}
+
 void Trail::fail(const std::string& why) {
   found.assessment.verdict = Verdict::Failed;
   found.assessment.reason = why;
@@ -93,7 +117,8 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
 void consider(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
               Reached& reached) {
   const auto tell = [&](bool is_best) {
-    if (setting.options.candidate) setting.options.candidate({{}, tried.x, is_best});
+    if (!setting.options.candidate) return;
+    setting.options.candidate({{}, tried.x, is_best, is_best ? reached.latest : Assessment{}});
   };
   Found& found = trail.found;
   reached.latest = {};

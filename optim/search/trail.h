@@ -41,8 +41,22 @@ struct Trail {
   bool is_within_limits() const { return is_feasible(found.assessment); }
   /// Adds to the work of all attempts what this one took.
   void count(const Attempt& attempt);
+  /// Goes on after a search that did not know of this one, as if it had come next.
+  void join(const Problem& problem, Trail next);
   /// Records that the search gave no answer.
   void fail(const std::string& why);
+};
+
+/// How a search from one start ended. Where nothing is to be searched for, such as with a limit
+/// that no variable moves, it does not begin.
+enum class StartEnd { Itself, CutShort, Thrown, NotBegun };
+
+/// What the search from one start came to, with nothing known of the others (docs/optimisation.md,
+/// "Starts"): plain data, but for the functions of what its solve has told.
+struct FromStart {
+  Trail trail;
+  double objective = kInfinity;  ///< where it ended; infinite where that is no design
+  StartEnd end = StartEnd::Itself;
 };
 
 /// Holds what the attempts from one start came to.

@@ -16,7 +16,7 @@
 #include "numerics/text/units.h"
 #include "optim/solvers/exit_guard.h"
 #include "optim/solvers/solver.h"
-#include "optim/study/child_process.h"
+#include "optim/crew/child_process.h"
 #include "optim/study/recorded_executor.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
