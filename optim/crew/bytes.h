@@ -101,6 +101,7 @@ class Reader {
   /// Item by item: what is not a list of ours may claim to be longer than there is memory.
   template <class T>
   void operator()(std::vector<T>& list) {
+    list.clear();
     const std::size_t size = count();
     while (good_ && list.size() < size) (*this)(list.emplace_back());
   }

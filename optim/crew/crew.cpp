@@ -68,7 +68,8 @@ class Crew::Run {
     while (!stopped()) {
       const auto number = next();
       if (!number) return;
-      if (do_here(*number, time_here())) continue;
+      const auto left = time_here();
+      if (!(left && *left <= 0) && do_here(*number, left)) continue;
       crew_.side_by_side_ = true;
       return give_back(*number);
     }

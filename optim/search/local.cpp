@@ -276,8 +276,9 @@ FromStart search_one_start(const Problem& problem, const OptimiseOptions& option
   const Setting setting{
       problem, watched.problem(), options, deadline, false, plan(problem, options.solver)};
   Trail none;
-  try {
-    if (is_judged_without_search(setting, none)) return {{}, kInfinity, StartEnd::NotBegun};
+  try {  // the first tells for all
+    if (start == 0 && is_judged_without_search(setting, none))
+      return {{}, kInfinity, StartEnd::NotBegun};
   } catch (const Interrupted&) {
     return {{}, kInfinity, StartEnd::CutShort};
   } catch (...) {  // the whole search comes upon it too

@@ -150,6 +150,7 @@ def fit(
     shift: str | Sequence[str] = (),
     loss: str = "none",
     time_limit: float | None = None,
+    workers: int | None = None,
     progress: Progress = None,
 ) -> Fit:
     """The law behind measured samples, a worn cam, or a machine behind a recorded curve.
@@ -160,7 +161,9 @@ def fit(
     problem file or a Problem: what runs on a measured cam, or whose curve was recorded and whose
     variables are unknown; `set` sets its values. response: the recorded curve where several columns
     could be one. shift: what of the record is unknown: "centre"; of a recorded curve "abscissa",
-    "value". loss: "none", "huber" or "cauchy". time_limit: seconds. Raises InputError.
+    "value". loss: "none", "huber" or "cauchy". time_limit: seconds. workers: processes that fit
+    laws side by side where that takes longer than some seconds; the fit does not depend on them.
+    Raises InputError.
     """
     table = _sample_table(data)
     shifts = [shift] if isinstance(shift, str) else list(shift)
@@ -168,7 +171,7 @@ def fit(
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
         found, interrupted = native.fit(
-            table, name, machine, response, shifts, loss, time_limit, tell
+            table, name, machine, response, shifts, loss, time_limit, workers, tell
         )
     answer = None if found is None else Fit(found)
     if interrupted or answer is None:

@@ -228,6 +228,7 @@ class Problem:
         seed: int | None,
         time_limit: float | None,
         memory: float | None,
+        workers: int | None,
         start: Mapping[str, Any] | None,
         progress: Progress,
     ) -> Result:
@@ -236,7 +237,7 @@ class Problem:
         problem = self.set(start) if start else self
         with shown(progress, what) as tell:
             found, interrupted = native.search(
-                problem._native, synthesize, solver, starts, seed, time_limit, memory, tell
+                problem._native, synthesize, solver, starts, seed, time_limit, memory, workers, tell
             )
         result = Result(found)
         if interrupted:
@@ -251,6 +252,7 @@ class Problem:
         seed: int | None = None,
         time_limit: float | None = None,
         memory: float | None = None,
+        workers: int | None = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
@@ -258,10 +260,13 @@ class Problem:
 
         What is not given is as the problem has it. starts: how many places to search from. start:
         the values to begin at. time_limit: seconds; the best so far is the answer then. memory:
-        bytes that the search may take. Ctrl-C raises Interrupted, whose result is the best so far.
+        bytes that the search may take. workers: processes that search side by side, from several
+        starts and in several combinations of choices, where that takes longer than some seconds;
+        the result does not depend on them. Ctrl-C raises Interrupted, whose result is the best so
+        far.
         """
         return self._search(
-            False, "optimize", solver, starts, seed, time_limit, memory, start, progress
+            False, "optimize", solver, starts, seed, time_limit, memory, workers, start, progress
         )
 
     def synthesize(
@@ -272,13 +277,14 @@ class Problem:
         seed: int | None = None,
         time_limit: float | None = None,
         memory: float | None = None,
+        workers: int | None = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
         """The same of a problem with a free law, which is measured with what is possible and with
         the laws that have names: facts["rulers"]."""
         return self._search(
-            True, "synthesize", solver, starts, seed, time_limit, memory, start, progress
+            True, "synthesize", solver, starts, seed, time_limit, memory, workers, start, progress
         )
 
     def pareto(
