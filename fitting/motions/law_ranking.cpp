@@ -82,7 +82,7 @@ class LawFits final : public optim::Errands {
     ++under_way_;
     return next_++;
   }
-  std::string order(std::size_t number) override {
+  std::optional<std::string> order(std::size_t number) override {
     const Candidate& candidate = candidates_[number];
     LawFitOptions own = options_;
     own.skew = candidate.skew;

@@ -80,17 +80,19 @@ class Crew::Run {
   std::optional<double> time_here() const {
     constexpr double kLeast = 0.25;  // of all that is done here: before, a guess is worth nothing
     const bool is_last = errands_.share() >= 1;
-    if (crew_.rules_.workers < 2 || is_last) return {};
+    if (crew_.rules_.workers < 2 || is_last || !crew_.can_hire(errands_)) return {};
     const double at = std::max(kLeast, kLongWork * errands_.share());
     return std::max(0.0, at - crew_.spent_here_);
   }
 
   /// False where the errand was left.
   bool do_here(std::size_t number, std::optional<double> leave_after) {
+    const auto order = errands_.order(number);
+    if (!order) return true;
     const Bench bench{errands_.stop(),
                       [&](const std::string& news) { errands_.told(number, news); }, leave_after};
     const Clock::time_point began = Clock::now();
-    const auto answer = service_(errands_.order(number), bench);
+    const auto answer = service_(*order, bench);
     crew_.spent_here_ += seconds_since(began);
     if (!answer) return false;
     const bool is_cut_short = stopped() && !errands_.farewell();
@@ -104,7 +106,8 @@ class Crew::Run {
       const std::size_t busy = count_of_busy();
       if (busy >= static_cast<std::size_t>(crew_.rules_.workers)) return give_back(*number);
       if (WorkerProcess* worker = crew_.hire(service_, errands_)) {
-        if (!worker->give(*number, errands_.order(*number))) give_back(*number);
+        const auto order = errands_.order(*number);
+        if (order && !worker->give(*number, *order)) give_back(*number);
         continue;
       }
       if (busy > 0) return give_back(*number);
@@ -180,6 +183,10 @@ Crew::~Crew() = default;
 void Crew::stay_here(const std::string& why) {
   rules_.program.reset();
   remark_ = fmt::format("searched in the calling process, one search at a time: {}", why);
+}
+
+bool Crew::can_hire(const Errands& errands) const {
+  return (rules_.program && errands.confined().empty()) || has_one_thread();
 }
 
 WorkerProcess* Crew::hire(const Service& service, const Errands& errands) {

@@ -43,7 +43,8 @@ class Errands {
   virtual ~Errands() = default;
   /// The next one; none while all that can be handed out is: answers may bring more.
   virtual std::optional<std::size_t> next() = 0;
-  virtual std::string order(std::size_t number) = 0;
+  /// None where it is not needed any more.
+  virtual std::optional<std::string> order(std::size_t number) = 0;
   virtual void answered(std::size_t number, const std::string& answer) = 0;
   /// The process that had it died.
   virtual void lost(std::size_t number, const std::string& why) = 0;
@@ -98,6 +99,7 @@ class Crew {
 
  private:
   class Run;
+  bool can_hire(const Errands& errands) const;
   /// One that waits for an errand; null where none can be had, and remark_ says why.
   WorkerProcess* hire(const Service& service, const Errands& errands);
   void stay_here(const std::string& why);

@@ -18,7 +18,7 @@ struct Combinations::Item {
   struct Start {
     std::optional<FromStart> found = {};
     std::optional<std::size_t> errand = {};  ///< while it is under way
-    bool in_vain = false;                    ///< what it was told of the first start
+    FirstStart first = FirstStart::Design;   ///< what it was told of the first one
 
     bool is_open() const { return !found && !errand; }
   };
@@ -186,12 +186,17 @@ std::optional<std::size_t> Combinations::next_of(Part& part, Item& item) {
     const bool goes_on = !(deadline_.passed() && is_begun) && open != item.starts.end();
     if (goes_on) {
       const auto& first = item.starts.front().found;
-      open->in_vain = open != item.starts.begin() && first && first->trail.in_vain;
+      // Until it is known, the first start is taken to lead to a design, as most do.
+      open->first = first ? told_of(*first) : FirstStart::Design;
       open->errand = hand_out({&part, &item, static_cast<std::size_t>(open - item.starts.begin())});
       return open->errand;
     }
     if (item.is_under_way()) return {};
   }
+  const bool is_cut = std::any_of(item.starts.begin(), item.starts.end(), [](const auto& s) {
+    return s.found && s.found->end == StartEnd::CutShort;
+  });
+  if (is_cut && item.is_under_way()) return {};  // the others are about to be cut short too
   item.is_given = true;
   return hand_out({&part, &item, {}});
 }
@@ -212,19 +217,21 @@ SearchTask Combinations::task_of(const Errand& errand) const {
   task.how.spent = deadline_.spent();
   if (errand.start) {
     task.start = static_cast<int>(*errand.start);
-    task.in_vain = item.starts[*errand.start].in_vain;
+    task.first = item.starts[*errand.start].first;
     return task;
   }
   for (const Item::Start& start : item.starts) {
     if (!start.found) continue;  // only of a search that is cut short
     task.known.push_back(*start.found);
-    if (ends_search(*start.found)) break;
+    if (ends_search(*start.found) && start.found->end != StartEnd::CutShort) break;
   }
   return task;
 }
 
-std::string Combinations::order(std::size_t number) {
-  return encoded(task_of(errands_.at(number)));
+std::optional<std::string> Combinations::order(std::size_t number) {
+  const auto at = errands_.find(number);
+  if (at == errands_.end()) return {};
+  return encoded(task_of(at->second));
 }
 
 void Combinations::answered(std::size_t number, const std::string& answer) {
@@ -260,11 +267,11 @@ void Combinations::take_start(Item& item, std::size_t number, FromStart found) {
   Item::Start& start = item.starts[number];
   start.found = std::move(found);
   start.errand.reset();
-  if (number > 0 || !start.found->trail.in_vain) return;
-  // The others were begun before that was known, and begin anew.
+  if (number > 0 || ends_search(*start.found)) return;
+  // Those that were begun before that was known, and were told otherwise, begin anew.
   for (std::size_t i = 1; i < item.starts.size(); ++i) {
     Item::Start& other = item.starts[i];
-    if (other.in_vain) continue;
+    if (other.first == told_of(*start.found)) continue;
     if (other.errand) errands_.erase(*other.errand);
     other = {};
   }

@@ -34,7 +34,7 @@ class Combinations final : public Errands {
   ~Combinations() override;
 
   std::optional<std::size_t> next() override;
-  std::string order(std::size_t number) override;
+  std::optional<std::string> order(std::size_t number) override;
   void answered(std::size_t number, const std::string& answer) override;
   void lost(std::size_t number, const std::string& why) override;
   void told(std::size_t number, const std::string& news) override;
@@ -55,7 +55,7 @@ class Combinations final : public Errands {
   const std::string& lost() const { return lost_; }
 
  private:
-  static constexpr double kFarewell = 0.5;  // s: a search looks at its stop flag all the time
+  static constexpr double kFarewell = 0.25;  // s: a search looks at its stop flag all the time
 
   struct Item;
   struct Part;

@@ -81,10 +81,11 @@ int count_of_starts(const Setting& setting) {
 }
 
 /// Searches from one start, whatever came of the others.
-FromStart search_one(const Setting& setting, int number, bool in_vain) {
+FromStart search_one(const Setting& setting, int number, FirstStart first) {
   FromStart result;
   Trail& trail = result.trail;
-  trail.in_vain = in_vain;
+  trail.in_vain = number > 0 && first == FirstStart::InVain;
+  trail.design_elsewhere = number > 0 && first == FirstStart::Design;
   trail.found.solver = setting.plan.solvers.front()->name();
   trail.found.why_solver = setting.plan.why;
   trail.found.starts = number + 1;
@@ -118,24 +119,26 @@ void search_starts(const Setting& setting, Trail& trail, std::vector<double>& en
   Found& found = trail.found;
   const int count = count_of_starts(setting);
   found.planned_starts = count;
-  bool in_vain = false;
+  FirstStart first = FirstStart::Design;
+  bool is_cut = false;
   for (int number = 0; number < count; ++number) {
     const auto at = static_cast<std::size_t>(number);
     const bool is_known = at < known.size();
-    if (!is_known && number > 0 && setting.deadline.passed()) break;
-    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, in_vain);
+    if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
+    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
     if (is_known) find_functions(setting.problem, start.trail.told);
-    if (number == 0) in_vain = start.trail.in_vain;
+    if (number == 0) first = told_of(start);
     const bool is_last = ends_search(start);
     const StartEnd end = start.end;
     ends.push_back(start.objective);
     trail.join(setting.problem, std::move(start.trail));
-    if (end == StartEnd::CutShort) throw Interrupted();
     if (end == StartEnd::Thrown) throw ModelThrew();
-    if (!is_last) continue;
+    is_cut = is_cut || end == StartEnd::CutShort;
+    if (!is_last || is_cut) continue;
     found.planned_starts = found.starts;
     break;
   }
+  if (is_cut) throw Interrupted();
 }
 
 /// Whether the answer is where the search began, or says itself that its conditions may hold by
@@ -271,7 +274,7 @@ int planned_starts(const Problem& problem, const OptimiseOptions& options) {
 }
 
 FromStart search_one_start(const Problem& problem, const OptimiseOptions& options,
-                           const Deadline& deadline, int start, bool in_vain) {
+                           const Deadline& deadline, int start, FirstStart first) {
   const WatchedProblem watched(interruptible(problem, deadline));
   const Setting setting{
       problem, watched.problem(), options, deadline, false, plan(problem, options.solver)};
@@ -284,7 +287,7 @@ FromStart search_one_start(const Problem& problem, const OptimiseOptions& option
   } catch (...) {  // the whole search comes upon it too
     return {{}, kInfinity, StartEnd::NotBegun};
   }
-  return search_one(setting, start, in_vain);
+  return search_one(setting, start, first);
 }
 
 bool ends_search(const FromStart& start) {

@@ -23,10 +23,9 @@ Found search_continuous(const Problem& problem, const OptimiseOptions& options,
 
 /// From how many starts search_continuous() searches, unless one of them ends the search.
 int planned_starts(const Problem& problem, const OptimiseOptions& options);
-/// The search from one of them, counted from 0, by itself. `in_vain`: whether the first start came
-/// to no design within the limits in all its iterations (Trail::in_vain).
+/// The search from one of them, counted from 0, by itself. `first`: what it knows of the first.
 FromStart search_one_start(const Problem& problem, const OptimiseOptions& options,
-                           const Deadline& deadline, int start, bool in_vain);
+                           const Deadline& deadline, int start, FirstStart first);
 /// Whether no other start need be tried after the search from one.
 bool ends_search(const FromStart& start);
 

@@ -15,6 +15,8 @@ namespace camlaw::optim {
 template <>
 inline constexpr int kLast<SearchTask::Kind> = static_cast<int>(SearchTask::Kind::Tree);
 template <>
+inline constexpr int kLast<FirstStart> = static_cast<int>(FirstStart::InVain);
+template <>
 inline constexpr int kLast<StartEnd> = static_cast<int>(StartEnd::NotBegun);
 template <>
 inline constexpr int kLast<Status> = static_cast<int>(Status::Failed);
@@ -110,9 +112,9 @@ void visit(Archive& archive, S& sizes) {
 template <class Archive, class T>
 requires std::is_same_v<std::remove_const_t<T>, Trail>
 void visit(Archive& archive, T& trail) {
-  auto& [found, message, told, sizes, last, thrown, in_vain, unbounded] = trail;
+  auto& [found, message, told, sizes, last, thrown, in_vain, unbounded, design_elsewhere] = trail;
   archive(found), archive(message), archive(told), archive(sizes), archive(last), archive(thrown);
-  archive(in_vain), archive(unbounded);
+  archive(in_vain), archive(unbounded), archive(design_elsewhere);
 }
 
 template <class Archive, class F>
@@ -134,9 +136,9 @@ void visit(Archive& archive, O& outcome) {
 template <class Archive, class T>
 requires std::is_same_v<std::remove_const_t<T>, SearchTask>
 void visit(Archive& archive, T& task) {
-  auto& [kind, options, integers, start, in_vain, known, how, tells_progress, tells_candidates] =
+  auto& [kind, options, integers, start, first, known, how, tells_progress, tells_candidates] =
       task;
-  archive(kind), archive(options), archive(integers), archive(start), archive(in_vain);
+  archive(kind), archive(options), archive(integers), archive(start), archive(first);
   archive(known), archive(how), archive(tells_progress), archive(tells_candidates);
 }
 
@@ -190,7 +192,7 @@ SearchAnswer SearchDesk::carry_out(const SearchTask& task, const Deadline& deadl
   if (task.kind == SearchTask::Kind::Continuous)
     return search_continuous(held, task.how, deadline, false, task.known);
   const bool is_alone = task.integers.empty();
-  return search_one_start(is_alone ? whole : held, task.how, deadline, task.start, task.in_vain);
+  return search_one_start(is_alone ? whole : held, task.how, deadline, task.start, task.first);
 }
 
 namespace {

@@ -88,6 +88,11 @@ void Trail::join(const Problem& problem, Trail next) {
   unbounded = unbounded || next.unbounded;
 }
 
+FirstStart told_of(const FromStart& first) {
+  if (first.trail.is_within_limits()) return FirstStart::Design;
+  return first.trail.in_vain ? FirstStart::InVain : FirstStart::NoDesign;
+}
+
 void Trail::fail(const std::string& why) {
   found.assessment.verdict = Verdict::Failed;
   found.assessment.reason = why;
@@ -97,7 +102,7 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
   // Where one start has used up its iterations in vain, there may be no design to be found.
   constexpr int kShare = 4;
   SolverOptions how = solver_options(solver, setting, trail.found);
-  if (trail.in_vain && aim == Aim::Optimum && !trail.is_within_limits())
+  if (trail.in_vain && aim == Aim::Optimum && !trail.knows_design())
     how.max_iterations = 1 + how.max_iterations / kShare;
   Attempt result = exchange(setting.problem, trail.sizes, start, solver, how, aim);
   trail.count(result);

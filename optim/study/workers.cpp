@@ -22,7 +22,9 @@ class Tasks final : public Errands {
     if (next_ == tasks_.size()) return {};
     return next_++;
   }
-  std::string order(std::size_t number) override { return encoded({tasks_[number], options_}); }
+  std::optional<std::string> order(std::size_t number) override {
+    return encoded({tasks_[number], options_});
+  }
   void answered(std::size_t number, const std::string& answer) override {
     auto outcome = decoded(answer);
     if (outcome) return end(number, std::move(*outcome));

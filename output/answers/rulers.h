@@ -39,7 +39,7 @@ struct Rulers {
 /// processes at a time where this one has one thread. Where choices would make
 /// too many combinations with the rivals, those of the answer stay.
 std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search,
-                             int workers);
+                             int workers = 1);
 
 Document rulers_document(const Answer& answer, const Rulers& rulers);
 
