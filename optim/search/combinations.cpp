@@ -186,8 +186,7 @@ std::optional<std::size_t> Combinations::next_of(Part& part, Item& item) {
     const bool goes_on = !(deadline_.passed() && is_begun) && open != item.starts.end();
     if (goes_on) {
       const auto& first = item.starts.front().found;
-      // Until it is known, the first start is taken to lead to a design, as most do.
-      open->first = first ? told_of(*first) : FirstStart::Design;
+      open->first = first ? told_of(*first) : guess_;
       open->errand = hand_out({&part, &item, static_cast<std::size_t>(open - item.starts.begin())});
       return open->errand;
     }
@@ -268,6 +267,7 @@ void Combinations::take_start(Item& item, std::size_t number, FromStart found) {
   start.found = std::move(found);
   start.errand.reset();
   if (number > 0 || ends_search(*start.found)) return;
+  guess_ = told_of(*start.found);
   // Those that were begun before that was known, and were told otherwise, begin anew.
   for (std::size_t i = 1; i < item.starts.size(); ++i) {
     Item::Start& other = item.starts[i];

@@ -89,6 +89,9 @@ class Combinations final : public Errands {
   std::size_t per_item_ = 1, per_part_ = 1;  ///< errands and items of the first one
   std::size_t ended_ = 0;                    ///< errands
   bool has_answer_ = false;                  ///< of one item at least
+  /// What a first start is taken to lead to until it is known: what the last one has, as its
+  /// neighbours often do. A wrong guess costs time alone.
+  FirstStart guess_ = FirstStart::Design;
   std::string lost_;
   std::optional<Assessment> best_told_;  ///< of the candidates
 };
