@@ -107,10 +107,15 @@ TEST_CASE("combinations in several processes lead to the same answer", "[search]
 TEST_CASE("laws and rollers in several processes lead to the same answer", "[search][workers]") {
   const std::string path = CAMLAW_SOURCE_DIR "/problems/die_press/least_approach.toml";
   std::string text = problems::problem_text(path);
-  const std::string any = "lower = \"20 mm\"\nupper = \"100 mm\"\nstart = \"50 mm\"";
-  const std::size_t at = text.find(any);
-  REQUIRE(at != std::string::npos);
-  text.replace(at, any.size(), "values = [\"40 mm\", \"50 mm\", \"60 mm\"]\nstart = \"50 mm\"");
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  replace("lower = \"20 mm\"\nupper = \"100 mm\"\nstart = \"50 mm\"",
+          "values = [\"50 mm\", \"60 mm\"]\nstart = \"50 mm\"");
+  // The laws that have designs: to find that there is none takes long.
+  replace(", \"cycloidal\", \"poly-3-4-5\", \"inclined-sinusoid\"", "");
   check_same(problems::BoundProblem(problems::read_problem(text, "press.toml")).space());
 }
 
