@@ -15,7 +15,9 @@
 #include "cli/progress_line.h"
 #include "cli/run_limits.h"
 #include "cli/watched_run.h"
+#include "cli/workers.h"
 #include "fitting/cams/found_program.h"
+#include "fitting/motions/law_fit_service.h"
 #include "numerics/tables/assumed_units.h"
 #include "output/answers/fit_output.h"
 #include "output/answers/next_step.h"
@@ -27,7 +29,7 @@ namespace camlaw::cli {
 namespace {
 
 struct FitCommand {
-  std::optional<std::string> data, constants, law, mechanism, response, out, loss;
+  std::optional<std::string> data, constants, law, mechanism, response, out, loss, workers;
   std::vector<std::string> set, shifts;
   RunLimits limits;
   std::optional<problems::LawFitOptions::Clock::time_point>
@@ -58,8 +60,14 @@ std::vector<Member> laws_of(const FitCommand& options) {
   return law ? std::vector{*law} : problems::laws_to_try();
 }
 
-problems::LawFitOptions how_of(const FitCommand& options, ProgressLine& line) {
+optim::Crew crew_of(const FitCommand& options) {
+  return optim::Crew(
+      {.workers = workers_of(options.workers), .program = problems::law_fit_program()});
+}
+
+problems::LawFitOptions how_of(const FitCommand& options, ProgressLine& line, optim::Crew& crew) {
   problems::LawFitOptions how;
+  how.crew = &crew;
   how.loss = loss_of(options);
   how.deadline = options.deadline;
   how.progress = [&line](double share) { line.show("fitting laws", share); };
@@ -83,6 +91,7 @@ void fit_constants(const FitCommand& options) {
        {std::pair{"--loss", options.loss.has_value()}, std::pair{"--out", options.out.has_value()},
         std::pair{"--response", options.response.has_value()},
         std::pair{"--shift", !options.shifts.empty()},
+        std::pair{"--workers", options.workers.has_value()},
         std::pair{"--set", !options.set.empty() && !options.mechanism}}) {
     if (!given) continue;
     throw std::invalid_argument(
@@ -175,10 +184,12 @@ void fit_samples(const FitCommand& options, const problems::SampleTable& table) 
   problems::MotionRecord record = problems::motion_record(table);
   check_files(options, {"fit.svg", "law.json"});
   ProgressLine line(!options.json);
+  optim::Crew crew = crew_of(options);
   const problems::MotionSamples& read = record.samples;
   SamplesAnswer answer{*options.data, read.lacking, read.each, read.left_out, {}, record.notes};
-  answer.fit = problems::fit_recorded_motion(std::move(record), laws_of(options),
-                                             {how_of(options, line), shifts(options, "centre")});
+  answer.fit =
+      problems::fit_recorded_motion(std::move(record), laws_of(options),
+                                    {how_of(options, line, crew), shifts(options, "centre")});
   line.clear();
   give_samples(options, answer, {});
 }
@@ -195,7 +206,8 @@ void fit_cam(const FitCommand& options, problems::SampleTable table) {
   std::vector<std::string> notes = problems::assume_profile_units(table);
   ProgressLine line(!options.json);
   const auto laws = laws_of(options);
-  const auto how = how_of(options, line);
+  optim::Crew crew = crew_of(options);
+  const auto how = how_of(options, line, crew);
   problems::CamFit fit = shifts(options, "centre")
                              ? problems::fit_centred_cam(table, machine, laws, how)
                              : problems::fit_cam(problems::measured_cam(table, machine), laws, how);
@@ -255,7 +267,7 @@ void fit_recorded(const FitCommand& options, const problems::SampleTable& table)
 
 /// What a table is of: a cam's profile, a curve of a machine, or else a motion.
 void fit_table(const FitCommand& options) {
-  loss_of(options), laws_of(options);  // wrong options before any work
+  loss_of(options), laws_of(options), workers_of(options.workers);  // wrong options before any work
   keep_input(*options.data);
   options.law ? keep_law(*options.law) : keep_own_laws();
   const problems::SampleTable table = problems::read_samples(*options.data);
@@ -330,6 +342,7 @@ Command fit_command() {
             .words = {"centre", "abscissa", "value", "place"}},
            {"--loss", &options->loss, "{none,huber,cauchy}",
             "how much far-off samples count: none (all alike), huber or cauchy"},
+           workers_option(options->workers),
            time_limit_option(options->limits),
            json_switch(options->json),
            {"--out", &options->out, takes::kFolder,

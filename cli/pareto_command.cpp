@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -15,7 +14,6 @@
 #include "cli/run_limits.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
-#include "optim/search/memory.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
@@ -36,16 +34,6 @@ struct ParetoCommand {
   std::vector<std::string> settings;
   bool resume = false, json = false;
 };
-
-constexpr int kMostWorkers = 256;
-
-int workers_of(const ParetoCommand& options) {
-  if (options.workers) {
-    return static_cast<int>(
-        problems::parse_integer(*options.workers, 1, kMostWorkers, "--workers"));
-  }
-  return count_of_workers();
-}
 
 /// As asked for; what is not, as the study that is gone on with has it.
 problems::FrontSettings settings_of(const ParetoCommand& options,
@@ -128,16 +116,6 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& d
   return files;
 }
 
-/// As many workers as are asked for and have room. Throws optim::MemoryRefusal where not one has.
-int workers_with_room(const ParetoCommand& options, const problems::FrontStudy& study) {
-  const double allowed = memory_of(options.limits);
-  const optim::ProblemSpace& space = study.space();
-  const optim::Problem one = space.problem(space.options(0)).alone(0);
-  const optim::MemoryNeed need = optim::check_memory(one, allowed);
-  const double room = std::floor(allowed / std::max(need.bytes, 1.0));
-  return static_cast<int>(std::min<double>(workers_of(options), room));
-}
-
 /// The front, and what of the record was not believed and has been solved again.
 problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
                            const ParetoCommand& options, int count) {
@@ -161,7 +139,7 @@ int run_pareto(const ParetoCommand& options) {
   const auto began = std::chrono::steady_clock::now();
   const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
-  workers_of(options);  // refused before anything is written
+  const int wanted = workers_of(options.workers);  // refused before anything is written
   const auto path = study_file(options);
   keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
@@ -172,7 +150,9 @@ int run_pareto(const ParetoCommand& options) {
   const std::vector<fs::path> possible{out / "front.json", out / "front.csv", out / "front.svg"};
   if (path && options.out) keep_apart(*path, possible);
   if (options.out) check_writable(possible);
-  const int workers = workers_with_room(options, study);
+  const optim::ProblemSpace& space = study.space();
+  const int workers = workers_with_room(wanted, space.problem(space.options(0)).alone(0),
+                                        memory_of(options.limits));
   const Interruptible interruptible;
   study.options().solve.stop = interruptible.flag();
   const auto work = [&](const Teller* teller) {
@@ -213,8 +193,7 @@ Command pareto_command() {
                    "how many designs, 50 unless stated"},
                   {"--method", &options->method, "{auto,sweep,nsga2}",
                    "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
-                  {"--workers", &options->workers, takes::kNumber,
-                   "processes at work at a time; the answer does not depend on them"},
+                  workers_option(options->workers),
                   {"--db", &options->db, takes::kFile, "record the study in this file"},
                   {"--resume", &options->resume, takes::kNothing,
                    "go on with the study of --db; what is damaged or wrong in it is solved again"},

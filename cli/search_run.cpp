@@ -13,12 +13,15 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/watched_run.h"
+#include "cli/workers.h"
+#include "optim/crew/crew.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/next_step.h"
 #include "output/answers/warnings.h"
 #include "output/document/printing.h"
 #include "output/figure/law_figure.h"
+#include "problems/fronts/study_worker.h"
 #include "problems/results/seal.h"
 #include "problems/statement/solver_settings.h"
 
@@ -106,13 +109,13 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
 /// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
 /// that is stopped, or fails. Returns the JSON.
 std::string show(const SearchCommand& command, const Answer& answer,
-                 const optim::OptimiseOptions& rest, bool json) {
+                 const optim::OptimiseOptions& rest, int workers, bool json) {
   const Document document = answer_document(answer);
   Json result = json_of(document);
   if (!json) print_text(text_of(document));
   flush_printed();
   if (command.measure) {
-    const Document more = command.measure(answer, rest);
+    const Document more = command.measure(answer, rest, workers);
     if (!json) print_text(text_of(more));
     result.update(json_of(more));
   }
@@ -175,6 +178,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   const Seconds clock;
   check_folder(options.out);
   const problems::SolverStatement stated = stated_options(options);
+  const int wanted = workers_of(options.workers);
   keep_input(options.file);
   problems::ProblemStatement statement = problems::read_problem_file(options.file);
   keep_inputs(statement);
@@ -196,6 +200,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   search.stop = interruptible.flag();
   search.memory = memory_of(options.limits);
   search.spent = clock.spent();
+  const int workers = workers_with_room(wanted, space.problem(space.options(0)), *search.memory);
   const auto give = [&](const optim::Optimum& optimum) {
     Answer answer{bound, space, optimum, search.solver, search.seed};
     // The doubts of a large problem take time of their own.
@@ -205,7 +210,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
       answer.built = buildability_of(answer);
     }
     // Printed first: the search is not lost where a file cannot be written after all.
-    const std::string json = show(command, answer, rest_of(search, optimum), options.json);
+    const std::string json = show(command, answer, rest_of(search, optimum), workers, options.json);
     if (options.out) {
       std::vector<OutputFile> files = command.figures(answer, out);
       files.insert(files.begin(), {possible.front(), json});
@@ -217,7 +222,10 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   const auto look = [&](optim::OptimiseOptions how) {
     ProgressLine line(!options.json);
     how.progress = [&line](const optim::Progress& p) { line.show(progress_text(p), p.done); };
-    return optim::optimise(space, how);
+    optim::Crew crew({.workers = workers, .program = problems::worker_program(bound.statement())});
+    optim::Optimum optimum = optim::optimise(space, how, crew);
+    if (!crew.remark().empty()) warn(crew.remark());
+    return optimum;
   };
   if (!is_large(bound.statement())) return give(look(search));
   const Watch watch{search.time_limit, clock.spent(), search.stop};
@@ -247,6 +255,7 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
                        problems::kMostStarts)},
           {"--seed", &options.seed, takes::kNumber,
            "for starts and for methods that draw numbers; an integer from 0"},
+          workers_option(options.workers),
           time_limit_option(options.limits),
           memory_option(options.limits),
           json_switch(options.json),

@@ -18,7 +18,7 @@ namespace camlaw::cli {
 
 struct SearchOptions {
   std::string file;
-  std::optional<std::string> solver, out, starts, seed;
+  std::optional<std::string> solver, out, starts, seed, workers;
   RunLimits limits;
   std::vector<std::string> settings;
   bool json = false;
@@ -35,8 +35,9 @@ struct SearchCommand {
   /// Throws std::invalid_argument for a problem that the command does not take.
   std::function<void(const problems::ProblemStatement&)> check;
   /// What takes a search of its own, after the answer's own text is out. `rest` says how to search,
-  /// with the time that is left and the same stop.
-  std::function<Document(const Answer&, const optim::OptimiseOptions& rest)> measure = {};
+  /// with the time that is left and the same stop, in so many processes.
+  std::function<Document(const Answer&, const optim::OptimiseOptions& rest, int workers)> measure =
+      {};
   /// The files of --out beside result.json, made where they are wanted only.
   std::function<std::vector<OutputFile>(const Answer&, const std::filesystem::path& out)> figures;
 };

@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/progress_line.h"
-#include "cli/workers.h"
+#include "optim/crew/crew.h"
 #include "output/answers/delivery_study.h"
 #include "output/answers/study_fronts.h"
 #include "output/answers/study_output.h"
@@ -39,7 +39,7 @@ StudyOutput study_cutter(const StudyOptions& options, const std::filesystem::pat
   if (!options.table) {
     ProgressLine line(!options.json);
     const auto fronts = problems::prove_fronts(
-        cutter, count_of_workers(), [&line](const std::string& front, double done) {
+        cutter, optim::usual_workers(), [&line](const std::string& front, double done) {
           line.show(fmt::format("front of {}, {:.0f} %", front, 100 * done), done);
         });
     line.clear();

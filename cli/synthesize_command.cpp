@@ -42,7 +42,7 @@ Json provenance(const Answer& answer) {
 }
 
 /// Rulers are an addition: where they fail the answer stands without them.
-Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
+Document measure(const Answer& answer, const optim::OptimiseOptions& rest, int workers) {
   Document document;
   document.fact("rulers", Json(nullptr));
   try {
@@ -50,7 +50,7 @@ Document measure(const Answer& answer, const optim::OptimiseOptions& rest) {
       document.add("rulers", segment_rulers(answer));
       return document;
     }
-    if (const auto measured = rulers(answer, rest)) {
+    if (const auto measured = rulers(answer, rest, workers)) {
       document.add("rulers", rulers_document(answer, *measured));
     }
   } catch (const std::exception& error) {

@@ -20,8 +20,8 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "optim/study/child_process.h"
-#include "optim/study/messages.h"
+#include "optim/crew/child_process.h"
+#include "optim/crew/messages.h"
 #include "output/document/printing.h"
 
 namespace camlaw::cli {

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "optim/study/serve.h"
-#include "problems/fronts/study_worker.h"
+#include "fitting/motions/law_fit_service.h"
+#include "optim/crew/serve.h"
 
 /// A process that works on a study: started by the library, with a socket as its standard input,
 /// where the calling process has several threads and cannot be forked.
@@ -16,5 +16,5 @@ int main() {
                stderr);
     return 2;
   }
-  return camlaw::optim::serve_as_program(STDIN_FILENO, camlaw::problems::space_of_worker);
+  return camlaw::optim::serve_as_program(STDIN_FILENO, camlaw::problems::service_of_worker_or_fits);
 }

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <thread>
+#include <optional>
+#include <string>
 
+#include "cli/command.h"
+#include "optim/problem/problem.h"
+
+/// What a command whose work processes may share takes.
 namespace camlaw::cli {
 
-/// How many processes search side by side where nobody says: the cores, eight at most.
-inline int count_of_workers() {
-  return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U));
-}
+/// --workers.
+Option workers_option(std::optional<std::string>& workers);
+
+/// As many as were asked for, else the usual number. Throws std::invalid_argument for what is no
+/// number of workers.
+int workers_of(const std::optional<std::string>& workers);
+
+/// As many of them as have room for the searches of a problem in so many bytes. Throws
+/// optim::MemoryRefusal where not one has.
+int workers_with_room(int workers, const optim::Problem& problem, double allowed);
 
 }  // namespace camlaw::cli

@@ -18,6 +18,7 @@ set(CAMLAW_HEADERS
   kinematics/peaks.h
   kinematics/piece.h
   kinematics/program/program.h
+  optim/crew/crew.h
   optim/fit/least_squares.h
   optim/fit/residuals.h
   optim/pareto/measures.h

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 #include "fitting/motions/jump_fit.h"
 #include "fitting/motions/law_residuals.h"
@@ -83,10 +84,7 @@ LawFitOptions part_of(LawFitOptions options, double from, double to) {
     options.deadline =
         now + std::chrono::duration_cast<LawFitOptions::Clock::duration>(share * left);
   }
-  if (!options.progress) return options;
-  options.progress = [whole = options.progress, from, to](double share) {
-    whole(from + (to - from) * share);
-  };
+  std::tie(options.from, options.to) = std::pair(options.share_at(from), options.share_at(to));
   return options;
 }
 

@@ -13,6 +13,10 @@
 #include "optim/fit/least_squares.h"
 
 /// Laws through samples of one motion (docs/optimisation.md, "Fits to samples").
+namespace camlaw::optim {
+class Crew;
+}
+
 namespace camlaw::problems {
 
 /// Whether the place where a law's acceleration changes sign is one of its numbers.
@@ -27,14 +31,21 @@ struct LawFitOptions {
   Skew skew = Skew::Held;  ///< whether the crossover is fitted too
   /// A motion that another law follows well: fits of several coefficients begin there too.
   std::optional<MotionGuess> like = {};
-  /// Told what share of many laws is fitted, 0 to 1.
+  /// Told what share of the whole work is done, 0 to 1.
   std::function<void(double share)> progress = {};
+  /// Between which shares of the whole work this part lies.
+  double from = 0, to = 1;
   /// When to be content with the laws that were tried, for each motion one at least.
   std::optional<Clock::time_point> deadline = {};
   /// Set where the fit is to end without an answer: it throws optim::Interrupted.
   const std::atomic<bool>* stop = nullptr;
 
+  /// Who fits many laws side by side, of which the fits do not tell; none: this process alone.
+  optim::Crew* crew = nullptr;
+
   bool is_late() const { return deadline && Clock::now() >= *deadline; }
+  /// The share of the whole work where so much of this part is done.
+  double share_at(double own) const { return from + (to - from) * own; }
 };
 
 /// The same for a part of something larger, from one share of it to another: its progress lies

@@ -2,11 +2,14 @@
 #include "fitting/motions/law_ranking.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "fitting/motions/coefficients.h"
 #include "fitting/motions/law_choice.h"
+#include "fitting/motions/law_fit_service.h"
 #include "fitting/samples/lift_samples.h"
 #include "optim/fit/loss.h"
+#include "optim/search/deadline.h"
 
 namespace camlaw::problems {
 namespace {
@@ -45,14 +48,7 @@ std::vector<Candidate> candidates_of(const std::vector<Member>& laws) {
   return result;
 }
 
-const LawFit* best_of(const std::vector<LawFit>& fits, std::size_t numbers) {
-  const LawFit* best = nullptr;
-  for (const LawFit& fit : fits) {
-    if (fit.numbers > numbers) continue;
-    if (best == nullptr || fit.fit.sum_of_squares < best->fit.sum_of_squares) best = &fit;
-  }
-  return best;
-}
+MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
 
 /// "cycloidal"; where that was tried as it is, "skewed cycloidal".
 void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
@@ -61,7 +57,89 @@ void add_untried(const Candidate& candidate, std::vector<std::string>& names) {
   if (!is_untried) add_names({candidate.skew == Skew::Free ? "skewed " + name : name}, names);
 }
 
-MotionGuess motion_of(const LawFit& fit) { return {fit.begin, fit.end, fit.from, fit.to}; }
+/// Fits of all candidates. Those of as many coefficients are a step: each begins where the best
+/// law of the steps before has led, whatever came of the others of its own.
+class LawFits final : public optim::Errands {
+ public:
+  LawFits(const MotionSamples& samples, const std::vector<Candidate>& candidates,
+          const MotionGuess& guess, const LawFitOptions& options)
+      : samples_(samples),
+        candidates_(candidates),
+        guess_(guess),
+        options_(options),
+        fits_(candidates.size()) {}
+
+  std::optional<std::size_t> next() override {
+    if (next_ == candidates_.size()) return {};
+    const Candidate& candidate = candidates_[next_];
+    if (candidate.coefficients > step_) {
+      if (under_way_ > 0) return {};
+      step_ = candidate.coefficients;
+      like_ = best_so_far();
+    }
+    if (options_.is_late() && (has_fit() || under_way_ > 0)) return {};
+    if (options_.progress) options_.progress(share());
+    ++under_way_;
+    return next_++;
+  }
+  std::optional<std::string> order(std::size_t number) override {
+    const Candidate& candidate = candidates_[number];
+    LawFitOptions own = options_;
+    own.skew = candidate.skew;
+    own.like = like_;
+    return law_fit_order(samples_, candidate.law, guess_, own);
+  }
+  void answered(std::size_t number, const std::string& answer) override {
+    --under_way_;
+    fits_[number] = law_fit_answer(answer, candidates_[number].law);
+  }
+  void lost(std::size_t, const std::string& why) override { throw std::runtime_error(why); }
+  double share() const override {
+    return options_.share_at(static_cast<double>(next_) / static_cast<double>(candidates_.size()));
+  }
+  const std::atomic<bool>* stop() const override { return options_.stop; }
+  std::string confined() const override {
+    for (const Candidate& candidate : candidates_) {
+      if (is_of_catalogue(candidate.law)) continue;
+      return "no other process knows the law " + candidate.law.family->name;
+    }
+    return "";
+  }
+
+  Ranking ranking() {
+    Ranking result;
+    for (auto& fit : fits_) {
+      if (fit) result.fits.push_back(std::move(*fit));
+    }
+    for (std::size_t i = next_; i < candidates_.size(); ++i) {
+      add_untried(candidates_[i], result.untried);
+    }
+    return result;
+  }
+
+ private:
+  bool has_fit() const {
+    return std::any_of(fits_.begin(), fits_.end(), [](const auto& fit) { return bool(fit); });
+  }
+  std::optional<MotionGuess> best_so_far() const {
+    const LawFit* best = nullptr;
+    for (const auto& fit : fits_) {
+      if (!fit || fit->numbers > step_ + kEnds) continue;
+      if (best == nullptr || fit->fit.sum_of_squares < best->fit.sum_of_squares) best = &*fit;
+    }
+    if (best == nullptr) return {};
+    return motion_of(*best);
+  }
+
+  const MotionSamples& samples_;
+  const std::vector<Candidate>& candidates_;
+  const MotionGuess& guess_;
+  const LawFitOptions& options_;
+  std::vector<std::optional<LawFit>> fits_;
+  std::size_t next_ = 0, under_way_ = 0;
+  std::size_t step_ = 0;  ///< coefficients
+  std::optional<MotionGuess> like_;
+};
 
 }  // namespace
 
@@ -80,27 +158,13 @@ Possible<Ranking> possible_ranking(const MotionSamples& samples, const std::vect
                                    const MotionGuess& guess, const LawFitOptions& options) {
   if (auto fault = bad_motion(samples, guess)) return std::move(*fault);
   const LawFitOptions alike = with_one_scale(samples, options);
-  Ranking ranking;
   const std::vector<Candidate> candidates = candidates_of(laws);
-  for (const Candidate& candidate : candidates) {
-    if (alike.progress) {
-      alike.progress(static_cast<double>(&candidate - candidates.data()) /
-                     static_cast<double>(candidates.size()));
-    }
-    if (!ranking.fits.empty() && alike.is_late()) {
-      add_untried(candidate, ranking.untried);
-      continue;
-    }
-    LawFitOptions own = alike;
-    own.skew = candidate.skew;
-    if (candidate.coefficients > 0) {
-      if (const LawFit* best = best_of(ranking.fits, candidate.coefficients + kEnds)) {
-        own.like = motion_of(*best);
-      }
-    }
-    auto fit = possible_law_fit(samples, candidate.law, guess, own);
-    if (fit) ranking.fits.push_back(std::move(*fit));
-  }
+  LawFits fits(samples, candidates, guess, alike);
+  optim::Crew here({.workers = 1});
+  optim::Crew& crew = alike.crew != nullptr ? *alike.crew : here;
+  crew.run(fits, law_fit_service(laws));
+  if (alike.stop != nullptr && *alike.stop) throw optim::Interrupted();
+  Ranking ranking = fits.ranking();
   weigh(ranking.fits);
   put_in_order(ranking.fits);
   return ranking;

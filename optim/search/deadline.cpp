@@ -23,6 +23,8 @@ std::optional<double> Deadline::left() const {
   return std::max(1e-3, *limit_ - (now() - began_));
 }
 
+double Deadline::spent() const { return now() - began_; }
+
 bool Deadline::stopped() const { return stop_ != nullptr && stop_->load(); }
 
 bool Deadline::passed() const { return stopped() || (limit_ && now() - began_ >= *limit_); }

@@ -24,6 +24,7 @@ class Deadline {
   /// "stopped", "the time limit of 2 s was reached".
   std::string reason() const;
   bool stopped() const;
+  double spent() const;  ///< seconds since it began
 
  private:
   std::optional<double> limit_;

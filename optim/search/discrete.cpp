@@ -32,115 +32,88 @@ bool settles(const Found& found) {
   return found.assessment.verdict == Verdict::Infeasible || is_settled(found.assessment);
 }
 
-class IntegerSearch {
+/// The number of combinations of integer values.
+double combinations_of(const Problem& problem) {
+  double combinations = 1;
+  for (const std::size_t i : integer_variables(problem)) {
+    combinations *= range_of(problem.variables[i]).count();
+  }
+  return combinations;
+}
+
+std::size_t as_count(double combinations) {
+  return static_cast<std::size_t>(std::min(combinations, 1e18));
+}
+
+/// The values of a variable, from its start outwards.
+std::vector<double> values_outwards(const Variable& v) {
+  const IntegerRange range = range_of(v);
+  const double start = std::clamp(std::round(v.start), range.low, range.high);
+  const double steps = std::max(start - range.low, range.high - start);
+  std::vector<double> values;
+  for (double step = 0; step <= steps; ++step) {
+    for (const double value : {start + step, start - step}) {
+      if (value < range.low || value > range.high || (step == 0 && value != start)) continue;
+      values.push_back(value);
+      if (step == 0) break;
+    }
+  }
+  return values;
+}
+
+bool are_integers(const Problem& problem, Design x) {
+  const auto whole = integer_variables(problem);
+  return std::all_of(whole.begin(), whole.end(), [&](std::size_t i) {
+    return std::abs(x[i] - std::round(x[i])) <= kIntegerTolerance;
+  });
+}
+
+std::ptrdiff_t continuous_rest(const Problem& problem) {
+  return std::count_if(problem.variables.begin(), problem.variables.end(),
+                       [](const Variable& v) { return v.lower < v.upper; });
+}
+
+/// Whether what was found of a combination is so wherever one looks: the best there is, or that
+/// there is none.
+bool holds_everywhere(const Problem& fixed, const Found& found) {
+  const Assessment& a = found.assessment;
+  if (continuous_rest(fixed) == 0) return a.verdict != Verdict::Failed;
+  return a.verdict == Verdict::Infeasible ? a.global.has_value() : a.is_global;
+}
+
+/// Branch and bound.
+class TreeSearch {
  public:
-  IntegerSearch(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline)
+  TreeSearch(const Problem& problem, const OptimiseOptions& options, const Deadline& deadline)
       : problem_(problem),
         options_(options),
         deadline_(deadline),
         whole_(integer_variables(problem)),
         sign_(problem.objective().sense == Sense::Minimize ? 1 : -1) {
     if (!options.progress) return;
-    options_.progress = [this, whole = options.progress](Progress progress) {
-      progress.done = done(progress.done);
+    options_.progress = [whole = options.progress](Progress progress) {
+      progress.done = 0;  // of a tree nobody knows it
       whole(progress);
     };
   }
-  IntegerSearch(const IntegerSearch&) = delete;
-  IntegerSearch& operator=(const IntegerSearch&) = delete;
+  TreeSearch(const TreeSearch&) = delete;
+  TreeSearch& operator=(const TreeSearch&) = delete;
 
   IntegerOutcome run() {
-    constexpr double kEnumerable = 2000;
-    double combinations = 1;
-    for (const std::size_t i : whole_) combinations *= range_of(problem_.variables[i]).count();
-    result_.combinations = static_cast<std::size_t>(std::min(combinations, 1e18));
-    result_.enumerated = combinations <= kEnumerable;
-    if (result_.enumerated) {
-      Problem fixed = problem_;
-      enumerate(fixed, 0);
-    } else {
-      branch_and_bound();
-    }
+    result_.combinations = as_count(combinations_of(problem_));
+    result_.enumerated = false;
+    branch_and_bound();
     // A tree has solved nodes that have designs, and still no whole one may be left.
-    const bool none_left = !is_feasible(result_.found.assessment) && result_.complete;
-    result_.all_infeasible =
-        result_.enumerated ? result_.complete && result_.infeasible == result_.solved : none_left;
+    result_.all_infeasible = !is_feasible(result_.found.assessment) && result_.complete;
     return std::move(result_);
   }
 
  private:
-  /// The share that is through, with that of the problem in hand; of a tree nobody knows it.
-  double done(double of_this) const {
-    if (!result_.enumerated) return 0;
-    return (static_cast<double>(result_.solved) + of_this) /
-           static_cast<double>(result_.combinations);
-  }
-
-  /// Solves one continuous problem, counts, and keeps the best design whose integer variables
-  /// have integer values. The answer itself comes back.
+  /// Solves one continuous problem, and counts it. The answer itself comes back.
   Found solve(const Problem& continuous) {
     Found found = search_continuous(continuous, options_, deadline_, false);
-    ++result_.solved;
-    const bool none = found.assessment.verdict == Verdict::Infeasible;
-    result_.infeasible += none;
-    const bool nothing_yet = result_.found.why_solver.empty();
-    const bool says_why = !is_feasible(found.assessment) && nothing_yet;
-    if (says_why || ((!found.x.empty() || continuous.variables.empty()) && are_integers(found.x)))
-      keep(continuous, found);
+    result_.add(continuous, found);
     return found;
-  }
-
-  bool are_integers(Design x) const {
-    return std::all_of(whole_.begin(), whole_.end(), [&](std::size_t i) {
-      return std::abs(x[i] - std::round(x[i])) <= kIntegerTolerance;
-    });
-  }
-
-  void keep(const Problem& continuous, const Found& found) {
-    const bool is_best = result_.found.why_solver.empty() ||
-                         better(continuous, found.assessment, result_.found.assessment);
-    Found kept = is_best ? found : result_.found;
-    kept.add_work(is_best ? result_.found : found);
-    result_.found = std::move(kept);
-  }
-
-  void enumerate(Problem& fixed, std::size_t depth) {
-    if (depth == whole_.size()) {
-      if (deadline_.passed() && result_.solved > 0) {
-        result_.complete = false;
-        return;
-      }
-      const Found found = solve(fixed);
-      result_.complete = result_.complete && settles(found);
-      result_.bounds_hold = result_.bounds_hold && holds_everywhere(fixed, found);
-      return;
-    }
-    Variable& v = fixed.variables[whole_[depth]];
-    const IntegerRange range = range_of(problem_.variables[whole_[depth]]);
-    const double start =
-        std::clamp(std::round(problem_.variables[whole_[depth]].start), range.low, range.high);
-    const double steps = std::max(start - range.low, range.high - start);
-    for (double step = 0; step <= steps; ++step) {  // from the start outwards
-      for (const double value : {start + step, start - step}) {
-        if (value < range.low || value > range.high || (step == 0 && value != start)) continue;
-        v.lower = v.upper = v.start = value;
-        enumerate(fixed, depth + 1);
-        if (step == 0) break;
-      }
-    }
-  }
-
-  /// Whether what was found of a combination is so wherever one looks: the best there is, or that
-  /// there is none.
-  static bool holds_everywhere(const Problem& fixed, const Found& found) {
-    const Assessment& a = found.assessment;
-    if (continuous_rest(fixed) == 0) return a.verdict != Verdict::Failed;
-    return a.verdict == Verdict::Infeasible ? a.global.has_value() : a.is_global;
-  }
-
-  static std::ptrdiff_t continuous_rest(const Problem& problem) {
-    return std::count_if(problem.variables.begin(), problem.variables.end(),
-                         [](const Variable& v) { return v.lower < v.upper; });
   }
 
   struct Node {
@@ -248,9 +221,56 @@ Problem with_integers_fixed(const Problem& problem, Design x) {
   return fixed;
 }
 
-IntegerOutcome search_integers(const Problem& problem, const OptimiseOptions& options,
-                               const Deadline& deadline) {
-  return IntegerSearch(problem, options, deadline).run();
+void IntegerOutcome::add(const Problem& continuous, const Found& of) {
+  ++solved;
+  infeasible += of.assessment.verdict == Verdict::Infeasible;
+  const bool nothing_yet = found.why_solver.empty();
+  const bool says_why = !is_feasible(of.assessment) && nothing_yet;
+  const bool has_design = !of.x.empty() || continuous.variables.empty();
+  if (!says_why && !(has_design && are_integers(continuous, of.x))) return;
+  const bool is_best = nothing_yet || better(continuous, of.assessment, found.assessment);
+  Found kept = is_best ? of : found;
+  kept.add_work(is_best ? found : of);
+  found = std::move(kept);
+}
+
+std::optional<std::vector<std::vector<double>>> integer_combinations(const Problem& problem) {
+  constexpr double kEnumerable = 2000;
+  if (combinations_of(problem) > kEnumerable) return {};
+  std::vector<std::vector<double>> all{{}};
+  for (const std::size_t i : integer_variables(problem)) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& values : all) {
+      for (const double value : values_outwards(problem.variables[i])) {
+        longer.push_back(values);
+        longer.back().push_back(value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+Problem with_integers(const Problem& problem, const std::vector<double>& values) {
+  Problem fixed = problem;
+  const auto whole = integer_variables(problem);
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    Variable& v = fixed.variables[whole[k]];
+    v.lower = v.upper = v.start = values.at(k);
+  }
+  return fixed;
+}
+
+void IntegerOutcome::add_combination(const Problem& fixed, const Found& of) {
+  add(fixed, of);
+  complete = complete && settles(of);
+  bounds_hold = bounds_hold && holds_everywhere(fixed, of);
+  all_infeasible = infeasible == solved;
+}
+
+IntegerOutcome search_tree(const Problem& problem, const OptimiseOptions& options,
+                           const Deadline& deadline) {
+  return TreeSearch(problem, options, deadline).run();
 }
 
 }  // namespace camlaw::optim

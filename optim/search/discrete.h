@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "optim/problem/problem.h"
 #include "optim/search/local.h"
 
@@ -17,11 +20,24 @@ struct IntegerOutcome {
   bool all_infeasible = true;    ///< every one that was looked at had none
   bool bounds_hold = true;       ///< what was excluded was excluded by convex problems
   bool enumerated = true;
+
+  /// Counts what came of one continuous problem, the integer variables held or not, and keeps the
+  /// best design whose integer variables have integer values.
+  void add(const Problem& continuous, const Found& of);
+  /// The same of one combination of those that are all tried.
+  void add_combination(const Problem& fixed, const Found& of);
 };
 
-/// Solves over the integer variables of one problem; the best is not proved yet.
-IntegerOutcome search_integers(const Problem& problem, const OptimiseOptions& options,
-                               const Deadline& deadline);
+/// The values of the integer variables in all their combinations, from the start's outwards; none
+/// where these are too many to try each. Without integer variables there is one without values.
+std::optional<std::vector<std::vector<double>>> integer_combinations(const Problem& problem);
+/// The problem with the integer variables held at these values.
+Problem with_integers(const Problem& problem, const std::vector<double>& values);
+
+/// Solves over the integer variables of one problem by branch and bound; the best is not proved
+/// yet.
+IntegerOutcome search_tree(const Problem& problem, const OptimiseOptions& options,
+                           const Deadline& deadline);
 
 /// The problem with each integer variable fixed at the design's value.
 Problem with_integers_fixed(const Problem& problem, Design x);

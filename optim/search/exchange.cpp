@@ -71,7 +71,9 @@ void add_pushing_rows(const Program& program, const Solution& solution, std::vec
                       .sign = sign,
                       .size = row.size,
                       .at_rest = row.at_rest,
-                      .price = multiplier * unit / row.size});
+                      .price = multiplier * unit / row.size,
+                      .place = row.place,
+                      .rest = row.rest});
   }
 }
 

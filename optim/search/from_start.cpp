@@ -27,7 +27,7 @@ void search_rescaled(std::vector<double> x, const Solver& solver, const Setting&
 /// Where the set of designs is convex, the design of least violation tells at once whether there
 /// are any: then no other method, and no other start, needs to try.
 void look_for_emptiness(const Setting& setting, Trail& trail, Reached& reached) {
-  const bool unknown = !trail.found.x.empty() && !trail.is_within_limits();
+  const bool unknown = !trail.found.x.empty() && !trail.knows_design();
   if (convex_set(setting.original) && unknown && !setting.deadline.passed())
     find_feasible(setting, trail, reached);
 }
@@ -47,7 +47,7 @@ Assessment search_from_start(Design start, const Setting& setting, Trail& trail)
       continue;
     }
     // Where all iterations led to no design within the limits, other sizes lead to none either.
-    const bool in_vain = tried.status == Status::IterationLimit && !trail.is_within_limits();
+    const bool in_vain = tried.status == Status::IterationLimit && !trail.knows_design();
     trail.in_vain = trail.in_vain || in_vain;
     const bool goes_on = !tried.x.empty() && tried.status != Status::Unbounded && !in_vain;
     if (!is_settled(reached.latest) && goes_on)

@@ -13,6 +13,7 @@
 #include "optim/search/from_start.h"
 #include "optim/search/interruptible.h"
 #include "optim/search/proof.h"
+#include "optim/search/told.h"
 #include "optim/search/with_numbers.h"
 #include "optim/verdict/limits.h"
 #include "optim/verdict/verdict.h"
@@ -65,34 +66,79 @@ void blame(const std::string& limit, const Problem& problem, const Sizes& sizes,
   found.assessment.global = fmt::format("{} is the same for every design", limit);
 }
 
-/// Searches from one start or several. `ends` gets the objective where each start ended, infinite
-/// where that is no design.
-void search_starts(const Setting& setting, Trail& trail, std::vector<double>& ends) {
+bool has_many_variables(const Problem& problem) {
+  return problem.variables.size() > kManyVariables;
+}
+
+int count_of_starts(const Setting& setting) {
   constexpr int kStarts = 8;
   constexpr int kStartsOfMany =
       3;  // variables: a start takes longer, and begins nearer to a design
-  const bool many = setting.problem.variables.size() > kManyVariables;
-  Found& found = trail.found;
-  const bool global = setting.plan.solvers.front()->is_global();
+  if (setting.options.starts) return *setting.options.starts;
   const bool one_is_enough = why_convex(setting.original) && !needs_slope(setting.problem);
-  const int count = setting.options.starts.value_or(one_is_enough || global ? 1
-                                                    : many                  ? kStartsOfMany
-                                                                            : kStarts);
-  found.planned_starts = count;
-  for (const auto& start : starts(setting.problem, count, setting.options.seed)) {
-    if (found.starts > 0 && setting.deadline.passed()) break;
-    ++found.starts;
-    const bool is_own = found.starts == 1;
-    const Assessment end = search_from_start(
-        is_own || !many || global ? start : begun_in_convex_part(start, setting, trail), setting,
-        trail);
-    ends.push_back(is_feasible(end) ? end.objective.value : kInfinity);
-    const bool best_of_all = is_settled(found.assessment) && found.assessment.is_global;
-    if (best_of_all || trail.is_infeasible()) {
-      found.planned_starts = found.starts;
-      break;
-    }
+  if (one_is_enough || setting.plan.solvers.front()->is_global()) return 1;
+  return has_many_variables(setting.problem) ? kStartsOfMany : kStarts;
+}
+
+/// Searches from one start, whatever came of the others.
+FromStart search_one(const Setting& setting, int number, FirstStart first) {
+  FromStart result;
+  Trail& trail = result.trail;
+  trail.in_vain = number > 0 && first == FirstStart::InVain;
+  trail.design_elsewhere = number > 0 && first == FirstStart::Led;
+  trail.found.solver = setting.plan.solvers.front()->name();
+  trail.found.why_solver = setting.plan.why;
+  trail.found.starts = number + 1;
+  trail.found.planned_starts = count_of_starts(setting);
+  try {
+    const bool as_it_is = number == 0 || !has_many_variables(setting.problem) ||
+                          setting.plan.solvers.front()->is_global();
+    const std::vector<double> drawn =
+        starts(setting.problem, number + 1, setting.options.seed).back();
+    const std::vector<double> start =
+        as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
+    trail.sizes = sizes(setting.problem, start);
+    const Assessment end = search_from_start(start, setting, trail);
+    if (is_feasible(end)) result.objective = end.objective.value;
+  } catch (const Interrupted&) {
+    result.end = StartEnd::CutShort;
+  } catch (...) {
+    trail.thrown = words_of(std::current_exception());
+    result.end = StartEnd::Thrown;
   }
+  return result;
+}
+
+/// What the model threw in the search from a start ends the search.
+struct ModelThrew {};
+
+/// Searches from one start or several; of the first of them what is known is taken. `ends` gets the
+/// objective where each start ended, infinite where that is no design.
+void search_starts(const Setting& setting, Trail& trail, std::vector<double>& ends,
+                   std::vector<FromStart> known) {
+  Found& found = trail.found;
+  const int count = count_of_starts(setting);
+  found.planned_starts = count;
+  FirstStart first = FirstStart::Led;
+  bool is_cut = false;
+  for (int number = 0; number < count; ++number) {
+    const auto at = static_cast<std::size_t>(number);
+    const bool is_known = at < known.size();
+    if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
+    FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
+    if (is_known) find_functions(setting.problem, start.trail.told);
+    if (number == 0) first = told_of(start);
+    const bool is_last = ends_search(start);
+    const StartEnd end = start.end;
+    ends.push_back(start.objective);
+    trail.join(setting.problem, std::move(start.trail));
+    if (end == StartEnd::Thrown) throw ModelThrew();
+    is_cut = is_cut || end == StartEnd::CutShort;
+    if (!is_last || is_cut) continue;
+    found.planned_starts = found.starts;
+    break;
+  }
+  if (is_cut) throw Interrupted();
 }
 
 /// Whether the answer is where the search began, or says itself that its conditions may hold by
@@ -153,21 +199,34 @@ void conclude_search(const Setting& setting, const std::vector<double>& ends, Tr
   found.assessment.reason = words_of_search(setting, found, trail.message);
 }
 
-/// Carries out all stages in turn.
-void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
-            std::vector<double>& ends) {
+/// Judges what needs no search, be it that none is possible; false where one is wanted.
+bool is_judged_without_search(const Setting& setting, Trail& trail) {
   const Problem& problem = setting.problem;
-  Found& found = trail.found;
-  if (problem.variables.empty()) return judge_alone(problem, trail);
+  if (problem.variables.empty()) {
+    judge_alone(problem, trail);
+    return true;
+  }
   trail.sizes = sizes(problem, problem.start());
   if (setting.options.solver != "auto") {  // of which the plan takes what accepts the problem
     const Solver& first = *setting.plan.solvers.front();
     const auto why = refusal(problem, trail.sizes, problem.start(), first);
-    if (why) return trail.fail(*why);
+    if (why) {
+      trail.fail(*why);
+      return true;
+    }
   }
-  if (const Constraint* passed = passed_for_good(problem, trail.sizes))
-    return blame(passed->response.name, problem, trail.sizes, found);
-  search_starts(setting, trail, ends);
+  const Constraint* passed = passed_for_good(problem, trail.sizes);
+  if (passed != nullptr) blame(passed->response.name, problem, trail.sizes, trail.found);
+  return passed != nullptr;
+}
+
+/// Carries out all stages in turn.
+void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
+            std::vector<double>& ends, std::vector<FromStart> known) {
+  const Problem& problem = setting.problem;
+  Found& found = trail.found;
+  if (is_judged_without_search(setting, trail)) return;
+  search_starts(setting, trail, ends, std::move(known));
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
   if (!has_numbers(found))
@@ -209,8 +268,36 @@ void check_solvers(const OptimiseOptions& options) {
   }
 }
 
+int planned_starts(const Problem& problem, const OptimiseOptions& options) {
+  const Deadline none({}, nullptr);
+  return count_of_starts({problem, problem, options, none, false, plan(problem, options.solver)});
+}
+
+FromStart search_one_start(const Problem& problem, const OptimiseOptions& options,
+                           const Deadline& deadline, int start, FirstStart first) {
+  const WatchedProblem watched(interruptible(problem, deadline));
+  const Setting setting{
+      problem, watched.problem(), options, deadline, false, plan(problem, options.solver)};
+  Trail none;
+  try {  // the first tells for all
+    if (start == 0 && is_judged_without_search(setting, none))
+      return {{}, kInfinity, StartEnd::NotBegun};
+  } catch (const Interrupted&) {
+    return {{}, kInfinity, StartEnd::CutShort};
+  } catch (...) {  // the whole search comes upon it too
+    return {{}, kInfinity, StartEnd::NotBegun};
+  }
+  return search_one(setting, start, first);
+}
+
+bool ends_search(const FromStart& start) {
+  const Assessment& a = start.trail.found.assessment;
+  const bool best_of_all = is_settled(a) && a.is_global;
+  return best_of_all || start.trail.is_infeasible() || start.end != StartEnd::Itself;
+}
+
 Found search_continuous(const Problem& problem, const OptimiseOptions& options,
-                        const Deadline& deadline, bool prove) {
+                        const Deadline& deadline, bool prove, std::vector<FromStart> known) {
   WatchedProblem watched(interruptible(problem, deadline));
   const Setting setting{
       problem, watched.problem(), options, deadline, prove, plan(problem, options.solver)};
@@ -219,7 +306,7 @@ Found search_continuous(const Problem& problem, const OptimiseOptions& options,
   trail.found.solver = setting.plan.solvers.front()->name();
   std::vector<double> ends;
   try {
-    search(watched, setting, trail, ends);
+    search(watched, setting, trail, ends, std::move(known));
   } catch (const Interrupted&) {
     try {
       end_in_haste(setting, trail);
@@ -228,6 +315,7 @@ Found search_continuous(const Problem& problem, const OptimiseOptions& options,
       trail.fail(words_of(std::current_exception()));
     }
     return std::move(trail.found);
+  } catch (const ModelThrew&) {  // the trail has the words
   } catch (...) {
     trail.thrown = words_of(std::current_exception());
   }

@@ -5,36 +5,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 
-#include "optim/cycle/sizes.h"
+#include "optim/crew/crew.h"
+#include "optim/search/combinations.h"
 #include "optim/search/discrete.h"
-#include "optim/search/interruptible.h"
-#include "optim/search/memory.h"
-#include "optim/solvers/solver.h"
-#include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 
 namespace camlaw::optim {
 namespace {
-
-/// The n-th option of a choice, counted from the one it starts with outwards: 5, 6, 4, 7, 3, ...
-std::size_t nth_option(const Choice& choice, std::size_t n) {
-  const std::size_t count = choice.options.size(), start = std::min(choice.start, count - 1);
-  const std::size_t both = std::min(start, count - 1 - start);  // so far there are two sides
-  if (n > 2 * both) return start > both ? count - 1 - n : n;
-  return n % 2 == 1 ? start + (n + 1) / 2 : start - n / 2;
-}
-
-/// Options as digits of a counter, the last fastest; the first combination is the start's.
-std::vector<std::size_t> options_at(const std::vector<Choice>& choices, std::size_t count) {
-  std::vector<std::size_t> result(choices.size());
-  for (std::size_t i = choices.size(); i-- > 0;) {
-    result[i] = nth_option(choices[i], count % choices[i].options.size());
-    count /= choices[i].options.size();
-  }
-  return result;
-}
 
 /// How the combinations went, for the words of the verdict.
 struct Tally {
@@ -42,77 +23,6 @@ struct Tally {
   bool all_infeasible = true, complete = true, bounds_hold = true, enumerated = true;
   std::string stopped = {};  ///< why the search ended early, where it did
 };
-
-/// The lower bound of an answer by dividing the box; none where the model throws on the way.
-std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
-                                       const Found& found, const Deadline& deadline) {
-  try {
-    return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
-  } catch (...) {
-    return {};
-  }
-}
-
-/// A search from one design, which is kept where the search comes to nothing better.
-Found search_from(const Problem& problem, const std::vector<double>& x, const OptimiseOptions& how,
-                  const Deadline& deadline) {
-  Problem again = problem;
-  for (std::size_t k = 0; k < x.size(); ++k) again.variables[k].start = x[k];
-  OptimiseOptions once = how;
-  once.starts = 1;
-  const Problem guarded = interruptible(problem, deadline);
-  const Assessment own = assess(guarded, sizes(guarded, x), x, true);
-  // A long first step may lead into the valley that was found before: then another method tries.
-  Found found = search_continuous(again, once, deadline, true);
-  if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
-    once.solver = "ipopt";
-    Found other = search_continuous(again, once, deadline, true);
-    if (better(problem, other.assessment, found.assessment)) found = std::move(other);
-  }
-  if (better(problem, own, found.assessment)) {
-    found.x = x;
-    found.assessment = own;
-  }
-  return found;
-}
-
-/// Where no lower bound speaks for an answer, one by dividing the box. Where that comes upon a
-/// better design, another search from there. Throws Interrupted, with what was found by then.
-void look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
-                     Found& found) {
-  constexpr int kTimes = 8;
-  const Problem guarded = interruptible(problem, deadline);
-  for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
-    const Assessment& a = found.assessment;
-    const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
-    if (!stands || a.global) break;
-    const Sizes there = sizes(guarded, found.x);
-    const auto division = division_of(guarded, there, found, deadline);
-    if (!division) break;
-    if (!division->better) {
-      take_subdivision(guarded, there, *division, found.assessment);
-      break;
-    }
-    if (i == kTimes) break;
-    Found other = search_from(problem, *division->better, how, deadline);
-    if (!better(problem, other.assessment, found.assessment)) break;
-    other.add_work(found);
-    other.starts += found.starts;
-    other.planned_starts += found.planned_starts;
-    found = std::move(other);
-  }
-}
-
-/// A search, and a look at what it may have missed while there is time.
-Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
-                        const Deadline& deadline) {
-  Found found = search_continuous(problem, how, deadline, true);
-  try {
-    look_everywhere(problem, how, deadline, found);
-  } catch (const Interrupted&) {  // the answer stands without
-  }
-  return found;
-}
 
 /// What a search over combinations adds to the verdict of the best one.
 void judge_combinations(const Tally& tally, Assessment& a) {
@@ -161,63 +71,24 @@ void judge_combinations(const Tally& tally, Assessment& a) {
 class Optimiser {
  public:
   Optimiser(const ProblemSpace& space, const OptimiseOptions& options)
-      : space_(space),
-        options_(options),
-        deadline_(options.time_limit, options.stop, options.spent) {}
+      : options_(options),
+        deadline_(options.time_limit, options.stop, options.spent),
+        desk_(std::make_shared<SearchDesk>(space)),
+        combinations_(options_, deadline_, desk_,
+                      [this](SearchedPart part) { take(std::move(part)); }) {}
+  Optimiser(const Optimiser&) = delete;
+  Optimiser& operator=(const Optimiser&) = delete;
 
-  Optimum run() {
-    const std::size_t count = space_.parts();
-    tally_.combinations = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (deadline_.passed() && i > 0) {
-        tally_.complete = false;
-        tally_.combinations += count - i;
-        break;
-      }
-      std::vector<std::size_t> options = options_at(space_.choices, i);
-      OptimiseOptions how = part_of_progress(i, count);
-      if (options_.candidate) {
-        how.candidate = [this, options](Candidate c) {
-          c.options = options;
-          options_.candidate(c);
-        };
-      }
-      solve(std::move(options), how);
-    }
+  Optimum run(Crew& crew) {
+    crew.run(combinations_, search_service(desk_));
+    combinations_.end_here();
     settle();
     return std::move(best_);
   }
 
  private:
-  /// What is reported of one combination, as part of all.
-  OptimiseOptions part_of_progress(std::size_t i, std::size_t count) const {
-    OptimiseOptions result = options_;
-    if (!options_.progress) return result;
-    result.progress = [this, i, count](Progress progress) {
-      progress.done = (static_cast<double>(i) + progress.done) / static_cast<double>(count);
-      options_.progress(progress);
-    };
-    return result;
-  }
-
-  void solve(std::vector<std::size_t> options, const OptimiseOptions& how) {
-    Problem problem = space_.problem(options);
-    problem.check();
-    if (problem.objectives.size() > 1) {
-      throw std::invalid_argument(fmt::format(
-          "optimise() takes one objective, but this problem has {}; use pareto() to find "
-          "their front",
-          problem.objectives.size()));
-    }
-    if (options_.memory) check_memory(problem, *options_.memory);
-    const bool alone = space_.choices.empty() && !has_integers(problem);
-    if (alone) {
-      tally_.combinations = tally_.solved = 1;
-      best_.problem = std::move(problem);
-      best_.found = search_everywhere(best_.problem, how, deadline_);
-      return;
-    }
-    IntegerOutcome search = search_integers(problem, how, deadline_);
+  void take(SearchedPart part) {
+    const IntegerOutcome& search = part.outcome;
     tally_.combinations += search.combinations;
     tally_.solved += search.solved;
     tally_.complete = tally_.complete && search.complete;
@@ -225,26 +96,23 @@ class Optimiser {
     tally_.enumerated = tally_.enumerated && search.enumerated;
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
     work_.add_work(search.found);
-    if (!started_ || better(problem, search.found.assessment, best_.found.assessment)) {
-      best_.options = std::move(options);
-      best_.problem = std::move(problem);
-      best_.found = std::move(search.found);
-    }
+    if (started_ && !better(part.problem, search.found.assessment, best_.found.assessment)) return;
     started_ = true;
-  }
-
-  static bool has_integers(const Problem& problem) {
-    return std::any_of(problem.variables.begin(), problem.variables.end(),
-                       [](const Variable& v) { return v.integer; });
+    best_.options = std::move(part.options);
+    best_.problem = std::move(part.problem);
+    best_.found = std::move(part.outcome.found);
   }
 
   /// The winner, solved once more with its integer variables fixed, and proved.
   void settle() {
+    tally_.combinations += combinations_.not_looked_at();
+    tally_.complete = tally_.complete && combinations_.not_looked_at() == 0;
     best_.combinations = tally_.combinations;
-    if (deadline_.passed()) tally_.stopped = deadline_.reason();
     best_.solved = tally_.solved;
-    if (!started_) return;
+    if (deadline_.passed()) tally_.stopped = deadline_.reason();
+    if (tally_.stopped.empty()) tally_.stopped = combinations_.lost();
     Found& found = best_.found;
+    if (combinations_.is_of_one()) return say_lost(found.assessment);
     if (is_feasible(found.assessment) && !found.x.empty() && !deadline_.passed()) {
       Problem fixed = with_integers_fixed(best_.problem, found.x);
       for (std::size_t i = 0; i < fixed.variables.size(); ++i) {
@@ -271,9 +139,17 @@ class Optimiser {
     }
   }
 
-  const ProblemSpace& space_;
+  /// Where the process of a start has died its answer might have been better.
+  void say_lost(Assessment& a) const {
+    if (combinations_.lost().empty() || a.verdict != Verdict::Certified || a.global) return;
+    a.verdict = Verdict::Feasible;
+    a.reason = fmt::format("{}; {}", combinations_.lost(), a.reason);
+  }
+
   const OptimiseOptions& options_;
   Deadline deadline_;
+  std::shared_ptr<SearchDesk> desk_;
+  Combinations combinations_;
   Tally tally_;
   Optimum best_;
   bool started_ = false;
@@ -283,12 +159,17 @@ class Optimiser {
 }  // namespace
 
 Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options) {
+  Crew nobody_else({.workers = 1});
+  return optimise(space, options, nobody_else);
+}
+
+Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options, Crew& crew) {
   check_solvers(options);
   if (options.starts && *options.starts < 1) {
     throw std::invalid_argument("starts: at least one is needed");
   }
   const auto began = std::chrono::steady_clock::now();
-  Optimum result = Optimiser(space, options).run();
+  Optimum result = Optimiser(space, options).run(crew);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
   result.wall_s = spent.count();
   return result;

@@ -22,7 +22,8 @@ namespace camlaw::optim {
 struct Candidate {
   std::vector<std::size_t> options;  ///< the option taken of each choice
   std::vector<double> x;
-  bool is_best = false;  ///< else nothing is known of it yet
+  bool is_best = false;        ///< else nothing is known of it yet
+  Assessment assessment = {};  ///< of the best one
 };
 
 struct OptimiseOptions {
@@ -80,6 +81,8 @@ struct Optimum {
   double wall_s = 0;
 };
 
+class Crew;
+
 /// Solves a problem: continuous variables by a local or global method from one or several starts,
 /// choices and integer variables by enumeration, or by branch and bound where there are too many
 /// combinations. The verdict is the code's own (optim/verdict). Throws std::invalid_argument for a
@@ -87,5 +90,9 @@ struct Optimum {
 /// accept.
 Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options = {});
 Optimum optimise(const Problem& problem, const OptimiseOptions& options = {});
+/// The same where processes of a crew (optim/crew/crew.h) may search from the starts, and in the
+/// combinations, side by side: with the same answer to the last bit. Where a worker is a program,
+/// `space` is that of the problem that it is sent. Of a process that dies the verdict tells.
+Optimum optimise(const ProblemSpace& space, const OptimiseOptions& options, Crew& crew);
 
 }  // namespace camlaw::optim

@@ -18,6 +18,27 @@ std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x, 
   return {};
 }
 
+namespace {
+
+Function function_of(const Problem& problem, const Push& push) {
+  const Response& response = push.constraint ? problem.constraints[*push.constraint].response
+                                             : problem.objective().response;
+  if (push.place) return response.curve().at(*push.place);
+  if (!push.rest) return response.function();
+  const Constraint& c = problem.constraints[*push.constraint];
+  // Of a curve whose places stand still the rests are those of any design.
+  const double bound = push.sign > 0 ? c.upper.value_or(0) : c.lower.value_or(0);
+  return response.curve().rests(bound, problem.start()).at(*push.rest).leading;
+}
+
+}  // namespace
+
+void find_functions(const Problem& problem, std::vector<Push>& pushes) {
+  for (Push& push : pushes) {
+    if (!push.variable && !push.function) push.function = function_of(problem, push);
+  }
+}
+
 Teller teller_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim) {
   return [&problem, &sizes, x, aim] { return told_at(problem, sizes, x, aim); };
 }

@@ -17,4 +17,7 @@ std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x,
 /// The same for the verdict to ask for. Holds references.
 Teller teller_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim = Aim::Optimum);
 
+/// Finds the functions of pushes that come from another process.
+void find_functions(const Problem& problem, std::vector<Push>& pushes);
+
 }  // namespace camlaw::optim

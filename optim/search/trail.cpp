@@ -64,6 +64,35 @@ void Trail::count(const Attempt& attempt) {
   found.solves += attempt.rounds;
 }
 
+void Trail::join(const Problem& problem, Trail next) {
+  const bool says_none = next.is_infeasible() && !is_within_limits();
+  const bool is_better =
+      !next.found.x.empty() &&
+      (found.x.empty() || improves(problem, next.sizes, next.found.assessment, found.assessment));
+  Found work = found;
+  work.add_work(next.found);
+  if (says_none || is_better) {
+    found = std::move(next.found);
+    told = std::move(next.told);
+    message = std::move(next.message);
+  }
+  found.starts = work.starts + 1;
+  found.planned_starts = work.planned_starts;
+  found.iterations = work.iterations;
+  found.evaluations = work.evaluations;
+  found.solves = work.solves;
+  if (!next.sizes.variables.empty()) sizes = std::move(next.sizes);
+  if (!next.last.empty()) last = std::move(next.last);
+  if (!next.thrown.empty()) thrown = std::move(next.thrown);
+  in_vain = in_vain || next.in_vain;
+  unbounded = unbounded || next.unbounded;
+}
+
+FirstStart told_of(const FromStart& first) {
+  if (first.trail.is_within_limits()) return FirstStart::Led;
+  return first.trail.in_vain ? FirstStart::InVain : FirstStart::NoDesign;
+}
+
 void Trail::fail(const std::string& why) {
   found.assessment.verdict = Verdict::Failed;
   found.assessment.reason = why;
@@ -73,7 +102,7 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
   // Where one start has used up its iterations in vain, there may be no design to be found.
   constexpr int kShare = 4;
   SolverOptions how = solver_options(solver, setting, trail.found);
-  if (trail.in_vain && aim == Aim::Optimum && !trail.is_within_limits())
+  if (trail.in_vain && aim == Aim::Optimum && !trail.knows_design())
     how.max_iterations = 1 + how.max_iterations / kShare;
   Attempt result = exchange(setting.problem, trail.sizes, start, solver, how, aim);
   trail.count(result);
@@ -93,7 +122,8 @@ Attempt attempt(Design start, const Solver& solver, const Setting& setting, Trai
 void consider(const Attempt& tried, const Solver& solver, const Setting& setting, Trail& trail,
               Reached& reached) {
   const auto tell = [&](bool is_best) {
-    if (setting.options.candidate) setting.options.candidate({{}, tried.x, is_best});
+    if (!setting.options.candidate) return;
+    setting.options.candidate({{}, tried.x, is_best, is_best ? reached.latest : Assessment{}});
   };
   Found& found = trail.found;
   reached.latest = {};

@@ -36,14 +36,36 @@ struct Trail {
   std::string thrown = {};        ///< words of the last exception; empty while nothing threw
   bool in_vain = false;           ///< all iterations of a start led to no design within the limits
   bool unbounded = false;         ///< some solve has found that the objective improves without end
+  bool design_elsewhere = false;  ///< another start has led to a design within the limits
 
   bool is_infeasible() const { return found.assessment.verdict == Verdict::Infeasible; }
   bool is_within_limits() const { return is_feasible(found.assessment); }
+  bool knows_design() const { return is_within_limits() || design_elsewhere; }
   /// Adds to the work of all attempts what this one took.
   void count(const Attempt& attempt);
+  /// Goes on after a search that did not know of this one, as if it had come next.
+  void join(const Problem& problem, Trail next);
   /// Records that the search gave no answer.
   void fail(const std::string& why);
 };
+
+/// How a search from one start ended. Where nothing is to be searched for, such as with a limit
+/// that no variable moves, it does not begin.
+enum class StartEnd { Itself, CutShort, Thrown, NotBegun };
+
+/// What later starts know of the first: it led to a design within the limits, to none, or to none
+/// in all its iterations.
+enum class FirstStart { Led, NoDesign, InVain };
+
+/// What the search from one start came to, with nothing known of the others (docs/optimisation.md,
+/// "Starts"): plain data, but for the functions of what its solve has told.
+struct FromStart {
+  Trail trail;
+  double objective = kInfinity;  ///< where it ended; infinite where that is no design
+  StartEnd end = StartEnd::Itself;
+};
+
+FirstStart told_of(const FromStart& first);
 
 /// Holds what the attempts from one start came to.
 struct Reached {

@@ -164,10 +164,12 @@ void WorkingSet::begin_at(Design x) {
 void WorkingSet::begin_side(CurveSide& side, Design x) {
   const Curve& curve = side.response->curve();
   const RestWeights weights = weights_of(side, x);
+  std::size_t number = 0;
   for (const Rest& rest : weights.rests()) {
     const double size = typical_change(rest.leading, x, sizes_.variables);
     if (size > 0 && std::isfinite(size))
-      rests_.push_back({rest.leading, side.sign, size, *side.constraint});
+      rests_.push_back({rest.leading, side.sign, size, *side.constraint, number});
+    ++number;
   }
   const auto is_moved = [&](Place place) {
     if (side.of_peak || aim_ == Aim::LeastViolation) return true;
@@ -246,13 +248,15 @@ void WorkingSet::add_rows(std::vector<Row>& rows) const {
                     .upper = rest.sign > 0 ? 0 : kInfinity,
                     .size = rest.size,
                     .constraint = rest.constraint,
-                    .at_rest = true});
+                    .at_rest = true,
+                    .rest = rest.number});
   }
   for (const CurveSide& side : sides_) {
     for (std::size_t k = 0; k < side.places.size(); ++k) {
       Row row{.function = side.response->curve().at(side.places[k]),
               .size = side.size * side.weights[k],
-              .constraint = side.constraint};
+              .constraint = side.constraint,
+              .place = side.places[k]};
       const bool magnitude = side.of_peak && problem_.objective().part == Part::Magnitude;
       (side.sign > 0 ? row.upper : row.lower) = side.of_peak ? 0 : side.bound;
       if (side.of_peak) row.auxiliary = {{auxiliary, magnitude && side.sign < 0 ? 1.0 : -1.0}};

@@ -38,6 +38,7 @@ struct RestRow {
   double sign;
   double size;
   std::size_t constraint;
+  std::size_t number;  ///< among the rests of the curve
 };
 
 /// The program's rows and the places that they stand for.

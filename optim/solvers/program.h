@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "optim/problem/curve.h"
 #include "optim/problem/function.h"
 
 /// The smooth program that back ends see: one objective, rows with bounds, all scaled. It is the
@@ -22,6 +23,8 @@ struct Row {
   std::optional<std::pair<std::size_t, double>> auxiliary = {};
   std::optional<std::size_t> constraint = {};  ///< of the problem; none: the objective's peak
   bool at_rest = false;                        ///< a leading coefficient (cycle/rest_weights.h)
+  std::optional<Place> place = {};             ///< of a curve, whose value there the function is
+  std::optional<std::size_t> rest = {};        ///< of a leading coefficient: which of the curve's
 };
 
 /// A variable of the program. Fixed variables (lower == upper) are not seen by the solvers.

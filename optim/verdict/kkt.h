@@ -28,6 +28,10 @@ struct Push {
   bool at_rest = false;
   /// Objective gained per unit of the bound, not negative; of an equation of either sign.
   double price = 0;
+  /// By which the function is found again (functions_of): the place on a curve, or the number of
+  /// the rest; neither: the limit is one of a number.
+  std::optional<Place> place = {};
+  std::optional<std::size_t> rest = {};
 };
 
 /// Asked for pushes where they are needed: to find them may take a search.

@@ -8,6 +8,7 @@
 
 #include "kinematics/limits.h"
 #include "kinematics/program/segment_merits.h"
+#include "optim/crew/crew.h"
 
 namespace camlaw::cli {
 namespace {
@@ -103,7 +104,7 @@ bool is_stopped(const optim::OptimiseOptions& search) {
 
 /// Tries the rivals.
 void try_rivals(const Answer& answer, std::vector<Member> rivals,
-                const optim::OptimiseOptions& search, Rulers& result) {
+                const optim::OptimiseOptions& search, int workers, Rulers& result) {
   result.finished = !is_stopped(search) && !(search.time_limit && *search.time_limit <= 0);
   if (!result.finished) return;
   ProblemStatement free = with_laws(answer, rivals, false);
@@ -111,7 +112,8 @@ void try_rivals(const Answer& answer, std::vector<Member> rivals,
   const problems::BoundProblem bound(result.held ? with_laws(answer, std::move(rivals), true)
                                                  : std::move(free));
   result.reoptimised = !bound.statement().variables.empty();
-  const optim::Optimum best = optim::optimise(bound.space(), search);
+  optim::Crew crew({.workers = workers});
+  const optim::Optimum best = optim::optimise(bound.space(), search, crew);
   result.finished = !is_stopped(search) &&
                     !(search.time_limit && search.spent + best.wall_s >= *search.time_limit);
   if (optim::is_feasible(best.found.assessment)) {
@@ -147,7 +149,8 @@ Rulers measured(const Law<double>& law) {
 
 }  // namespace
 
-std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search) {
+std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search,
+                             int workers) {
   const std::optional<Member> law = answer.law();
   if (!law) return {};
   Rulers result = measured(law->law());
@@ -157,7 +160,7 @@ std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions&
                                  [](const Member& m) { return bool(m.family->listed); });
   std::vector<Member> rivals = rivals_of(free->law());
   result.rivals = static_cast<int>(rivals.size());
-  if (!rivals.empty()) try_rivals(answer, std::move(rivals), search, result);
+  if (!rivals.empty()) try_rivals(answer, std::move(rivals), search, workers, result);
   return result;
 }
 

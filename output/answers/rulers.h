@@ -35,9 +35,11 @@ struct Rulers {
 /// s' and s'' vanish at the ends where those of the free law must; what else varies is searched
 /// again for each.
 ///
-/// `search` says how, with what is left of the time and what may stop it. Where choices would make
+/// `search` says how, with what is left of the time and what may stop it; in up to so many
+/// processes at a time where this one has one thread. Where choices would make
 /// too many combinations with the rivals, those of the answer stay.
-std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search);
+std::optional<Rulers> rulers(const Answer& answer, const optim::OptimiseOptions& search,
+                             int workers = 1);
 
 Document rulers_document(const Answer& answer, const Rulers& rulers);
 

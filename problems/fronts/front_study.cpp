@@ -4,17 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
 #include <stdexcept>
 
-#include "optim/pareto/nsga2.h"
-#include "optim/solvers/solver.h"
-#include "problems/law_files/json_text.h"
-#include "problems/law_files/pieces_json.h"
-#include "problems/statement/held_files.h"
+#include "problems/fronts/problem_settings.h"
 
 namespace camlaw::problems {
 namespace {
@@ -23,85 +17,11 @@ constexpr std::array kMethods{std::pair{optim::ParetoMethod::Automatic, "auto"},
                               std::pair{optim::ParetoMethod::Sweep, "sweep"},
                               std::pair{optim::ParetoMethod::Nsga2, "nsga2"}};
 
-constexpr const char* kProgram = "camlaw 0.1.0";
-
-const std::string& find(const optim::StudySettings& settings, const char* name) {
-  const auto at = settings.find(name);
-  if (at == settings.end()) {
-    throw std::invalid_argument(fmt::format("the study lacks its setting '{}'", name));
-  }
-  return at->second;
-}
-
-std::string versions() {
-  std::vector<std::string> all = optim::solver_versions();
-  all.insert(all.begin(), kProgram);
-  all.push_back(optim::pagmo_version());
-  return fmt::format("{}", fmt::join(all, ", "));
-}
-
-/// The laws that are not the catalogue's, name and pieces: what a problem's text does not hold.
-std::string laws_of_files(const ProblemStatement& statement) {
-  Json laws = Json::object();
-  for (const Member& law : statement.laws) {
-    const auto& all = catalogue();
-    const bool listed = std::any_of(all.begin(), all.end(),
-                                    [&](const Family& family) { return law.family == &family; });
-    if (!listed) laws[law.family->name] = pieces_to_json(law.law());
-  }
-  return laws.dump();
-}
-
-/// A setting of a study that is JSON.
-Json setting_of(const char* name, const std::string& text) {
-  try {
-    return parse_json(text);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("the study's setting '{}' is damaged: {}", name, error.what()));
-  }
-}
-
-void check_laws(const std::string& its, const std::string& now) {
-  if (its == now) return;
-  const Json before = setting_of("laws", its), after = parse_json(now);
-  for (const auto& [name, pieces] : before.items()) {
-    if (after.contains(name) && after[name] == pieces) continue;
-    throw std::invalid_argument(
-        fmt::format("the law '{}' is not the one that the study was made with", name));
-  }
-  throw std::invalid_argument("the laws are not those that the study was made with");
-}
-
 ProblemStatement read_and_set(const std::string& text, const std::string& source,
                               const FrontSettings& settings) {
   ProblemStatement statement = read_problem(text, source, settings.files);
   set_values(statement, settings.set);
   return statement;
-}
-
-/// The files beside the problem; studies of problems without any, and of earlier programs, have
-/// none.
-HeldFiles files_of(const optim::StudySettings& settings) {
-  HeldFiles files;
-  const auto laws = settings.find("law_files"), tables = settings.find("tables");
-  if (laws != settings.end()) files.laws = laws_from_json(setting_of("law_files", laws->second));
-  if (tables != settings.end()) {
-    files.tables = tables_from_json(setting_of("tables", tables->second));
-  }
-  return files;
-}
-
-/// What was set beside the file; studies of earlier programs have none.
-std::vector<std::string> set_of(const optim::StudySettings& settings) {
-  const auto at = settings.find("set");
-  if (at == settings.end()) return {};
-  const Json set = setting_of("set", at->second);
-  const bool texts = set.is_array() && std::all_of(set.begin(), set.end(), [](const Json& text) {
-                       return text.is_string();
-                     });
-  if (!texts) throw std::invalid_argument("the study's setting 'set' is not a list of texts");
-  return set.get<std::vector<std::string>>();
 }
 
 std::size_t points_of(const std::string& text) {
@@ -130,11 +50,9 @@ std::string_view to_string(optim::ParetoMethod method) {
   return "";
 }
 
-FrontStudy::FrontStudy(std::string text, const std::string& source, const FrontSettings& settings)
-    : text_(std::move(text)),
-      source_(source),
-      bound_(read_and_set(text_, source, settings)),
-      space_(bound_.front_space()) {
+FrontStudy::FrontStudy(const std::string& text, const std::string& source,
+                       const FrontSettings& settings)
+    : bound_(read_and_set(text, source, settings)), space_(bound_.front_space()) {
   const SolverStatement& solver = bound_.statement().solver;
   options_.points = settings.points;
   options_.method = settings.method;
@@ -161,41 +79,34 @@ FrontStudy FrontStudy::of(const optim::StudyRecord& record) {
 }
 
 FrontStudy FrontStudy::of(const optim::StudySettings& settings) {
-  FrontStudy study(find(settings, "problem"), find(settings, "source"), settings_of(settings));
-  check_laws(find(settings, "laws"), study.settings().at("laws"));
+  FrontStudy study(find_setting(settings, "problem"), find_setting(settings, "source"),
+                   settings_of(settings));
+  check_laws(find_setting(settings, "laws"), study.settings().at("laws"));
   return study;
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
   const optim::StudySettings settings = record.settings();
-  if (record.has_checksums()) find(settings, "set");  // only earlier programs left it out
+  if (record.has_checksums()) find_setting(settings, "set");  // only earlier programs left it out
   FrontSettings result = settings_of(settings);
   result.scouts = record.scouted();
   return result;
 }
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
-  return {points_of(find(settings, "points")),
-          parse_method(find(settings, "method")),
+  return {points_of(find_setting(settings, "points")),
+          parse_method(find_setting(settings, "method")),
           set_of(settings),
           {},
           files_of(settings)};
 }
 
 optim::StudySettings FrontStudy::settings() const {
-  optim::StudySettings result{
-      {"problem", text_},
-      {"source", std::filesystem::absolute(source_).lexically_normal().string()},
-      {"set", Json(bound_.statement().settings).dump()},
-      {"laws", laws_of_files(bound_.statement())},
-      {"points", fmt::format("{}", options_.points)},
-      {"method", std::string(to_string(options_.method))},
-      {"seed", fmt::format("{}", options_.seed)},
-      {"solver", options_.solve.solver},
-      {"versions", versions()}};
-  const HeldFiles& files = bound_.statement().files;
-  if (!files.laws.empty()) result["law_files"] = laws_to_json(files.laws).dump();
-  if (!files.tables.empty()) result["tables"] = Json(files.tables).dump();
+  optim::StudySettings result = problem_settings(bound_.statement());
+  result["points"] = fmt::format("{}", options_.points);
+  result["method"] = std::string(to_string(options_.method));
+  result["seed"] = fmt::format("{}", options_.seed);
+  result["solver"] = options_.solve.solver;
   return result;
 }
 
@@ -204,7 +115,7 @@ void FrontStudy::check_same(const optim::StudyRecord& record) const {
   const auto refuse = [](const std::string& why) {
     throw std::invalid_argument("the study cannot be resumed: " + why);
   };
-  if (find(its, "problem") != text_) {
+  if (find_setting(its, "problem") != bound_.statement().text) {
     refuse("the problem file is not the one that it was made with");
   }
   if (set_of(its) != bound_.statement().settings) {
@@ -215,11 +126,11 @@ void FrontStudy::check_same(const optim::StudyRecord& record) const {
     refuse(fmt::format("it was made with {}, now it is {}", words(set_of(its)),
                        words(bound_.statement().settings)));
   }
-  check_laws(find(its, "laws"), mine.at("laws"));
+  check_laws(find_setting(its, "laws"), mine.at("laws"));
   for (const char* name : {"versions", "seed", "solver"}) {
-    if (find(its, name) == mine.at(name)) continue;
-    refuse(
-        fmt::format("it was made with {} {}, now it is {}", name, find(its, name), mine.at(name)));
+    if (find_setting(its, name) == mine.at(name)) continue;
+    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
+                       mine.at(name)));
   }
 }
 

@@ -26,7 +26,7 @@ std::string_view to_string(optim::ParetoMethod method);
 class FrontStudy {
  public:
   /// `text` is that of a problem file with two objectives or more, `source` names it in errors.
-  FrontStudy(std::string text, const std::string& source, const FrontSettings& settings);
+  FrontStudy(const std::string& text, const std::string& source, const FrontSettings& settings);
   /// As a record has it; to be looked at, or gone on with. Throws std::invalid_argument where a law
   /// file of the problem is not what it was.
   static FrontStudy of(const optim::StudyRecord& record);
@@ -60,7 +60,6 @@ class FrontStudy {
   std::optional<Member> law(const optim::FrontPoint& point) const;
 
  private:
-  std::string text_, source_;
   BoundProblem bound_;
   optim::ProblemSpace space_;
   optim::ParetoOptions options_;

@@ -4,38 +4,41 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <iterator>
+#include <memory>
 #include <stdexcept>
 
 #include "numerics/own_files.h"
+#include "optim/search/search_task.h"
 #include "optim/study/encoding.h"
+#include "problems/fronts/problem_settings.h"
 
 namespace camlaw::problems {
 namespace {
 
 constexpr const char* kName = "camlaw-worker";
 
-/// The texts of a study: how many settings, then name and text of each.
-void add(std::vector<std::string>& texts, const FrontStudy& study) {
-  const optim::StudySettings settings = study.settings();
+/// What a worker is to do, as the first text says it.
+constexpr const char *kFront = "front", *kJoined = "joined fronts", *kOptimum = "optimum";
+
+/// How many settings, then name and text of each.
+void add(std::vector<std::string>& texts, const optim::StudySettings& settings) {
   texts.push_back(fmt::format("{}", settings.size()));
   for (const auto& [name, text] : settings) texts.insert(texts.end(), {name, text});
 }
 
-class Reader {
+class TextReader {
  public:
-  explicit Reader(const std::vector<std::string>& texts) : texts_(texts) {}
+  explicit TextReader(const std::vector<std::string>& texts) : texts_(texts) {}
   bool at_end() const { return next_ == texts_.size(); }
   const std::string& text() { return texts_.at(next_++); }
-  FrontStudy study() {
+  optim::StudySettings settings() {
     optim::StudySettings settings;
     for (std::size_t left = std::stoul(text()); left > 0; --left) {
       const std::string& name = text();
       settings[name] = text();
     }
-    FrontStudy study = FrontStudy::of(settings);
-    const std::string mine = study.settings().at("versions");
-    if (settings["versions"] == mine) return study;
+    const std::string mine = problem_versions();
+    if (settings["versions"] == mine) return settings;
     throw std::invalid_argument(
         fmt::format("the worker program is of {}, the caller of {}", mine, settings["versions"]));
   }
@@ -53,8 +56,14 @@ std::string worker_path() {
 }
 
 optim::WorkerProgram worker_program(const FrontStudy& study) {
-  std::vector<std::string> texts{""};
-  add(texts, study);
+  std::vector<std::string> texts{kFront};
+  add(texts, study.settings());
+  return {worker_path(), optim::encoded(texts)};
+}
+
+optim::WorkerProgram worker_program(const ProblemStatement& statement) {
+  std::vector<std::string> texts{kOptimum};
+  add(texts, problem_settings(statement));
   return {worker_path(), optim::encoded(texts)};
 }
 
@@ -65,27 +74,33 @@ optim::ProblemSpace JoinedStudies::space() const {
 }
 
 optim::WorkerProgram worker_program(const JoinedStudies& joined) {
-  std::vector<std::string> texts{joined.choice};
+  std::vector<std::string> texts{kJoined, joined.choice};
   for (std::size_t i = 0; i < joined.names.size(); ++i) {
     texts.push_back(joined.names[i]);
-    add(texts, joined.studies[i]);
+    add(texts, joined.studies[i].settings());
   }
   return {worker_path(), optim::encoded(texts)};
 }
 
-optim::ProblemSpace space_of_worker(const std::string& problem) {
+optim::Service service_of_worker(const std::string& problem) {
   const auto texts = optim::decoded_texts(problem);
-  if (!texts) throw std::invalid_argument("what was sent is not a study");
-  Reader reader(*texts);
+  if (!texts || texts->empty()) throw std::invalid_argument("what was sent is not a study");
+  TextReader reader(*texts);
+  const std::string what = reader.text();
+  if (what == kOptimum) {
+    return optim::search_service(std::make_shared<optim::SearchDesk>(
+        BoundProblem(stated_problem(reader.settings())).space()));
+  }
+  if (what == kFront) return optim::study_service(FrontStudy::of(reader.settings()).space());
+  if (what != kJoined) throw std::invalid_argument("what was sent is not a study");
   const std::string choice = reader.text();
-  if (choice.empty()) return reader.study().space();
   std::vector<std::string> names;
   std::vector<FrontStudy> studies;
   while (!reader.at_end()) {
     names.push_back(reader.text());
-    studies.push_back(reader.study());
+    studies.push_back(FrontStudy::of(reader.settings()));
   }
-  return JoinedStudies{choice, names, studies}.space();
+  return optim::study_service(JoinedStudies{choice, names, studies}.space());
 }
 
 }  // namespace camlaw::problems

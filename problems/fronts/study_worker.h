@@ -21,6 +21,9 @@ std::string worker_path();
 /// How a process is started that works on a study.
 optim::WorkerProgram worker_program(const FrontStudy& study);
 
+/// How one is started that searches for the optimum of a problem, as it was read and set.
+optim::WorkerProgram worker_program(const ProblemStatement& statement);
+
 /// Several studies as one, optim::joined() by the same names.
 struct JoinedStudies {
   std::string choice;
@@ -31,8 +34,9 @@ struct JoinedStudies {
 };
 optim::WorkerProgram worker_program(const JoinedStudies& joined);
 
-/// The space that a worker program was sent. Throws std::invalid_argument where it comes from
-/// another version of camlaw or its libraries, and where a law file is not what it was.
-optim::ProblemSpace space_of_worker(const std::string& problem);
+/// What a worker program does for the problem that it was sent. Throws std::invalid_argument where
+/// it comes from another version of camlaw or its libraries, and where a law file is not what it
+/// was.
+optim::Service service_of_worker(const std::string& problem);
 
 }  // namespace camlaw::problems

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "fitting/cams/found_program.h"
+#include "fitting/motions/law_fit_service.h"
 #include "numerics/tables/assumed_units.h"
 #include "numerics/tables/cells.h"
 #include "output/answers/fit_output.h"
@@ -82,6 +83,7 @@ struct FitQuestion {
   optim::Loss loss = optim::Loss::None;
   bool centre = false, place = false, value = false;
   std::optional<double> time_limit;  ///< seconds
+  int workers = 1;
 };
 
 /// A fit, whatever it is of.
@@ -110,8 +112,13 @@ std::vector<Member> laws_of(const FitQuestion& asked) {
   return {problems::find_any_law(*asked.law)};
 }
 
-problems::LawFitOptions options_of(const FitQuestion& asked, Work& work) {
+optim::Crew crew_of(const FitQuestion& asked) {
+  return optim::Crew({.workers = asked.workers, .program = problems::law_fit_program()});
+}
+
+problems::LawFitOptions options_of(const FitQuestion& asked, Work& work, optim::Crew& crew) {
   problems::LawFitOptions how;
+  how.crew = &crew;
   how.loss = asked.loss;
   how.stop = work.stop();
   how.progress = [&work](double share) { work.tell(share, "fitting laws"); };
@@ -139,8 +146,9 @@ FoundFit fitted_motion(const FitQuestion& asked, const SampleTable& table, Work&
   problems::MotionRecord record = problems::motion_record(table);
   const problems::MotionSamples& read = record.samples;
   cli::SamplesAnswer answer{table.source, read.lacking, read.each, read.left_out, {}, record.notes};
+  optim::Crew crew = crew_of(asked);
   answer.fit = problems::fit_recorded_motion(std::move(record), laws_of(asked),
-                                             {options_of(asked, work), asked.centre});
+                                             {options_of(asked, work, crew), asked.centre});
   return {std::move(answer)};
 }
 
@@ -156,7 +164,8 @@ FoundFit fitted_cam(const FitQuestion& asked, SampleTable table, Work& work) {
   }
   std::vector<std::string> notes = problems::assume_profile_units(table);
   const auto laws = laws_of(asked);
-  const auto how = options_of(asked, work);
+  optim::Crew crew = crew_of(asked);
+  const auto how = options_of(asked, work, crew);
   problems::CamFit fit =
       asked.centre ? problems::fit_centred_cam(table, *asked.machine, laws, how)
                    : problems::fit_cam(problems::measured_cam(table, *asked.machine), laws, how);
@@ -215,7 +224,8 @@ optim::Loss loss_of(const std::string& name) {
 
 FitQuestion question_of(std::optional<std::string> law, const StatedProblem* machine,
                         std::optional<std::string> response, const std::vector<std::string>& shift,
-                        const std::string& loss, std::optional<double> time_limit) {
+                        const std::string& loss, std::optional<double> time_limit,
+                        std::optional<int> workers) {
   FitQuestion asked;
   asked.law = std::move(law);
   asked.response = std::move(response);
@@ -235,6 +245,7 @@ FitQuestion question_of(std::optional<std::string> law, const StatedProblem* mac
     refuse(fmt::format("the time limit of {} s is not above zero", *time_limit));
   }
   asked.time_limit = time_limit;
+  asked.workers = workers_of(workers);
   return asked;
 }
 
@@ -364,15 +375,16 @@ void add_fits(nb::module_& module) {
       "fit",
       [](const SampleTable& table, std::optional<std::string> law, const StatedProblem* machine,
          std::optional<std::string> response, const std::vector<std::string>& shift,
-         const std::string& loss, std::optional<double> time_limit, nb::handle progress) {
-        return fit_table(
-            table,
-            question_of(std::move(law), machine, std::move(response), shift, loss, time_limit),
-            progress);
+         const std::string& loss, std::optional<double> time_limit, std::optional<int> workers,
+         nb::handle progress) {
+        return fit_table(table,
+                         question_of(std::move(law), machine, std::move(response), shift, loss,
+                                     time_limit, workers),
+                         progress);
       },
       nb::arg("table"), nb::arg("law").none(), nb::arg("machine").none(),
       nb::arg("response").none(), nb::arg("shift"), nb::arg("loss"), nb::arg("time_limit").none(),
-      nb::arg("progress").none());
+      nb::arg("workers").none(), nb::arg("progress").none());
   module.def("fit_constants", &fit_constants, nb::arg("constants"), nb::arg("machine").none(),
              nb::arg("law").none());
   module.def(

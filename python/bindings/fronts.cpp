@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
@@ -105,16 +104,11 @@ void search(FoundFront& found, int workers, bool resume, Work& work) {
 nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::string& method,
                  std::optional<int> workers, const std::string& record, bool resume,
                  std::optional<double> time_limit, nb::handle progress) {
-  constexpr int kMostWorkers = 256;
   if (points < 2 || points > problems::kMostPoints) {
     throw std::invalid_argument(
         fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
   }
-  const int crew =
-      workers.value_or(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
-  if (crew < 1 || crew > kMostWorkers) {
-    throw std::invalid_argument(fmt::format("workers: {} is outside 1 .. {}", crew, kMostWorkers));
-  }
+  const int crew = workers_of(workers);
   if (resume && record.empty()) throw std::invalid_argument("resume: name the record");
   const problems::ProblemStatement& statement = problem.statement;
   problems::FrontSettings settings{points, problems::parse_method(method), statement.settings};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <thread>
 
 #include "output/answers/delivery_study.h"
 #include "output/answers/reproduction_output.h"
@@ -97,8 +96,7 @@ Study studied_cutter(const std::vector<std::string>& settings, bool table, int w
 
 Study study(const std::string& system, const std::vector<std::string>& settings, bool table,
             std::optional<int> workers, nb::handle progress) {
-  const int crew =
-      workers.value_or(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 8U)));
+  const int crew = workers_of(workers);
   return run_whole(
       [&](Work& work) {
         if (system == "spine-cutter") return studied_cutter(settings, table, crew, work);

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "numerics/text/file_text.h"
+#include "optim/crew/crew.h"
 #include "optim/search/memory.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/cycle_figure.h"
@@ -23,6 +24,7 @@
 #include "output/document/short_version.h"
 #include "output/report/html.h"
 #include "output/report/report.h"
+#include "problems/fronts/study_worker.h"
 #include "problems/results/judged_design.h"
 #include "problems/results/seal.h"
 #include "problems/results/stated_numbers.h"
@@ -51,6 +53,7 @@ struct SearchSettings {
   std::optional<int> starts;
   std::optional<std::uint64_t> seed;
   std::optional<double> time_limit, memory;
+  int workers = 1;
 };
 
 optim::OptimiseOptions options_of(const SearchSettings& told,
@@ -79,14 +82,14 @@ std::string words_of(const optim::Progress& progress) {
 }
 
 /// What a search for the best law adds: how far it is from what is possible, and from named laws.
-void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, Json& facts,
-             cli::Document& document) {
+void measure(const cli::Answer& answer, const optim::OptimiseOptions& rest, int workers,
+             Json& facts, cli::Document& document) {
   cli::Document more;
   more.fact("rulers", Json(nullptr));
   try {
     if (!cli::free_segments(answer.bound.statement()).empty()) {
       more.add("rulers", cli::segment_rulers(answer));
-    } else if (const auto measured = cli::rulers(answer, rest)) {
+    } else if (const auto measured = cli::rulers(answer, rest, workers)) {
       more.add("rulers", cli::rulers_document(answer, *measured));
     }
   } catch (const std::exception& error) {
@@ -143,7 +146,9 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
   optim::OptimiseOptions search = options_of(told, statement.solver);
   search.stop = work.stop();
   search.progress = [&work](const optim::Progress& p) { work.tell(p.done, words_of(p)); };
-  found->optimum = optim::optimise(space, search);
+  optim::Crew crew(
+      {.workers = told.workers, .program = problems::worker_program(found->bound.statement())});
+  found->optimum = optim::optimise(space, search, crew);
   cli::Answer answer{found->bound, space, found->optimum, search.solver, search.seed};
   answer.warnings = cli::warnings_of(answer);
   answer.built = cli::buildability_of(answer);
@@ -153,7 +158,7 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
     optim::OptimiseOptions rest = search;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
     if (rest.time_limit) rest.time_limit = *rest.time_limit - spent.count();
-    measure(answer, rest, facts, document);
+    measure(answer, rest, told.workers, facts, document);
   }
   problems::seal(facts);
   StoredResult result{.facts = std::move(facts)};
@@ -169,8 +174,9 @@ StoredResult searched(const problems::ProblemStatement& statement, const SearchS
 nb::tuple search(const StatedProblem& problem, bool synthesize, std::optional<std::string> solver,
                  std::optional<int> starts, std::optional<std::uint64_t> seed,
                  std::optional<double> time_limit, std::optional<double> memory,
-                 nb::handle progress) {
-  const SearchSettings told{std::move(solver), starts, seed, time_limit, memory};
+                 std::optional<int> workers, nb::handle progress) {
+  const SearchSettings told{std::move(solver), starts, seed,
+                            time_limit,        memory, workers_of(workers)};
   if (synthesize) check_free(problem.statement);
   std::optional<StoredResult> result;
   const bool interrupted = run_beside(
@@ -311,7 +317,7 @@ void add_results(nb::module_& module) {
       });
   module.def("search", &search, nb::arg("problem"), nb::arg("synthesize"), nb::arg("solver").none(),
              nb::arg("starts").none(), nb::arg("seed").none(), nb::arg("time_limit").none(),
-             nb::arg("memory").none(), nb::arg("progress").none());
+             nb::arg("memory").none(), nb::arg("workers").none(), nb::arg("progress").none());
   module.def("result_file", &result_file, nb::arg("path"));
   module.def("report_of_problem", &report_of_problem, nb::arg("problem"));
 }

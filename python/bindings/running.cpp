@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "optim/crew/crew.h"
+
 namespace camlaw::python {
 namespace {
 
@@ -48,6 +50,13 @@ bool Work::wait() {
 std::optional<Work::Told> Work::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(told_, std::nullopt);
+}
+
+int workers_of(std::optional<int> workers) {
+  const int count = workers.value_or(optim::usual_workers());
+  if (count >= 1 && count <= optim::kMostWorkers) return count;
+  throw std::invalid_argument(
+      fmt::format("workers: {} is outside 1 .. {}", count, optim::kMostWorkers));
 }
 
 void raise_interrupted() {

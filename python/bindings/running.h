@@ -66,6 +66,10 @@ std::invoke_result_t<const Job&> without_lock(const Job& job) {
   return job();
 }
 
+/// As many as were asked for, else the usual number. Throws std::invalid_argument for what is no
+/// number of workers.
+int workers_of(std::optional<int> workers);
+
 /// Raises camlaw.Interrupted without a result.
 [[noreturn]] void raise_interrupted();
 

@@ -149,6 +149,7 @@ def fit(
     shift: str | Sequence[str] = (),
     loss: str = "none",
     time_limit: Any = None,
+    workers: int | None = None,
     progress: Progress = None,
 ) -> Fit:
     """The law behind measured samples, a worn cam, or a machine behind a recorded curve.
@@ -160,7 +161,9 @@ def fit(
     variables are unknown; `set` sets its values. response: the recorded curve where several columns
     could be one. shift: what of the record is unknown: "centre"; of a recorded curve "abscissa",
     "value". loss: "none", "huber" or "cauchy". time_limit: seconds, or such as "1 min": the laws that
-    were tried by then, or the best values seen, are the answer. Raises InputError.
+    were tried by then, or the best values seen, are the answer. workers: processes that fit laws side
+    by side where that takes longer than some seconds; the fit does not depend on them. Raises
+    InputError.
     """
     table = _sample_table(data)
     shifts = [shift] if isinstance(shift, str) else list(shift)
@@ -168,7 +171,15 @@ def fit(
     machine = _machine(mechanism, set)
     with shown(progress, "fit") as tell:
         found, interrupted = native.fit(
-            table, name, machine, response, shifts, loss, units.seconds(time_limit), tell
+            table,
+            name,
+            machine,
+            response,
+            shifts,
+            loss,
+            units.seconds(time_limit),
+            units.whole(workers, "workers", 1),
+            tell,
         )
     answer = None if found is None else Fit(found)
     if interrupted or answer is None:

@@ -237,6 +237,7 @@ class Problem:
         seed: int | None,
         time_limit: Any,
         memory: Any,
+        workers: int | None,
         start: Mapping[str, Any] | None,
         progress: Progress,
     ) -> Result:
@@ -252,6 +253,7 @@ class Problem:
                 units.whole(seed, "seed"),
                 units.seconds(time_limit),
                 units.size_in_bytes(memory),
+                units.whole(workers, "workers", 1),
                 tell,
             )
         result = Result(found)
@@ -267,6 +269,7 @@ class Problem:
         seed: int | None = None,
         time_limit: Any = None,
         memory: Any = None,
+        workers: int | None = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
@@ -274,10 +277,13 @@ class Problem:
 
         What is not given is as the problem has it. starts: how many places to search from. start:
         the values to begin at. time_limit: seconds, or such as "1 min"; the best so far is the answer
-        then. memory: bytes that the search may take, or such as "4 GB". Ctrl-C raises Interrupted, whose result is the best so far.
+        then. memory: bytes that the search may take, or such as "4 GB". workers: processes that search
+        side by side, from several starts and in several combinations of choices, where that takes
+        longer than some seconds; the result does not depend on them. Ctrl-C raises Interrupted, whose
+        result is the best so far.
         """
         return self._search(
-            False, "optimize", solver, starts, seed, time_limit, memory, start, progress
+            False, "optimize", solver, starts, seed, time_limit, memory, workers, start, progress
         )
 
     def synthesize(
@@ -288,13 +294,14 @@ class Problem:
         seed: int | None = None,
         time_limit: Any = None,
         memory: Any = None,
+        workers: int | None = None,
         start: Mapping[str, Any] | None = None,
         progress: Progress = None,
     ) -> Result:
         """The same of a problem with a free law, which is measured with what is possible and with
         the laws that have names: facts["rulers"]."""
         return self._search(
-            True, "synthesize", solver, starts, seed, time_limit, memory, start, progress
+            True, "synthesize", solver, starts, seed, time_limit, memory, workers, start, progress
         )
 
     def pareto(

@@ -84,6 +84,33 @@ def test_limits_of_a_search_are_numbers_texts_and_quantities():
             cl.Problem.load(QUICK).pareto(**{name: wrong})
 
 
+def without_files(facts):
+    return {name: fact for name, fact in facts.items() if name not in ("wall_s", "seal")}
+
+
+def test_the_workers_of_one_search_are_no_matter():
+    press = cl.Problem.load(PROBLEMS / "die_press/least_approach.toml")
+    one = press.optimize(workers=1)
+    assert without_files(press.optimize(workers=2).facts) == without_files(one.facts)
+    free = cl.Problem.load(PROBLEMS / "free_law/least_acceleration_at_jerk.toml")
+    one = free.synthesize(workers=1)
+    assert without_files(free.synthesize(workers=3).facts) == without_files(one.facts)
+    worn = {"mechanism": "disc-cam-roller", "set": {"roller_radius": "8 mm"}}
+    one = cl.fit(PROBLEMS / "cams/worn_cam.csv", workers=1, **worn)
+    assert cl.fit(PROBLEMS / "cams/worn_cam.csv", workers=2, **worn).facts == one.facts
+
+
+def test_a_number_of_workers_must_make_sense():
+    press = cl.Problem.load(PROBLEMS / "die_press/least_approach.toml")
+    for wrong in (0, -1, 257):
+        with pytest.raises(cl.InputError, match="workers"):
+            press.optimize(workers=wrong)
+        with pytest.raises(cl.InputError, match="workers"):
+            cl.fit(PROBLEMS / "cams/worn_cam.csv", mechanism="disc-cam-roller", workers=wrong)
+        with pytest.raises(cl.InputError, match="workers"):
+            cl.study("spine-cutter", workers=wrong)
+
+
 def test_ctrl_c_stops_a_fit():
     timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()

@@ -14,9 +14,9 @@
 
 #include "numerics/library_mutex.h"
 #include "numerics/text/units.h"
+#include "optim/crew/child_process.h"
 #include "optim/solvers/exit_guard.h"
 #include "optim/solvers/solver.h"
-#include "optim/study/child_process.h"
 #include "optim/study/recorded_executor.h"
 #include "optim/study/workers.h"
 #include "problems/fronts/study_worker.h"
@@ -343,14 +343,14 @@ TEST_CASE("a study that is stopped does not wait for workers that say nothing",
 }
 
 TEST_CASE("a worker program refuses what is not a study of its own version", "[threads][study]") {
-  using problems::space_of_worker;
-  CHECK_THROWS_WITH(space_of_worker("nonsense"), "what was sent is not a study");
+  using problems::service_of_worker;
+  CHECK_THROWS_WITH(service_of_worker("nonsense"), "what was sent is not a study");
   const problems::FrontStudy study = study_of("spine_cutter/front.toml");
   std::string problem = problems::worker_program(study).problem;
-  CHECK(space_of_worker(problem).parts() == study.space().parts());
+  CHECK(service_of_worker(problem));
   const std::string version = "camlaw 0.";
   problem.replace(problem.find(version), version.size(), "camlaw 9.");
-  CHECK_THROWS_WITH(space_of_worker(problem), Catch::Contains("the worker program is of camlaw"));
+  CHECK_THROWS_WITH(service_of_worker(problem), Catch::Contains("the worker program is of camlaw"));
 }
 
 TEST_CASE("a worker that is killed takes its own task with it only", "[threads][study]") {

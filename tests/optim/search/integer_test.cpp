@@ -297,8 +297,9 @@ TEST_CASE("progress tells the share of starts and combinations that is through",
   std::erase(shares, 0);  // and what proves the best at the end tells none
   REQUIRE(shares.size() > 4);
   CHECK(std::is_sorted(shares.begin(), shares.end()));
-  CHECK(shares.front() == Approx(1.0 / 12));  // the second start of the first combination
-  CHECK(shares.back() == Approx(11.0 / 12));
+  // Of each combination four starts and what follows them.
+  CHECK(shares.front() == Approx(1.0 / 15));  // the second start of the first combination
+  CHECK(shares.back() == Approx(13.0 / 15));
 }
 
 TEST_CASE("where time runs out among combinations, the best so far is feasible", "[optimise]") {

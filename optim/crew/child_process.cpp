@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/study/child_process.h"
+#include "optim/crew/child_process.h"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -8,18 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "optim/pareto/task.h"
-#include "optim/study/messages.h"
-#include "optim/study/workers.h"
+#include "optim/crew/crew.h"
+#include "optim/crew/messages.h"
 
 namespace camlaw::optim {
 
-/// A process that carries tasks out, one at a time. It ends with this object.
+/// A process that carries out orders, one at a time. It ends with this object.
 class WorkerProcess {
  public:
   /// A copy of this process, which must have one thread. `others` are closed in it. Throws
   /// std::runtime_error where there is no process to be had.
-  static WorkerProcess forked(const ProblemSpace& space, const std::vector<WorkerProcess>& others);
+  static WorkerProcess forked(const Service& service, const std::vector<WorkerProcess>& others);
   /// A program; the process may have any number of threads. Does not wait for it: what it is given
   /// goes to it once it has said that it is a worker, and read() and late() tell where it is not
   /// one. Throws as forked() does, and where the program cannot be executed.
@@ -31,19 +30,23 @@ class WorkerProcess {
 
   bool is_forked() const { return forked_; }
   int socket() const { return socket_; }
-  /// Whether it waits for a task; not so where it has ended meanwhile.
+  /// Whether it waits for an order; not so where it has ended meanwhile.
   bool is_idle() const;
-  bool is_busy() const { return task_.has_value(); }
+  bool is_busy() const { return errand_.has_value(); }
   bool has_ended() const { return process_ < 0; }
-  std::size_t task() const { return *task_; }
+  std::size_t errand() const { return *errand_; }
 
-  /// Gives it a task, by its number in the study's list. False where the process is gone.
-  bool give(std::size_t number, const Task& task, const OptimiseOptions& options);
+  /// Gives it the order of an errand. False where the process is gone.
+  bool give(std::size_t errand, const std::string& order);
+  /// Asks it to answer with what it has.
+  void ask_to_end() const;
 
-  /// What has come of the task, after some bytes have arrived.
+  /// What has come of the errand, after some bytes have arrived.
   struct News {
-    std::optional<Outcome> outcome = {};  ///< also of a task that its process died of
-    std::string failed_to_start = {};     ///< why; the task was not looked at
+    std::vector<std::string> told = {};      ///< on the way
+    std::optional<std::string> answer = {};  ///< to the order
+    std::string died = {};                   ///< how, where it did
+    std::string failed_to_start = {};        ///< why; the order was not looked at
   };
   News read();
   /// The end of one that has not said within its patience that it is a worker; else nothing.
@@ -61,7 +64,7 @@ class WorkerProcess {
 
   WorkerProcess(pid_t process, int socket, bool forked);
   void end();
-  News died();
+  News died(News news);
   News refuse(const std::string& why);
   News hear_greeting();
 
@@ -71,7 +74,7 @@ class WorkerProcess {
   Stage stage_;
   Awaited awaited_;
   Inbox inbox_;
-  std::optional<std::size_t> task_;
+  std::optional<std::size_t> errand_;
 };
 
 }  // namespace camlaw::optim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/study/messages.h"
+#include "optim/crew/messages.h"
 
 #include <sys/socket.h>
 

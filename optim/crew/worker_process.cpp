@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optim/study/worker_process.h"
+#include "optim/crew/worker_process.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -13,9 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "optim/study/child_process.h"
-#include "optim/study/encoding.h"
-#include "optim/study/serve.h"
+#include "optim/crew/child_process.h"
+#include "optim/crew/serve.h"
 
 namespace camlaw::optim {
 namespace {
@@ -63,7 +62,7 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
       stage_(other.stage_),
       awaited_(std::move(other.awaited_)),
       inbox_(std::move(other.inbox_)),
-      task_(other.task_) {}
+      errand_(other.errand_) {}
 
 WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(process_, other.process_);
@@ -72,7 +71,7 @@ WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
   std::swap(stage_, other.stage_);
   std::swap(awaited_, other.awaited_);
   std::swap(inbox_, other.inbox_);
-  std::swap(task_, other.task_);
+  std::swap(errand_, other.errand_);
   return *this;
 }
 
@@ -85,7 +84,7 @@ void WorkerProcess::end() {
   status_of(std::exchange(process_, -1));
 }
 
-WorkerProcess WorkerProcess::forked(const ProblemSpace& space,
+WorkerProcess WorkerProcess::forked(const Service& service,
                                     const std::vector<WorkerProcess>& others) {
   const SocketEnds ends = new_ends();
   const pid_t parent = getpid(), process = fork();
@@ -99,7 +98,7 @@ WorkerProcess WorkerProcess::forked(const ProblemSpace& space,
     if (getppid() != parent) _exit(1);  // which was gone before that
     for (const WorkerProcess& other : others) close(other.socket_);
     close(ends.mine);
-    serve(ends.its, space);
+    serve(ends.its, service);
     _exit(0);  // not exit: what the parent has buffered is its own to write
   }
   close(ends.its);
@@ -148,23 +147,22 @@ WorkerProcess::News WorkerProcess::late() {
 }
 
 bool WorkerProcess::is_idle() const {
-  if (task_) return false;
-  pollfd file{socket_, POLLIN, 0};  // between tasks it has nothing to say
+  if (errand_) return false;
+  pollfd file{socket_, POLLIN, 0};  // between orders it has nothing to say
   return poll(&file, 1, 0) == 0;
 }
 
-bool WorkerProcess::give(std::size_t number, const Task& task, const OptimiseOptions& options) {
-  Order order{task, options};
-  order.options.stop = nullptr;
-  order.options.progress = {};
+bool WorkerProcess::give(std::size_t errand, const std::string& order) {
   if (stage_ == Stage::Started) {  // nothing else has been given to it
-    awaited_.order = encoded(order);
-  } else if (!send_message(socket_, encoded(order))) {
+    awaited_.order = order;
+  } else if (!send_message(socket_, order)) {
     return false;
   }
-  task_ = number;
+  errand_ = errand;
   return true;
 }
+
+void WorkerProcess::ask_to_end() const { kill(process_, kFarewellSignal); }
 
 WorkerProcess::News WorkerProcess::read() {
   const bool open = inbox_.read_some(socket_);
@@ -179,26 +177,31 @@ WorkerProcess::News WorkerProcess::read() {
     }
     stage_ = Stage::Ready;
   }
-  if (stage_ == Stage::Ready && inbox_.take(message)) {
-    if (auto outcome = decoded(message)) {
-      task_.reset();
-      return {.outcome = std::move(outcome)};
+  News news;
+  while (stage_ == Stage::Ready && !news.answer && inbox_.take(message)) {
+    const char kind = message.empty() ? '\0' : message.front();
+    if (kind != kAnswer && kind != kNews) {
+      kill(process_, SIGKILL);
+      return died(std::move(news));
     }
-    kill(process_, SIGKILL);
-    return died();
+    message.erase(0, 1);
+    if (kind == kNews) {
+      news.told.push_back(std::move(message));
+    } else {
+      news.answer = std::move(message);
+      errand_.reset();
+    }
   }
-  return open ? News{} : died();
+  return open || news.answer ? news : died(std::move(news));
 }
 
-WorkerProcess::News WorkerProcess::died() {
+WorkerProcess::News WorkerProcess::died(News news) {
   close(std::exchange(socket_, -1));
   const int status = status_of(std::exchange(process_, -1));
   if (stage_ != Stage::Ready)
     return {.failed_to_start = how_it_died("a worker that was being started", status)};
-  Outcome failed;
-  failed.failure = how_it_died("the process of this search", status);
-  failed.died = true;
-  return {.outcome = std::move(failed)};
+  news.died = how_it_died("the process of this search", status);
+  return news;
 }
 
 }  // namespace camlaw::optim

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "fitting/motions/law_fit_service.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "optim/crew/bytes.h"
+#include "problems/fronts/problem_settings.h"
+#include "problems/fronts/study_worker.h"
+
+namespace camlaw::optim {
+
+template <>
+inline constexpr int kLast<Loss> = static_cast<int>(Loss::Cauchy);
+template <>
+inline constexpr int kLast<problems::Skew> = static_cast<int>(problems::Skew::Free);
+
+// Each visit names every member, so that one which is added is not forgotten.
+
+template <class Archive, class P>
+requires std::is_same_v<std::remove_const_t<P>, FittedParameter>
+void visit(Archive& archive, P& parameter) {
+  auto& [name, unit, value, standard_deviation, low, high, at_bound, identifiable] = parameter;
+  archive(name), archive(unit), archive(value), archive(standard_deviation), archive(low);
+  archive(high), archive(at_bound), archive(identifiable);
+}
+
+template <class Archive, class D>
+requires std::is_same_v<std::remove_const_t<D>, FreeDirection>
+void visit(Archive& archive, D& direction) {
+  auto& [parameters, changes] = direction;
+  archive(parameters), archive(changes);
+}
+
+void visit(Writer& archive, const SquareMatrix& matrix) {
+  archive(matrix.size());
+  archive(std::vector<double>(matrix.data(), matrix.data() + matrix.size() * matrix.size()));
+}
+
+void visit(Reader& archive, SquareMatrix& matrix) {
+  std::size_t size = 0;
+  std::vector<double> entries;
+  archive(size), archive(entries);
+  if (size > entries.size() || entries.size() != size * size) return;
+  matrix = SquareMatrix(size);
+  std::copy(entries.begin(), entries.end(), matrix.data());
+}
+
+template <class Archive, class F>
+requires std::is_same_v<std::remove_const_t<F>, FitResult>
+void visit(Archive& archive, F& fit) {
+  auto& [parameters, covariance, residuals, weights, sum_of_squares, rms, largest,
+         degrees_of_freedom, sigma, loss_scale, merit, converged, followed, rank, condition,
+         free_directions, iterations, evaluations, reason, reason_but_bounds] = fit;
+  archive(parameters), archive(covariance), archive(residuals), archive(weights);
+  archive(sum_of_squares), archive(rms), archive(largest), archive(degrees_of_freedom);
+  archive(sigma), archive(loss_scale), archive(merit), archive(converged), archive(followed);
+  archive(rank), archive(condition), archive(free_directions), archive(iterations);
+  archive(evaluations), archive(reason), archive(reason_but_bounds);
+}
+
+}  // namespace camlaw::optim
+
+namespace camlaw::problems {
+
+struct LawFitOrder {
+  MotionSamples samples;
+  std::string family;
+  std::vector<std::vector<double>> arguments;
+  MotionGuess guess;
+  optim::Loss loss = optim::Loss::None;
+  std::optional<double> loss_scale;
+  double confidence = 0;
+  Skew skew = Skew::Held;
+  std::optional<MotionGuess> like;
+};
+
+template <class Archive, class S>
+requires std::is_same_v<std::remove_const_t<S>, MotionSamples>
+void visit(Archive& archive, S& samples) {
+  auto& [place, value, order, place_unit, unit, length_unit, resolution, each, left_out, lacking] =
+      samples;
+  archive(place), archive(value), archive(order), archive(place_unit), archive(unit);
+  archive(length_unit), archive(resolution), archive(each), archive(left_out), archive(lacking);
+}
+
+template <class Archive, class G>
+requires std::is_same_v<std::remove_const_t<G>, MotionGuess>
+void visit(Archive& archive, G& guess) {
+  auto& [begin, end, from, to] = guess;
+  archive(begin), archive(end), archive(from), archive(to);
+}
+
+template <class Archive, class O>
+requires std::is_same_v<std::remove_const_t<O>, LawFitOrder>
+void visit(Archive& archive, O& of) {
+  auto& [samples, family, arguments, guess, loss, loss_scale, confidence, skew, like] = of;
+  archive(samples), archive(family), archive(arguments), archive(guess), archive(loss);
+  archive(loss_scale), archive(confidence), archive(skew), archive(like);
+}
+
+/// Without the family, which whoever ordered the fit knows.
+template <class Archive, class F>
+requires std::is_same_v<std::remove_const_t<F>, LawFit>
+void visit(Archive& archive, F& of) {
+  auto& [law, fit, skew, base, numbers, criterion, weight, begin, end, from, to, inflation] = of;
+  archive(law.arguments.values()), archive(fit), archive(skew), archive(base), archive(numbers);
+  archive(criterion), archive(weight), archive(begin), archive(end), archive(from), archive(to);
+  archive(inflation);
+}
+
+std::string law_fit_order(const MotionSamples& samples, const Member& law, const MotionGuess& guess,
+                          const LawFitOptions& options) {
+  return optim::bytes_of(LawFitOrder{samples, law.family->name, law.arguments.values(), guess,
+                                     options.loss, options.loss_scale, options.confidence,
+                                     options.skew, options.like});
+}
+
+std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& law) {
+  optim::Reader reader(answer);
+  bool is_possible = false;
+  reader(is_possible);
+  LawFit fit{law, {}};
+  if (is_possible) reader(fit);
+  if (!reader.ended_well()) {
+    throw std::runtime_error("the process of this fit answered with what is no fit");
+  }
+  if (!is_possible) return std::nullopt;
+  return fit;
+}
+
+optim::Service law_fit_service(const std::vector<Member>& laws) {
+  std::map<std::string, FamilyOf> own;
+  for (const Member& law : laws) own.emplace(law.family->name, law.family);
+  return [own](const std::string& order, const optim::Bench& bench) -> std::optional<std::string> {
+    auto of = optim::value_of_bytes<LawFitOrder>(order);
+    if (!of) return "";
+    const auto at = own.find(of->family);
+    const Member law{at != own.end() ? at->second : FamilyOf(&find_family(of->family)),
+                     Arguments<double>(std::move(of->arguments))};
+    LawFitOptions options;
+    options.loss = of->loss;
+    options.loss_scale = of->loss_scale;
+    options.confidence = of->confidence;
+    options.skew = of->skew;
+    options.like = of->like;
+    options.stop = bench.stop;
+    const auto fit = possible_law_fit(of->samples, law, of->guess, options);
+    optim::Writer writer;
+    writer(bool(fit));
+    if (fit) writer(*fit);
+    return writer.take();
+  };
+}
+
+namespace {
+
+std::string fits_of(const std::string& versions) {
+  return optim::bytes_of(std::vector<std::string>{"fits of laws", versions});
+}
+
+}  // namespace
+
+optim::WorkerProgram law_fit_program() { return {worker_path(), fits_of(problem_versions())}; }
+
+optim::Service service_of_worker_or_fits(const std::string& problem) {
+  return problem == fits_of(problem_versions()) ? law_fit_service({}) : service_of_worker(problem);
+}
+
+bool is_of_catalogue(const Member& law) {
+  const auto& all = catalogue();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Family& family) { return law.family == FamilyOf(&family); });
+}
+
+}  // namespace camlaw::problems

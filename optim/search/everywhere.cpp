@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "optim/search/everywhere.h"
+
+#include <utility>
+
+#include "optim/cycle/sizes.h"
+#include "optim/search/interruptible.h"
+#include "optim/verdict/subdivision.h"
+#include "optim/verdict/verdict.h"
+
+namespace camlaw::optim {
+namespace {
+
+/// The lower bound of an answer by dividing the box; none where the model throws on the way.
+std::optional<Subdivision> division_of(const Problem& problem, const Sizes& there,
+                                       const Found& found, const Deadline& deadline) {
+  try {
+    return subdivided(problem, there, found.x, [&] { return deadline.passed(); });
+  } catch (...) {
+    return {};
+  }
+}
+
+/// A search from one design, which is kept where the search comes to nothing better.
+Found search_from(const Problem& problem, const std::vector<double>& x, const OptimiseOptions& how,
+                  const Deadline& deadline) {
+  Problem again = problem;
+  for (std::size_t k = 0; k < x.size(); ++k) again.variables[k].start = x[k];
+  OptimiseOptions once = how;
+  once.starts = 1;
+  const Problem guarded = interruptible(problem, deadline);
+  const Assessment own = assess(guarded, sizes(guarded, x), x, true);
+  // A long first step may lead into the valley that was found before: then another method tries.
+  Found found = search_continuous(again, once, deadline, true);
+  if (better(problem, own, found.assessment) && how.solver == "auto" && !deadline.passed()) {
+    once.solver = "ipopt";
+    Found other = search_continuous(again, once, deadline, true);
+    if (better(problem, other.assessment, found.assessment)) found = std::move(other);
+  }
+  if (better(problem, own, found.assessment)) {
+    found.x = x;
+    found.assessment = own;
+  }
+  return found;
+}
+
+/// Where no lower bound speaks for an answer, one by dividing the box. Where that comes upon a
+/// better design, another search from there. Throws Interrupted, with what was found by then.
+void look_everywhere(const Problem& problem, const OptimiseOptions& how, const Deadline& deadline,
+                     Found& found) {
+  constexpr int kTimes = 8;
+  const Problem guarded = interruptible(problem, deadline);
+  for (int i = 0; i <= kTimes && how.divides && !deadline.passed(); ++i) {
+    const Assessment& a = found.assessment;
+    const bool stands = a.verdict == Verdict::Certified || a.verdict == Verdict::Feasible;
+    if (!stands || a.global) break;
+    const Sizes there = sizes(guarded, found.x);
+    const auto division = division_of(guarded, there, found, deadline);
+    if (!division) break;
+    if (!division->better) {
+      take_subdivision(guarded, there, *division, found.assessment);
+      break;
+    }
+    if (i == kTimes) break;
+    Found other = search_from(problem, *division->better, how, deadline);
+    if (!better(problem, other.assessment, found.assessment)) break;
+    other.add_work(found);
+    other.starts += found.starts;
+    other.planned_starts += found.planned_starts;
+    found = std::move(other);
+  }
+}
+
+}  // namespace
+
+Found search_everywhere(const Problem& problem, const OptimiseOptions& how,
+                        const Deadline& deadline, std::vector<FromStart> known) {
+  Found found = search_continuous(problem, how, deadline, true, std::move(known));
+  try {
+    look_everywhere(problem, how, deadline, found);
+  } catch (const Interrupted&) {  // the answer stands without
+  }
+  return found;
+}
+
+}  // namespace camlaw::optim

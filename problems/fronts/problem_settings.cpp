@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "problems/fronts/problem_settings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "optim/pareto/nsga2.h"
+#include "optim/solvers/solver.h"
+#include "problems/law_files/json_text.h"
+#include "problems/law_files/pieces_json.h"
+#include "problems/statement/held_files.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr const char* kProgram = "camlaw 0.1.0";
+
+/// The laws that are not the catalogue's, name and pieces: what a problem's text does not hold.
+std::string laws_of_files(const ProblemStatement& statement) {
+  Json laws = Json::object();
+  for (const Member& law : statement.laws) {
+    const auto& all = catalogue();
+    const bool listed = std::any_of(all.begin(), all.end(),
+                                    [&](const Family& family) { return law.family == &family; });
+    if (!listed) laws[law.family->name] = pieces_to_json(law.law());
+  }
+  return laws.dump();
+}
+
+/// A setting of a study that is JSON.
+Json setting_of(const char* name, const std::string& text) {
+  try {
+    return parse_json(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("the study's setting '{}' is damaged: {}", name, error.what()));
+  }
+}
+
+}  // namespace
+
+std::string problem_versions() {
+  std::vector<std::string> all = optim::solver_versions();
+  all.insert(all.begin(), kProgram);
+  all.push_back(optim::pagmo_version());
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+const std::string& find_setting(const optim::StudySettings& settings, const char* name) {
+  const auto at = settings.find(name);
+  if (at == settings.end()) {
+    throw std::invalid_argument(fmt::format("the study lacks its setting '{}'", name));
+  }
+  return at->second;
+}
+
+void check_laws(const std::string& its, const std::string& now) {
+  if (its == now) return;
+  const Json before = setting_of("laws", its), after = parse_json(now);
+  for (const auto& [name, pieces] : before.items()) {
+    if (after.contains(name) && after[name] == pieces) continue;
+    throw std::invalid_argument(
+        fmt::format("the law '{}' is not the one that the study was made with", name));
+  }
+  throw std::invalid_argument("the laws are not those that the study was made with");
+}
+
+HeldFiles files_of(const optim::StudySettings& settings) {
+  HeldFiles files;
+  const auto laws = settings.find("law_files"), tables = settings.find("tables");
+  if (laws != settings.end()) files.laws = laws_from_json(setting_of("law_files", laws->second));
+  if (tables != settings.end()) {
+    files.tables = tables_from_json(setting_of("tables", tables->second));
+  }
+  return files;
+}
+
+std::vector<std::string> set_of(const optim::StudySettings& settings) {
+  const auto at = settings.find("set");
+  if (at == settings.end()) return {};
+  const Json set = setting_of("set", at->second);
+  const bool texts = set.is_array() && std::all_of(set.begin(), set.end(), [](const Json& text) {
+                       return text.is_string();
+                     });
+  if (!texts) throw std::invalid_argument("the study's setting 'set' is not a list of texts");
+  return set.get<std::vector<std::string>>();
+}
+
+optim::StudySettings problem_settings(const ProblemStatement& statement) {
+  optim::StudySettings result{
+      {"problem", statement.text},
+      {"source", std::filesystem::absolute(statement.source).lexically_normal().string()},
+      {"set", Json(statement.settings).dump()},
+      {"laws", laws_of_files(statement)},
+      {"versions", problem_versions()}};
+  const HeldFiles& files = statement.files;
+  if (!files.laws.empty()) result["law_files"] = laws_to_json(files.laws).dump();
+  if (!files.tables.empty()) result["tables"] = Json(files.tables).dump();
+  return result;
+}
+
+ProblemStatement stated_problem(const optim::StudySettings& settings) {
+  ProblemStatement statement = read_problem(find_setting(settings, "problem"),
+                                            find_setting(settings, "source"), files_of(settings));
+  set_values(statement, set_of(settings));
+  check_laws(find_setting(settings, "laws"), laws_of_files(statement));
+  return statement;
+}
+
+}  // namespace camlaw::problems
