@@ -225,7 +225,10 @@ void search(WatchedProblem& watched, const Setting& setting, Trail& trail,
             std::vector<double>& ends, std::vector<FromStart> known) {
   const Problem& problem = setting.problem;
   Found& found = trail.found;
-  if (is_judged_without_search(setting, trail)) return;
+  // A start that was searched from has shown that there is something to search for; after a stop
+  // there is no time to look once more.
+  const bool is_begun = !known.empty() && known.front().end != StartEnd::NotBegun;
+  if (!is_begun && is_judged_without_search(setting, trail)) return;
   search_starts(setting, trail, ends, std::move(known));
   if (!has_numbers(found)) seek_numbers(setting, trail);
   if (trail.is_infeasible()) return conclude_search(setting, ends, trail);
