@@ -4,6 +4,7 @@
 #include "machines/cams/bearing_side.h"
 #include "machines/index_drives/index_load.h"
 #include "machines/index_drives/ruled_contact.h"
+#include "numerics/scalar/extremes.h"
 
 namespace camlaw {
 
@@ -76,8 +77,16 @@ struct BarrelIndexCam {
   }
   /// (IX17) Radius of the cam's core below the rollers' ends, m.
   T throat_radius() const { return distance_at(RollerPlace::Tip); }
-  /// (IX17) Radius of the cam at the other end of the rollers, m.
-  T outer_radius() const { return distance_at(RollerPlace::Root); }
+  /// (IX17) Greatest radius of the cam at the other end of the rollers, m: on the line of centres,
+  /// or half a pitch before it.
+  T outer_radius() const {
+    using std::cos;
+    using std::sqrt;
+    const T height = distance_at(RollerPlace::Root);
+    const T near = axis_distance - turret_radius;
+    const T far = axis_distance - turret_radius * cos(step() / number<T>(2));
+    return sqrt(height * height + greater_of(T(near * near), T(far * far)));
+  }
 };
 
 }  // namespace camlaw

@@ -161,6 +161,7 @@ class Crew::Run {
     }
     const Clock::time_point began = Clock::now();
     while (count_of_busy() > 0 && seconds_since(began) < seconds) listen();
+    crew_.workers_.clear();  // those that were asked to end would cut the next errand short too
   }
 
   Crew& crew_;
@@ -189,12 +190,25 @@ bool Crew::can_hire(const Errands& errands) const {
   return (rules_.program && errands.confined().empty()) || has_one_thread();
 }
 
+/// Those that are there go on where no more can be had.
+WorkerProcess* Crew::forked(const Service& service) {
+  try {
+    return &workers_.emplace_back(WorkerProcess::forked(service, workers_));
+  } catch (const std::runtime_error& error) {
+    is_full_ = true;
+    remark_ = workers_.empty() ? fmt::format("in the calling process alone: {}", error.what())
+                               : fmt::format("by fewer workers than asked for: {}", error.what());
+    return nullptr;
+  }
+}
+
 WorkerProcess* Crew::hire(const Service& service, const Errands& errands) {
   std::erase_if(workers_, [](const WorkerProcess& w) { return !w.is_busy() && !w.is_idle(); });
   for (WorkerProcess& worker : workers_) {
     if (worker.is_idle()) return &worker;
   }
-  if (has_one_thread()) return &workers_.emplace_back(WorkerProcess::forked(service, workers_));
+  if (is_full_) return nullptr;
+  if (has_one_thread()) return forked(service);
   if (!rules_.program) {
     if (remark_.empty()) stay_here("it has several threads, and the problem is not sent as data");
     return nullptr;

@@ -103,9 +103,11 @@ class Crew {
   /// One that waits for an errand; null where none can be had, and remark_ says why.
   WorkerProcess* hire(const Service& service, const Errands& errands);
   void stay_here(const std::string& why);
+  WorkerProcess* forked(const Service& service);
 
   CrewRules rules_;
   std::string remark_;
+  bool is_full_ = false;                ///< no further worker is to be had
   std::vector<WorkerProcess> workers_;  ///< those started afresh stay from run to run
   bool side_by_side_;                   ///< else the work is done here as yet
   double spent_here_ = 0;               ///< s

@@ -43,7 +43,13 @@ void serve(int socket, const Service& service, Inbox& inbox) {
                     .tell = [&](const std::string& news) { send(socket, kNews, news); }};
   std::string order;
   while (receive_message(socket, inbox, order)) {
-    if (!send(socket, kAnswer, service(order, bench).value_or(""))) return;
+    std::string answer;
+    try {
+      answer = service(order, bench).value_or("");
+    } catch (...) {  // which must not unwind into what a copy of the caller's process was doing
+      _exit(EXIT_FAILURE);
+    }
+    if (!send(socket, kAnswer, answer)) return;
   }
 }
 

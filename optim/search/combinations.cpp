@@ -18,7 +18,7 @@ struct Combinations::Item {
   struct Start {
     std::optional<FromStart> found = {};
     std::optional<std::size_t> errand = {};  ///< while it is under way
-    FirstStart first = FirstStart::Led;   ///< what it was told of the first one
+    FirstStart first = FirstStart::Led;      ///< what it was told of the first one
 
     bool is_open() const { return !found && !errand; }
   };

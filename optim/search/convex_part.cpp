@@ -72,7 +72,8 @@ std::vector<double> begun_in_convex_part(Design start, const Setting& setting, T
       exchange(convex, own_sizes, own, *plan(convex, "auto").solvers.front(), how, Aim::Optimum);
   trail.count(led);
   if (is_interruption(led.error)) throw Interrupted();
-  return led.x.empty() || led.status == Status::Unbounded ? own : led.x;
+  if (led.status == Status::Unbounded) return {start.begin(), start.end()};
+  return led.x.empty() ? own : led.x;
 }
 
 }  // namespace camlaw::optim

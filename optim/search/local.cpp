@@ -72,8 +72,8 @@ bool has_many_variables(const Problem& problem) {
 
 int count_of_starts(const Setting& setting) {
   constexpr int kStarts = 8;
-  constexpr int kStartsOfMany =
-      3;  // variables: a start takes longer, and begins nearer to a design
+  // Of many variables a start takes longer, and begins nearer to a design.
+  constexpr int kStartsOfMany = 3;
   if (setting.options.starts) return *setting.options.starts;
   const bool one_is_enough = why_convex(setting.original) && !needs_slope(setting.problem);
   if (one_is_enough || setting.plan.solvers.front()->is_global()) return 1;
@@ -109,6 +109,15 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
   return result;
 }
 
+/// Of what has been told the functions; after a stop it is not needed, and left out.
+void find_told(const Setting& setting, Trail& trail) {
+  try {
+    find_functions(setting.problem, trail.told);
+  } catch (const Interrupted&) {
+    trail.told.clear();
+  }
+}
+
 /// What the model threw in the search from a start ends the search.
 struct ModelThrew {};
 
@@ -126,7 +135,7 @@ void search_starts(const Setting& setting, Trail& trail, std::vector<double>& en
     const bool is_known = at < known.size();
     if (!is_known && number > 0 && (is_cut || setting.deadline.passed())) break;
     FromStart start = is_known ? std::move(known[at]) : search_one(setting, number, first);
-    if (is_known) find_functions(setting.problem, start.trail.told);
+    if (is_known) find_told(setting, start.trail);
     if (number == 0) first = told_of(start);
     const bool is_last = ends_search(start);
     const StartEnd end = start.end;

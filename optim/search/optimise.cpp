@@ -110,6 +110,7 @@ class Optimiser {
     best_.combinations = tally_.combinations;
     best_.solved = tally_.solved;
     if (deadline_.passed()) tally_.stopped = deadline_.reason();
+    if (!combinations_.lost().empty()) tally_.complete = false;
     if (tally_.stopped.empty()) tally_.stopped = combinations_.lost();
     Found& found = best_.found;
     if (combinations_.is_of_one()) return say_lost(found.assessment);
@@ -141,8 +142,10 @@ class Optimiser {
 
   /// Where the process of a start has died its answer might have been better.
   void say_lost(Assessment& a) const {
-    if (combinations_.lost().empty() || a.verdict != Verdict::Certified || a.global) return;
-    a.verdict = Verdict::Feasible;
+    const bool is_optimum = a.verdict == Verdict::Certified;
+    const bool may_change = is_optimum || a.verdict == Verdict::Infeasible;
+    if (combinations_.lost().empty() || !may_change || a.global) return;
+    a.verdict = is_optimum ? Verdict::Feasible : Verdict::Failed;
     a.reason = fmt::format("{}; {}", combinations_.lost(), a.reason);
   }
 

@@ -27,7 +27,7 @@ struct SearchTask {
   std::vector<std::size_t> options = {};  ///< the option taken of each choice
   std::vector<double> integers = {};      ///< at which the integer variables are held
   int start = 0;                          ///< of OneStart
-  FirstStart first = FirstStart::Led;  ///< as search_one_start() takes it
+  FirstStart first = FirstStart::Led;     ///< as search_one_start() takes it
   std::vector<FromStart> known = {};      ///< starts that need not be searched from again
   OptimiseOptions how = {};
   bool tells_progress = false, tells_candidates = false;

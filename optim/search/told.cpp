@@ -20,7 +20,8 @@ std::vector<Push> told_at(const Problem& problem, const Sizes& sizes, Design x, 
 
 namespace {
 
-Function function_of(const Problem& problem, const Push& push) {
+/// None where the limit does not vanish at that rest.
+std::optional<Function> function_of(const Problem& problem, const Push& push) {
   const Response& response = push.constraint ? problem.constraints[*push.constraint].response
                                              : problem.objective().response;
   if (push.place) return response.curve().at(*push.place);
@@ -28,7 +29,9 @@ Function function_of(const Problem& problem, const Push& push) {
   const Constraint& c = problem.constraints[*push.constraint];
   // Of a curve whose places stand still the rests are those of any design.
   const double bound = push.sign > 0 ? c.upper.value_or(0) : c.lower.value_or(0);
-  return response.curve().rests(bound, problem.start()).at(*push.rest).leading;
+  const auto rests = response.curve().rests(bound, problem.start());
+  if (*push.rest >= rests.size()) return {};
+  return rests[*push.rest].leading;
 }
 
 }  // namespace
@@ -37,6 +40,7 @@ void find_functions(const Problem& problem, std::vector<Push>& pushes) {
   for (Push& push : pushes) {
     if (!push.variable && !push.function) push.function = function_of(problem, push);
   }
+  std::erase_if(pushes, [](const Push& push) { return !push.variable && !push.function; });
 }
 
 Teller teller_at(const Problem& problem, const Sizes& sizes, Design x, Aim aim) {

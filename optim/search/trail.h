@@ -57,8 +57,8 @@ enum class StartEnd { Itself, CutShort, Thrown, NotBegun };
 /// in all its iterations.
 enum class FirstStart { Led, NoDesign, InVain };
 
-/// What the search from one start came to, with nothing known of the others (docs/optimisation.md,
-/// "Starts"): plain data, but for the functions of what its solve has told.
+/// What the search from one start came to, told no more of others than FirstStart (docs: "Starts"):
+/// plain data, but for the functions of what its solve has told.
 struct FromStart {
   Trail trail;
   double objective = kInfinity;  ///< where it ended; infinite where that is no design

@@ -306,10 +306,7 @@ class Filter {
 class Sequence {
  public:
   Sequence(const Program& program, const SolverOptions& options, VectorXd y)
-      : program_(program),
-        options_(options),
-        place_(place_at(program, std::move(y))),
-        met_(std::min(1e-9, options.tolerance)) {
+      : program_(program), options_(options), place_(place_at(program, std::move(y))), met_(1e-9) {
     multipliers_.rows = VectorXd::Zero(static_cast<Eigen::Index>(program.rows()));
     multipliers_.lower = multipliers_.upper = VectorXd::Zero(place_.y.size());
     interior_.least_objective = 1;  // programs are scaled, and a last step is worth nothing
@@ -354,7 +351,8 @@ class Sequence {
   static constexpr double kRounding = 1e-11;  // of an objective: what it changes by says nothing
 
   /// The place after a step, on whose way no variable passes a bound by rounding.
-  Place moved(const VectorXd& d) const {
+  Place moved(const VectorXd& d) {
+    ++evaluations_;
     VectorXd y = place_.y + d;
     for (std::size_t i = 0; i < program_.variables(); ++i) {
       double& at = y[static_cast<Eigen::Index>(i)];
@@ -372,6 +370,7 @@ class Sequence {
     const Model model = model_at(program_, place_, multipliers_.rows);
     if (!model.is_finite()) return Advance::Undefined;
     Quadratics quadratics(program_, model, reach_);
+    unsolved_radius_ = kInfinity;
     while (radius_ > kLeastRadius) {
       const auto advance =
           goal_ == Goal::Rows ? restored(model, quadratics) : improved(model, quadratics);
@@ -395,16 +394,20 @@ class Sequence {
       return {};
     }
     if (step->passed <= met_) {
+      // Where the method has not solved the objective's program in this region, a smaller one.
+      if (radius_ >= unsolved_radius_) cut_region(radius_);
       goal_ = Goal::Objective;
       return {};
     }
     const double promised = place_.violation - step->passed;
-    if (promised <= kWorth * met_ || promised <= kRounding * place_.violation) return Advance::Last;
+    if (promised <= kWorth * met_ || promised <= kRounding * place_.violation)
+      return step->length() < kAtEdge * radius_ ? Advance::Last : Advance::None;
     Place trial = moved(step->d);
     if (!trial.is_finite() || place_.violation - trial.violation < kGood * promised) {
       cut_region(step->length());
       return {};
     }
+    if (is_idle(trial.violation)) return Advance::Last;
     filter_.add(passed(place_), place_.objective);
     const double share = (place_.violation - trial.violation) / promised;
     grow_region(share, *step);
@@ -412,11 +415,23 @@ class Sequence {
     return Advance::Some;
   }
 
+  /// Whether steps towards the rows have come to little for long.
+  bool is_idle(double violation) {
+    constexpr int kPatience = 15;
+    constexpr double kLess = 0.9;
+    if (violation < kLess * least_passed_) {
+      least_passed_ = violation;
+      idle_ = 0;
+    }
+    return ++idle_ > kPatience;
+  }
+
   /// A step to a better objective within the rows, or the same corrected for how rows bend.
   std::optional<Advance> improved(const Model& model, Quadratics& quadratics) {
     const auto step = quadratics.step(place_.y, place_.rows, radius_, Goal::Objective, interior_);
     if (!step) {
       if (ended()) return Advance::None;
+      unsolved_radius_ = radius_;
       goal_ = Goal::Rows;
       return {};
     }
@@ -424,15 +439,17 @@ class Sequence {
     inexact_ = step->is_exact ? 0 : inexact_ + 1;
     if (inexact_ > kMostInexact) return Advance::None;
     const double promised = -model.change(step->d);
-    // A step that the region cut short says nothing.
-    const bool is_short = step->length() <= kLastStep && step->length() < kAtEdge * radius_;
-    const bool is_met = passed(place_) == 0;
+    // A step that a small region cut short says nothing.
+    constexpr double kSmall = 1e-3;
+    const bool is_inside = step->length() < kAtEdge * radius_;
+    const bool is_short = step->length() <= kLastStep && is_inside;
+    const bool is_worthless = std::abs(promised) <= rounding() && (is_inside || radius_ >= kSmall);
     Place trial = moved(step->d);
-    if (is_short || (is_met && std::abs(promised) <= rounding())) {
+    if (is_short || (passed(place_) == 0 && is_worthless)) {
       const bool holds = trial.is_finite() && trial.violation <= std::max(place_.violation, met_);
       multipliers_ = step->multipliers;
       if (holds) place_ = std::move(trial);
-      return Advance::Last;
+      return passed(place_) == 0 ? Advance::Last : Advance::None;
     }
     if (is_good(trial, promised)) return taken(std::move(trial), model, *step, promised);
     if (trial.is_finite()) {
@@ -454,7 +471,7 @@ class Sequence {
     constexpr double kGood = 0.1, kMost = 10;
     if (!trial.is_finite()) return false;
     const double violation = passed(trial), before = passed(place_);
-    if (violation > std::max(kMost, 2 * most_passed_)) return false;
+    if (violation > std::max(kMost, 2 * passed_at_first_)) return false;
     if (!filter_.accepts(violation, trial.objective) ||
         !Filter::is_better(violation, trial.objective, before, place_.objective)) {
       return false;
@@ -518,7 +535,7 @@ class Sequence {
     solution.lower = list(multipliers_.lower);
     solution.upper = list(multipliers_.upper);
     solution.iterations = iterations_;
-    solution.evaluations = iterations_;
+    solution.evaluations = evaluations_;
     return solution;
   }
 
@@ -532,12 +549,15 @@ class Sequence {
   Filter filter_;
   Goal goal_ = Goal::Objective;
   double met_;  ///< a row passed by less, by its size, is met
-  double most_passed_ = place_.violation;
+  const double passed_at_first_ = place_.violation;
   double radius_ = 10;
-  int inexact_ = 0;           ///< programs in a row that were not solved
-  bool is_cut_ = false;       ///< whether a step was refused
-  double reach_ = kInfinity;  ///< rows with more room hardly come into play
-  int iterations_ = 0;
+  double unsolved_radius_ = kInfinity;  ///< of a region whose program was not solved from here
+  double least_passed_ = kInfinity;     ///< where steps towards the rows last came to something
+  int idle_ = 0;                        ///< such steps since then
+  int inexact_ = 0;                     ///< programs in a row that were not solved
+  bool is_cut_ = false;                 ///< whether a step was refused
+  double reach_ = kInfinity;            ///< rows with more room hardly come into play
+  int iterations_ = 0, evaluations_ = 1;
   std::optional<RunEnd> stopped_;
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

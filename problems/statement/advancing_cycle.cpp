@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "kinematics/peaks.h"
+
 namespace camlaw::problems {
 
 void check_advancing_cycle(const ProblemStatement& problem) {
@@ -22,6 +24,14 @@ void check_advancing_cycle(const ProblemStatement& problem) {
   for (const Member& law : problem.laws) {
     const Law<double> motion = law.law();
     const double advance = motion(1.0).s - motion(0.0).s;
+    const double slowest = peaks(motion).low(Quantity::Velocity).value;
+    constexpr double kRounding = 1e-9;
+    if (slowest < -kRounding) {
+      throw std::invalid_argument(
+          fmt::format("{} takes motions that only advance, and this one turns back: its velocity "
+                      "falls to {:.4g}",
+                      mechanism.name, slowest));
+    }
     const std::string why = mechanism.advances->why_open(problem.constants, advance);
     if (!why.empty()) throw std::invalid_argument(why);
   }

@@ -265,9 +265,10 @@ std::vector<std::vector<ProgramSegment>> combinations(const std::vector<StatedSe
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem) {
   if (const Entry* table = find(program, "table")) {
     if (problem.mechanism->advances) {
-      refuse(*table, fmt::format("the motion of a table returns to where it began, and {} advances; "
-                                 "write [[program.segments]]",
-                                 problem.mechanism->name));
+      refuse(*table,
+             fmt::format("the motion of a table returns to where it began, and {} advances; "
+                         "write [[program.segments]]",
+                         problem.mechanism->name));
     }
     read_table(file, program, problem);
     return;

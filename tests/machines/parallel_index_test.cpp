@@ -275,7 +275,7 @@ TEST_CASE("an index drive that cannot close is refused in words", "[index-drives
              Contains("1 of 8 stations are 0.75 pitches of the 6 rollers that a cam has"));
   CHECK_THAT(refused("[program]\n", "[program]\nadvance = 2\n"), !Contains("pitches"));
   CHECK_THAT(refused("[program]\n", "[program]\nadvance = -1\n"),
-             Contains("advances by 1 or more"));
+             Contains("takes motions that only advance"));
   CHECK_THAT(refused("[program]\n", "[program]\nadvance = 0.5\n"), Contains("0.5 pitches"));
   CHECK_THAT(refused("rollers = 8", "rollers = 48"), Contains("at most 8 are accepted"));
   std::string varying = drive() + "[variables.rollers]\nlower = 4\nupper = 8\n";

@@ -86,6 +86,32 @@ TEST_CASE("what no variable moves does not bend a program", "[sequential]") {
   CHECK(sequential_solver().solve(program, {}).status == Status::Solved);
 }
 
+TEST_CASE("a sequence of quadratic programs ends where rows leave no room and have no slope",
+          "[sequential]") {
+  // x + y within x^2 <= 0: no multiplier holds x = 0. It may end near it, or give up.
+  const auto square_of_x = function<Interval>(
+      {0}, [](const auto& u) { return square(u[0]); }, Shape::Convex);
+  const Program flat{{{-3, 4, 1, 1}, {-2, 7, 1.5, 1}},
+                     sum_of({0, 1}, {1, 1}),
+                     1,
+                     1,
+                     {{square_of_x, -kInfinity, 0, 1, {}}}};
+  const Solution s = sequential_solver().solve(flat, {.time_limit = 20});
+  CHECK(s.status != Status::TimeLimit);
+  CHECK(s.status != Status::Infeasible);
+  // Kuhn and Tucker's cusp: y <= (1 - x)^3, y >= 0, most x.
+  const auto cusp = function<Interval>(
+      {0, 1}, [](const auto& u) { return u[1] + square(u[0] - 1.0) * (u[0] - 1.0); });
+  const auto height = function<Interval>(
+      {1}, [](const auto& u) { return u[0]; }, Shape::Linear);
+  const Program tip{{{-3, 4, 0, 1}, {-2, 7, 1.5, 1}},
+                    sum_of({0}, {1}),
+                    -1,
+                    1,
+                    {{cusp, -kInfinity, 0, 1, {}}, {height, 0, kInfinity, 1, {}}}};
+  CHECK(sequential_solver().solve(tip, {.time_limit = 20}).status != Status::TimeLimit);
+}
+
 TEST_CASE("a limit bends a program across its own gradient alone, a peak's place in all directions",
           "[sequential]") {
   // The gradient at (1, 0) is (2, 0), the second derivatives are 2 and 4.
