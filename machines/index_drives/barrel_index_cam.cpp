@@ -26,7 +26,7 @@ const std::vector<MechanismParameter>& MachineTraits<BarrelIndexCam>::parameters
   static const Parameters all =
       joined({stations_parameter(4),
               turret_rollers(8),
-              index_sizes(76, 80),
+              index_sizes(80, 80),
               {{"cam_radius", "R_c", "mm", "m", "radius of the cam at the middle of a roller", 60,
                 1e-3, 1e5}},
               roller_radius_parameter(12),

@@ -17,7 +17,7 @@ template <class T>
 struct BarrelIndexCam {
   T stations = number<T>(4);                      ///< S, 3 or more
   T rollers = number<T>(8);                       ///< N
-  T axis_distance = number<T>(0.076);             ///< a, m
+  T axis_distance = number<T>(0.080);             ///< a, m
   T turret_radius = number<T>(0.080);             ///< R_t, m, of the circle of the rollers' axes
   T cam_radius = number<T>(0.060);                ///< R_c, m, of the cam at the middle of a roller
   T roller_radius = number<T>(0.012);             ///< r_r, m
