@@ -13,8 +13,8 @@ namespace camlaw::cli {
 /// --workers.
 Option workers_option(std::optional<std::string>& workers);
 
-/// As many as were asked for, else the usual number. Throws std::invalid_argument for what is no
-/// number of workers.
+/// As many as were asked for, else the usual number. Throws std::invalid_argument for a count
+/// that makes no sense.
 int workers_of(const std::optional<std::string>& workers);
 
 /// As many of them as have room for the searches of a problem in so many bytes. Throws

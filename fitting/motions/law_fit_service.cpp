@@ -170,10 +170,4 @@ optim::Service service_of_worker_or_fits(const std::string& problem) {
   return problem == fits_of(problem_versions()) ? law_fit_service({}) : service_of_worker(problem);
 }
 
-bool is_of_catalogue(const Member& law) {
-  const auto& all = catalogue();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Family& family) { return law.family == FamilyOf(&family); });
-}
-
 }  // namespace camlaw::problems

@@ -22,9 +22,6 @@ std::optional<LawFit> law_fit_answer(const std::string& answer, const Member& la
 /// Carries such orders out. `laws` are known beside those of the catalogue.
 optim::Service law_fit_service(const std::vector<Member>& laws);
 
-/// Whether a law is found by its name in any process.
-bool is_of_catalogue(const Member& law);
-
 /// How a process is started that carries such orders out.
 optim::WorkerProgram law_fit_program();
 /// What a worker program does for what it was sent: this, or what problems::service_of_worker()

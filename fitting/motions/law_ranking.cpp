@@ -10,6 +10,7 @@
 #include "fitting/samples/lift_samples.h"
 #include "optim/fit/loss.h"
 #include "optim/search/deadline.h"
+#include "problems/statement/law_names.h"
 
 namespace camlaw::problems {
 namespace {

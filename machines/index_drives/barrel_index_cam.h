@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/bearing_side.h"
-#include "machines/index_drives/index_load.h"
+#include "machines/index_drives/rib_turret.h"
 #include "machines/index_drives/ruled_contact.h"
 #include "numerics/scalar/extremes.h"
 
@@ -14,28 +13,17 @@ namespace camlaw {
 /// Fields in SI units. Valid while the roller's end does not reach the plane of the cam's axis, and
 /// a roller's pitch is less than half a turn.
 template <class T>
-struct BarrelIndexCam {
-  T stations = number<T>(4);                      ///< S, 3 or more
-  T rollers = number<T>(8);                       ///< N
-  T axis_distance = number<T>(0.080);             ///< a, m
-  T turret_radius = number<T>(0.080);             ///< R_t, m, of the circle of the rollers' axes
-  T cam_radius = number<T>(0.060);                ///< R_c, m, of the cam at the middle of a roller
-  T roller_radius = number<T>(0.012);             ///< r_r, m
-  T angular_speed = number<T>(10.4719755119660);  ///< omega, rad/s, of the cam
-  T inertia = number<T>(0.1);                     ///< J, kg m^2
-  T friction = number<T>(0);                      ///< M_C, N m
-  T load = number<T>(0);                          ///< M_L, N m
-  T face_width = number<T>(0.015);                ///< b, m, along a roller
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T bore_radius = number<T>(0.015);               ///< r_0, m, of the cam
+struct BarrelIndexCam : RibTurret<T> {
+  using RibTurret<T>::face_width, RibTurret<T>::rollers, RibTurret<T>::step;
+
+  T axis_distance = number<T>(0.080);  ///< a, m
+  T turret_radius = number<T>(0.080);  ///< R_t, m, of the circle of the rollers' axes
+  T cam_radius = number<T>(0.060);     ///< R_c, m, of the cam at the middle of a roller
+  T roller_radius = number<T>(0.012);  ///< r_r, m
 
   bool is_possible() const {
     return value_of(distance_at(RollerPlace::Tip)) > 0 && value_of(rollers) > 2;
   }
-  /// delta, rad: what the turret turns by while a roller drives.
-  T step() const { return number<T>(2) * pi<T>() / rollers; }
-  IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }
   /// x, m: height over the plane through the cam's axis that the rollers stand on.
@@ -44,16 +32,6 @@ struct BarrelIndexCam {
     return cam_radius - number<T>(share_of(place)) * face_width;
   }
 
-  template <class X>
-  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
-    return follower_over_angle(station_angle(stations), motion);
-  }
-  /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
-  /// since it took over.
-  template <class X>
-  X angle(const X& gain) const {
-    return gain - step() / number<T>(2);
-  }
   /// (IX16) A = R_t psi' - x sin psi, B = x cos psi.
   template <class X>
   RuledContact<X> contact(RollerPlace place, const X& psi, const FollowerMotion<X>& f) const {

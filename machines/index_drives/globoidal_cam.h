@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/cams/bearing_side.h"
-#include "machines/index_drives/index_load.h"
+#include "machines/index_drives/rib_turret.h"
 #include "machines/index_drives/ruled_contact.h"
 
 namespace camlaw {
@@ -12,27 +11,16 @@ namespace camlaw {
 /// and holds from half a pitch before the line of centres to half a pitch beyond it. Fields in SI
 /// units. Valid while the roller's end does not reach the cam's axis.
 template <class T>
-struct GloboidalCam {
-  T stations = number<T>(4);                      ///< S, 3 or more
-  T rollers = number<T>(8);                       ///< N
-  T axis_distance = number<T>(0.120);             ///< a, m
-  T turret_radius = number<T>(0.070);             ///< R_t, m, to the middle of a roller
-  T roller_radius = number<T>(0.011);             ///< r_r, m
-  T angular_speed = number<T>(10.4719755119660);  ///< omega, rad/s, of the cam
-  T inertia = number<T>(0.1);                     ///< J, kg m^2
-  T friction = number<T>(0);                      ///< M_C, N m
-  T load = number<T>(0);                          ///< M_L, N m
-  T face_width = number<T>(0.015);                ///< b, m, along a roller
-  T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
-  T poisson_ratio = number<T>(0.3);               ///< nu
-  T bore_radius = number<T>(0.015);               ///< r_0, m, of the cam
+struct GloboidalCam : RibTurret<T> {
+  using RibTurret<T>::face_width, RibTurret<T>::step;
+
+  T axis_distance = number<T>(0.120);  ///< a, m
+  T turret_radius = number<T>(0.070);  ///< R_t, m, to the middle of a roller
+  T roller_radius = number<T>(0.011);  ///< r_r, m
 
   bool is_possible() const {
     return value_of(throat_radius()) > 0 && value_of(distance_at(RollerPlace::Root)) > 0;
   }
-  /// delta, rad: what the turret turns by while a roller drives.
-  T step() const { return number<T>(2) * pi<T>() / rollers; }
-  IndexLoad<T> follower() const { return {inertia, friction, load, angular_speed}; }
   /// Lever of the force on a roller, m.
   T lever() const { return turret_radius; }
   /// u, m, from the turret's axis.
@@ -41,16 +29,6 @@ struct GloboidalCam {
     return turret_radius + number<T>(share_of(place)) * face_width;
   }
 
-  template <class X>
-  FollowerMotion<X> over_angle(const Motion<X>& motion) const {
-    return follower_over_angle(station_angle(stations), motion);
-  }
-  /// (IX10) Angle of a driving roller to the line of centres, rad, after what the turret has gained
-  /// since it took over.
-  template <class X>
-  X angle(const X& gain) const {
-    return gain - step() / number<T>(2);
-  }
   /// (IX14) A = u psi', B = a - u cos psi, the distance from the cam's axis.
   template <class X>
   RuledContact<X> contact(RollerPlace place, const X& psi, const FollowerMotion<X>& f) const {
@@ -69,7 +47,7 @@ struct GloboidalCam {
   }
   /// (IX15) Least radius of the cam, m, at the line of centres.
   T throat_radius() const { return axis_distance - distance_at(RollerPlace::Tip); }
-  /// (IX15) Greatest radius of the cam, m, at the end of a roller's way.
+  /// (IX15) Greatest radius of the cam, m, at the end of a roller's path.
   T outer_radius() const {
     using std::cos;
     return axis_distance - distance_at(RollerPlace::Root) * cos(step() / number<T>(2));

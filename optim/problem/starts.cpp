@@ -46,38 +46,61 @@ double at_share(double low, double high, double share, bool by_magnitude) {
   return low * std::pow(high / low, share);
 }
 
-std::vector<std::vector<double>> filled(const Problem& problem, int count, std::uint64_t seed,
-                                        bool by_magnitude) {
-  constexpr double kReach = 10;
-  const std::vector<double> first = problem.start();
-  const std::vector<double> scales = variable_scales(problem);
-  const auto bases = primes(problem.variables.size());
-  std::vector<std::vector<double>> result{first};
-  for (int n = 1; n < count; ++n) {
-    std::vector<double> x = first;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const Variable& v = problem.variables[i];
+/// The places of the sequence.
+class Places {
+ public:
+  Places(const Problem& problem, std::uint64_t seed, bool by_magnitude)
+      : problem_(problem),
+        seed_(seed),
+        by_magnitude_(by_magnitude),
+        first_(problem.start()),
+        scales_(variable_scales(problem)),
+        bases_(primes(problem.variables.size())) {}
+
+  std::vector<double> operator()(int number) const {
+    constexpr double kReach = 10;
+    std::vector<double> x = first_;
+    for (std::size_t i = 0; number > 0 && i < x.size(); ++i) {
+      const Variable& v = problem_.variables[i];
       if (v.integer || v.lower == v.upper) continue;
-      const double reach = kReach * scales[i];
-      const double low = std::isfinite(v.lower) ? v.lower : first[i] - reach;
-      const double high = std::isfinite(v.upper) ? v.upper : first[i] + reach;
-      const double turned = mirrored(static_cast<std::uint64_t>(n), bases[i]) + share(seed, i);
-      x[i] = std::clamp(at_share(low, high, turned - std::floor(turned), by_magnitude), low, high);
+      const double reach = kReach * scales_[i];
+      const double low = std::isfinite(v.lower) ? v.lower : first_[i] - reach;
+      const double high = std::isfinite(v.upper) ? v.upper : first_[i] + reach;
+      const double turned =
+          mirrored(static_cast<std::uint64_t>(number), bases_[i]) + share(seed_, i);
+      x[i] = std::clamp(at_share(low, high, turned - std::floor(turned), by_magnitude_), low, high);
     }
-    result.push_back(std::move(x));
+    return x;
   }
-  return result;
-}
+
+  /// The first ones; the start itself in any case.
+  std::vector<std::vector<double>> first(int count) const {
+    std::vector<std::vector<double>> result{first_};
+    for (int number = 1; number < count; ++number) result.push_back((*this)(number));
+    return result;
+  }
+
+ private:
+  const Problem& problem_;
+  std::uint64_t seed_;
+  bool by_magnitude_;
+  std::vector<double> first_, scales_;
+  std::vector<std::uint64_t> bases_;
+};
 
 }  // namespace
 
 std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed) {
-  return filled(problem, count, seed, false);
+  return Places(problem, seed, false).first(count);
+}
+
+std::vector<double> nth_start(const Problem& problem, int number, std::uint64_t seed) {
+  return Places(problem, seed, false)(number);
 }
 
 std::vector<std::vector<double>> starts_by_magnitude(const Problem& problem, int count,
                                                      std::uint64_t seed) {
-  return filled(problem, count, seed, true);
+  return Places(problem, seed, true).first(count);
 }
 
 }  // namespace camlaw::optim

@@ -13,6 +13,9 @@ namespace camlaw::optim {
 /// Fixed and integer variables keep their start.
 std::vector<std::vector<double>> starts(const Problem& problem, int count, std::uint64_t seed);
 
+/// One of them, by its number from 0 on.
+std::vector<double> nth_start(const Problem& problem, int number, std::uint64_t seed);
+
 /// The same sequence, in which variables of one sign fill their sides evenly by orders of
 /// magnitude: of a side from 1e-3 to 1e5 three eighths of the places are below 1, which evenly
 /// filled would hold none.

@@ -93,8 +93,7 @@ FromStart search_one(const Setting& setting, int number, FirstStart first) {
   try {
     const bool as_it_is = number == 0 || !has_many_variables(setting.problem) ||
                           setting.plan.solvers.front()->is_global();
-    const std::vector<double> drawn =
-        starts(setting.problem, number + 1, setting.options.seed).back();
+    const std::vector<double> drawn = nth_start(setting.problem, number, setting.options.seed);
     const std::vector<double> start =
         as_it_is ? drawn : begun_in_convex_part(drawn, setting, trail);
     trail.sizes = sizes(setting.problem, start);

@@ -13,6 +13,7 @@
 #include "problems/law_files/json_text.h"
 #include "problems/law_files/pieces_json.h"
 #include "problems/statement/held_files.h"
+#include "problems/statement/law_names.h"
 
 namespace camlaw::problems {
 namespace {
@@ -23,10 +24,7 @@ constexpr const char* kProgram = "camlaw 0.1.0";
 std::string laws_of_files(const ProblemStatement& statement) {
   Json laws = Json::object();
   for (const Member& law : statement.laws) {
-    const auto& all = catalogue();
-    const bool listed = std::any_of(all.begin(), all.end(),
-                                    [&](const Family& family) { return law.family == &family; });
-    if (!listed) laws[law.family->name] = pieces_to_json(law.law());
+    if (!is_of_catalogue(law)) laws[law.family->name] = pieces_to_json(law.law());
   }
   return laws.dump();
 }

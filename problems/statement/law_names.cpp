@@ -21,9 +21,7 @@ double read_value(std::string_view text, const Parameter& parameter, const std::
 /// "polynomial-5 alpha=-3" is an entry of the catalogue in its own right, which has no alpha that
 /// could vary; the same law as a member of polynomial-5 has one.
 Member as_family_member(const Member& law) {
-  const bool listed = std::any_of(catalogue().begin(), catalogue().end(),
-                                  [&](const Family& family) { return &family == &*law.family; });
-  if (!listed) return law;
+  if (!is_of_catalogue(law)) return law;
   const std::string& name = law.family->name;
   const std::size_t space = name.find(' ');
   if (space == std::string::npos || name.find('=') == std::string::npos) return law;
@@ -84,6 +82,11 @@ NamedLaw read_law_name(const Entry& name, HeldFiles& files) {
   if (law.family->parameters.empty()) return {law, {}};
   const std::string& told = law.family == found.family ? text : found.family->name;
   return {law, given_in(told, *law.family)};
+}
+
+bool is_of_catalogue(const Member& law) {
+  return std::any_of(catalogue().begin(), catalogue().end(),
+                     [&](const Family& family) { return &family == &*law.family; });
 }
 
 }  // namespace camlaw::problems

@@ -22,6 +22,9 @@ struct NamedLaw {
 /// read and joins them. Refuses the entry for names and values that are not accepted.
 NamedLaw read_law_name(const Entry& name, HeldFiles& files);
 
+/// Whether a law is the catalogue's own, and found by its name in any process.
+bool is_of_catalogue(const Member& law);
+
 /// Laws of a list that are files are called by their paths where their stems would be taken for
 /// another law of the list.
 void tell_apart(std::vector<Member>& laws);

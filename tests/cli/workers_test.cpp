@@ -33,7 +33,7 @@ TEST_CASE("the answer of a search does not depend on the workers", "[program][wo
   }
 }
 
-TEST_CASE("what is no number of workers is refused", "[program][workers]") {
+TEST_CASE("a count of workers that makes no sense is refused", "[program][workers]") {
   for (const Words& command : commands()) {
     for (const char* workers : {"0", "-1", "many", "1.5", "", "257"}) {
       INFO(command.front() << " " << workers);

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "optim/solvers/quadratic_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "optim/solvers/read_off.h"
+
+namespace camlaw::optim {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Curvature that decides among steps that are worth the same.
+constexpr double kProximal = 1e-9;
+
+std::span<const double> as_span(const VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+double largest_violation_of(const Program& program, const VectorXd& rows) {
+  double worst = 0;
+  for (std::size_t r = 0; r < program.rows(); ++r) {
+    const double value = rows[static_cast<Eigen::Index>(r)];
+    worst = std::max({worst, value - program.row_upper()[r], program.row_lower()[r] - value});
+  }
+  return worst;
+}
+
+}  // namespace
+
+ProgramPoint point_at(const Program& program, VectorXd y) {
+  ProgramPoint point{std::move(y), 0, VectorXd(static_cast<Eigen::Index>(program.rows())), 0};
+  point.objective = program.objective(as_span(point.y));
+  program.row_values(as_span(point.y), {point.rows.data(), program.rows()});
+  point.violation = largest_violation_of(program, point.rows);
+  return point;
+}
+
+LocalModel model_at(const Program& program, const ProgramPoint& point,
+                    const VectorXd& row_multipliers) {
+  const auto n = static_cast<Eigen::Index>(program.variables());
+  LocalModel model;
+  model.gradient.resize(n);
+  program.gradient(as_span(point.y), {model.gradient.data(), program.variables()});
+  model.jacobian = jacobian_matrix(program, as_span(point.y));
+  const Pattern& pattern = program.hessian_pattern();
+  std::vector<double> entries(pattern.size());
+  program.convex_hessian(as_span(point.y), 1, as_span(row_multipliers), entries);
+  std::vector<Eigen::Triplet<double>> triplets;
+  triplets.reserve(entries.size() + program.variables());
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    triplets.emplace_back(pattern.rows[k], pattern.columns[k], entries[k]);
+  for (int i = 0; i < n; ++i) triplets.emplace_back(i, i, kProximal);
+  model.curvature.resize(n, n);
+  model.curvature.setFromTriplets(triplets.begin(), triplets.end());
+  return model;
+}
+
+Quadratics::Quadratics(const Program& program, const LocalModel& model, double reach)
+    : program_(program), model_(model), reach_(reach) {
+  const auto m = static_cast<Eigen::Index>(program.rows());
+  for (Eigen::Index r = 0; r < m; ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    if (program.row_is_equation(row)) {
+      sides_.push_back({r, 0});
+      continue;
+    }
+    if (std::isfinite(program.row_upper()[row])) sides_.push_back({r, 1});
+    if (std::isfinite(program.row_lower()[row])) sides_.push_back({r, -1});
+  }
+}
+
+std::optional<ProgramStep> Quadratics::step(const VectorXd& y, const VectorXd& rows, double radius,
+                                            StepGoal goal, const InteriorOptions& options) {
+  set_costs(goal);
+  set_region(y, radius, goal);
+  std::vector<bool> is_near(sides_.size());
+  for (std::size_t k = 0; k < sides_.size(); ++k) is_near[k] = room(sides_[k], rows) <= reach_;
+  while (true) {
+    const std::vector<RowSide> near = chosen(is_near, goal);
+    set_rows(near, rows, goal);
+    const InteriorSolution found = solve_by_interior_point(quadratic_, start(rows), options);
+    if (found.end == InteriorEnd::Ended || !found.y.allFinite()) return {};
+    ProgramStep step = read(found, near, radius);
+    const VectorXd after = rows + model_.jacobian * step.d;
+    step.passed = largest_violation_of(program_, after);
+    step.is_exact = found.end == InteriorEnd::Optimal || found.end == InteriorEnd::Acceptable;
+    const double allowed = goal == StepGoal::Rows ? std::max(0.0, found.y[found.y.size() - 1]) : 0;
+    if (added_passed(after, allowed, is_near)) continue;
+    // One that is not exact is a step all the same, as long as it does what rows ask for.
+    constexpr double kMet = 1e-8;
+    return goal == StepGoal::Rows || step.passed <= kMet ? std::optional(std::move(step))
+                                                         : std::nullopt;
+  }
+}
+
+double Quadratics::bound(const RowSide& side) const {
+  const auto row = static_cast<std::size_t>(side.row);
+  return side.sign >= 0 ? program_.row_upper()[row] : program_.row_lower()[row];
+}
+
+double Quadratics::room(const RowSide& side, const VectorXd& rows) const {
+  const double left = bound(side) - rows[side.row];
+  return side.sign == 0 ? -std::abs(left) : side.sign * left;
+}
+
+std::vector<RowSide> Quadratics::chosen(const std::vector<bool>& is_near, StepGoal goal) const {
+  std::vector<RowSide> near;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    if (!is_near[k]) continue;
+    if (sides_[k].sign == 0 && goal == StepGoal::Rows) {
+      near.push_back({sides_[k].row, 1});
+      near.push_back({sides_[k].row, -1});
+    } else {
+      near.push_back(sides_[k]);
+    }
+  }
+  return near;
+}
+
+bool Quadratics::added_passed(const VectorXd& after, double allowed,
+                              std::vector<bool>& is_near) const {
+  constexpr double kPassed = 1e-10;
+  bool any = false;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    if (is_near[k] || room(sides_[k], after) >= -allowed - kPassed) continue;
+    is_near[k] = true;
+    any = true;
+  }
+  return any;
+}
+
+void Quadratics::set_costs(StepGoal goal) {
+  const auto n = static_cast<Eigen::Index>(program_.variables());
+  if (goal == StepGoal::Objective) {
+    quadratic_.cost = model_.gradient;
+    quadratic_.curvature = model_.curvature;
+    return;
+  }
+  quadratic_.cost = VectorXd::Zero(n + 1);
+  quadratic_.cost[n] = 1;
+  quadratic_.curvature.resize(n + 1, n + 1);
+  for (Eigen::Index i = 0; i < n; ++i) quadratic_.curvature.insert(i, i) = kProximal;
+}
+
+void Quadratics::set_region(const VectorXd& y, double radius, StepGoal goal) {
+  const auto n = static_cast<Eigen::Index>(program_.variables());
+  const Eigen::Index columns = n + (goal == StepGoal::Rows ? 1 : 0);
+  quadratic_.lower = VectorXd::Zero(columns);
+  quadratic_.upper = VectorXd::Constant(columns, kInfinity);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    quadratic_.lower[i] = std::max(-radius, std::min(0.0, program_.lower()[at] - y[i]));
+    quadratic_.upper[i] = std::min(radius, std::max(0.0, program_.upper()[at] - y[i]));
+  }
+}
+
+void Quadratics::set_rows(const std::vector<RowSide>& near, const VectorXd& rows, StepGoal goal) {
+  const auto n = static_cast<Eigen::Index>(program_.variables());
+  const auto count = static_cast<Eigen::Index>(near.size());
+  quadratic_.rows.resize(count, quadratic_.cost.size());
+  quadratic_.rows.reserve(2 * model_.jacobian.nonZeros() + count);
+  quadratic_.row_lower = VectorXd::Constant(count, -kInfinity);
+  quadratic_.row_upper = VectorXd::Constant(count, kInfinity);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const RowSide& side = near[static_cast<std::size_t>(k)];
+    quadratic_.rows.startVec(k);
+    using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    for (Entry entry(model_.jacobian, side.row); entry; ++entry)
+      quadratic_.rows.insertBack(k, entry.col()) = entry.value();
+    if (goal == StepGoal::Rows) quadratic_.rows.insertBack(k, n) = -side.sign;
+    const double level = bound(side) - rows[side.row];
+    if (side.sign >= 0) quadratic_.row_upper[k] = level;
+    if (side.sign <= 0) quadratic_.row_lower[k] = level;
+  }
+  quadratic_.rows.finalize();
+}
+
+VectorXd Quadratics::start(const VectorXd& rows) const {
+  VectorXd start = VectorXd::Zero(quadratic_.cost.size());
+  if (start.size() > static_cast<Eigen::Index>(program_.variables()))
+    start[start.size() - 1] = largest_violation_of(program_, rows);
+  return start;
+}
+
+ProgramStep Quadratics::read(const InteriorSolution& found, const std::vector<RowSide>& near,
+                             double radius) const {
+  const auto n = static_cast<Eigen::Index>(program_.variables());
+  ProgramStep step{found.y.head(n), 0, {}};
+  const auto largest = [](const VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
+  const double idle =
+      kIdle * std::max({largest(found.row_multipliers), largest(found.lower_multipliers),
+                        largest(found.upper_multipliers)});
+  step.multipliers.rows = VectorXd::Zero(static_cast<Eigen::Index>(program_.rows()));
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const double multiplier = found.row_multipliers[static_cast<Eigen::Index>(k)];
+    if (std::abs(multiplier) > idle) step.multipliers.rows[near[k].row] += multiplier;
+  }
+  step.multipliers.lower = found.lower_multipliers.head(n);
+  step.multipliers.upper = found.upper_multipliers.head(n);
+  for (Eigen::Index i = 0; i < n; ++i) {  // the trust region's are not the program's
+    double &lower = step.multipliers.lower[i], &upper = step.multipliers.upper[i];
+    if (quadratic_.lower[i] == -radius || lower <= idle) lower = 0;
+    if (quadratic_.upper[i] == radius || upper <= idle) upper = 0;
+    step.d[i] = std::clamp(step.d[i], quadratic_.lower[i], quadratic_.upper[i]);
+  }
+  return step;
+}
+
+}  // namespace camlaw::optim
