@@ -7,6 +7,7 @@
 #include "machines/model/recorded_response.h"
 #include "machines/model/windowed.h"
 #include "numerics/scalar/interval.h"
+#include "optim/cycle/joined_curve.h"
 #include "optim/problem/automatic.h"
 
 namespace camlaw::problems {
@@ -159,9 +160,37 @@ std::string KnownShape::reason() const {
   return of_possible.empty() ? own : own + ", possible machines by theory.md (" + of_possible + ")";
 }
 
+namespace {
+
+/// What the shapes in all cases have in common; of a mean of curves nothing is known.
+KnownShape shape_over_cases(const Mechanism& mechanism, const MechanismResponse& response,
+                            const Binding& binding) {
+  KnownShape all;
+  for (const ResponseName& part : response.over_cases) {
+    if (!response.curve && part.response->curve) return {};
+    const KnownShape own = known_shape(mechanism, part, binding);
+    const bool is_first = &part == response.over_cases.data();
+    const Shape common = is_first ? own.best() : optim::common_shape(all.best(), own.best());
+    const bool is_declared = own.best() != own.ruled || !all.proof.empty();
+    if (all.proof.empty() && own.best() != own.ruled) all.proof = own.proof;
+    all.declared = is_declared ? common : Shape::General;
+    all.ruled = is_declared ? Shape::General : common;
+    all.by_enclosure |= own.by_enclosure;
+    if (all.of_possible.empty()) all.of_possible = own.of_possible;
+  }
+  const bool is_sum = !response.curve;
+  const bool adds = is_convex(all.best()) || is_concave(all.best());
+  return is_sum && !adds ? KnownShape{} : all;
+}
+
+}  // namespace
+
 KnownShape known_shape(const Mechanism& mechanism, const ResponseName& name,
                        const Binding& binding) {
   if (name.response == nullptr) return {.ruled = Shape::Linear};
+  if (!name.response->over_cases.empty()) {
+    return shape_over_cases(mechanism, *name.response, binding);
+  }
   return shape_in(mechanism, *name.response, narrowed(binding, *name.response));
 }
 

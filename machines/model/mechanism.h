@@ -106,11 +106,20 @@ struct ShaftTurn {
   Write sided;
 };
 
+struct ResponseName;
+
+/// Of a response in a load case: the case, and what the response is called in any.
+struct InCase {
+  std::string name, response;
+};
+
+struct OverRanges;
+
 struct MechanismResponse {
   std::string name;
   std::string unit;  ///< listed
   std::string meaning;
-  std::vector<ShapeStatement> shapes;
+  std::vector<ShapeStatement> shapes = {};
   std::vector<std::size_t> uses = {};  ///< the parameters that it depends on, increasing
   /// The parameters that decide whether there is such a machine, increasing: it is a number only
   /// where there is.
@@ -133,6 +142,10 @@ struct MechanismResponse {
   /// possible by, varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};
   std::function<std::shared_ptr<const optim::Curve>(const Binding&, optim::Shape)> curve = {};
+  std::optional<InCase> in_case = {};  ///< load_case.h
+  /// Of the worst or the mean of load cases: the response in each.
+  std::vector<ResponseName> over_cases = {};
+  std::shared_ptr<const OverRanges> over_ranges = {};  ///< over_ranges.h
 };
 
 /// A name for a part of a curve: "peak_inertia_force" is the magnitude of "inertia_force".
@@ -206,6 +219,7 @@ struct BuildableCheck {
   std::string input = {}, standard = {};
   Closure closure = Closure::Any;  ///< the followers that it is made for
   std::string after = {};          ///< a check that must hold for this one to mean something
+  std::vector<std::pair<std::size_t, double>> in_case = {};  ///< parameters that its load case sets
 };
 
 /// Of a machine whose motion does not return: an index drive.

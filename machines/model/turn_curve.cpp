@@ -8,6 +8,7 @@
 
 #include "machines/model/arguments.h"
 #include "machines/model/enclosed.h"
+#include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
 namespace {

@@ -131,6 +131,15 @@ std::string Function::why_undefined(Design x) const {
   return kernel_->why_undefined(Gathered(x, inputs_).values());
 }
 
+Function Function::within(const std::vector<std::size_t>& variables) const {
+  std::vector<std::size_t> inputs;
+  for (const std::size_t input : inputs_) {
+    const auto at = std::lower_bound(variables.begin(), variables.end(), input);
+    inputs.push_back(static_cast<std::size_t>(at - variables.begin()));
+  }
+  return {std::move(inputs), kernel_, shape_};
+}
+
 Function variable_function(std::size_t variable) {
   return Function({variable}, std::make_shared<Identity>(), Shape::Linear);
 }

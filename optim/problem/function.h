@@ -103,6 +103,8 @@ class Function {
   Function proved() const;
   bool is_enclosed() const { return kernel_->is_enclosed(); }
   std::string why_undefined(Design x) const;
+  /// The same of designs that hold these variables alone, increasing, all inputs among them.
+  Function within(const std::vector<std::size_t>& variables) const;
 
  private:
   std::vector<std::size_t> inputs_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "optim/cycle/extremes.h"
 #include "output/answers/limit_text.h"
@@ -88,6 +89,20 @@ Panel curve_panel(const optim::Trace& trace, const std::string& name, const std:
   return panel;
 }
 
+/// The responses in load cases that are limited or sought: of the others the figures are those of
+/// the file's constants alone.
+std::set<std::string> responses_in_cases(const problems::ProblemStatement& statement) {
+  std::set<std::string> names;
+  const auto add = [&](const problems::ResponseName& name) {
+    if (name.response == nullptr) return;
+    if (name.response->in_case) names.insert(name.response->name);
+    for (const auto& one : name.response->over_cases) names.insert(one.response->name);
+  };
+  for (const auto& objective : statement.objectives) add(objective.response);
+  for (const auto& limit : statement.constraints) add(limit.response);
+  return names;
+}
+
 }  // namespace
 
 Figure cycle_figure(const Answer& answer) {
@@ -117,7 +132,14 @@ Figure cycle_figure(const Answer& answer) {
     }
     for (const double value : levels) panel->lines.push_back(level(*panel, value));
   };
-  add(problem.objective().response, statement.objectives.front().response, {});
+  if (sought.response != nullptr && !sought.response->over_cases.empty() && !x.empty()) {
+    const problems::Binding binding = answer.bound.binding(answer.optimum.options);
+    for (const problems::ResponseName& one : sought.response->over_cases) {
+      add(problems::response_of(statement, one, binding), one, {});
+    }
+  } else {
+    add(problem.objective().response, sought, {});
+  }
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const optim::Constraint& c = problem.constraints[i];
     std::vector<double> levels;
@@ -136,7 +158,10 @@ Figure curves_figure(const problems::ProblemStatement& statement, int points) {
     figure.subtitle += ", " + statement.laws.front().label();
   }
   figure.panel_height = 150;
+  const std::set<std::string> in_cases = responses_in_cases(statement);
   for (const optim::Response& response : problems::curves_of(statement)) {
+    const bool is_of_case = response.name.find('.') != std::string::npos;
+    if (is_of_case && !in_cases.contains(response.name)) continue;
     figure.panels.push_back(
         curve_panel(*response.curve().trace({}), response.name, response.unit, points));
   }

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/load_case.h"
 #include "output/document/formatting.h"
 #include "output/document/printing.h"
+#include "problems/statement/ranges.h"
 
 namespace camlaw::cli {
 
@@ -15,6 +17,15 @@ std::string place_text(double place, const problems::ResponseName& curve) {
   constexpr double kNone = 1e-6;  // what rounding leaves of the cycle's beginning
   const std::string unit = curve.response != nullptr ? curve.response->along : "";
   return with_unit(fmt::format("{:.4g}", std::abs(place) < kNone ? 0 : place), unit);
+}
+
+std::string at_place(double place, const problems::ResponseName& curve) {
+  const auto in = problems::place_in_case(curve, place);
+  if (!in) return "at " + place_text(place, curve);
+  const problems::ResponseName& one = curve.response->over_cases.front();
+  const std::string where = one.response->curve ? "at " + place_text(in->place, one) : "";
+  if (in->load_case.empty()) return where;
+  return where + (where.empty() ? "" : " ") + "in case " + in->load_case;
 }
 
 LimitText limit_text(const optim::LimitReport& report,
@@ -52,6 +63,9 @@ Table limits_table(const std::vector<optim::LimitReport>& limits,
               .shown = 0};
   for (std::size_t i = 0; i < limits.size(); ++i) {
     std::vector<Cell> cells = limit_cells(limits[i], design.constraints[i]);
+    const std::string worst =
+        problems::worst_in_ranges(design, design.constraints[i], limits[i].worst_angle);
+    if (!worst.empty()) cells.back().text += (cells.back().text.empty() ? "" : ", ") + worst;
     cells.insert(cells.begin(), limits[i].name);
     cells.push_back(datum(limits[i].met));
     cells.push_back(datum(limits[i].tolerance));
@@ -66,7 +80,10 @@ Document limits_document(const std::vector<optim::LimitReport>& limits,
   Document document;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const optim::LimitReport& limit = limits[i];
-    const LimitText text = limit_text(limit, design.constraints[i]);
+    LimitText text = limit_text(limit, design.constraints[i]);
+    const std::string worst =
+        problems::worst_in_ranges(design, design.constraints[i], limit.worst_angle);
+    if (!worst.empty()) text.place += (text.place.empty() ? "" : ", ") + worst;
     document.say(fmt::format("{} {} = {} {}{}{}\n",
                              limit.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
                              limit.name, text.value, with_unit(text.bound, limit.unit),

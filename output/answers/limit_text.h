@@ -37,5 +37,7 @@ Document limits_document(const std::vector<optim::LimitReport>& limits,
 
 /// A place of a curve over the cycle: "342.2 deg", along a normalised law "0.8912".
 std::string place_text(double place, const problems::ResponseName& curve);
+/// "at 12 deg"; of the worst of load cases "at 12 deg in case fast", of numbers "in case fast".
+std::string at_place(double place, const problems::ResponseName& curve);
 
 }  // namespace camlaw::cli

@@ -50,7 +50,11 @@ bool has_prices(const Assessment& a) {
 Table priced_limits(const Answer& answer) {
   const std::vector<LimitReport> limits = answer.limits();
   const bool priced = has_prices(assessment(answer));
-  Table table = limits_table(limits, answer.bound.statement());
+  const optim::Optimum& optimum = answer.optimum;
+  const bool is_design =
+      optimum.found.x.size() == optimum.problem.variables.size() && !optimum.found.x.empty();
+  Table table = limits_table(limits, is_design ? answer.bound.at(optimum.options, optimum.found.x)
+                                               : answer.bound.statement());
   table.shown = limits.size();
   table.columns.insert(table.columns.end(),
                        {numbers(priced ? "price" : "", "multiplier"), data("at_rest")});
@@ -155,7 +159,7 @@ std::string design_text(const Answer& answer) {
   std::string text = fmt::format(
       "{} = {}{}\n\n", objective_name(answer),
       with_unit(fmt::format("{:.10g}", objective.value + 0.0), objective_unit(answer)),
-      objective.angle ? fmt::format("  (at {})", place_text(*objective.angle, response)) : "");
+      objective.angle ? fmt::format("  ({})", at_place(*objective.angle, response)) : "");
   const auto values = answer.values();
   for (std::size_t i = 0; i < values.size();) {
     const std::size_t end = end_of_list(values, i);

@@ -11,6 +11,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
 namespace {
@@ -29,16 +30,25 @@ std::size_t parameter_named(const ProblemStatement& problem, std::string_view na
       all.begin());
 }
 
-/// What the problem states by that name, of the machine or for its checks.
-std::optional<double> stated_number(const ProblemStatement& problem, std::string_view name) {
+/// What the problem states by that name for a check, of the machine or for its checks.
+std::optional<double> stated_number(const BuildableCheck& check, const ProblemStatement& problem,
+                                    std::string_view name) {
   const auto input = problem.buildable.inputs.find(name);
   if (input != problem.buildable.inputs.end()) return input->second;
   const std::size_t i = parameter_named(problem, name);
+  for (const auto& [parameter, value] : check.in_case) {
+    if (parameter == i) return value;
+  }
   return problem.stated.contains(i) ? std::optional(problem.constants[i]) : std::nullopt;
 }
 
 double bound_of(const BuildableCheck& check, const ProblemStatement& problem) {
-  return check.bound([&](std::string_view name) { return stated_number(problem, name); });
+  return check.bound([&](std::string_view name) { return stated_number(check, problem, name); });
+}
+
+/// Whether a name is of that response, over ranges or not.
+bool is_of(const ResponseName& name, const MechanismResponse& response) {
+  return name.response != nullptr && name.response->name == response.name;
 }
 
 /// What is sought and limited by the problem itself, not by its checks.
@@ -46,9 +56,9 @@ bool asks_for(const ProblemStatement& problem, const MechanismResponse* response
   const auto& wanted = problem.objectives;
   const auto& limits = problem.constraints;
   return std::any_of(wanted.begin(), wanted.end(),
-                     [&](const auto& o) { return o.response.response == response; }) ||
+                     [&](const auto& o) { return is_of(o.response, *response); }) ||
          std::any_of(limits.begin(), limits.end(),
-                     [&](const auto& c) { return !c.of_check && c.response.response == response; });
+                     [&](const auto& c) { return !c.of_check && is_of(c.response, *response); });
 }
 
 /// Whether the roller runs in a groove, so that the cam has an outer flank: only the problem knows,
@@ -76,7 +86,9 @@ std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
 /// "no speed stated", "no speed and no spring_rate, spring_preload or load stated"; empty where
 /// nothing is missing.
 std::string missing(const BuildableCheck& check, const ProblemStatement& problem) {
-  const auto is_stated = [&](const auto& name) { return stated_number(problem, name).has_value(); };
+  const auto is_stated = [&](const auto& name) {
+    return stated_number(check, problem, name).has_value();
+  };
   std::vector<std::string> parts;
   for (const std::string& name : check.needs) {
     if (!is_stated(name)) parts.push_back("no " + name);
@@ -94,7 +106,7 @@ ConstraintStatement limit_of(const BuildableCheck& check, const ProblemStatement
   limit.response = find_response(*problem.mechanism, check.response);
   (check.is_upper ? limit.upper : limit.lower) = bound_of(check, problem);
   limit.of_check = true;
-  return limit;
+  return over_ranges(problem, limit).front();  // it has one side
 }
 
 std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
@@ -144,7 +156,8 @@ std::vector<optim::LimitReport> reports_of(const ProblemStatement& design,
 
 /// Whether a limit keeps a response as a check wants it.
 bool is_as_tight(const ConstraintStatement& c, const ConstraintStatement& wanted) {
-  if (c.response.response != wanted.response.response) return false;
+  if (c.response.response == nullptr || !is_of(c.response, *wanted.response.response)) return false;
+  if (c.of_range.operator bool() != wanted.of_range.operator bool()) return false;
   if (c.response.window || c.tolerance) return false;
   const Part part = c.response.part;
   if (wanted.upper) return c.upper && *c.upper <= *wanted.upper && part != Part::Lowest;
@@ -259,7 +272,9 @@ void limit_to_checks(ProblemStatement& problem) {
     for (const ValidityLimit& valid : limit.response.response->defined_while) {
       ConstraintStatement more = valid_limit(*problem.mechanism, valid);
       more.of_check = true;
-      add_limit(more, problem);
+      for (ConstraintStatement& side : over_ranges(problem, more)) {
+        add_limit(std::move(side), problem);
+      }
     }
   }
 }

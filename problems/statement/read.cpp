@@ -22,7 +22,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   }
   check_keys(file, {"format", "title", "mechanism", "machine", "responses", "constants", "law",
                     "free", "program", "variables", "objective", "objectives", "constraints",
-                    "buildable", "solver"});
+                    "cases", "ranges", "buildable", "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });
@@ -41,6 +41,8 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   read_tolerances(file, problem);
   check_laws_at_start(file, problem);
   located(file, [&] { check_advancing_cycle(problem); });
+  read_cases(file, problem);
+  read_ranges(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);
   read_buildable(file, problem);

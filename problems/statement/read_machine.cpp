@@ -59,8 +59,9 @@ std::string text_or_none(const Entry& table, const char* key) {
 /// Names that [variables] has for the tables of what they belong to.
 const std::set<std::string> kTables{"law", "program", "machine"};
 
-/// Refuses a name that a formula could not hold.
-void check_name(const Entry& table, const std::string& name) {
+}  // namespace
+
+void check_formula_name(const Entry& table, const std::string& name) {
   const auto accepted = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   };
@@ -75,6 +76,8 @@ void check_name(const Entry& table, const std::string& name) {
            fmt::format("'{}' means something else in problem files; give it another name", name));
   }
 }
+
+namespace {
 
 /// Refuses a name that the mechanism has already.
 void check_new(const Entry& table, const Mechanism& mechanism, const std::string& name) {
@@ -108,14 +111,14 @@ double read_number(const Entry& table, const char* key, const std::string& unit,
 MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) {
   expect(table, Kind::Table, "a table with unit and default");
   check_keys(table, {"unit", "default", "lower", "upper", "type", "symbol", "meaning"});
-  check_name(table, table.key);
+  check_formula_name(table, table.key);
   check_new(table, machine, table.key);
   MechanismParameter parameter;
   parameter.name = table.key;
   parameter.unit = parameter.stored = read_unit(table);
   parameter.symbol = text_or_none(table, "symbol");
   if (const Entry* symbol = find(table, "symbol")) {
-    check_name(*symbol, parameter.symbol);
+    check_formula_name(*symbol, parameter.symbol);
     check_new(*symbol, machine, parameter.symbol);
   } else {
     parameter.symbol = parameter.name;
@@ -216,7 +219,7 @@ std::string in_one_line(const std::string& text) {
 Stated read_stated(const Entry& table, const Mechanism& mechanism) {
   expect(table, Kind::Table, "a table with formula and unit");
   check_keys(table, {"formula", "unit", "meaning"});
-  check_name(table, table.key);
+  check_formula_name(table, table.key);
   check_new(table, mechanism, table.key);
   const Entry* formula = find(table, "formula");
   if (formula == nullptr) refuse(table, "formula is missing, such as formula = \"mass * speed^2\"");

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/statement/cases.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/ranges.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -156,7 +158,8 @@ void check_order(const Entry& table, const Limits& limits, const ConstraintState
 
 ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[constraints]]");
-  check_keys(table, {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance"});
+  check_keys(table,
+             {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance", "cases"});
   const Entry* response = find(table, "response");
   if (response == nullptr) refuse(table, "response is missing; name what is to hold");
   ConstraintStatement constraint;
@@ -173,6 +176,13 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   check_possible(limits.lower, constraint.lower, constraint.response);
   check_possible(above, constraint.upper, constraint.response);
   constraint.tolerance = find_positive(table, "tolerance", unit);
+  const bool over_range = constraint.response.response != nullptr &&
+                          depends_on(*constraint.response.response, problem.ranges);
+  if (limits.equals != nullptr && over_range) {
+    refuse(*limits.equals, fmt::format("{} changes over the ranges of this file, and cannot be "
+                                       "held at one value; give lower or upper",
+                                       constraint.response.name));
+  }
   return constraint;
 }
 
@@ -184,7 +194,9 @@ void add_validity(const ValidityLimit& limit, ProblemStatement& problem) {
     const bool below = std::isinf(limit.upper) || (c.upper && *c.upper <= limit.upper);
     if (above && below) return;
   }
-  problem.constraints.push_back(valid_limit(*problem.mechanism, limit));
+  for (auto& side : over_ranges(problem, valid_limit(*problem.mechanism, limit))) {
+    problem.constraints.push_back(std::move(side));
+  }
 }
 
 /// Those of the responses that are sought or limited.
@@ -218,12 +230,13 @@ ObjectiveStatement read_wanted(const Entry& table, const ProblemStatement& probl
   check_varies(wanted, objective.response, problem);
   read_window(table, problem, objective.response);
   objective.tolerance = find_positive(table, "tolerance", objective.response.unit);
-  return objective;
+  return read_over_cases(table, problem, std::move(objective));
 }
 
 ObjectiveStatement read_one_of_several(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[objectives]] with minimize or maximize");
-  check_keys(table, {"minimize", "maximize", "over", "from", "to", "tolerance", "reference"});
+  check_keys(table,
+             {"minimize", "maximize", "over", "from", "to", "tolerance", "reference", "cases"});
   ObjectiveStatement objective = read_wanted(table, problem);
   if (const Entry* reference = find(table, "reference")) {
     objective.reference = quantity_of(*reference, objective.response.unit);
@@ -252,7 +265,7 @@ void read_objectives(const Entry& file, ProblemStatement& problem) {
   }
   if (one != nullptr) {
     expect(*one, Kind::Table, "a table, [objective] with minimize or maximize");
-    check_keys(*one, {"minimize", "maximize", "over", "from", "to", "tolerance"});
+    check_keys(*one, {"minimize", "maximize", "over", "from", "to", "tolerance", "cases"});
     problem.objectives = {read_wanted(*one, problem)};
   }
   if (several == nullptr) return;
@@ -270,7 +283,12 @@ void read_constraints(const Entry& file, ProblemStatement& problem) {
   if (const Entry* constraints = find(file, "constraints")) {
     expect(*constraints, Kind::List, "a list of tables, each headed [[constraints]]");
     for (const Entry& table : constraints->items) {
-      problem.constraints.push_back(read_constraint(table, problem));
+      const ConstraintStatement limit = read_constraint(table, problem);
+      for (ConstraintStatement& own : in_cases(problem, limit, read_case_names(table, problem))) {
+        for (ConstraintStatement& side : over_ranges(problem, own)) {
+          problem.constraints.push_back(std::move(side));
+        }
+      }
     }
   }
   for (const ValidityLimit& limit : problem.mechanism->validity) add_validity(limit, problem);

@@ -53,6 +53,17 @@ Member read_free_law(const Entry& file, const Entry& segment, HeldFiles& files);
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
+/// Load cases, and what differs in them among the mechanism's responses.
+void read_cases(const Entry& file, ProblemStatement& problem);
+/// Ranges of parameters, [ranges.speed].
+void read_ranges(const Entry& file, ProblemStatement& problem);
+/// The cases that a limit's table names; without the key all.
+std::vector<std::string> read_case_names(const Entry& table, const ProblemStatement& problem);
+/// What an objective's table takes of the cases: the worst, where it does not say.
+ObjectiveStatement read_over_cases(const Entry& table, const ProblemStatement& problem,
+                                   ObjectiveStatement objective);
+/// Refuses a name that a formula could not hold.
+void check_formula_name(const Entry& entry, const std::string& name);
 /// That each law can be made with its fixed values and starts, and that no two are the same.
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
 /// The part of the cycle that a table confines a response to, `over` or `from` and `to`; its name

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/statement/advancing_cycle.h"
 #include "problems/statement/buildable.h"
+#include "problems/statement/cases.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
@@ -71,6 +75,86 @@ void set_list(ProblemStatement& problem, const NamedParameter& parameter, std::s
   for (std::size_t i = 0; i < parts.size(); ++i) set_number(problem, parameter, i, parts[i]);
 }
 
+/// The case that "fast.speed" names; null where it names none.
+const LoadCase* case_of(const ProblemStatement& problem, std::string_view name) {
+  const std::size_t dot = name.find('.');
+  return dot == std::string_view::npos ? nullptr : find_case(problem, name.substr(0, dot));
+}
+
+/// "fast.speed=380 rpm".
+void set_parameter_in_case(ProblemStatement& problem, const LoadCase& load, std::string_view name,
+                           std::string_view text) {
+  const NamedParameter parameter =
+      find_parameter(problem, name.substr(load.name.size() + 1), Owner::Machine);
+  const auto& set = load.parameters;
+  if (std::none_of(set.begin(), set.end(),
+                   [&](const auto& s) { return s.first == parameter.parameter; })) {
+    throw std::invalid_argument(
+        fmt::format("{}: the cases of this file do not set {}", name, parameter.name));
+  }
+  const double value = read_number(text, parameter, std::string(name));
+  set_in_case(problem, std::string(load.name), parameter.parameter, value);
+}
+
+struct Bound {
+  std::string_view response;
+  bool is_upper;
+};
+
+/// What "pressure_angle.upper" names.
+std::optional<Bound> bound_named(std::string_view name) {
+  for (const auto& [word, is_upper] : {std::pair{".lower", false}, std::pair{".upper", true}}) {
+    if (name.ends_with(word)) {
+      return Bound{name.substr(0, name.size() - std::string_view(word).size()), is_upper};
+    }
+  }
+  return {};
+}
+
+/// Whether a limit that the file states is on that response, by the name that the file has for it
+/// or, in a load case, the name in that case.
+bool is_on(const ConstraintStatement& limit, std::string_view response) {
+  if (limit.of_law || limit.of_check) return false;
+  const std::string& name = limit.response.name;
+  if (name == response) return true;
+  const MechanismResponse* declared = limit.response.response;
+  if (declared == nullptr || !declared->in_case) return false;
+  const std::string prefix = declared->in_case->name + ".";
+  const std::size_t at = name.find(prefix);
+  return at != std::string::npos &&
+         name.substr(0, at) + name.substr(at + prefix.size()) == response;
+}
+
+/// "pressure_angle.upper=25 deg": another bound of a limit that there is.
+void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view name,
+               std::string_view text) {
+  std::vector<std::string> known;
+  bool is_set = false;
+  for (ConstraintStatement& limit : problem.constraints) {
+    std::optional<double>& own = bound.is_upper ? limit.upper : limit.lower;
+    if (!own) continue;
+    known.push_back(limit.response.name + (bound.is_upper ? ".upper" : ".lower"));
+    if (!is_on(limit, bound.response)) continue;
+    if (limit.lower == limit.upper) {
+      throw std::invalid_argument(
+          fmt::format("{}: the file holds it at one value; change it in the file", name));
+    }
+    const std::string& unit = limit.response.unit;
+    own = parse_quantity(text, unit, unit, std::string(name));
+    if (limit.lower && limit.upper && *limit.lower >= *limit.upper) {
+      throw std::invalid_argument(fmt::format("{}: lower {} would not be below upper {}", name,
+                                              with_unit(*limit.lower, unit),
+                                              with_unit(*limit.upper, unit)));
+    }
+    if (limit.response.part == optim::Part::Magnitude && !(*own > 0)) {
+      throw std::invalid_argument(
+          fmt::format("{}: it is the largest size of a curve, whose bound is above 0", name));
+    }
+    is_set = true;
+  }
+  if (!is_set) refuse_name("no limit is called", name, known);
+}
+
 /// "blades=21", without a look at whether the laws are possible.
 void assign(ProblemStatement& problem, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
@@ -86,6 +170,11 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
         accepted_input(*input, parse_quantity(text, input->unit, input->unit, stated));
     return;
   }
+  if (const LoadCase* load = case_of(problem, name)) {
+    const auto bound = bound_named(name);
+    if (!bound) return set_parameter_in_case(problem, *load, name, text);
+  }
+  if (const auto bound = bound_named(name)) return set_bound(problem, *bound, name, text);
   const NamedParameter parameter = find_parameter(problem, name);
   if (parameter.list && !parameter.element) {
     set_list(problem, parameter, text);

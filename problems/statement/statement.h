@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
+#include "machines/model/load_case.h"
 #include "machines/model/mechanism.h"
+#include "machines/model/over_ranges.h"
 #include "optim/solvers/native_options.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,
@@ -42,11 +44,20 @@ struct VariableStatement {
   std::optional<Measure> measure = {};  ///< of a displacement whose tolerance is stated with a unit
 };
 
+/// What is taken of a response that differs between load cases.
+enum class OverCases : char { Worst, Mean };
+
 struct ObjectiveStatement {
   ResponseName response;
   optim::Sense sense = optim::Sense::Minimize;
   std::optional<double> tolerance;
   std::optional<double> reference = {};  ///< of a front: what its hypervolume is measured from
+  /// Of one over load cases, whose response is none of the mechanism's.
+  std::optional<OverCases> over = {};
+  std::shared_ptr<const MechanismResponse> of_cases = {};
+  ResponseName one_case = {};                               ///< what the file names
+  std::shared_ptr<const MechanismResponse> of_ranges = {};  ///< of one over ranges
+  ResponseName one_value = {};                              ///< what it is of
 };
 
 struct ConstraintStatement {
@@ -55,6 +66,7 @@ struct ConstraintStatement {
   /// Of a limit that the file does not state, but a law has (Room): the response, which is none of
   /// the mechanism's.
   std::shared_ptr<const MechanismResponse> of_law = {};
+  std::shared_ptr<const MechanismResponse> of_range = {};  ///< of one over ranges of parameters
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
 };
 
@@ -116,6 +128,10 @@ struct ProblemStatement {
   std::vector<ObjectiveStatement> objectives;
   std::vector<ConstraintStatement> constraints;
   SolverStatement solver;
+  /// Load cases; all of them set the same parameters. The mechanism has what differs in each.
+  std::vector<LoadCase> cases = {};
+  std::shared_ptr<const Mechanism> without_cases = {};  ///< the mechanism, where there are cases
+  std::vector<ParameterRange> ranges = {};              ///< parameters that take any value within
   BuildableStatement buildable = {};
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
   std::string text = {};    ///< as it was read

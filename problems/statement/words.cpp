@@ -39,7 +39,15 @@ std::string constants_sentence(const ProblemStatement& problem) {
     const bool varies = std::any_of(problem.variables.begin(), problem.variables.end(),
                                     [&](const auto& v) { return !v.of_law && v.parameter == i; });
     const MechanismParameter& p = problem.mechanism->parameters[i];
-    if (!varies) parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
+    const bool by_case =
+        !problem.cases.empty() && std::any_of(problem.cases.front().parameters.begin(),
+                                              problem.cases.front().parameters.end(),
+                                              [&](const auto& set) { return set.first == i; });
+    const bool by_range =
+        std::any_of(problem.ranges.begin(), problem.ranges.end(),
+                    [&](const ParameterRange& range) { return range.parameter == i; });
+    if (!varies && !by_case && !by_range)
+      parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
   }
   return parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
 }
@@ -165,6 +173,34 @@ std::string wanted_text(const ObjectiveStatement& objective) {
                      tolerance_note(objective.tolerance, response.unit));
 }
 
+/// "In the case fast it has speed = 400 rpm."
+std::string cases_sentence(const ProblemStatement& problem) {
+  std::string words;
+  const bool weighs = std::any_of(problem.objectives.begin(), problem.objectives.end(),
+                                  [](const auto& o) { return o.over == OverCases::Mean; });
+  for (const LoadCase& load : problem.cases) {
+    std::vector<std::string> parts;
+    for (const auto& [parameter, value] : load.parameters) {
+      const MechanismParameter& p = problem.mechanism->parameters[parameter];
+      parts.push_back(p.name + " = " + with_unit(value, p.unit));
+    }
+    words += fmt::format("In the case {} it has {}{}.\n", load.name, listed(parts),
+                         weighs ? fmt::format(", with weight {:.6g}", load.weight) : "");
+  }
+  return words;
+}
+
+/// "It has any speed between 100 and 400 rpm."
+std::string ranges_sentence(const ProblemStatement& problem) {
+  std::vector<std::string> parts;
+  for (const ParameterRange& range : problem.ranges) {
+    const MechanismParameter& p = problem.mechanism->parameters[range.parameter];
+    parts.push_back(fmt::format("any {} between {:.6g} and {}", p.name, range.lower,
+                                with_unit(range.upper, p.unit)));
+  }
+  return parts.empty() ? "" : fmt::format("It may have {}.\n", listed(parts));
+}
+
 std::string objectives_sentence(const std::vector<ObjectiveStatement>& objectives) {
   if (objectives.empty()) return "There is no objective.\n";
   std::vector<std::string> wanted;
@@ -233,7 +269,8 @@ std::string in_words(const ProblemStatement& problem) {
   std::string words = problem.title.empty() ? "" : problem.title + "\n\n";
   words +=
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
-  words += constants_sentence(problem) + laws_sentence(problem) + timing_sentence(problem);
+  words += constants_sentence(problem) + cases_sentence(problem) + ranges_sentence(problem) +
+           laws_sentence(problem) + timing_sentence(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {
     const std::size_t next = end_of_list(problem.variables, i);
     words += next - i > kListedOneByOne ? list_sentence(problem, i, next)

@@ -21,6 +21,7 @@
 #include "problems/law_files/json_text.h"
 #include "problems/law_files/law_file.h"
 #include "problems/law_files/pieces_json.h"
+#include "problems/statement/law_names.h"
 #include "python/bindings/module.h"
 #include "python/bindings/running.h"
 #include "python/bindings/values.h"
@@ -178,15 +179,9 @@ cli::Figure figure_of(const NamedLaw& law, int points) {
 using LawState = std::tuple<std::string, std::optional<std::string>, std::string, std::string,
                             std::vector<std::string>>;
 
-bool is_of_catalogue(const Member& law) {
-  const auto& all = catalogue();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Family& family) { return family.name == law.family->name; });
-}
-
 LawState state_of(const NamedLaw& law) {
   const Family& family = *law.member.family;
-  if (is_of_catalogue(law.member)) return {law.member.name(), {}, "", "", {}};
+  if (problems::is_of_catalogue(law.member)) return {law.member.name(), {}, "", "", {}};
   return {law.member.name(), problems::law_file(law.law, family.formula, nullptr).dump(),
           family.formula, family.source, family.aliases};
 }

@@ -51,7 +51,9 @@ class Problem:
     variables: (lower, upper), or a table of lower, upper, start, type, values. objective: what is
     to be least, or {"minimize": ...} or {"maximize": ...}; objectives: a list of such, for a front.
     constraints: a dict of (lower, upper) or tables, or a list of tables. responses: formulas of
-    one's own, each a Response. Raises InputError.
+    one's own, each a Response. cases: load cases, [{"name": "fast", "speed": "400 rpm"}, ...].
+    ranges: parameters that take any value within, {"speed": ("100 rpm", "400 rpm")}. Raises
+    InputError.
     """
 
     def __init__(
@@ -69,6 +71,8 @@ class Problem:
         objectives: Sequence[Any] | None = None,
         constraints: Any = None,
         responses: Mapping[str, Any] | None = None,
+        cases: Sequence[Mapping[str, Any]] | None = None,
+        ranges: Mapping[str, Any] | None = None,
         buildable: Mapping[str, Any] | None = None,
         solver: Mapping[str, Any] | None = None,
         source: str = "problem",
@@ -90,6 +94,8 @@ class Problem:
             objectives=objectives,
             constraints=constraints,
             responses=responses,
+            cases=cases,
+            ranges=ranges,
             buildable=buildable,
             solver=solver,
         )
@@ -159,7 +165,8 @@ class Problem:
         return tables.of_rows(self._native.machine()["responses"], index="response")
 
     def set(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Problem:
-        """The problem with other starts of its variables, constants or coefficients of its law."""
+        """The problem with other starts of its variables, constants, coefficients of its law, values
+        in load cases ("fast.speed") or bounds of its limits ("pressure_angle.upper")."""
         settings = units.settings_of({**(values or {}), **more})
         return Problem(_native=self._native.with_settings(settings))
 

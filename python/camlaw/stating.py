@@ -62,6 +62,8 @@ def problem_table(
     objectives: Sequence[Any] | None,
     constraints: Any,
     responses: Mapping[str, Any] | None,
+    cases: Sequence[Mapping[str, Any]] | None,
+    ranges: Mapping[str, Any] | None,
     buildable: Mapping[str, Any] | None,
     solver: Mapping[str, Any] | None,
 ) -> dict[str, Any]:
@@ -82,6 +84,8 @@ def problem_table(
         "law": law_table(law) if law is not None else None,
         "free": free,
         "program": program,
+        "cases": [dict(case) for case in cases] if cases else None,
+        "ranges": {name: bounds_table(b) for name, b in ranges.items()} if ranges else None,
         "variables": {name: bounds_table(b) for name, b in variables.items()}
         if variables
         else None,

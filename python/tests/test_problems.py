@@ -205,3 +205,28 @@ def test_mechanisms_are_listed():
     assert "pressure_angle" in cam.responses.index
     with pytest.raises(cl.InputError):
         cl.mechanism("no-such-cam")
+
+
+def test_load_cases_and_ranges_are_stated_as_in_a_file():
+    cases = roller(
+        cases=[{"name": "slow", "speed": "60 rpm"}, {"name": "fast", "speed": "240 rpm"}],
+        constants={"stroke": "30 mm", "roller_radius": "8 mm", "mass": "1.2 kg",
+                   "spring_rate": "6 N/mm", "spring_preload": "60 N"},
+    )  # fmt: skip
+    result = cases.optimize()
+    assert result.verdict == "certified"
+    names = list(result.margins.index)
+    assert "slow.follower_force" in names and "fast.follower_force" in names
+    eased = cases.set({"pressure_angle.upper": "35 deg", "fast.speed": "200 rpm"}).optimize()
+    assert eased["base_radius"] < result["base_radius"]
+    with pytest.raises(cl.InputError, match="no limit"):
+        cases.set({"pressure_angel.upper": "35 deg"})
+
+    ranged = roller(
+        ranges={"speed": ("60 rpm", "240 rpm")},
+        constants={"stroke": "30 mm", "roller_radius": "8 mm", "mass": "1.2 kg",
+                   "spring_rate": "6 N/mm", "spring_preload": "60 N"},
+    )  # fmt: skip
+    found = ranged.optimize()
+    assert found.verdict == "certified"
+    assert found["base_radius"] == pytest.approx(result["base_radius"], rel=1e-6)

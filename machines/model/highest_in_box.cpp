@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/highest_in_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Bounds;
+
+bool is_point(const Bounds& b) { return b.lower == b.upper; }
+
+Point point_of(const Box& box, const std::function<double(const Bounds&)>& choose) {
+  Point point;
+  for (const Bounds& b : box) point.push_back(choose(b));
+  return point;
+}
+
+double middle(const Bounds& b) { return std::midpoint(b.lower, b.upper); }
+
+/// The search of highest_within: bounds of the highest value so far.
+class Halving {
+ public:
+  Halving(const Box& whole, const std::function<Bounds(const Point&)>& at,
+          const std::function<OverBox(const Box&)>& over)
+      : whole_(whole), at_(at), over_(over) {}
+
+  void look_at(const Point& point) {
+    const Bounds here = at_(point);
+    found_.lower = std::max(found_.lower, here.lower);
+    found_.upper = std::max(found_.upper, here.upper);
+  }
+
+  void go_through(const Box& box, int halvings) {
+    const OverBox whole = over_(box);
+    Box narrow = box;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const Bounds& slope = whole.slopes[i];
+      if (slope.lower >= 0) narrow[i] = {box[i].upper, box[i].upper};
+      if (slope.upper <= 0) narrow[i] = {box[i].lower, box[i].lower};
+    }
+    if (std::all_of(narrow.begin(), narrow.end(), is_point)) {
+      return look_at(point_of(narrow, [](const Bounds& b) { return b.lower; }));
+    }
+    const Point centre = point_of(narrow, middle);
+    const Bounds here = at_(centre);
+    double upper = here.upper;  // by the mean value, where that is less
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      if (is_point(narrow[i])) continue;
+      const Bounds& slope = whole.slopes[i];
+      const double half = (narrow[i].upper - narrow[i].lower) / 2 +
+                          1e-15 * (std::abs(narrow[i].lower) + std::abs(narrow[i].upper));
+      upper += half * std::max(std::abs(slope.lower), std::abs(slope.upper));
+    }
+    upper += 1e-15 * std::abs(upper);
+    if (!(upper <= whole.value.upper)) upper = whole.value.upper;
+    found_.lower = std::max(found_.lower, here.lower);
+    if (upper <= found_.upper) return;
+    if (halvings == 0 || !std::isfinite(upper)) {
+      found_.upper = upper;
+      return;
+    }
+    halve(narrow, halvings);
+  }
+
+  Bounds found() const { return found_; }
+
+ private:
+  /// Where the box is widest, as a share of the whole one.
+  void halve(const Box& box, int halvings) {
+    std::size_t widest = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const double width = box[i].upper - box[i].lower;
+      const double share = width > 0 ? width / (whole_[i].upper - whole_[i].lower) : 0;
+      if (share > most) most = share, widest = i;
+    }
+    Box part = box;
+    part[widest].upper = middle(box[widest]);
+    go_through(part, halvings - 1);
+    part[widest] = {middle(box[widest]), box[widest].upper};
+    go_through(part, halvings - 1);
+  }
+
+  const Box& whole_;
+  const std::function<Bounds(const Point&)>& at_;
+  const std::function<OverBox(const Box&)>& over_;
+  Bounds found_{-optim::kInfinity, -optim::kInfinity};
+};
+
+/// All combinations of these values for each parameter.
+std::vector<Point> combinations(const std::vector<std::vector<double>>& values) {
+  std::vector<Point> all{{}};
+  for (const auto& own : values) {
+    std::vector<Point> longer;
+    for (const Point& point : all) {
+      for (const double value : own) {
+        longer.push_back(point);
+        longer.back().push_back(value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Point> places_of(const Box& box) {
+  constexpr int kSteps[] = {8, 4, 2};  // of one, two and three parameters
+  const int steps = kSteps[std::min<std::size_t>(box.size(), 3) - 1];
+  std::vector<std::vector<double>> ends, even;
+  for (const Bounds& b : box) {
+    ends.push_back(is_point(b) ? Point{b.lower} : Point{b.lower, b.upper});
+    even.emplace_back();
+    for (int i = 0; i <= (is_point(b) ? 0 : steps); ++i) {
+      even.back().push_back(std::lerp(b.lower, b.upper, static_cast<double>(i) / steps));
+    }
+  }
+  std::vector<Point> all = combinations(ends);
+  for (Point& point : combinations(even)) {
+    if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(std::move(point));
+  }
+  return all;
+}
+
+Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes) {
+  constexpr int kSteps = 40;
+  constexpr double kSmall = 1e-13;  // of the range
+  Slopes here = slopes(from);
+  double share = 1;  // of the range that a step may take
+  for (int step = 0; step < kSteps; ++step) {
+    Point next = from;
+    bool moves = false;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const double width = box[i].upper - box[i].lower;
+      const double bend = here.second[optim::packed(i, i)];
+      double change = bend < 0 ? -here.first[i] / bend : here.first[i] > 0 ? width : -width;
+      if (here.first[i] == 0) change = 0;
+      change = std::clamp(change, -share * width, share * width);
+      next[i] = std::clamp(from[i] + change, box[i].lower, box[i].upper);
+      moves |= std::abs(next[i] - from[i]) > kSmall * width;
+    }
+    if (!moves) break;
+    Slopes there = slopes(next);
+    if (there.value > here.value) {
+      from = std::move(next);
+      here = std::move(there);
+    } else {
+      share /= 4;
+      if (share < kSmall) break;
+    }
+  }
+  return from;
+}
+
+Bounds highest_within(const Box& box, int halvings, const std::function<Bounds(const Point&)>& at,
+                      const std::function<OverBox(const Box&)>& over) {
+  Halving search(box, at, over);
+  std::vector<std::vector<double>> ends;
+  for (const Bounds& b : box) ends.push_back({b.lower, b.upper});
+  for (const Point& corner : combinations(ends)) search.look_at(corner);
+  search.go_through(box, halvings);
+  return search.found();
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "optim/problem/function.h"
+
+/// The highest value of a function of a few parameters, each within bounds.
+namespace camlaw::problems {
+
+using Box = std::vector<optim::Bounds>;
+using Point = std::vector<double>;
+
+/// Places of a box at which a highest value is looked for: its corners first, then some within.
+std::vector<Point> places_of(const Box& box);
+
+/// From one of these places, the highest of them, uphill to the highest value nearby. `slopes` are
+/// the function's first and second derivatives, packed, at a point.
+struct Slopes {
+  double value;
+  std::vector<double> first, second;
+};
+Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes);
+
+/// What is proved of a function over a box.
+struct OverBox {
+  optim::Bounds value;
+  std::vector<optim::Bounds> slopes;
+};
+
+/// Numbers between which the highest value over a box is proved to lie, by halving the box at most
+/// so often: where a slope has one sign, that parameter stands at an end. `at` bounds the value at
+/// a point.
+optim::Bounds highest_within(const Box& box, int halvings,
+                             const std::function<optim::Bounds(const Point&)>& at,
+                             const std::function<OverBox(const Box&)>& over);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "problems/statement/statement.h"
+
+/// Load cases of a problem: what is limited and sought in each of them.
+namespace camlaw::problems {
+
+/// A response in a case, named so: "peak fast.contact_stress" of "peak contact_stress"; the same
+/// where it does not differ.
+ResponseName in_case(const Mechanism& mechanism, const ResponseName& name, const LoadCase& load);
+
+/// A limit in each of these cases; once where its response does not differ.
+std::vector<ConstraintStatement> in_cases(const ProblemStatement& problem,
+                                          const ConstraintStatement& limit,
+                                          const std::vector<std::string>& cases);
+
+/// An objective over all cases; as it is where its response does not differ, or is in one case
+/// already.
+ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatement objective,
+                              OverCases over);
+
+/// A case by its name; null where there is none.
+const LoadCase* find_case(const ProblemStatement& problem, std::string_view name);
+
+/// Sets a parameter of a case to a value that it accepts; all that is limited and sought follows.
+void set_in_case(ProblemStatement& problem, std::string_view load, std::size_t parameter,
+                 double value);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/ranges.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "machines/model/law_binding.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+using optim::Part;
+
+bool matters(const ProblemStatement& problem, const ResponseName& name) {
+  return name.response != nullptr && !name.response->over_ranges &&
+         depends_on(*name.response, problem.ranges);
+}
+
+std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
+                                                const ResponseName& name, bool highest) {
+  return over_ranges(*name.response, problem.mechanism->parameters, problem.ranges, highest);
+}
+
+/// The largest size of a curve over the ranges: that of the highest values and the lowest ones, one
+/// behind the other.
+ObjectiveStatement size_over_ranges(const ProblemStatement& problem, ObjectiveStatement objective) {
+  struct Owned {
+    std::shared_ptr<const MechanismResponse> highest, lowest, both;
+  };
+  auto owned = std::make_shared<Owned>();
+  owned->highest = spread(problem, objective.response, true);
+  owned->lowest = spread(problem, objective.response, false);
+  std::vector<ResponseName> parts(2, objective.response);
+  parts[0].response = owned->highest.get();
+  parts[1].response = owned->lowest.get();
+  WorstCase wanted = worst_case(problem.mechanism, std::move(parts), objective.response.name, true);
+  owned->both = std::move(wanted.response);
+  objective.of_ranges = std::shared_ptr<const MechanismResponse>(owned, owned->both.get());
+  objective.response = std::move(wanted.name);
+  return objective;
+}
+
+}  // namespace
+
+std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
+                                                             const ResponseName& name,
+                                                             bool highest) {
+  return matters(problem, name) ? spread(problem, name, highest) : nullptr;
+}
+
+std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
+                                             const ConstraintStatement& limit) {
+  if (!matters(problem, limit.response)) return {limit};
+  std::vector<ConstraintStatement> sides;
+  const auto add = [&](bool is_upper, double bound) {
+    ConstraintStatement side = limit;
+    side.lower.reset();
+    side.upper.reset();
+    (is_upper ? side.upper : side.lower) = bound;
+    side.of_range = spread(problem, limit.response, is_upper);
+    side.response.response = side.of_range.get();
+    const bool is_curve = static_cast<bool>(limit.response.response->curve);
+    if (is_curve) side.response.part = Part::Value;
+    sides.push_back(std::move(side));
+  };
+  if (limit.upper) add(true, *limit.upper);
+  if (limit.lower) add(false, *limit.lower);
+  if (limit.response.part == Part::Magnitude && limit.upper) add(false, -*limit.upper);
+  return sides;
+}
+
+ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective) {
+  if (!matters(problem, objective.response)) return objective;
+  const bool highest = objective.sense == optim::Sense::Minimize;
+  objective.one_value = objective.response;
+  if (objective.response.part == Part::Magnitude) {
+    return size_over_ranges(problem, std::move(objective));
+  }
+  objective.of_ranges = spread(problem, objective.response, highest);
+  objective.response.response = objective.of_ranges.get();
+  return objective;
+}
+
+std::string worst_in_ranges(const ProblemStatement& design, const ConstraintStatement& limit,
+                            const std::optional<double>& place) {
+  const MechanismResponse* response = limit.response.response;
+  if (response == nullptr || !response->over_ranges || design.laws.empty()) return "";
+  if (response->curve && !place) return "";
+  Binding binding;
+  binding.constants = design.constants;
+  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::vector<LawVariable>{});
+  const optim::Place at{place.value_or(0)};
+  const OverRanges& over = *response->over_ranges;
+  const std::vector<double> worst = over.worst(binding, {}, &at);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    if (std::isnan(worst[i])) continue;
+    const MechanismParameter& p = design.mechanism->parameters[over.ranges[i].parameter];
+    parts.push_back(fmt::format("{} = {}", p.name, with_unit(worst[i], p.unit)));
+  }
+  return parts.empty() ? "" : listed(parts);
+}
+
+}  // namespace camlaw::problems

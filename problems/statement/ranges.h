@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/statement/statement.h"
+
+/// Limits and objectives over ranges of parameters.
+namespace camlaw::problems {
+
+/// A limit as it must hold over all values of the problem's ranges: a limit for each of its sides,
+/// the upper one on the highest value and the lower one on the lowest. As it is where no range
+/// matters.
+std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
+                                             const ConstraintStatement& limit);
+/// What is sought over all values of the ranges: the least highest value, the greatest lowest one;
+/// of the largest size of a curve the least of both.
+ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective);
+
+/// The highest, or lowest, value of a response over the ranges; none where they do not matter.
+std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
+                                                             const ResponseName& name,
+                                                             bool highest);
+
+/// "speed = 400 rpm": where in the ranges a limit is nearest to its bound, for a design that a
+/// statement begins with and, of a curve, the place; empty where no range matters.
+std::string worst_in_ranges(const ProblemStatement& design, const ConstraintStatement& limit,
+                            const std::optional<double>& place);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "machines/model/highest_in_box.h"
+#include "optim/cycle/extremes.h"
+#include "optim/search/optimise.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/ranges.h"
+#include "tests/problems/complaint.h"
+
+// Limits over ranges of parameters, against many evaluations of the file with single values.
+namespace camlaw::problems::parameter_ranges_test {
+
+using Catch::Contains;
+
+namespace {
+
+std::string cam(const std::string& constants, const std::string& more = "") {
+  return R"(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+mass = "1.5 kg"
+spring_rate = "8 N/mm"
+base_radius = "40 mm"
+spring_preload = "120 N"
+)" + constants +
+         R"(
+[program]
+segments = [{name = "rise", angle = 90, law = "modified-sine"}, {name = "high", angle = 70},
+            {name = "back", angle = 110, law = "cycloidal"}, {name = "low"}]
+)" + more;
+}
+
+ProblemStatement read(const std::string& text) { return read_problem(text, "f.toml"); }
+
+double value_of_peak(const ProblemStatement& problem, const std::string& curve, bool highest) {
+  for (const auto& r : evaluate(problem)) {
+    if (r.name == curve) return highest ? r.highest : r.lowest;
+  }
+  FAIL("no response " + curve);
+  return 0;
+}
+
+const std::string kSpeeds = "[ranges.speed]\nlower = '100 rpm'\nupper = '400 rpm'\n";
+
+}  // namespace
+
+TEST_CASE("The least force over a range of speeds is that of the greatest speed") {
+  const ProblemStatement ranged =
+      read(cam(kSpeeds,
+               "[[constraints]]\nresponse = 'follower_force'\nlower = '0 N'\n"
+               "[[constraints]]\nresponse = 'inertia_fraction'\nupper = 2\n"));
+  const ProblemStatement fast = read(cam("speed = '400 rpm'\n"));
+  const auto limits = standing(ranged);
+  REQUIRE(limits.size() == 2);
+  CHECK(limits[0].proved);
+  CHECK(limits[0].value == Approx(value_of_peak(fast, "follower_force", false)).epsilon(1e-9));
+  CHECK(worst_in_ranges(ranged, ranged.constraints[0], limits[0].worst_angle) == "speed = 400 rpm");
+}
+
+TEST_CASE("Limits from both sides are looked at each over the whole range") {
+  const ProblemStatement ranged =
+      read(cam(kSpeeds + "[ranges.load]\nlower = '0 N'\nupper = '150 N'\n",
+               "[[constraints]]\nresponse = 'contact_force'\nlower = '-200 N'\nupper = '900 N'\n"));
+  const auto limits = standing(ranged);
+  REQUIRE(limits.size() == 2);
+  double highest = -1e9, lowest = 1e9;
+  for (const char* speed : {"100", "160", "230", "300", "400"}) {
+    for (const char* load : {"0", "70", "150"}) {
+      const ProblemStatement one =
+          read(cam(std::string("speed = '") + speed + " rpm'\nload = '" + load + " N'\n"));
+      highest = std::max(highest, value_of_peak(one, "contact_force", true));
+      lowest = std::min(lowest, value_of_peak(one, "contact_force", false));
+    }
+  }
+  CHECK(limits[0].value == Approx(highest).epsilon(1e-9));
+  CHECK(limits[1].value == Approx(lowest).epsilon(1e-9));
+  CHECK(limits[0].proved);
+  CHECK(limits[1].proved);
+}
+
+TEST_CASE("A worst value inside the range is found and proved there") {
+  // f = a v - v^2 at the place v of the law: the worst a lies at an end, the worst b at b = v.
+  const std::string machine =
+      "[machine]\nmoved_by = 'law'\n"
+      "[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
+      "[machine.parameters.c]\ndefault = 2\nlower = 0\nupper = 9\n"
+      "[responses.f]\nformula = 'c - (b - 1.3)^2 + 0.1 * v * b'\n"
+      "[responses.g]\nformula = 'c - (b - 1.3)^2'\n";
+  const ProblemStatement problem = read(
+      machine +
+      "[law]\nname = 'cosine'\n[ranges.b]\nlower = -1\nupper = 4\n"
+      "[[constraints]]\nresponse = 'f'\nupper = 5\n[[constraints]]\nresponse = 'g'\nupper = 5\n"
+      "lower = -20\n");
+  const auto limits = standing(problem);
+  REQUIRE(limits.size() == 3);
+  const double v = std::acos(-1.0) / 2;  // at the middle of the rise
+  const double b = 1.3 + 0.05 * v;
+  CHECK(limits[0].value == Approx(2 - (b - 1.3) * (b - 1.3) + 0.1 * v * b).epsilon(1e-10));
+  CHECK(limits[0].proved);
+  CHECK_THAT(worst_in_ranges(problem, problem.constraints[0], limits[0].worst_angle),
+             Contains("b = 1.37"));
+  CHECK(limits[1].value == Approx(2).epsilon(1e-10));
+  CHECK(limits[1].proved);
+  CHECK(limits[2].value == Approx(2 - 2.7 * 2.7).epsilon(1e-10));
+  CHECK(limits[2].proved);
+}
+
+TEST_CASE("A design for a range of speeds is certified, and holds at each speed") {
+  const std::string asked =
+      "[variables.spring_preload]\nlower = '0 N'\nupper = '900 N'\n"
+      "[variables.spring_rate]\nlower = '2 N/mm'\nupper = '30 N/mm'\n"
+      "[objective]\nminimize = 'peak contact_force'\n"
+      "[[constraints]]\nresponse = 'follower_force'\nlower = '5 N'\n";
+  std::string text = cam(kSpeeds, asked);
+  for (const std::string line : {"spring_preload = \"120 N\"\n", "spring_rate = \"8 N/mm\"\n"}) {
+    text.erase(text.find(line), line.size());
+  }
+  const BoundProblem bound(read(text));
+  const auto found = optim::optimise(bound.space(), {});
+  INFO(found.found.assessment.reason);
+  REQUIRE(found.found.assessment.verdict == optim::Verdict::Certified);
+  const ProblemStatement design = bound.at(found.options, found.found.x);
+  double highest = 0, lowest = 1e9;
+  for (int speed = 100; speed <= 400; speed += 15) {
+    ProblemStatement one = read(cam("speed = '" + std::to_string(speed) + " rpm'\n"));
+    set_value(one, fmt::format("spring_preload={:.17g}", constant_of(design, "spring_preload")));
+    set_value(one, fmt::format("spring_rate={:.17g}", constant_of(design, "spring_rate")));
+    highest = std::max(highest, value_of_peak(one, "contact_force", true));
+    lowest = std::min(lowest, value_of_peak(one, "follower_force", false));
+  }
+  CHECK(lowest >= 5 - 1e-4);
+  CHECK(found.found.assessment.objective.value >= highest - 1e-6);
+  CHECK(found.found.assessment.objective.value == Approx(highest).epsilon(1e-6));
+}
+
+TEST_CASE("The derivatives of a highest value are those at its worst place") {
+  const std::string machine =
+      "[machine]\n[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
+      "[machine.parameters.c]\ndefault = 2\nlower = 0\nupper = 9\n"
+      "[responses.g]\nformula = 'c^2 - (b - 0.5 * c)^2 + 0.3 * b'\n"
+      "[variables.c]\nlower = 0\nupper = 9\nstart = 2\n[ranges.b]\nlower = -1\nupper = 4\n"
+      "[objective]\nminimize = 'g'\n";
+  const optim::Problem problem = BoundProblem(read(machine)).problem({});
+  const optim::Function& f = problem.objectives.front().response.function();
+  const auto closed = [](double c) {  // the worst b is c / 2 + 0.15, up to 4
+    const double b = std::min(4.0, 0.5 * c + 0.15);
+    return c * c - (b - 0.5 * c) * (b - 0.5 * c) + 0.3 * b;
+  };
+  for (const double c : {0.5, 2.0, 5.0, 7.0, 8.5}) {
+    const std::vector<double> x{c};
+    std::vector<double> g(1), h(1);
+    CHECK(f.hessian(x, g, h) == Approx(closed(c)).epsilon(1e-12));
+    const double d = 1e-5;
+    CHECK(g[0] == Approx((closed(c + d) - closed(c - d)) / (2 * d)).epsilon(1e-7));
+    CHECK(h[0] ==
+          Approx((closed(c + 1e-3) - 2 * closed(c) + closed(c - 1e-3)) / 1e-6).epsilon(1e-6));
+    const optim::Bounds bounds = f.enclose(x);
+    CHECK(bounds.lower <= closed(c) + 1e-12);
+    CHECK(bounds.upper >= closed(c) - 1e-12);
+    CHECK(bounds.upper - bounds.lower < 1e-5);
+  }
+}
+
+TEST_CASE("Bounds over a box hold the highest value and close on it") {
+  const auto f = [](double a, double b) { return std::sin(3 * a) * std::cos(b) - 0.1 * a * a; };
+  const Box box{{-1, 1}, {-2, 0.5}};
+  double highest = -10;
+  for (int i = 0; i <= 400; ++i) {
+    for (int k = 0; k <= 400; ++k) {
+      highest = std::max(highest, f(-1 + 2.0 * i / 400, -2 + 2.5 * k / 400));
+    }
+  }
+  const auto over = [&](const Box& b) {
+    const Interval p(b[0].lower, b[0].upper), q(b[1].lower, b[1].upper);
+    const Interval value = sin(Interval(3.0) * p) * cos(q) - Interval(0.1) * p * p;
+    const Interval by_p = Interval(3.0) * cos(Interval(3.0) * p) * cos(q) - Interval(0.2) * p;
+    const Interval by_q = -sin(Interval(3.0) * p) * sin(q);
+    return OverBox{{value.lower(), value.upper()},
+                   {{by_p.lower(), by_p.upper()}, {by_q.lower(), by_q.upper()}}};
+  };
+  const auto at = [&](const Point& p) {
+    const double value = f(p[0], p[1]);
+    return optim::Bounds{value - 1e-14, value + 1e-14};
+  };
+  const optim::Bounds bounds = highest_within(box, 30, at, over);
+  CHECK(bounds.lower <= highest + 1e-4);
+  CHECK(bounds.upper >= highest);
+  CHECK(bounds.upper - bounds.lower < 1e-6);
+}
+
+TEST_CASE("The largest size of a curve over a range counts both signs") {
+  // p + b v with b from -3 to 1 and v up to pi / 2: the size is least where p is as far from 0.
+  const std::string machine =
+      "[machine]\nmoved_by = 'law'\n[machine.parameters.b]\ndefault = 0\nlower = -5\nupper = 5\n"
+      "[machine.parameters.p]\ndefault = 0\nlower = -9\nupper = 9\n"
+      "[responses.f]\nformula = 'p + b * v'\n"
+      "[law]\nname = 'cosine'\n[ranges.b]\nlower = -3\nupper = 1\n"
+      "[variables.p]\nlower = -9\nupper = 9\nstart = 5\n[objective]\nminimize = 'peak f'\n";
+  const auto found = optim::optimise(BoundProblem(read(machine)).space(), {});
+  const double v = std::acos(-1.0) / 2;
+  INFO(found.found.assessment.reason);
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(found.found.x[0] == Approx(v).epsilon(1e-8));  // p + v = 3 v - p
+  CHECK(found.found.assessment.objective.value == Approx(2 * v).epsilon(1e-8));
+}
+
+TEST_CASE("Load cases within ranges are looked at over the ranges in each case") {
+  const std::string limits =
+      "[[constraints]]\nresponse = 'follower_force'\nlower = '0 N'\n[objective]\nminimize = "
+      "'peak contact_force'\n[variables.roller_radius]\nlower = '8 mm'\nupper = '12 mm'\n";
+  const ProblemStatement problem = read(
+      cam(kSpeeds + "[[cases]]\nname = 'light'\nload = '10 N'\n[[cases]]\nname = 'heavy'\nload = "
+                    "'90 N'\n",
+          limits));
+  REQUIRE(problem.constraints.size() >= 2);
+  CHECK(problem.constraints[0].response.name == "light.follower_force");
+  const auto stand = standing(problem);
+  const ProblemStatement a = read(cam("speed = '400 rpm'\nload = '10 N'\n"));
+  CHECK(stand[0].value == Approx(value_of_peak(a, "follower_force", false)).epsilon(1e-9));
+  CHECK(stand[0].proved);
+  const ProblemStatement b = read(cam("speed = '400 rpm'\nload = '90 N'\n"));
+  const optim::Problem bound = BoundProblem(problem).problem({});
+  const std::vector<double> x{constant_of(problem, "roller_radius")};
+  CHECK(optim::objective_value(bound.objective(), x) ==
+        Approx(value_of_peak(b, "contact_force", true)).epsilon(1e-9));
+}
+
+TEST_CASE("What cannot be a range is refused by name") {
+  const auto complaint = [](const std::string& more) {
+    return camlaw::testing::complaint(cam(more));
+  };
+  CHECK_THAT(complaint("[ranges.speed]\nlower = '100 rpm'\n"), Contains("upper is missing"));
+  CHECK_THAT(complaint("[ranges.speed]\nlower = '400 rpm'\nupper = '100 rpm'\n"),
+             Contains("not below"));
+  CHECK_THAT(complaint("[ranges.speeed]\nlower = '1 rpm'\nupper = '2 rpm'\n"), Contains("speed"));
+  CHECK_THAT(complaint("[ranges.speed]\nlower = '-1 rpm'\nupper = '2 rpm'\n"), Contains("speed"));
+  CHECK_THAT(
+      complaint("[[cases]]\nname = 'light'\nspeed = 1\n[ranges.speed]\nlower = 1\nupper = 2\n"),
+      Contains("load cases set speed"));
+}
+
+}  // namespace camlaw::problems::parameter_ranges_test
