@@ -109,8 +109,10 @@ optim::OptimiseOptions rest_of(optim::OptimiseOptions search, const optim::Optim
 /// Prints an answer as soon as there is one, then what is measured of it: nothing is lost where
 /// that is stopped, or fails. Returns the JSON.
 std::string show(const SearchCommand& command, const Answer& answer,
-                 const optim::OptimiseOptions& rest, int workers, bool json) {
-  const Document document = answer_document(answer);
+                 const optim::OptimiseOptions& rest, int workers, const SearchOptions& options) {
+  const bool json = options.json;
+  Document document = answer_document(answer);
+  if (options.table) document.add(combinations_document(answer));
   Json result = json_of(document);
   if (!json) print_text(text_of(document));
   flush_printed();
@@ -210,7 +212,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
       answer.built = buildability_of(answer);
     }
     // Printed first: the search is not lost where a file cannot be written after all.
-    const std::string json = show(command, answer, rest_of(search, optimum), workers, options.json);
+    const std::string json = show(command, answer, rest_of(search, optimum), workers, options);
     if (options.out) {
       std::vector<OutputFile> files = command.figures(answer, out);
       files.insert(files.begin(), {possible.front(), json});
@@ -258,6 +260,8 @@ std::vector<Option> search_options(SearchOptions& options, const std::string& fi
           workers_option(options.workers),
           time_limit_option(options.limits),
           memory_option(options.limits),
+          {"--table", &options.table, takes::kNothing,
+           "list what was found with each law and each other choice"},
           json_switch(options.json),
           {"--out", &options.out, takes::kFolder, "folder for " + files}};
 }

@@ -22,6 +22,7 @@ struct SearchOptions {
   RunLimits limits;
   std::vector<std::string> settings;
   bool json = false;
+  bool table = false;  ///< of every combination of choices
 };
 
 /// FILE and the options; `files` names what --out writes.

@@ -96,6 +96,9 @@ class Optimiser {
     tally_.enumerated = tally_.enumerated && search.enumerated;
     tally_.all_infeasible = tally_.all_infeasible && search.all_infeasible;
     work_.add_work(search.found);
+    const Assessment& a = search.found.assessment;
+    best_.parts.push_back({part.options, search.found.x, a.objective.value, a.verdict,
+                           a.verdict == Verdict::Infeasible ? a.blamed : a.active});
     if (started_ && !better(part.problem, search.found.assessment, best_.found.assessment)) return;
     started_ = true;
     best_.options = std::move(part.options);

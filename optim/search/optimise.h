@@ -71,13 +71,23 @@ struct Found {
   }
 };
 
+/// What was found in one combination of choices.
+struct PartFound {
+  std::vector<std::size_t> options;  ///< the option taken of each choice
+  std::vector<double> x;
+  double objective;
+  Verdict verdict;
+  std::vector<std::string> active;  ///< what holds it, or of an infeasible one what cannot be met
+};
+
 /// The answer to a problem.
 struct Optimum {
-  std::vector<std::size_t> options;  ///< the option taken of each choice
-  Problem problem;                   ///< the problem of those options
-  Found found;                       ///< design, assessment, how it was found
-  std::size_t combinations = 1;      ///< of options and integer values
-  std::size_t solved = 1;            ///< of them, or of the nodes of a branch and bound
+  std::vector<std::size_t> options;   ///< the option taken of each choice
+  Problem problem;                    ///< the problem of those options
+  Found found;                        ///< design, assessment, how it was found
+  std::size_t combinations = 1;       ///< of options and integer values
+  std::size_t solved = 1;             ///< of them, or of the nodes of a branch and bound
+  std::vector<PartFound> parts = {};  ///< of every combination of choices that was looked at
   double wall_s = 0;
 };
 

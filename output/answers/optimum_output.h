@@ -37,6 +37,11 @@ struct Answer {
 /// Of an answer with a design that meets its limits; else no checks.
 problems::Buildability buildability_of(const Answer& answer);
 
+/// Every combination of choices that a search looked at, the best first: what was chosen, the
+/// objective, how far it is from the best, the verdict and what holds it. Empty where there is
+/// nothing to choose.
+Document combinations_document(const Answer& answer);
+
 Document answer_document(const Answer& answer);
 
 /// The sizes that variables and limits are divided by, and the tolerances.

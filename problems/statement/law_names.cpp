@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <map>
 
+#include "numerics/text/names.h"
 #include "numerics/text/units.h"
 #include "problems/law_files/law_file.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/reading.h"
+#include "problems/statement/solver_settings.h"
 #include "problems/statement/toml_reader.h"
 
 namespace camlaw::problems {
@@ -82,6 +84,82 @@ NamedLaw read_law_name(const Entry& name, HeldFiles& files) {
   if (law.family->parameters.empty()) return {law, {}};
   const std::string& told = law.family == found.family ? text : found.family->name;
   return {law, given_in(told, *law.family)};
+}
+
+namespace {
+
+/// What laws of a class have.
+struct LawClass {
+  std::optional<std::string> ends;
+  std::optional<int> continuity;
+
+  bool holds(const Family& family) const {
+    return (!ends || family.ends == *ends) && (!continuity || family.continuity >= *continuity);
+  }
+};
+
+std::string ends_of_catalogue() {
+  std::set<std::string> all;
+  for (const Family& family : catalogue()) all.insert(family.ends);
+  std::string text;
+  for (const std::string& ends : all) text += (text.empty() ? "" : ", ") + ends;
+  return text;
+}
+
+/// Reads one condition, "ends R-R" or "continuity >= 2"; whether it is one.
+bool read_condition(const Entry& name, std::string_view text, LawClass& found) {
+  if (text == "all") return true;
+  const auto rest = [&](std::string_view word) { return trimmed(text.substr(word.size())); };
+  if (text.starts_with("ends ")) {
+    found.ends = std::string(rest("ends"));
+    const auto& all = catalogue();
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const auto& f) { return f.ends == *found.ends; })) {
+      refuse(name, "no law has the ends '" + *found.ends + "'; there are " + ends_of_catalogue());
+    }
+    return true;
+  }
+  if (text.starts_with("continuity")) {
+    std::string_view least = rest("continuity");
+    if (!least.starts_with(">=")) refuse(name, "write a condition such as continuity >= 2");
+    least = trimmed(least.substr(2));
+    located(name, [&] {
+      found.continuity = static_cast<int>(parse_integer(std::string(least), 0, 9, "continuity"));
+    });
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::vector<Member>> read_law_class(const Entry& name) {
+  if (name.kind != Entry::Kind::Text) return {};
+  LawClass wanted;
+  std::string_view text = name.text;
+  bool is_first = true;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string_view condition = trimmed(text.substr(0, comma));
+    if (!read_condition(name, condition, wanted)) {
+      if (is_first) return {};  // the name of a law
+      refuse(name, "'" + std::string(condition) +
+                       "' is not a condition on laws; accepted are all, ends R-R, continuity >= 2");
+    }
+    is_first = false;
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  std::vector<Member> laws;
+  for (const Family& family : catalogue()) {
+    if (!wanted.holds(family)) continue;
+    const Member law = as_family_member({&family, family.defaults()});
+    const bool is_there = std::any_of(
+        laws.begin(), laws.end(), [&](const Member& other) { return other.name() == law.name(); });
+    if (!is_there && law.possible_law()) laws.push_back(law);
+  }
+  if (laws.empty()) refuse(name, "no law of the catalogue is so");
+  return laws;
 }
 
 bool is_of_catalogue(const Member& law) {

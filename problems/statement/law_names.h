@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ struct NamedLaw {
 /// as the member of its family. A file's law is taken from `files` where it is there, else it is
 /// read and joins them. Refuses the entry for names and values that are not accepted.
 NamedLaw read_law_name(const Entry& name, HeldFiles& files);
+
+/// The laws of the catalogue that a text such as "all", "ends R-R" or "ends R-R, continuity >= 2"
+/// stands for, with their default parameters; none where the text is a law's name. Refuses the
+/// entry where it holds a condition that is not known, or that no law meets.
+std::optional<std::vector<Member>> read_law_class(const Entry& name);
 
 /// Whether a law is the catalogue's own, and found by its name in any process.
 bool is_of_catalogue(const Member& law);

@@ -25,6 +25,10 @@ void read_law(const Entry& file, const Entry& name, HeldFiles& files, NamedLaws&
     result.laws.push_back(read_free_law(file, files));
     return;
   }
+  if (auto all = read_law_class(name)) {
+    for (Member& law : *all) result.laws.push_back(std::move(law));
+    return;
+  }
   NamedLaw law = read_law_name(name, files);
   result.given.merge(law.given);
   result.laws.push_back(std::move(law.law));

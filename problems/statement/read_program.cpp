@@ -39,10 +39,16 @@ Matched read_matched(const Entry& program) {
          fmt::format("'{}' is not known; accepted are displacement, velocity, acceleration", text));
 }
 
-Member read_segment_law(const Entry& file, const Entry& segment, const Entry& name,
-                        HeldFiles& files) {
-  const bool free = name.kind == Kind::Text && is_free_name(name.text);
-  return free ? read_free_law(file, segment, files) : read_law_name(name, files).law;
+/// Adds the law of a name, or the laws of a class.
+void add_segment_laws(const Entry& file, const Entry& segment, const Entry& name, HeldFiles& files,
+                      std::vector<Member>& laws) {
+  if (name.kind == Kind::Text && is_free_name(name.text)) {
+    laws.push_back(read_free_law(file, segment, files));
+  } else if (const auto all = read_law_class(name)) {
+    laws.insert(laws.end(), all->begin(), all->end());
+  } else {
+    laws.push_back(read_law_name(name, files).law);
+  }
 }
 
 std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, const Entry& law,
@@ -54,11 +60,11 @@ std::vector<Member> read_segment_laws(const Entry& file, const Entry& segment, c
       if (item.kind == Kind::Text && item.text == kJoining) {
         refuse(item, "joining is not among laws to choose from; write law = \"joining\" alone");
       }
-      laws.push_back(read_segment_law(file, segment, item, files));
+      add_segment_laws(file, segment, item, files, laws);
     }
   } else {
     expect(law, Kind::Text, "a law's name in quotes, or a list of names");
-    if (law.text != kJoining) laws.push_back(read_segment_law(file, segment, law, files));
+    if (law.text != kJoining) add_segment_laws(file, segment, law, files, laws);
   }
   tell_apart(laws);
   return laws;
