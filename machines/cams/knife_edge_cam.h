@@ -24,6 +24,7 @@ struct KnifeEdgeCam {
   T face_width = number<T>(0.015);                ///< b, m, of the cam
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {
@@ -68,6 +69,16 @@ struct KnifeEdgeCam {
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     return edge().contact_force(f);
+  }
+  /// (RB11) How fast the edge slides on the cam, m/s: as it runs along the profile.
+  template <class X>
+  X sliding_speed(const FollowerMotion<X>& f) const {
+    return angular_speed * pitch_curve(f).speed();
+  }
+  /// (RB12) What the profile loses there by turn, m.
+  template <class X>
+  X wear(const FollowerMotion<X>& f) const {
+    return wear_coefficient / face_width * contact_force(f);
   }
   /// (M4) Curvature of the profile, 1/m; where it goes below 0 the profile turns hollow.
   template <class X>

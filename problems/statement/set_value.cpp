@@ -11,6 +11,7 @@
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -43,6 +44,11 @@ void set_number(ProblemStatement& problem, const NamedParameter& parameter, std:
   if (!parameter.of_law && problem.told_by_motion == parameter.parameter) {
     throw std::invalid_argument(
         fmt::format("{}: the motion is stated in {}; change it in the file", name, parameter.unit));
+  }
+  if (const PartStatement* part =
+          parameter.of_law ? nullptr : part_of(problem, parameter.parameter)) {
+    throw std::invalid_argument(fmt::format("{}: it comes with {}, from {}; set {}", name,
+                                            part->name, part->catalogue, part->name));
   }
   double value = read_number(text, parameter, name);
   if (const auto i = find_variable(problem, parameter, index)) {
@@ -84,6 +90,10 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
     const std::string& stated = input->name;
     problem.buildable.inputs[stated] =
         accepted_input(*input, parse_quantity(text, input->unit, input->unit, stated));
+    return;
+  }
+  if (const PartStatement* part = find_part(problem, name)) {
+    start_with(problem, part->name, item_named(*part, text));
     return;
   }
   const NamedParameter parameter = find_parameter(problem, name);
