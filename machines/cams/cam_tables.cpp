@@ -69,8 +69,8 @@ Parameters guide_parameters() {
   return {{"guide_friction", "mu", "1", "1", "coefficient of friction of the follower's guide", 0,
            0, 1},
           {"guide_length", "l_g", "mm", "m", "length of the follower's guide", 60, 1e-3, 1e5},
-          {"overhang", "a", "mm", "m", "distance of the roller from the guide at the lowest place",
-           40, 0, 1e5}};
+          {"overhang", "a", "mm", "m",
+           "distance of roller or edge from the guide at the lowest place", 40, 0, 1e5}};
 }
 
 Parameters wear_parameter() {

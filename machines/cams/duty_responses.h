@@ -25,10 +25,17 @@ enum class DutyCurve {
   LambdaRatio
 };
 
-/// (RB1) Turns of the roller on its pin, by those of the cam.
+/// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
+/// cam's own.
 template <class Cam, class X>
 X roller_turns_of(const Cam& cam, const FollowerMotion<X>& f) {
   return roller_turns(cam.contact_force(f), cam.pitch_curve(f).speed(), X(cam.turning(f)),
+                      cam.roller_radius);
+}
+
+template <class Cam, class X>
+X own_flank_turns(const Cam& cam, const FollowerMotion<X>& f) {
+  return roller_turns(number<X>(1), cam.pitch_curve(f).speed(), X(cam.turning(f)),
                       cam.roller_radius);
 }
 
@@ -68,9 +75,9 @@ X duty_curve(const Cam& cam, DutyCurve which, const FollowerMotion<X>& f) {
     case DutyCurve::CrownFraction:
       return ellipse_of(cam, f).half_length / (number<X>(0.5) * cam.roller().face_width);
     case DutyCurve::RollerSpeed:
-      return cam.angular_speed * roller_turns_of(cam, f);
+      return cam.angular_speed * own_flank_turns(cam, f);
     case DutyCurve::SpeedFraction:
-      return cam.angular_speed / cam.duty.speed_limit * roller_turns_of(cam, f);
+      return cam.angular_speed / cam.duty.speed_limit * own_flank_turns(cam, f);
     case DutyCurve::StaticFraction:
       return absolute(cam.contact_force(f)) / cam.duty.static_rating;
     case DutyCurve::FilmThickness:
@@ -131,7 +138,8 @@ std::vector<MechanismResponse> duty_responses() {
   add(C::CrownFraction,
       {"crown_fraction", "1", "1",
        "length of a crowned roller's contact by the face width; above 1 its edges bear"});
-  add(C::RollerSpeed, {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin"});
+  add(C::RollerSpeed,
+      {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
   add(C::SpeedFraction,
       {"speed_fraction", "1", "1", "speed of the roller by its limit; above 1 it is too fast"});
   add(C::StaticFraction,

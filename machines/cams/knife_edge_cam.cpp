@@ -27,7 +27,10 @@ struct MachineTraits<KnifeEdgeCam> {
                                      &KnifeEdgeCam<T>::face_width,
                                      &KnifeEdgeCam<T>::density,
                                      &KnifeEdgeCam<T>::bore_radius,
-                                     &KnifeEdgeCam<T>::wear_coefficient};
+                                     &KnifeEdgeCam<T>::wear_coefficient,
+                                     &KnifeEdgeCam<T>::guide_friction,
+                                     &KnifeEdgeCam<T>::guide_length,
+                                     &KnifeEdgeCam<T>::overhang};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
@@ -40,7 +43,8 @@ const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters()
               cutter_parameter(),
               {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
               blank_parameters(),
-              wear_parameter()});
+              wear_parameter(),
+              guide_parameters()});
   return all;
 }
 

@@ -25,6 +25,9 @@ struct KnifeEdgeCam {
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
   T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the edge from its guide at s = 0
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {
@@ -37,7 +40,10 @@ struct KnifeEdgeCam {
             .spring_rate = spring_rate,
             .spring_preload = spring_preload,
             .load = load,
-            .cutter_radius = cutter_radius};
+            .cutter_radius = cutter_radius,
+            .guide_friction = guide_friction,
+            .guide_length = guide_length,
+            .overhang = overhang};
   }
   bool is_possible() const { return edge().is_possible(); }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
@@ -65,7 +71,12 @@ struct KnifeEdgeCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
   }
-  /// (M9) Force between edge and cam, N.
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return edge().drive_torque(f);
+  }
+  /// (M9), (M38) Force between edge and cam, N.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     return edge().contact_force(f);
