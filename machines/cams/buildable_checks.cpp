@@ -12,6 +12,8 @@ const std::vector<BuildableInput>& known_inputs() {
   static const std::vector<BuildableInput> all{
       {"wheel_radius", "mm", "radius of the grinding wheel"},
       {"wall", "mm", "least wall between profile and bore, else a quarter of bore_radius"},
+      {"keyway_depth", "mm",
+       "how far a keyway of the hub reaches beyond bore_radius, to its corner"},
       {"arm_width", "mm", "width of the arm, and of its eye round the pivot"},
       {"free_length", "mm", "length of the spring without load"},
       {"solid_length", "mm", "length of the spring with all its coils closed"},
@@ -29,7 +31,7 @@ double whole(const StatedNumber&) { return 1; }
 double round_the_wheel(const StatedNumber& stated) { return -1 / *stated("wheel_radius"); }
 double wall(const StatedNumber& stated) {
   const auto own = stated("wall");
-  return own ? *own : *stated("bore_radius") / 4;
+  return stated("keyway_depth").value_or(0) + (own ? *own : *stated("bore_radius") / 4);
 }
 double half_the_arm(const StatedNumber& stated) { return stated("arm_width").value_or(0) / 2; }
 double until_solid(const StatedNumber& stated) {
@@ -116,6 +118,9 @@ void add(Checks& all, const Checks& more) { all.insert(all.end(), more.begin(), 
 
 /// Whether a check has an input, needed or in place of a standard.
 bool has_input(const BuildableCheck& check, const std::string& name) {
+  const bool has_bore =
+      std::find(check.needs.begin(), check.needs.end(), "bore_radius") != check.needs.end();
+  if (name == "keyway_depth") return has_bore;
   return check.input == name ||
          std::find(check.needs.begin(), check.needs.end(), name) != check.needs.end();
 }

@@ -24,10 +24,14 @@ Parameters oscillating_load(double rate, double preload);
 Parameters contact_parameters();
 Parameters cutter_parameter();
 Parameters bore_parameter();
+/// Archard's coefficient of a follower that slides on its cam.
+Parameters wear_parameter();
 /// Density of the cam, radius of its bore.
 Parameters blank_parameters();
 /// Friction and sizes of the guide of a sliding follower.
 Parameters guide_parameters();
+/// What a roller bears, and what lubricates it, in the order of RollerDuty's fields.
+Parameters duty_parameters();
 
 /// One list after another.
 Parameters joined(const std::vector<Parameters>& lists);

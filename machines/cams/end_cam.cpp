@@ -5,6 +5,7 @@
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
+#include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
@@ -20,6 +21,8 @@ struct MachineTraits<EndCam> {
       &EndCam<T>::angular_speed,  &EndCam<T>::mass,          &EndCam<T>::spring_rate,
       &EndCam<T>::spring_preload, &EndCam<T>::load,          &EndCam<T>::face_width,
       &EndCam<T>::youngs_modulus, &EndCam<T>::poisson_ratio, &EndCam<T>::cutter_radius};
+  template <class T>
+  static constexpr auto part = &EndCam<T>::duty;
 };
 
 const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
@@ -30,13 +33,15 @@ const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
               speed_parameter(),
               sliding_load(0, 0),
               contact_parameters(),
-              cutter_parameter()});
+              cutter_parameter(),
+              duty_parameters()});
   return all;
 }
 
 Mechanism end_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<EndCam>(kSliding);
   append(responses, roller_responses<EndCam>());
+  append(responses, duty_responses<EndCam>());
   append(responses, drawn_responses<EndCam>(true));
   return checked(
       {.name = "end-cam",

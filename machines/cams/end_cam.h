@@ -3,6 +3,7 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
+#include "machines/cams/roller_duty.h"
 
 namespace camlaw {
 
@@ -22,6 +23,7 @@ struct EndCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of cam and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the track
+  RollerDuty<T> duty{};
 
   bool is_possible() const { return value_of(radius) > 0; }
   FollowerLoad<T> follower() const {
@@ -58,6 +60,11 @@ struct EndCam {
     using std::sqrt;
     const X slope = f.ds / radius;
     return follower().force(f) * sqrt(slope * slope + number<T>(1));
+  }
+  /// About the roller's axis the cam does not turn (RB1).
+  template <class X>
+  X turning(const FollowerMotion<X>&) const {
+    return number<X>(0);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/face_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
 
 namespace camlaw::problems {
@@ -15,17 +16,25 @@ template <>
 struct MachineTraits<FlatCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
-      &FlatCam<T>::stroke,        &FlatCam<T>::base_radius, &FlatCam<T>::angular_speed,
-      &FlatCam<T>::mass,          &FlatCam<T>::spring_rate, &FlatCam<T>::spring_preload,
-      &FlatCam<T>::load,          &FlatCam<T>::face_width,  &FlatCam<T>::youngs_modulus,
-      &FlatCam<T>::poisson_ratio, &FlatCam<T>::density,     &FlatCam<T>::bore_radius};
+  static constexpr std::array fields{&FlatCam<T>::stroke,
+                                     &FlatCam<T>::base_radius,
+                                     &FlatCam<T>::angular_speed,
+                                     &FlatCam<T>::mass,
+                                     &FlatCam<T>::spring_rate,
+                                     &FlatCam<T>::spring_preload,
+                                     &FlatCam<T>::load,
+                                     &FlatCam<T>::face_width,
+                                     &FlatCam<T>::youngs_modulus,
+                                     &FlatCam<T>::poisson_ratio,
+                                     &FlatCam<T>::density,
+                                     &FlatCam<T>::bore_radius,
+                                     &FlatCam<T>::wear_coefficient};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters()});
+              contact_parameters(), blank_parameters(), wear_parameter()});
   return all;
 }
 
@@ -48,6 +57,7 @@ Mechanism flat_cam_mechanism() {
   responses.push_back(contact_offset());
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
+  append(responses, sliding_responses<FlatCam>());
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
   append(responses, extent_responses<FlatCam>());

@@ -23,6 +23,7 @@ struct FlatCam {
   T poisson_ratio = number<T>(0.3);               ///< nu
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
 
   bool is_possible() const { return value_of(base_radius) > 0; }
   FollowerLoad<T> follower() const {
@@ -51,6 +52,17 @@ struct FlatCam {
     return {f.ds, f.s + base_radius, profile_radius(f), number<X>(0)};
   }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
+  /// (RB11) How fast the face slides on the cam, m/s.
+  template <class X>
+  X sliding_speed(const FollowerMotion<X>& f) const {
+    return angular_speed * (f.s + base_radius);
+  }
+  /// (RB12) What the profile loses there by turn, m.
+  template <class X>
+  X wear(const FollowerMotion<X>& f) const {
+    return wear_coefficient / face_width *
+           (follower().force(f) * ((f.s + base_radius) / profile_radius(f)));
+  }
   template <class X>
   X contact_stress(const FollowerMotion<X>& f) const {
     return contact().pressure(follower().force(f) / face_width, number<X>(1) / profile_radius(f));

@@ -6,6 +6,7 @@
 #include "machines/cams/cams.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
+#include "machines/cams/sliding_responses.h"
 #include "machines/model/append.h"
 
 namespace camlaw::problems {
@@ -14,13 +15,22 @@ template <>
 struct MachineTraits<KnifeEdgeCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
-      &KnifeEdgeCam<T>::stroke,         &KnifeEdgeCam<T>::base_radius,
-      &KnifeEdgeCam<T>::offset,         &KnifeEdgeCam<T>::angular_speed,
-      &KnifeEdgeCam<T>::mass,           &KnifeEdgeCam<T>::spring_rate,
-      &KnifeEdgeCam<T>::spring_preload, &KnifeEdgeCam<T>::load,
-      &KnifeEdgeCam<T>::cutter_radius,  &KnifeEdgeCam<T>::face_width,
-      &KnifeEdgeCam<T>::density,        &KnifeEdgeCam<T>::bore_radius};
+  static constexpr std::array fields{&KnifeEdgeCam<T>::stroke,
+                                     &KnifeEdgeCam<T>::base_radius,
+                                     &KnifeEdgeCam<T>::offset,
+                                     &KnifeEdgeCam<T>::angular_speed,
+                                     &KnifeEdgeCam<T>::mass,
+                                     &KnifeEdgeCam<T>::spring_rate,
+                                     &KnifeEdgeCam<T>::spring_preload,
+                                     &KnifeEdgeCam<T>::load,
+                                     &KnifeEdgeCam<T>::cutter_radius,
+                                     &KnifeEdgeCam<T>::face_width,
+                                     &KnifeEdgeCam<T>::density,
+                                     &KnifeEdgeCam<T>::bore_radius,
+                                     &KnifeEdgeCam<T>::wear_coefficient,
+                                     &KnifeEdgeCam<T>::guide_friction,
+                                     &KnifeEdgeCam<T>::guide_length,
+                                     &KnifeEdgeCam<T>::overhang};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
@@ -32,7 +42,9 @@ const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters()
               sliding_load(5, 50),
               cutter_parameter(),
               {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
-              blank_parameters()});
+              blank_parameters(),
+              wear_parameter(),
+              guide_parameters()});
   return all;
 }
 
@@ -77,6 +89,7 @@ Mechanism knife_edge_cam_mechanism() {
                              "fit"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
+  append(responses, sliding_responses<KnifeEdgeCam>());
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());

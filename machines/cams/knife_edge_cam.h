@@ -24,6 +24,10 @@ struct KnifeEdgeCam {
   T face_width = number<T>(0.015);                ///< b, m, of the cam
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
+  T guide_friction = number<T>(0);                ///< mu, between follower and guide
+  T guide_length = number<T>(0.060);              ///< l_g, m
+  T overhang = number<T>(0.040);                  ///< a, m, of the edge from its guide at s = 0
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {
@@ -36,7 +40,10 @@ struct KnifeEdgeCam {
             .spring_rate = spring_rate,
             .spring_preload = spring_preload,
             .load = load,
-            .cutter_radius = cutter_radius};
+            .cutter_radius = cutter_radius,
+            .guide_friction = guide_friction,
+            .guide_length = guide_length,
+            .overhang = overhang};
   }
   bool is_possible() const { return edge().is_possible(); }
   CamBlank<T> blank() const { return {density, bore_radius, face_width}; }
@@ -64,10 +71,25 @@ struct KnifeEdgeCam {
   X pressure_angle(const FollowerMotion<X>& f) const {
     return edge().pressure_angle(f);
   }
-  /// (M9) Force between edge and cam, N.
+  /// (M39) Torque on the cam's shaft with the guide's friction, N m.
+  template <class X>
+  X drive_torque(const FollowerMotion<X>& f) const {
+    return edge().drive_torque(f);
+  }
+  /// (M9), (M38) Force between edge and cam, N.
   template <class X>
   X contact_force(const FollowerMotion<X>& f) const {
     return edge().contact_force(f);
+  }
+  /// (RB11) How fast the edge slides on the cam, m/s: as it runs along the profile.
+  template <class X>
+  X sliding_speed(const FollowerMotion<X>& f) const {
+    return angular_speed * pitch_curve(f).speed();
+  }
+  /// (RB12) What the profile loses there by turn, m.
+  template <class X>
+  X wear(const FollowerMotion<X>& f) const {
+    return wear_coefficient / face_width * contact_force(f);
   }
   /// (M4) Curvature of the profile, 1/m; where it goes below 0 the profile turns hollow.
   template <class X>

@@ -30,6 +30,11 @@ struct LeadingRollerCam : OscillatingRollerCam<T> {
   X contact_force(const FollowerMotion<X>& f) const {
     return trailing().contact_force(backwards(f));
   }
+  /// What the cam turns under the arm by its own turn, 1 - psi' (RB1).
+  template <class X>
+  X turning(const FollowerMotion<X>& f) const {
+    return trailing().turning(backwards(f));
+  }
 
  private:
   const OscillatingRollerCam<T>& trailing() const { return *this; }

@@ -5,6 +5,7 @@
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
+#include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
@@ -20,6 +21,8 @@ struct MachineTraits<LinearCam> {
       &LinearCam<T>::angular_speed,  &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
       &LinearCam<T>::spring_preload, &LinearCam<T>::load,          &LinearCam<T>::face_width,
       &LinearCam<T>::youngs_modulus, &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius};
+  template <class T>
+  static constexpr auto part = &LinearCam<T>::duty;
 };
 
 const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
@@ -30,7 +33,8 @@ const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
               {{"speed", "n", "rpm", "rad/s", "cycles of the plate, by minute", 300, 1e-3, 1e6}},
               sliding_load(5, 50),
               contact_parameters(),
-              cutter_parameter()});
+              cutter_parameter(),
+              duty_parameters()});
   return all;
 }
 
@@ -55,6 +59,7 @@ std::vector<MechanismResponse> plate_responses() {
 Mechanism linear_cam_mechanism() {
   std::vector<MechanismResponse> responses = plate_responses();
   append(responses, roller_responses<LinearCam>());
+  append(responses, duty_responses<LinearCam>());
   append(responses, drawn_responses<LinearCam>(true));
   return checked({.name = "linear-cam",
                   .title = "cam plate that slides under a translating roller follower",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machines/cams/end_cam.h"
+#include "machines/cams/roller_duty.h"
 
 namespace camlaw {
 
@@ -25,6 +26,7 @@ struct LinearCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of plate and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  RollerDuty<T> duty{};
 
   bool is_possible() const { return value_of(travel) > 0; }
   /// Way of the plate by radian.
@@ -63,6 +65,11 @@ struct LinearCam {
   template <class X>
   X plate_force(const FollowerMotion<X>& f) const {
     return follower().torque(f) / radius();
+  }
+  /// The plate does not turn (RB1).
+  template <class X>
+  X turning(const FollowerMotion<X>&) const {
+    return number<X>(0);
   }
 };
 

@@ -5,6 +5,7 @@
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
 #include "machines/cams/drawn_responses.h"
+#include "machines/cams/duty_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
 #include "machines/model/append.h"
@@ -23,6 +24,8 @@ struct MachineTraits<OscillatingEndCam> {
       &OscillatingEndCam<T>::spring_preload, &OscillatingEndCam<T>::load,
       &OscillatingEndCam<T>::face_width,     &OscillatingEndCam<T>::youngs_modulus,
       &OscillatingEndCam<T>::poisson_ratio,  &OscillatingEndCam<T>::cutter_radius};
+  template <class T>
+  static constexpr auto part = &OscillatingEndCam<T>::duty;
 };
 
 const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::parameters() {
@@ -37,13 +40,15 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::paramet
        speed_parameter(),
        oscillating_load(0, 0),
        contact_parameters(),
-       cutter_parameter()});
+       cutter_parameter(),
+       duty_parameters()});
   return all;
 }
 
 Mechanism oscillating_end_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<OscillatingEndCam>(kOscillating);
   append(responses, roller_responses<OscillatingEndCam>());
+  append(responses, duty_responses<OscillatingEndCam>());
   append(responses, drawn_responses<OscillatingEndCam>(true));
   return checked({.name = "end-cam-oscillating",
                   .title = "end or barrel cam with an oscillating roller arm",

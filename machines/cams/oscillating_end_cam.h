@@ -5,6 +5,7 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
+#include "machines/cams/roller_duty.h"
 
 namespace camlaw {
 
@@ -34,6 +35,7 @@ struct OscillatingEndCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
+  RollerDuty<T> duty{};
 
   bool is_possible() const {
     const double middle = value_of(tilt), half = value_of(swing) / 2, right = std::numbers::pi / 2;
@@ -82,6 +84,11 @@ struct OscillatingEndCam {
   X contact_force(const FollowerMotion<X>& f) const {
     using std::cos;
     return follower().force(f) / (arm_length * cos(pressure_angle(f)));
+  }
+  /// About the roller's axis the arm turns alone, by eta' (RB1).
+  template <class X>
+  X turning(const FollowerMotion<X>& f) const {
+    return f.ds;
   }
 };
 

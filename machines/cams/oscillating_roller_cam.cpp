@@ -3,6 +3,7 @@
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
+#include "machines/cams/duty_responses.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/leading_roller_cam.h"
@@ -24,6 +25,8 @@ struct MachineTraits<OscillatingRollerCam> {
       &OscillatingRollerCam<T>::face_width,     &OscillatingRollerCam<T>::youngs_modulus,
       &OscillatingRollerCam<T>::poisson_ratio,  &OscillatingRollerCam<T>::cutter_radius,
       &OscillatingRollerCam<T>::density,        &OscillatingRollerCam<T>::bore_radius};
+  template <class T>
+  static constexpr auto part = &OscillatingRollerCam<T>::duty;
 };
 
 const std::vector<MechanismParameter>& MachineTraits<OscillatingRollerCam>::parameters() {
@@ -38,7 +41,8 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingRollerCam>::para
               oscillating_load(0.2, 3),
               contact_parameters(),
               cutter_parameter(),
-              blank_parameters()});
+              blank_parameters(),
+              duty_parameters()});
   return all;
 }
 
@@ -55,6 +59,8 @@ struct MachineTraits<LeadingRollerCam> {
     for (std::size_t i = 0; i < base.size(); ++i) all[i] = base[i];
     return all;
   }();
+  template <class T>
+  static constexpr auto part = &LeadingRollerCam<T>::duty;
 };
 
 namespace {
@@ -63,6 +69,7 @@ template <template <class> class M>
 Mechanism oscillating_mechanism(const char* name, const char* title, Form form) {
   std::vector<MechanismResponse> responses = follower_responses<M>(kOscillating);
   append(responses, roller_responses<M>());
+  append(responses, duty_responses<M>());
   append(responses, drawn_responses<M>(true));
   append(responses, blank_responses<M>());
   append(responses, extent_responses<M>());

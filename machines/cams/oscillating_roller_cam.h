@@ -3,6 +3,7 @@
 
 #include "machines/cams/roller_arm.h"
 #include "machines/cams/roller_contact.h"
+#include "machines/cams/roller_duty.h"
 
 namespace camlaw {
 
@@ -31,6 +32,7 @@ struct OscillatingRollerCam {
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  RollerDuty<T> duty{};
 
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).
@@ -74,6 +76,12 @@ struct OscillatingRollerCam {
   X contact_force(const FollowerMotion<X>& f) const {
     using std::cos;
     return follower().force(f) / (arm_length * cos(pressure_angle(f)));
+  }
+  /// What the cam turns under the arm by its own turn, 1 + psi' (RB1): they turn against one
+  /// another in the rise.
+  template <class X>
+  X turning(const FollowerMotion<X>& f) const {
+    return f.ds + number<T>(1);
   }
 
  private:

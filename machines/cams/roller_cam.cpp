@@ -4,6 +4,7 @@
 #include "machines/cams/buildable_checks.h"
 #include "machines/cams/cam_tables.h"
 #include "machines/cams/cams.h"
+#include "machines/cams/duty_responses.h"
 #include "machines/cams/extent_responses.h"
 #include "machines/cams/follower_responses.h"
 #include "machines/cams/roller_responses.h"
@@ -22,19 +23,22 @@ struct MachineTraits<RollerCam> {
       &RollerCam<T>::face_width,     &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
       &RollerCam<T>::cutter_radius,  &RollerCam<T>::density,        &RollerCam<T>::bore_radius,
       &RollerCam<T>::guide_friction, &RollerCam<T>::guide_length,   &RollerCam<T>::overhang};
+  template <class T>
+  static constexpr auto part = &RollerCam<T>::duty;
 };
 
 const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), roller_parameter(), offset_parameter(),
               speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter(),
-              blank_parameters(), guide_parameters()});
+              blank_parameters(), guide_parameters(), duty_parameters()});
   return all;
 }
 
 Mechanism roller_cam_mechanism() {
   std::vector<MechanismResponse> responses = follower_responses<RollerCam>(kSliding);
   append(responses, roller_responses<RollerCam>());
+  append(responses, duty_responses<RollerCam>());
   append(responses, drawn_responses<RollerCam>(true));
   append(responses, blank_responses<RollerCam>());
   append(responses, extent_responses<RollerCam>());

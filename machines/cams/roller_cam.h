@@ -3,6 +3,7 @@
 
 #include "machines/cams/cam_motion.h"
 #include "machines/cams/roller_contact.h"
+#include "machines/cams/roller_duty.h"
 #include "numerics/scalar/absolute.h"
 #include "numerics/scalar/by_side.h"
 
@@ -35,6 +36,7 @@ struct RollerCam {
   T guide_friction = number<T>(0);                ///< mu, between follower and guide
   T guide_length = number<T>(0.060);              ///< l_g, m
   T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
+  RollerDuty<T> duty{};
 
   bool is_possible() const {
     const double e = value_of(offset), prime = value_of(prime_radius());
@@ -95,6 +97,11 @@ struct RollerCam {
   template <class X>
   X drive_torque(const FollowerMotion<X>& f) const {
     return driving_force(f) * f.ds;
+  }
+  /// What the cam turns under the follower by its own turn: 1, as the follower does not turn (RB1).
+  template <class X>
+  X turning(const FollowerMotion<X>&) const {
+    return number<X>(1);
   }
 
  private:

@@ -48,4 +48,20 @@ struct LineContact {
   }
 };
 
+/// (sqrt 5 - 1) / 2, the number that places the greatest shear below a line contact.
+inline constexpr double kGolden = 0.61803398874989484820;
+
+/// (K5) Greatest shear stress below a line contact, Pa, from its greatest pressure: g^(5/2) sigma =
+/// 0.3003 sigma, g = (sqrt 5 - 1) / 2, whatever Poisson's ratio.
+template <class X>
+X max_shear(const X& pressure) {
+  const double share = kGolden * kGolden * std::sqrt(kGolden);
+  return number<X>(share) * pressure;
+}
+/// (K6) How deep it is below the surface, m, from half the contact's width: sqrt(g) a = 0.7862 a.
+template <class X>
+X shear_depth(const X& half_width) {
+  return number<X>(std::sqrt(kGolden)) * half_width;
+}
+
 }  // namespace camlaw

@@ -17,6 +17,9 @@ namespace camlaw::problems {
 /// Specialised for each with
 ///   static const std::vector<MechanismParameter>& parameters();
 ///   template <class T> static constexpr std::array fields{&M<T>::..., ...};  // in that order
+/// and, where a struct of the machine has the parameters behind those, with an array `fields` of
+/// its own,
+///   template <class T> static constexpr auto part = &M<T>::...;
 /// A machine with a member is_possible() is undefined, NaN, where that is false.
 template <template <class> class M>
 struct MachineTraits;
@@ -34,21 +37,30 @@ class BoundMachine {
   /// The machine with its varying parameters at u, in their listed units.
   template <class T>
   M<T> at(std::span<const T> u) const {
-    constexpr auto& fields = MachineTraits<M>::template fields<T>;
     M<T> machine;
-    if constexpr (!fields.empty()) {
-      const auto& factor = factors();
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        machine.*fields[i] = factor[i].template as<T>() * number<T>(constants_[i]);
-      }
-      for (std::size_t k = 0; k < varying_.size(); ++k) {
-        machine.*fields[varying_[k]] = factor[varying_[k]].template as<T>() * u[k];
-      }
+    const auto& factor = factors();
+    for (std::size_t i = 0; i < factor.size(); ++i) {
+      field(machine, i) = factor[i].template as<T>() * number<T>(constants_[i]);
+    }
+    for (std::size_t k = 0; k < varying_.size(); ++k) {
+      field(machine, varying_[k]) = factor[varying_[k]].template as<T>() * u[k];
     }
     return machine;
   }
 
  private:
+  template <class T>
+  static T& field(M<T>& machine, std::size_t i) {
+    using Traits = MachineTraits<M>;
+    constexpr auto& fields = Traits::template fields<T>;
+    if constexpr (requires { Traits::template part<T>; }) {
+      auto& part = machine.*Traits::template part<T>;
+      return i < fields.size() ? machine.*fields[i] : part.*part.fields[i - fields.size()];
+    } else {
+      return machine.*fields[i];
+    }
+  }
+
   /// From listed units to those of the formulas.
   static const std::vector<UnitFactor>& factors() {
     static const std::vector<UnitFactor> kept = [] {

@@ -14,10 +14,11 @@
 namespace camlaw::problems {
 namespace {
 
-/// What a mean is made of: the integrand, whose other inputs are s, v, a, j, and the formula that
-/// is applied to the mean, its only other input.
+/// What means are made of: integrands, whose other inputs are s, v, a, j, and the formula that is
+/// applied to the means, its only other inputs.
 struct MeanFormulas {
-  Recorded integrand, of_mean;
+  std::vector<Recorded> integrands;
+  Recorded of_means;
 };
 
 /// What of its deciders changes with the motion, whose s, v, a, j are the last inputs.
@@ -70,64 +71,79 @@ void add_decisions(const Formula& decider, std::span<const T> machine, const Pie
   }
 }
 
-/// The mean as a formula generic in its scalar.
+/// The means as a formula generic in its scalar.
 class MeanOfRecord {
  public:
   MeanOfRecord(MeanFormulas formulas, std::shared_ptr<const LawBinding> law)
-      : formulas_(std::move(formulas)),
-        law_(std::move(law)),
-        deciders_(moving_deciders(formulas_.integrand)) {}
+      : formulas_(std::move(formulas)), law_(std::move(law)) {
+    for (const Recorded& integrand : formulas_.integrands) {
+      deciders_.push_back(moving_deciders(integrand));
+    }
+  }
 
   template <class T>
   T operator()(std::span<const T> u) const {
-    const std::size_t arguments = formulas_.of_mean.arguments;
-    const auto machine = u.first(arguments);
-    if (!is_possible_at(formulas_.of_mean.is_possible, machine)) return number<T>(detail::kNaN);
-    const auto law = law_->template possible_law_of<T>(u.subspan(arguments));
+    const Recorded& of_means = formulas_.of_means;
+    const auto machine = u.first(of_means.arguments);
+    if (!is_possible_at(of_means.is_possible, machine)) return number<T>(detail::kNaN);
+    const auto law = law_->template possible_law_of<T>(u.subspan(of_means.arguments));
     if (!law || has_pulse(turn_of_the_cam(), *law)) return number<T>(detail::kNaN);
     std::vector<T> inputs(machine.begin(), machine.end());
-    const FormulaAlong<T> integrand(formulas_.integrand.formula, machine);
-    const auto along = [&]<class X>(const Motion<X>& m, const X&) {
-      const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
-      return integrand(std::span<const X>(motion));
-    };
-    inputs.push_back(
-        cycle_mean(*law, along, [&](const Piece<T>& piece) { return decided(machine, piece); }));
-    return formulas_.of_mean.formula(std::span<const T>(inputs));
+    for (std::size_t i = 0; i < formulas_.integrands.size(); ++i) {
+      const FormulaAlong<T> integrand(formulas_.integrands[i].formula, machine);
+      const auto along = [&]<class X>(const Motion<X>& m, const X&) {
+        const std::array<X, 4> motion{m.s, m.v, m.a, m.j};
+        return integrand(std::span<const X>(motion));
+      };
+      inputs.push_back(cycle_mean(*law, along, [&](const Piece<T>& piece) {
+        return decided(deciders_[i], machine, piece);
+      }));
+    }
+    return of_means.formula(std::span<const T>(inputs));
   }
 
  private:
-  /// Where the integrand decides otherwise inside a piece.
+  /// Where an integrand decides otherwise inside a piece.
   template <class T>
-  std::vector<T> decided(std::span<const T> machine, const Piece<T>& piece) const {
+  static std::vector<T> decided(const std::vector<Formula>& deciders, std::span<const T> machine,
+                                const Piece<T>& piece) {
     std::vector<T> places;
-    for (const Formula& decider : deciders_) add_decisions(decider, machine, piece, places);
+    for (const Formula& decider : deciders) add_decisions(decider, machine, piece, places);
     std::ranges::sort(places, {}, [](const T& place) { return value_of(place); });
     return places;
   }
 
   MeanFormulas formulas_;
   std::shared_ptr<const LawBinding> law_;
-  std::vector<Formula> deciders_;
+  std::vector<std::vector<Formula>> deciders_;
 };
 
 }  // namespace
 
 MechanismResponse recorded_mean(MechanismResponse response, std::size_t parameters,
                                 const Write& integrand, const Write& of_mean) {
+  return recorded_means(std::move(response), parameters, {integrand}, of_mean);
+}
+
+MechanismResponse recorded_means(MechanismResponse response, std::size_t parameters,
+                                 const std::vector<Write>& integrands, const Write& of_means) {
   response.sees_law = true;
-  response.uses = used_parameters(integrand, parameters, 4);
-  std::vector<std::size_t> own = used_parameters(of_mean, parameters, 1), all;
-  std::set_union(own.begin(), own.end(), response.uses.begin(), response.uses.end(),
-                 std::back_inserter(all));
-  response.uses = std::move(all);
-  response.number = [integrand, of_mean, is_possible = response.is_possible](const Binding& binding,
-                                                                             optim::Shape shape) {
-    MeanOfRecord mean({recorded_for(binding, integrand, 4, is_possible),
-                       recorded_for(binding, of_mean, 1, is_possible)},
-                      binding.law);
-    return function_of(detail::law_number_variables(binding), detail::kernel_of(std::move(mean)),
-                       shape);
+  response.uses = used_parameters(of_means, parameters, integrands.size());
+  for (const Write& integrand : integrands) {
+    const std::vector<std::size_t> own = used_parameters(integrand, parameters, 4);
+    std::vector<std::size_t> all;
+    std::set_union(own.begin(), own.end(), response.uses.begin(), response.uses.end(),
+                   std::back_inserter(all));
+    response.uses = std::move(all);
+  }
+  response.number = [integrands, of_means, is_possible = response.is_possible](
+                        const Binding& binding, optim::Shape shape) {
+    MeanFormulas formulas{{}, recorded_for(binding, of_means, integrands.size(), is_possible)};
+    for (const Write& integrand : integrands) {
+      formulas.integrands.push_back(recorded_for(binding, integrand, 4, is_possible));
+    }
+    return function_of(detail::law_number_variables(binding),
+                       detail::kernel_of(MeanOfRecord(std::move(formulas), binding.law)), shape);
   };
   return response;
 }

@@ -11,6 +11,22 @@ namespace camlaw::problems {
 MechanismResponse recorded_mean(MechanismResponse response, std::size_t parameters,
                                 const Write& integrand, const Write& of_mean);
 
+/// The same of several means, which of_means has in their order.
+MechanismResponse recorded_means(MechanismResponse response, std::size_t parameters,
+                                 const std::vector<Write>& integrands, const Write& of_means);
+
+namespace detail {
+
+/// An integrand(machine, motion) -> X of a machine M<T>.
+template <template <class> class M, class Integrand>
+Write written_integrand(Integrand integrand) {
+  return [integrand](std::span<const Expression> parameters, std::span<const Expression> motion) {
+    return integrand(machine_of<M>(parameters), as_place(motion).motion);
+  };
+}
+
+}  // namespace detail
+
 /// The same from integrand(machine, motion) -> X and formula(machine, mean) -> T of a machine M<T>.
 template <template <class> class M, class Integrand, class F>
 MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formula) {
@@ -18,13 +34,24 @@ MechanismResponse mean_number(ResponseAbout about, Integrand integrand, F formul
   const UnitFactor factor(about.stored, about.unit);
   return recorded_mean(
       detail::described<M>(std::move(about)), MachineTraits<M>::parameters().size(),
-      [integrand](Numbers parameters, Numbers motion) {
-        return integrand(detail::machine_of<M>(parameters), detail::as_place(motion).motion);
-      },
-      [formula, factor](Numbers parameters, Numbers mean) {
+      detail::written_integrand<M>(integrand), [formula, factor](Numbers parameters, Numbers mean) {
         return factor.template as<Expression>() *
                formula(detail::machine_of<M>(parameters), mean[0]);
       });
+}
+
+/// The same of the means of two integrands: formula(machine, first, second) -> T.
+template <template <class> class M, class First, class Second, class F>
+MechanismResponse mean_number(ResponseAbout about, First first, Second second, F formula) {
+  using Numbers = std::span<const Expression>;
+  const UnitFactor factor(about.stored, about.unit);
+  return recorded_means(detail::described<M>(std::move(about)),
+                        MachineTraits<M>::parameters().size(),
+                        {detail::written_integrand<M>(first), detail::written_integrand<M>(second)},
+                        [formula, factor](Numbers parameters, Numbers means) {
+                          return factor.template as<Expression>() *
+                                 formula(detail::machine_of<M>(parameters), means[0], means[1]);
+                        });
 }
 
 }  // namespace camlaw::problems

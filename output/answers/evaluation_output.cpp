@@ -79,6 +79,19 @@ Json constants_json(const ProblemStatement& statement) {
   return constants;
 }
 
+/// The parts that come from catalogues.
+void add_parts(const ProblemStatement& statement, Document& document) {
+  if (statement.parts.empty()) return;
+  Json parts = Json::object();
+  for (const problems::PartStatement& part : statement.parts) {
+    const problems::PartItem& item = part.items[part.start];
+    document.say(fmt::format("{} {}, of {}\n", part.name, item.name, part.catalogue));
+    parts[part.name] = {
+        {"name", item.name}, {"catalogue", part.catalogue}, {"source", item.source}};
+  }
+  document.fact("parts", std::move(parts));
+}
+
 }  // namespace
 
 Document evaluation_document(const ProblemStatement& statement,
@@ -92,6 +105,7 @@ Document evaluation_document(const ProblemStatement& statement,
   const bool moved = statement.mechanism->moved_by != problems::MovedBy::Nothing;
   if (moved) document.say(fmt::format("law {}\n", statement.laws.front().label()));
   document.fact("law", moved ? Json(statement.laws.front().name()) : Json(nullptr));
+  add_parts(statement, document);
   document.fact("constants", constants_json(statement));
   document.say("\n");
   document.add(response_table(responses));

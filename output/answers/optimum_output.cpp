@@ -186,7 +186,8 @@ std::vector<DesignValue> Answer::values() const {
     const optim::Choice& choice = space.choices[i];
     const std::size_t option = optimum.options[i];
     // Of a law not the option's words, which have the starts of what varies.
-    const auto chosen = choice.values.empty() ? law() : std::nullopt;
+    const bool is_law = i == 0 && bound.statement().chooses_law();
+    const auto chosen = is_law ? law() : std::nullopt;
     result.push_back({choice.name, choice.unit, chosen ? chosen->label() : choice.options[option],
                       choice.values.empty() ? std::nan("") : choice.values[option]});
   }

@@ -18,7 +18,8 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
     return nullptr;
   }
   Json variables = Json::object();
-  for (const VariableStatement& v : bound.at(options, x).variables) variables[v.name] = v.start;
+  const ProblemStatement found = bound.at(options, x);
+  for (const VariableStatement& v : found.variables) variables[v.name] = v.start;
   Json design = {
       {"source", std::filesystem::path(problem.source).filename().string()},
       {"problem", problem.text},
@@ -27,6 +28,9 @@ Json recorded_design(const BoundProblem& bound, const std::vector<std::size_t>& 
       {"law", problem.chooses_law() ? Json(problem.laws[options.front()].name()) : Json(nullptr)},
       {"variables", std::move(variables)}};
   if (!problem.files.tables.empty()) design["tables"] = problem.files.tables;
+  for (const PartStatement& part : found.parts) {
+    design["parts"][part.name] = part.items[part.start].name;
+  }
   return design;
 }
 

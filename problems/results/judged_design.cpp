@@ -15,6 +15,7 @@
 #include "optim/verdict/subdivision.h"
 #include "optim/verdict/verdict.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 
@@ -26,8 +27,8 @@ std::optional<HeldProblem> held_problem(const ReadDesign& read) {
     return others || v.integer || !v.values.empty();
   });
   if (held.objectives.empty() || read.statement.variables.empty()) return {};
-  const bool whole =
-      read.problem.laws.size() == 1 && held.variables.size() == read.statement.variables.size();
+  const bool whole = read.problem.laws.size() == 1 && !chooses_part(read.problem) &&
+                     held.variables.size() == read.statement.variables.size();
   const BoundProblem bound(std::move(held), true);
   optim::Problem problem = bound.problem({});
   std::vector<double> x = problem.alone(0).start();

@@ -14,6 +14,7 @@
 #include "problems/statement/choices.h"
 #include "problems/statement/held_files.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -74,6 +75,16 @@ void choose_law(const Json& record, ProblemStatement& statement) {
     refuse(fmt::format("its design has the law '{}', which its problem has not", name));
   }
   statement.laws = std::vector<Member>{*chosen};
+}
+
+/// Leaves of each part the one that was chosen.
+void choose_parts(const Json& record, ProblemStatement& statement) {
+  if (statement.parts.empty()) return;
+  const Json& chosen = key(record, "parts", &Json::is_object, "object");
+  for (std::size_t i = 0; i < statement.parts.size(); ++i) {
+    const PartStatement part = statement.parts[i];
+    keep_item(statement, part.name, item_named(part, text_of(chosen, part.name.c_str())));
+  }
 }
 
 /// Where a variable's number is among the parameters; none: the chosen law has it not.
@@ -168,6 +179,7 @@ ReadDesign read_result(std::string_view json, const std::string& source) {
     set_values(problem, settings_of(record));
     ReadDesign design{std::move(problem)};
     choose_law(record, design.statement);
+    choose_parts(record, design.statement);
     set_variables(record, design.statement);
     if (result["verdict"].is_string()) design.verdict = result["verdict"].get<std::string>();
     read_reason(result, design);

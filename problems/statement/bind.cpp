@@ -16,6 +16,7 @@
 #include "optim/search/interruptible.h"
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -146,13 +147,22 @@ struct BoundProblem::Slot {
 
 BoundProblem::BoundProblem(ProblemStatement statement, bool may_be_constant)
     : statement_(std::move(statement)) {
-  if (!may_be_constant && statement_.variables.empty() && statement_.laws.size() < 2) {
+  const bool chooses = statement_.chooses_law() || chooses_part(statement_);
+  if (!may_be_constant && statement_.variables.empty() && !chooses) {
     refuse(statement_, "the problem has no variables: nothing can be optimised");
   }
   if (statement_.chooses_law()) {
     optim::Choice choice{"law", "", {}, {}, 0};
     for (const Member& member : statement_.laws) choice.options.push_back(member.label());
     choices_.push_back(std::move(choice));
+  }
+  for (std::size_t i = 0; i < statement_.parts.size(); ++i) {
+    const PartStatement& part = statement_.parts[i];
+    if (!part.is_chosen()) continue;
+    optim::Choice choice{part.name, "", {}, {}, part.start};
+    for (const PartItem& item : part.items) choice.options.push_back(item.name);
+    choices_.push_back(std::move(choice));
+    parts_.push_back(i);
   }
   double tried = 1;
   for (const VariableStatement& v : statement_.variables) {
@@ -257,6 +267,9 @@ Member BoundProblem::member(const std::vector<std::size_t>& options) const {
 Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
   Binding binding;
   binding.constants = statement_.constants;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    put_item(statement_.parts[parts_[i]], options[first_part() + i], binding.constants);
+  }
   std::vector<LawVariable> law_variables;
   std::vector<std::pair<std::size_t, std::size_t>> parameters;
   std::size_t variable = 0;
@@ -329,6 +342,9 @@ optim::Problem BoundProblem::without_designs(const Member& chosen,
 
 ProblemStatement BoundProblem::at(const std::vector<std::size_t>& options, optim::Design x) const {
   ProblemStatement result = statement_;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    keep_item(result, result.parts[parts_[i]].name, options[first_part() + i]);
+  }
   Member member = law(options);
   std::size_t variable = 0;
   for (const Slot& slot : slots(options)) {

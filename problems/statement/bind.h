@@ -13,7 +13,8 @@ namespace camlaw::problems {
 struct LawRange;
 
 /// A statement with every name bound. Choices are, in this order: the law where there are several,
-/// variables with listed values, and integer variables with few enough values to try each.
+/// parts with several items, variables with listed values, and integer variables with few enough
+/// values to try each.
 class BoundProblem {
  public:
   /// Throws std::invalid_argument where nothing varies, unless that is allowed, and where there are
@@ -48,13 +49,16 @@ class BoundProblem {
   void check_objective() const;
   std::vector<Slot> slots(const std::vector<std::size_t>& options) const;
   const Member& law(const std::vector<std::size_t>& options) const;
+  /// Where the choices of parts begin among all.
+  std::size_t first_part() const { return statement_.chooses_law() ? 1 : 0; }
   Member member(const std::vector<std::size_t>& options) const;
   optim::Problem without_designs(const Member& chosen, std::span<const LawRange> varying,
                                  optim::Problem problem) const;
 
   ProblemStatement statement_;
   std::vector<optim::Choice> choices_;
-  std::vector<std::size_t> chosen_;  ///< the variable behind each choice but the law's
+  std::vector<std::size_t> parts_;   ///< the part behind each choice of one
+  std::vector<std::size_t> chosen_;  ///< the variable behind each of the others but the law's
 };
 
 /// A response of the statement's mechanism as a function of a binding's variables; it ends where

@@ -11,6 +11,7 @@
 #include "problems/statement/bind.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
@@ -173,6 +174,16 @@ void add_limit(ConstraintStatement limit, ProblemStatement& problem) {
 
 /// Refuses a bound that would be another at another design: limits have numbers.
 void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
+  for (const PartStatement& part : problem.parts) {
+    ProblemStatement other = problem;
+    for (std::size_t item = 0; item < part.items.size(); ++item) {
+      put_item(part, item, other.constants);
+      if (bound_of(check, problem) == bound_of(check, other)) continue;
+      throw std::invalid_argument(
+          fmt::format("{} is chosen, and with it what {} is held to, {}; state {}", part.name,
+                      check.name, check.standard, check.input));
+    }
+  }
   for (const VariableStatement& v : problem.variables) {
     if (v.of_law || v.lower == v.upper) continue;
     ProblemStatement other = problem;

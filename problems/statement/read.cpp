@@ -21,8 +21,8 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
   check_keys(file, {"format", "title", "mechanism", "machine", "responses", "constants", "law",
-                    "free", "program", "variables", "objective", "objectives", "constraints",
-                    "cases", "ranges", "buildable", "solver"});
+                    "free", "program", "parts", "variables", "objective", "objectives",
+                    "constraints", "cases", "ranges", "buildable", "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });
@@ -36,6 +36,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   read_mechanism(file, problem);
   read_laws(file, problem, fixed);
   read_constants(file, problem, fixed);
+  read_parts(file, problem);
   read_variables(file, problem, fixed);
   read_free_variables(file, problem, fixed);
   read_tolerances(file, problem);

@@ -5,6 +5,7 @@
 
 #include "machines/model/load_case.h"
 #include "problems/statement/cases.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/ranges.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -39,6 +40,10 @@ std::pair<std::size_t, double> read_value(const Entry& entry, const ProblemState
       located(entry, [&] { return find_parameter(problem, entry.key, Owner::Machine); });
   if (find_variable(problem, parameter, 0)) {
     refuse(entry, fmt::format("{} varies; a case sets what does not vary", parameter.name));
+  }
+  if (const PartStatement* part = part_of(problem, parameter.parameter)) {
+    refuse(entry, fmt::format("{} comes with {}, [parts.{}], which is the same in every case",
+                              parameter.name, part->name, part->name));
   }
   if (problem.told_by_motion == parameter.parameter) {
     refuse(entry, fmt::format("the motion is stated in {}, so {} is the same in every case",

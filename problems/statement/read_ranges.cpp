@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "machines/model/over_ranges.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
 
@@ -30,6 +31,10 @@ ParameterRange read_one_range(const Entry& table, const ProblemStatement& proble
     refuse(table, fmt::format("{} varies, so that the search chooses it; a range is of what may "
                               "have any value",
                               parameter.name));
+  }
+  if (const PartStatement* part = part_of(problem, parameter.parameter)) {
+    refuse(table, fmt::format("{} comes with {}, [parts.{}]; drop one of the two", parameter.name,
+                              part->name, part->name));
   }
   if (parameter.integer) {
     refuse(table, fmt::format("{} is an integer; state its values as load cases, [[cases]]",

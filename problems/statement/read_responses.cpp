@@ -7,6 +7,7 @@
 #include "problems/statement/cases.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 #include "problems/statement/ranges.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
@@ -71,6 +72,10 @@ void check_part(const Entry& entry, const ResponseName& name, Sense sense) {
 
 /// Refuses a constant: no design has less or more of it.
 void check_varies(const Entry& entry, const ResponseName& name, const ProblemStatement& problem) {
+  if (name.response == nullptr) {
+    const PartStatement* part = part_of(problem, name.parameter);
+    if (part != nullptr && part->is_chosen()) return;
+  }
   if (name.response != nullptr || problem.variables.empty()) return;
   for (const VariableStatement& variable : problem.variables) {
     if (!variable.of_law && variable.parameter == name.parameter) return;

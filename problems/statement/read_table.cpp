@@ -32,19 +32,6 @@ struct TurnTable {
   std::string unit;  ///< of the lift; "1" where the table states none
 };
 
-/// In UTF-8, whatever it was written in: a result carries it.
-const std::string& table_text(const Entry& name, HeldFiles& files) {
-  const std::string& path = text_of(name);
-  const auto known = files.tables.find(path);
-  if (known != files.tables.end()) return known->second;
-  std::istringstream raw(
-      file_text((std::filesystem::path(folder_of(name)) / path).string(), "table"));
-  LineSource lines(raw, path);
-  std::string text;
-  for (std::string line; lines.next(line);) text += line + "\n";
-  return files.tables.emplace(path, std::move(text)).first->second;
-}
-
 /// The angle and the lift of a table, whatever else it holds.
 SampleTable lift_columns(const SampleTable& table) {
   const SampleColumn* lift = find_column(table, ColumnKind::Displacement);
@@ -135,6 +122,18 @@ std::string words_of(const std::string& name, std::size_t rows, const TableMotio
 }
 
 }  // namespace
+
+const std::string& table_text(const Entry& name, HeldFiles& files) {
+  const std::string& path = text_of(name);
+  const auto known = files.tables.find(path);
+  if (known != files.tables.end()) return known->second;
+  std::istringstream raw(
+      file_text((std::filesystem::path(folder_of(name)) / path).string(), "table"));
+  LineSource lines(raw, path);
+  std::string text;
+  for (std::string line; lines.next(line);) text += line + "\n";
+  return files.tables.emplace(path, std::move(text)).first->second;
+}
 
 void read_table(const Entry& file, const Entry& program, ProblemStatement& problem) {
   check_keys(program, {"table", "smoothing", "cycle_time"});

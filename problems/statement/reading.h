@@ -38,6 +38,9 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 /// The programs of a file's table [program], one for each combination of its segments' laws. A free
 /// law is what the file's table [free] says.
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem);
+/// The text of a table beside the problem, in UTF-8 whatever it was written in: a result carries
+/// it.
+const std::string& table_text(const Entry& name, HeldFiles& files);
 /// The motion of a program's `table`, and the stroke that it has.
 void read_table(const Entry& file, const Entry& program, ProblemStatement& problem);
 /// The tolerances of a program's points and ends: as variables, but for those that the file states.
@@ -52,6 +55,8 @@ Member read_free_law(const Entry& file, HeldFiles& files);
 Member read_free_law(const Entry& file, const Entry& segment, HeldFiles& files);
 void read_free_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 void read_constants(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+/// The parts that come from catalogues, [parts]; each has numbers that nothing else states.
+void read_parts(const Entry& file, ProblemStatement& problem);
 void read_variables(const Entry& file, ProblemStatement& problem, const FixedNames& fixed);
 /// Load cases, and what differs in them among the mechanism's responses.
 void read_cases(const Entry& file, ProblemStatement& problem);

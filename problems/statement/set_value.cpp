@@ -15,6 +15,7 @@
 #include "problems/statement/choices.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -47,6 +48,11 @@ void set_number(ProblemStatement& problem, const NamedParameter& parameter, std:
   if (!parameter.of_law && problem.told_by_motion == parameter.parameter) {
     throw std::invalid_argument(
         fmt::format("{}: the motion is stated in {}; change it in the file", name, parameter.unit));
+  }
+  if (const PartStatement* part =
+          parameter.of_law ? nullptr : part_of(problem, parameter.parameter)) {
+    throw std::invalid_argument(fmt::format("{}: it comes with {}, from {}; set {}", name,
+                                            part->name, part->catalogue, part->name));
   }
   double value = read_number(text, parameter, name);
   if (const auto i = find_variable(problem, parameter, index)) {
@@ -175,6 +181,10 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
     if (!bound) return set_parameter_in_case(problem, *load, name, text);
   }
   if (const auto bound = bound_named(name)) return set_bound(problem, *bound, name, text);
+  if (const PartStatement* part = find_part(problem, name)) {
+    start_with(problem, part->name, item_named(*part, text));
+    return;
+  }
   const NamedParameter parameter = find_parameter(problem, name);
   if (parameter.list && !parameter.element) {
     set_list(problem, parameter, text);

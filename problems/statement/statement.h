@@ -44,6 +44,25 @@ struct VariableStatement {
   std::optional<Measure> measure = {};  ///< of a displacement whose tolerance is stated with a unit
 };
 
+/// One row of a catalogue.
+struct PartItem {
+  std::string name;
+  std::vector<double> values;  ///< of PartStatement::parameters, in their listed units
+  std::string source = {};     ///< where the row was read
+};
+
+/// A part of the machine from a catalogue: one, or several to choose from, each with several of the
+/// machine's numbers at once.
+struct PartStatement {
+  std::string name;                     ///< "roller"
+  std::string catalogue = {};           ///< as the file names it
+  std::vector<std::size_t> parameters;  ///< of the mechanism
+  std::vector<PartItem> items;
+  std::size_t start = 0;
+
+  bool is_chosen() const { return items.size() > 1; }
+};
+
 /// What is taken of a response that differs between load cases.
 enum class OverCases : char { Worst, Mean };
 
@@ -123,6 +142,7 @@ struct ProblemStatement {
   std::optional<ProgramTiming> timing;  ///< where a program speaks of time
   /// The machine's stroke, where the motion is stated in its unit: it is not set beside it.
   std::optional<std::size_t> told_by_motion = {};
+  std::vector<PartStatement> parts = {};
   std::vector<VariableStatement> variables;
   /// One, or for a front two or more; `evaluate` does without.
   std::vector<ObjectiveStatement> objectives;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "problems/statement/parameters.h"
+#include "problems/statement/parts.h"
 
 namespace camlaw::problems {
 namespace {
@@ -46,10 +47,33 @@ std::string constants_sentence(const ProblemStatement& problem) {
     const bool by_range =
         std::any_of(problem.ranges.begin(), problem.ranges.end(),
                     [&](const ParameterRange& range) { return range.parameter == i; });
-    if (!varies && !by_case && !by_range)
-      parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
+    const PartStatement* part = part_of(problem, i);
+    const bool is_chosen = part != nullptr && part->is_chosen();
+    if (varies || by_case || by_range || is_chosen) continue;
+    parts.push_back(p.name + " = " + with_unit(problem.constants[i], p.unit));
   }
   return parts.empty() ? "" : fmt::format("It has {}.\n", listed(parts));
+}
+
+/// What comes from catalogues.
+std::string parts_sentences(const ProblemStatement& problem) {
+  constexpr std::size_t kShown = 12;
+  std::string words;
+  for (const PartStatement& part : problem.parts) {
+    const std::string& start = part.items[part.start].name;
+    std::vector<std::string> names;
+    for (const PartItem& item : part.items) names.push_back(item.name);
+    if (!part.is_chosen()) {
+      words += fmt::format("The {} is {} of {}.\n", part.name, start, part.catalogue);
+    } else if (names.size() > kShown) {
+      words += fmt::format("Choose the {} among {} of {}, starting at {}.\n", part.name,
+                           names.size(), part.catalogue, start);
+    } else {
+      words += fmt::format("Choose the {} among {} of {}, starting at {}.\n", part.name,
+                           listed(names), part.catalogue, start);
+    }
+  }
+  return words;
 }
 
 bool varies(const ProblemStatement& problem, const std::string& law_parameter,
@@ -271,6 +295,7 @@ std::string in_words(const ProblemStatement& problem) {
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
   words += constants_sentence(problem) + cases_sentence(problem) + ranges_sentence(problem) +
            laws_sentence(problem) + timing_sentence(problem);
+  words += parts_sentences(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {
     const std::size_t next = end_of_list(problem.variables, i);
     words += next - i > kListedOneByOne ? list_sentence(problem, i, next)

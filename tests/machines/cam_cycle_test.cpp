@@ -163,11 +163,16 @@ TEST_CASE("static and dynamic torque add up to the drive's", "[cams]") {
 }
 
 TEST_CASE("the cam's work is the friction of the guide", "[cams]") {
-  for (const char* offset : {"0 mm", "8 mm", "-8 mm"}) {
-    INFO(offset);
+  const std::vector<std::pair<const char*, const char*>> cases{{"disc-cam-roller", "0 mm"},
+                                                               {"disc-cam-roller", "8 mm"},
+                                                               {"disc-cam-roller", "-8 mm"},
+                                                               {"disc-cam-knife-edge", "0 mm"},
+                                                               {"disc-cam-knife-edge", "8 mm"}};
+  for (const auto& [mechanism, offset] : cases) {
+    INFO(mechanism << ", " << offset);
     const std::string constants = std::string("guide_friction = 0.12\noffset = \"") + offset +
                                   "\"\nspeed = \"700 rpm\"\nspring_preload = \"300 N\"\n";
-    const Curves curves(program_of("disc-cam-roller", constants));
+    const Curves curves(program_of(mechanism, constants));
     double work = 0, lost = 0;
     for (int i = 0; i < kPoints; ++i) {
       const double at = degrees(i) + 180.0 / kPoints, step = 2 * kPi / kPoints;

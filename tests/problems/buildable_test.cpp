@@ -177,6 +177,10 @@ TEST_CASE("the wall round the bore is a quarter of its radius, or what is stated
   };
   check_edge("wall", 20 + 20.0 / 4, true, bored(""));
   check_edge("wall", 20 + 8, true, bored("[buildable]\nwall = '8 mm'\n"));
+  // A keyway takes its depth of either.
+  check_edge("wall", 20 + 3.3 + 20.0 / 4, true, bored("[buildable]\nkeyway_depth = '3.3 mm'\n"));
+  check_edge("wall", 20 + 3.3 + 8, true,
+             bored("[buildable]\nwall = '8 mm'\nkeyway_depth = '3.3 mm'\n"));
   const BuildableAnswer thin = answer_of(bored("")(24), "wall");
   CHECK(thin.note == "a quarter of bore_radius");
   CHECK(thin.report.margin == Approx(-1));

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "machines/cams/cam_motion.h"
+#include "machines/cams/roller_duty.h"
+#include "machines/contact/elliptic_contact.h"
+#include "machines/model/append.h"
+#include "machines/model/listed_responses.h"
+#include "machines/model/mean_number.h"
+
+/// What a roller bears, for a machine with pitch_curve(), contact_force(), roller(), turning() and
+/// duty: the life of its bearing, the shear below the surface, the film that carries it.
+namespace camlaw::problems {
+
+enum class DutyCurve {
+  MaxShear,
+  ShearDepth,
+  CrownStress,
+  CrownHalfLength,
+  CrownFraction,
+  RollerSpeed,
+  SpeedFraction,
+  StaticFraction,
+  FilmThickness,
+  LambdaRatio
+};
+
+/// (RB1) Turns of the roller on its pin, by those of the cam: on the flank that bears, or on the
+/// cam's own.
+template <class Cam, class X>
+X roller_turns_of(const Cam& cam, const FollowerMotion<X>& f) {
+  return roller_turns(cam.contact_force(f), cam.pitch_curve(f).speed(), X(cam.turning(f)),
+                      cam.roller_radius);
+}
+
+template <class Cam, class X>
+X own_flank_turns(const Cam& cam, const FollowerMotion<X>& f) {
+  return roller_turns(number<X>(1), cam.pitch_curve(f).speed(), X(cam.turning(f)),
+                      cam.roller_radius);
+}
+
+/// (RB7) Film on the cam's own flank. The contact runs along roller and profile alike, which roll
+/// on one another: u = omega |w1| (1 - r_r k).
+template <class Cam, class X>
+X film_of(const Cam& cam, const FollowerMotion<X>& f) {
+  const auto roller = cam.roller();
+  const auto curve = cam.pitch_curve(f);
+  const X k = curve.curvature();
+  const X one = number<X>(1);
+  const X speed = cam.angular_speed * (curve.speed() * (one - cam.roller_radius * k));
+  return cam.duty.lubricant().film(X(cam.contact_force(f) / roller.face_width),
+                                   roller.curvature_sum(k), speed, roller.material.plane_modulus());
+}
+
+/// (RB10) The ellipse that a crowned roller touches the cam's own flank over.
+template <class Cam, class X>
+ContactEllipse<X> ellipse_of(const Cam& cam, const FollowerMotion<X>& f) {
+  const auto roller = cam.roller();
+  return contact_ellipse(cam.contact_force(f), roller.curvature_sum(cam.pitch_curve(f).curvature()),
+                         cam.duty.crown_curvature(), roller.material.plane_modulus());
+}
+
+template <class Cam, class X>
+X duty_curve(const Cam& cam, DutyCurve which, const FollowerMotion<X>& f) {
+  const auto curvature = [&] { return cam.pitch_curve(f).curvature(); };
+  switch (which) {
+    case DutyCurve::MaxShear:
+      return max_shear(X(cam.roller().stress(cam.contact_force(f), curvature())));
+    case DutyCurve::ShearDepth:
+      return shear_depth(X(cam.roller().half_width(cam.contact_force(f), curvature())));
+    case DutyCurve::CrownStress:
+      return ellipse_of(cam, f).pressure;
+    case DutyCurve::CrownHalfLength:
+      return ellipse_of(cam, f).half_length;
+    case DutyCurve::CrownFraction:
+      return ellipse_of(cam, f).half_length / (number<X>(0.5) * cam.roller().face_width);
+    case DutyCurve::RollerSpeed:
+      return cam.angular_speed * own_flank_turns(cam, f);
+    case DutyCurve::SpeedFraction:
+      return cam.angular_speed / cam.duty.speed_limit * own_flank_turns(cam, f);
+    case DutyCurve::StaticFraction:
+      return absolute(cam.contact_force(f)) / cam.duty.static_rating;
+    case DutyCurve::FilmThickness:
+      return film_of(cam, f);
+    case DutyCurve::LambdaRatio:
+      break;
+  }
+  return film_of(cam, f) / cam.duty.roughness;
+}
+
+/// Numbers that the whole cycle makes.
+template <template <class> class M>
+std::vector<MechanismResponse> life_responses() {
+  const auto damage = [](const auto& cam, const auto& motion) {
+    const auto f = cam.over_angle(motion);
+    return cam.duty.to_life_exponent(cam.contact_force(f)) * roller_turns_of(cam, f);
+  };
+  const auto turns = [](const auto& cam, const auto& motion) {
+    return roller_turns_of(cam, cam.over_angle(motion));
+  };
+  return {
+      mean_number<M>({"equivalent_load", "N", "N",
+                      "constant load under which the roller's bearing lives as many revolutions"},
+                     damage, turns,
+                     [](const auto& cam, const auto& mean, const auto& turned) {
+                       return cam.duty.equivalent_load(mean, turned);
+                     }),
+      mean_number<M>({"life_revolutions", "1", "1",
+                      "basic rating life L10 of the roller's bearing, millions of its revolutions"},
+                     damage, turns,
+                     [](const auto& cam, const auto& mean, const auto& turned) {
+                       return cam.duty.revolutions(cam.duty.equivalent_load(mean, turned)) /
+                              cam.duty.kMillion;
+                     }),
+      mean_number<M>({"life", "h", "s", "basic rating life L10 of the roller's bearing"}, damage,
+                     [](const auto& cam, const auto& mean) {
+                       return cam.duty.life(mean, cam.angular_speed);
+                     })};
+}
+
+template <template <class> class M>
+std::vector<MechanismResponse> duty_responses() {
+  std::vector<MechanismResponse> all;
+  const auto add = [&](DutyCurve which, ResponseAbout about) {
+    all.push_back(listed_curve<M>(std::move(about), turn_of_the_cam(), which,
+                                  [](const auto& cam, DutyCurve curve, const auto& motion) {
+                                    return duty_curve(cam, curve, cam.over_angle(motion));
+                                  }));
+  };
+  using C = DutyCurve;
+  add(C::MaxShear, {"max_shear", "MPa", "Pa",
+                    "greatest shear stress below the surface, of roller and cam in line contact"});
+  add(C::ShearDepth, {"shear_depth", "mm", "m", "how deep it is below the surface"});
+  add(C::CrownStress, {"crown_stress", "MPa", "Pa",
+                       "greatest Hertz pressure between a crowned roller and the cam"});
+  add(C::CrownHalfLength, {"crown_half_length", "mm", "m",
+                           "half the length of a crowned roller's contact, along the axis"});
+  add(C::CrownFraction,
+      {"crown_fraction", "1", "1",
+       "length of a crowned roller's contact by the face width; above 1 its edges bear"});
+  add(C::RollerSpeed,
+      {"roller_speed", "rpm", "rad/s", "speed of the roller on its pin, on the cam's own flank"});
+  add(C::SpeedFraction,
+      {"speed_fraction", "1", "1", "speed of the roller by its limit; above 1 it is too fast"});
+  add(C::StaticFraction,
+      {"static_fraction", "1", "1",
+       "force on the roller by its static rating, the inverse of its static safety"});
+  add(C::FilmThickness,
+      {"film_thickness", "um", "m", "least film of lubricant between roller and cam"});
+  add(C::LambdaRatio, {"lambda_ratio", "1", "1",
+                       "film of lubricant by the roughness of both surfaces; below 1 they touch"});
+  for (const char* of_contact : {"max_shear", "shear_depth", "crown_stress", "crown_half_length",
+                                 "crown_fraction", "film_thickness", "lambda_ratio"}) {
+    set_defined_while(all, {of_contact}, {.response = "undercut", .upper = 1});
+    set_defined_while(all, {of_contact}, {.response = "contact_force", .lower = 0});
+  }
+  append(all, life_responses<M>());
+  return all;
+}
+
+}  // namespace camlaw::problems
