@@ -29,6 +29,11 @@ Parameters blank_parameters();
 /// Friction and sizes of the guide of a sliding follower.
 Parameters guide_parameters();
 
+/// The elastic train between cam and end, its stiffness in the unit of the follower's force by its
+/// motion; without one, which is the default, the follower is rigid.
+Parameters sliding_train();
+Parameters oscillating_train();
+
 /// One list after another.
 Parameters joined(const std::vector<Parameters>& lists);
 

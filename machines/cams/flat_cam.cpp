@@ -15,17 +15,27 @@ template <>
 struct MachineTraits<FlatCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
-      &FlatCam<T>::stroke,        &FlatCam<T>::base_radius, &FlatCam<T>::angular_speed,
-      &FlatCam<T>::mass,          &FlatCam<T>::spring_rate, &FlatCam<T>::spring_preload,
-      &FlatCam<T>::load,          &FlatCam<T>::face_width,  &FlatCam<T>::youngs_modulus,
-      &FlatCam<T>::poisson_ratio, &FlatCam<T>::density,     &FlatCam<T>::bore_radius};
+  static constexpr std::array fields{&FlatCam<T>::stroke,
+                                     &FlatCam<T>::base_radius,
+                                     &FlatCam<T>::angular_speed,
+                                     &FlatCam<T>::mass,
+                                     &FlatCam<T>::spring_rate,
+                                     &FlatCam<T>::spring_preload,
+                                     &FlatCam<T>::load,
+                                     &FlatCam<T>::face_width,
+                                     &FlatCam<T>::youngs_modulus,
+                                     &FlatCam<T>::poisson_ratio,
+                                     &FlatCam<T>::density,
+                                     &FlatCam<T>::bore_radius,
+                                     &FlatCam<T>::train_stiffness,
+                                     &FlatCam<T>::train_damping,
+                                     &FlatCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters()});
+              contact_parameters(), blank_parameters(), sliding_train()});
   return all;
 }
 
@@ -65,7 +75,9 @@ Mechanism flat_cam_mechanism() {
                             peak_torque(),
                             peak_stress(),
                             outer_radius(),
-                            least_wall()},
+                            least_wall(),
+                            peak_end_deviation(),
+                            least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlat},
                  {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks()});

@@ -23,6 +23,9 @@ struct FlatCam {
   T poisson_ratio = number<T>(0.3);               ///< nu
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
 
   bool is_possible() const { return value_of(base_radius) > 0; }
   FollowerLoad<T> follower() const {

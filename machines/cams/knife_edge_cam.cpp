@@ -14,13 +14,21 @@ template <>
 struct MachineTraits<KnifeEdgeCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
-      &KnifeEdgeCam<T>::stroke,         &KnifeEdgeCam<T>::base_radius,
-      &KnifeEdgeCam<T>::offset,         &KnifeEdgeCam<T>::angular_speed,
-      &KnifeEdgeCam<T>::mass,           &KnifeEdgeCam<T>::spring_rate,
-      &KnifeEdgeCam<T>::spring_preload, &KnifeEdgeCam<T>::load,
-      &KnifeEdgeCam<T>::cutter_radius,  &KnifeEdgeCam<T>::face_width,
-      &KnifeEdgeCam<T>::density,        &KnifeEdgeCam<T>::bore_radius};
+  static constexpr std::array fields{&KnifeEdgeCam<T>::stroke,
+                                     &KnifeEdgeCam<T>::base_radius,
+                                     &KnifeEdgeCam<T>::offset,
+                                     &KnifeEdgeCam<T>::angular_speed,
+                                     &KnifeEdgeCam<T>::mass,
+                                     &KnifeEdgeCam<T>::spring_rate,
+                                     &KnifeEdgeCam<T>::spring_preload,
+                                     &KnifeEdgeCam<T>::load,
+                                     &KnifeEdgeCam<T>::cutter_radius,
+                                     &KnifeEdgeCam<T>::face_width,
+                                     &KnifeEdgeCam<T>::density,
+                                     &KnifeEdgeCam<T>::bore_radius,
+                                     &KnifeEdgeCam<T>::train_stiffness,
+                                     &KnifeEdgeCam<T>::train_damping,
+                                     &KnifeEdgeCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
@@ -32,7 +40,8 @@ const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters()
               sliding_load(5, 50),
               cutter_parameter(),
               {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
-              blank_parameters()});
+              blank_parameters(),
+              sliding_train()});
   return all;
 }
 
@@ -94,7 +103,9 @@ Mechanism knife_edge_cam_mechanism() {
                             peak_force(),
                             peak_torque(),
                             outer_radius(),
-                            least_wall()},
+                            least_wall(),
+                            peak_end_deviation(),
+                            least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscKnifeEdge,
                   .possible = {{{"base_radius", "offset"}, "DS1"}}},

@@ -24,6 +24,9 @@ struct KnifeEdgeCam {
   T face_width = number<T>(0.015);                ///< b, m, of the cam
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
 
   /// The cam with a roller of no radius; its contact is not meant.
   RollerCam<T> edge() const {

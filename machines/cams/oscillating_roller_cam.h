@@ -31,6 +31,9 @@ struct OscillatingRollerCam {
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T train_stiffness = number<T>(0);               ///< c_t, N m/rad
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
 
   T prime_radius() const { return base_radius + roller_radius; }
   /// (M13) cos psi_0 = (l^2 + d^2 - r_p^2) / (2 l d).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 /// The programs of a file's table [program], one for each combination of its segments' laws. A free
 /// law is what the file's table [free] says.
 void read_program(const Entry& file, const Entry& program, ProblemStatement& problem);
+/// How many natural periods the train has in a turn for which a program's lift is made, where it is
+/// `polydyne`: a number, or those that the machine's train has at a stated speed.
+std::optional<double> read_polydyne(const Entry& file, const Entry& program,
+                                    const Mechanism& mechanism);
 /// The motion of a program's `table`, and the stroke that it has.
 void read_table(const Entry& file, const Entry& program, ProblemStatement& problem);
 /// The tolerances of a program's points and ends: as variables, but for those that the file states.
