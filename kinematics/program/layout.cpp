@@ -10,8 +10,9 @@
 namespace camlaw::detail {
 namespace {
 
-constexpr double kMostLevel = 1e3;  // strokes
-constexpr double kMostRate = 1e9;   // strokes per cycle, and per cycle^2
+constexpr double kMostLevel = 1e3;                         // strokes
+constexpr double kMostRate = 1e9;                          // strokes per cycle, and per cycle^2
+constexpr double kLeastPeriods = 0.1, kMostPeriods = 1e6;  // in a cycle
 
 /// The parameters that one segment has.
 class SegmentParameters {
@@ -172,6 +173,15 @@ Layout lay_out(const StatedProgram& program) {
     places.law = layout.parameters.size();
     if (segment.law) parameters.add_law();
     layout.segments.push_back(places);
+  }
+  if (program.polydyne) {
+    layout.polydyne = layout.parameters.size();
+    layout.parameters.push_back({"polydyne",
+                                 "1",
+                                 kLeastPeriods,
+                                 kMostPeriods,
+                                 {*program.polydyne},
+                                 "natural periods of the train in a cycle"});
   }
   return layout;
 }

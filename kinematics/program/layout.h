@@ -25,6 +25,7 @@ struct StatedProgram {
   std::vector<ProgramSegment> segments;
   Matched matched;
   double advance = 0;
+  std::optional<double> polydyne = {};
 };
 
 inline bool joins(const ProgramSegment& segment) {
@@ -49,6 +50,7 @@ struct SegmentPlaces {
 
 struct Layout {
   std::vector<SegmentPlaces> segments;
+  std::optional<std::size_t> polydyne = {};
   std::vector<Parameter> parameters;
 };
 

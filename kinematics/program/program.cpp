@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "kinematics/polydyne.h"
 #include "kinematics/program/joints.h"
 #include "kinematics/program/layout.h"
 #include "numerics/scalar/dual.h"
@@ -145,12 +146,17 @@ std::string motion_words(const ProgramSegment& segment) {
 }
 
 /// "rise 120 deg by cycloidal to 1, dwell 60 deg, ...".
-std::string words_of(const std::vector<ProgramSegment>& segments) {
+std::string words_of(const StatedProgram& program) {
   std::string result;
-  for (const ProgramSegment& segment : segments) {
+  for (const ProgramSegment& segment : program.segments) {
     result +=
         fmt::format("{}{} {:.6g} deg", result.empty() ? "" : ", ", segment.name, segment.angle);
     if (!segment.rests) result += motion_words(segment);
+  }
+  if (program.polydyne) {
+    result +=
+        fmt::format("; the lift that makes an end with {:.6g} natural periods in a cycle move so",
+                    *program.polydyne);
   }
   return result;
 }
@@ -180,7 +186,7 @@ Member program_of(const StatedProgram& program) {
   Family family{
       .name = name_of(program.segments),
       .aliases = {},
-      .formula = words_of(program.segments),
+      .formula = words_of(program),
       .parameters = layout.parameters,
       .ends = "periodic",
       .continuity = 0,
@@ -197,11 +203,14 @@ Member program_of(const StatedProgram& program) {
         }
         auto fault = detail::bad_joint(program, plain, law->template as<double>());
         if (fault) return std::move(*fault);
-        return law;
+        if (!layout.polydyne) return law;
+        return possible_polydyne(*law, arguments.scalar(*layout.polydyne),
+                                 static_cast<std::size_t>(program.matched));
       }};
   family.listed = [program, layout](const Arguments<double>& arguments) {
     const auto segments = segments_at(program, layout, arguments).value();
     StatedProgram listed = program;
+    if (layout.polydyne) listed.polydyne = arguments.scalar(*layout.polydyne);
     for (std::size_t i = 0; i < segments.size(); ++i) {
       listed.segments[i] =
           listed_segment(program.segments[i], layout.segments[i], segments[i], arguments);
@@ -228,8 +237,9 @@ Member program_of(const StatedProgram& program) {
 
 }  // namespace
 
-Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance) {
-  const StatedProgram program{std::move(segments), matched, advance};
+Member motion_program(std::vector<ProgramSegment> segments, Matched matched, double advance,
+                      std::optional<double> polydyne) {
+  const StatedProgram program{std::move(segments), matched, advance, polydyne};
   check_program(program);
   return program_of(program);
 }

@@ -78,6 +78,28 @@ Parameters wear_parameter() {
            "volume that the profile loses by force and length of sliding (Archard)", 1e-7, 0, 1}};
 }
 
+namespace {
+
+Parameters train(const char* unit, const char* stored, const char* what) {
+  return {
+      {"train_stiffness", "c_t", unit, stored,
+       "stiffness of all between the cam and the follower's end; 0: rigid, and nothing is "
+       "known of an end",
+       0, 0, 1e9},
+      {"train_damping", "zeta", "1", "1", "damping of the train over the critical", 0.05, 0, 0.99},
+      {"end_share", "kappa", "1", "1", what, 1, 1e-6, 1}};
+}
+
+}  // namespace
+
+Parameters sliding_train() {
+  return train("N/mm", "N/m", "share of the mass that is at the end of the train");
+}
+
+Parameters oscillating_train() {
+  return train("N m/deg", "N m/rad", "share of the inertia that is at the end of the train");
+}
+
 Parameters cutter_parameter() {
   return {{"cutter_radius", "r_c", "mm", "m", "radius of the tool that cuts the profile", 10, 1e-3,
            1e4}};

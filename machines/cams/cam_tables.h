@@ -33,6 +33,11 @@ Parameters guide_parameters();
 /// What a roller bears, and what lubricates it, in the order of RollerDuty's fields.
 Parameters duty_parameters();
 
+/// The elastic train between cam and end, its stiffness in the unit of the follower's force by its
+/// motion; without one, which is the default, the follower is rigid.
+Parameters sliding_train();
+Parameters oscillating_train();
+
 /// One list after another.
 Parameters joined(const std::vector<Parameters>& lists);
 

@@ -29,7 +29,10 @@ struct MachineTraits<ConjugateCam> {
                                      &ConjugateCam<T>::youngs_modulus,
                                      &ConjugateCam<T>::poisson_ratio,
                                      &ConjugateCam<T>::cutter_radius,
-                                     &ConjugateCam<T>::bore_radius};
+                                     &ConjugateCam<T>::bore_radius,
+                                     &ConjugateCam<T>::train_stiffness,
+                                     &ConjugateCam<T>::train_damping,
+                                     &ConjugateCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters() {
@@ -44,7 +47,8 @@ const std::vector<MechanismParameter>& MachineTraits<ConjugateCam>::parameters()
               sliding_load(0, 0),
               contact_parameters(),
               cutter_parameter(),
-              bore_parameter()});
+              bore_parameter(),
+              sliding_train()});
   return all;
 }
 
@@ -78,7 +82,7 @@ Mechanism conjugate_cam_mechanism() {
        .peaks = {peak_pressure_angle(), of_second(peak_pressure_angle(), kSecond), peak_undercut(),
                  of_second(peak_undercut(), kSecond), peak_force(), peak_torque(), peak_stress(),
                  outer_radius(), of_second(outer_radius(), kSecond), least_wall(),
-                 of_second(least_wall(), kSecond)},
+                 of_second(least_wall(), kSecond), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscConjugate,
        .possible = {{{"stroke", "roller_distance"}, "DS2"},

@@ -31,6 +31,9 @@ struct ConjugateCam {
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T bore_radius = number<T>(0.010);               ///< r_0, m, of either cam
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
 
   RollerCam<T> main() const { return cam(base_radius, offset); }
   RollerCam<T> second() const { return cam(second_base_radius(), -offset); }

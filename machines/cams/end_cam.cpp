@@ -17,10 +17,11 @@ struct MachineTraits<EndCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &EndCam<T>::stroke,         &EndCam<T>::radius,        &EndCam<T>::roller_radius,
-      &EndCam<T>::angular_speed,  &EndCam<T>::mass,          &EndCam<T>::spring_rate,
-      &EndCam<T>::spring_preload, &EndCam<T>::load,          &EndCam<T>::face_width,
-      &EndCam<T>::youngs_modulus, &EndCam<T>::poisson_ratio, &EndCam<T>::cutter_radius};
+      &EndCam<T>::stroke,          &EndCam<T>::radius,        &EndCam<T>::roller_radius,
+      &EndCam<T>::angular_speed,   &EndCam<T>::mass,          &EndCam<T>::spring_rate,
+      &EndCam<T>::spring_preload,  &EndCam<T>::load,          &EndCam<T>::face_width,
+      &EndCam<T>::youngs_modulus,  &EndCam<T>::poisson_ratio, &EndCam<T>::cutter_radius,
+      &EndCam<T>::train_stiffness, &EndCam<T>::train_damping, &EndCam<T>::end_share};
   template <class T>
   static constexpr auto part = &EndCam<T>::duty;
 };
@@ -34,6 +35,7 @@ const std::vector<MechanismParameter>& MachineTraits<EndCam>::parameters() {
               sliding_load(0, 0),
               contact_parameters(),
               cutter_parameter(),
+              sliding_train(),
               duty_parameters()});
   return all;
 }
@@ -43,17 +45,17 @@ Mechanism end_cam_mechanism() {
   append(responses, roller_responses<EndCam>());
   append(responses, duty_responses<EndCam>());
   append(responses, drawn_responses<EndCam>(true));
-  return checked(
-      {.name = "end-cam",
-       .title = "end or barrel cam with a roller that moves along its axis",
-       .source = "docs/theory.md, Cams",
-       .parameters = MachineTraits<EndCam>::parameters(),
-       .responses = std::move(responses),
-       .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(), peak_torque(),
-                 peak_stress(), peak_outer_undercut(), peak_groove_stress()},
-       .moved_by = MovedBy::Program,
-       .form = Form::EndRoller},
-      {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
+  return checked({.name = "end-cam",
+                  .title = "end or barrel cam with a roller that moves along its axis",
+                  .source = "docs/theory.md, Cams",
+                  .parameters = MachineTraits<EndCam>::parameters(),
+                  .responses = std::move(responses),
+                  .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(),
+                            peak_torque(), peak_stress(), peak_outer_undercut(),
+                            peak_groove_stress(), peak_end_deviation(), least_elastic(kSliding)},
+                  .moved_by = MovedBy::Program,
+                  .form = Form::EndRoller},
+                 {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});
 }
 
 }  // namespace camlaw::problems

@@ -28,13 +28,16 @@ struct MachineTraits<FlatCam> {
                                      &FlatCam<T>::poisson_ratio,
                                      &FlatCam<T>::density,
                                      &FlatCam<T>::bore_radius,
-                                     &FlatCam<T>::wear_coefficient};
+                                     &FlatCam<T>::wear_coefficient,
+                                     &FlatCam<T>::train_stiffness,
+                                     &FlatCam<T>::train_damping,
+                                     &FlatCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<FlatCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), speed_parameter(), sliding_load(5, 50),
-              contact_parameters(), blank_parameters(), wear_parameter()});
+              contact_parameters(), blank_parameters(), wear_parameter(), sliding_train()});
   return all;
 }
 
@@ -75,7 +78,9 @@ Mechanism flat_cam_mechanism() {
                             peak_torque(),
                             peak_stress(),
                             outer_radius(),
-                            least_wall()},
+                            least_wall(),
+                            peak_end_deviation(),
+                            least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscFlat},
                  {face_checks(), force_closure_checks(kSliding), wall_checks(), stress_checks()});

@@ -24,6 +24,9 @@ struct FlatCam {
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
   T wear_coefficient = number<T>(1e-16);          ///< k, m^2/N: volume by force and sliding
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
 
   bool is_possible() const { return value_of(base_radius) > 0; }
   FollowerLoad<T> follower() const {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "machines/cams/cam_motion.h"
+#include "machines/cams/follower_words.h"
+#include "machines/cams/train_responses.h"
 #include "machines/model/append.h"
 #include "machines/model/listed_responses.h"
 #include "machines/model/mean_number.h"
@@ -66,21 +68,6 @@ X follower_curve(const Cam& cam, FollowerCurve which, const FollowerMotion<X>& f
   }
   return cam.follower().lift_ratio(f);
 }
-
-/// Units and names of a follower's motion and load: millimetres and newtons, or degrees and
-/// newton metres.
-struct FollowerWords {
-  const char* stroke;                          ///< its parameter
-  const char *place, *place_stored;            ///< units of displacement, listed and stored
-  const char *velocity, *acceleration, *jerk;  ///< units, listed and stored
-  const char* force;                           ///< unit
-  const char *mass, *force_name;               ///< parameter and response
-};
-
-inline constexpr FollowerWords kSliding{"stroke", "mm", "m",    "m/s",           "m/s2",
-                                        "m/s3",   "N",  "mass", "follower_force"};
-inline constexpr FollowerWords kOscillating{"swing",  "deg", "rad",     "rad/s",          "rad/s2",
-                                            "rad/s3", "N m", "inertia", "follower_torque"};
 
 inline std::vector<MechanismResponse> follower_responses_of(
     const FollowerWords& w,
@@ -157,6 +144,7 @@ template <template <class> class M>
 std::vector<MechanismResponse> follower_responses(const FollowerWords& words) {
   std::vector<MechanismResponse> all = follower_responses_of(words, follower_response<M>);
   append(all, follower_numbers<M>());
+  append(all, train_responses<M>(words));
   return all;
 }
 

@@ -30,7 +30,10 @@ struct MachineTraits<KnifeEdgeCam> {
                                      &KnifeEdgeCam<T>::wear_coefficient,
                                      &KnifeEdgeCam<T>::guide_friction,
                                      &KnifeEdgeCam<T>::guide_length,
-                                     &KnifeEdgeCam<T>::overhang};
+                                     &KnifeEdgeCam<T>::overhang,
+                                     &KnifeEdgeCam<T>::train_stiffness,
+                                     &KnifeEdgeCam<T>::train_damping,
+                                     &KnifeEdgeCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters() {
@@ -44,7 +47,8 @@ const std::vector<MechanismParameter>& MachineTraits<KnifeEdgeCam>::parameters()
               {{"face_width", "b", "mm", "m", "width of the cam", 15, 1e-3, 1e4}},
               blank_parameters(),
               wear_parameter(),
-              guide_parameters()});
+              guide_parameters(),
+              sliding_train()});
   return all;
 }
 
@@ -107,7 +111,9 @@ Mechanism knife_edge_cam_mechanism() {
                             peak_force(),
                             peak_torque(),
                             outer_radius(),
-                            least_wall()},
+                            least_wall(),
+                            peak_end_deviation(),
+                            least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscKnifeEdge,
                   .possible = {{{"base_radius", "offset"}, "DS1"}}},

@@ -17,10 +17,11 @@ struct MachineTraits<LinearCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &LinearCam<T>::stroke,         &LinearCam<T>::travel,        &LinearCam<T>::roller_radius,
-      &LinearCam<T>::angular_speed,  &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
-      &LinearCam<T>::spring_preload, &LinearCam<T>::load,          &LinearCam<T>::face_width,
-      &LinearCam<T>::youngs_modulus, &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius};
+      &LinearCam<T>::stroke,          &LinearCam<T>::travel,        &LinearCam<T>::roller_radius,
+      &LinearCam<T>::angular_speed,   &LinearCam<T>::mass,          &LinearCam<T>::spring_rate,
+      &LinearCam<T>::spring_preload,  &LinearCam<T>::load,          &LinearCam<T>::face_width,
+      &LinearCam<T>::youngs_modulus,  &LinearCam<T>::poisson_ratio, &LinearCam<T>::cutter_radius,
+      &LinearCam<T>::train_stiffness, &LinearCam<T>::train_damping, &LinearCam<T>::end_share};
   template <class T>
   static constexpr auto part = &LinearCam<T>::duty;
 };
@@ -34,6 +35,7 @@ const std::vector<MechanismParameter>& MachineTraits<LinearCam>::parameters() {
               sliding_load(5, 50),
               contact_parameters(),
               cutter_parameter(),
+              sliding_train(),
               duty_parameters()});
   return all;
 }
@@ -74,7 +76,9 @@ Mechanism linear_cam_mechanism() {
                              "greatest force that moves the plate"},
                             peak_stress(),
                             peak_outer_undercut(),
-                            peak_groove_stress()},
+                            peak_groove_stress(),
+                            peak_end_deviation(),
+                            least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::Plate},
                  {roller_checks(), force_closure_checks(kSliding), roller_stress_checks()});

@@ -26,6 +26,9 @@ struct LinearCam {
   T youngs_modulus = number<T>(2.1e11);           ///< E, Pa, of plate and roller
   T poisson_ratio = number<T>(0.3);               ///< nu
   T cutter_radius = number<T>(0.010);             ///< r_c, m, of the tool that cuts the profile
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
   bool is_possible() const { return value_of(travel) > 0; }

@@ -17,13 +17,15 @@ struct MachineTraits<OscillatingEndCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &OscillatingEndCam<T>::swing,          &OscillatingEndCam<T>::radius,
-      &OscillatingEndCam<T>::arm_length,     &OscillatingEndCam<T>::tilt,
-      &OscillatingEndCam<T>::roller_radius,  &OscillatingEndCam<T>::angular_speed,
-      &OscillatingEndCam<T>::inertia,        &OscillatingEndCam<T>::spring_rate,
-      &OscillatingEndCam<T>::spring_preload, &OscillatingEndCam<T>::load,
-      &OscillatingEndCam<T>::face_width,     &OscillatingEndCam<T>::youngs_modulus,
-      &OscillatingEndCam<T>::poisson_ratio,  &OscillatingEndCam<T>::cutter_radius};
+      &OscillatingEndCam<T>::swing,           &OscillatingEndCam<T>::radius,
+      &OscillatingEndCam<T>::arm_length,      &OscillatingEndCam<T>::tilt,
+      &OscillatingEndCam<T>::roller_radius,   &OscillatingEndCam<T>::angular_speed,
+      &OscillatingEndCam<T>::inertia,         &OscillatingEndCam<T>::spring_rate,
+      &OscillatingEndCam<T>::spring_preload,  &OscillatingEndCam<T>::load,
+      &OscillatingEndCam<T>::face_width,      &OscillatingEndCam<T>::youngs_modulus,
+      &OscillatingEndCam<T>::poisson_ratio,   &OscillatingEndCam<T>::cutter_radius,
+      &OscillatingEndCam<T>::train_stiffness, &OscillatingEndCam<T>::train_damping,
+      &OscillatingEndCam<T>::end_share};
   template <class T>
   static constexpr auto part = &OscillatingEndCam<T>::duty;
 };
@@ -41,6 +43,7 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingEndCam>::paramet
        oscillating_load(0, 0),
        contact_parameters(),
        cutter_parameter(),
+       oscillating_train(),
        duty_parameters()});
   return all;
 }
@@ -56,7 +59,8 @@ Mechanism oscillating_end_cam_mechanism() {
                   .parameters = MachineTraits<OscillatingEndCam>::parameters(),
                   .responses = std::move(responses),
                   .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
-                            least_torque(), peak_outer_undercut(), peak_groove_stress()},
+                            least_torque(), peak_outer_undercut(), peak_groove_stress(),
+                            peak_end_deviation(), least_elastic(kOscillating)},
                   .moved_by = MovedBy::Program,
                   .form = Form::EndArm,
                   .possible = {{{"swing", "tilt"}, "DS3"}}},

@@ -15,14 +15,23 @@ template <>
 struct MachineTraits<OscillatingFlatCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
-  static constexpr std::array fields{
-      &OscillatingFlatCam<T>::swing,          &OscillatingFlatCam<T>::base_radius,
-      &OscillatingFlatCam<T>::face_offset,    &OscillatingFlatCam<T>::pivot_distance,
-      &OscillatingFlatCam<T>::angular_speed,  &OscillatingFlatCam<T>::inertia,
-      &OscillatingFlatCam<T>::spring_rate,    &OscillatingFlatCam<T>::spring_preload,
-      &OscillatingFlatCam<T>::load,           &OscillatingFlatCam<T>::face_width,
-      &OscillatingFlatCam<T>::youngs_modulus, &OscillatingFlatCam<T>::poisson_ratio,
-      &OscillatingFlatCam<T>::density,        &OscillatingFlatCam<T>::bore_radius};
+  static constexpr std::array fields{&OscillatingFlatCam<T>::swing,
+                                     &OscillatingFlatCam<T>::base_radius,
+                                     &OscillatingFlatCam<T>::face_offset,
+                                     &OscillatingFlatCam<T>::pivot_distance,
+                                     &OscillatingFlatCam<T>::angular_speed,
+                                     &OscillatingFlatCam<T>::inertia,
+                                     &OscillatingFlatCam<T>::spring_rate,
+                                     &OscillatingFlatCam<T>::spring_preload,
+                                     &OscillatingFlatCam<T>::load,
+                                     &OscillatingFlatCam<T>::face_width,
+                                     &OscillatingFlatCam<T>::youngs_modulus,
+                                     &OscillatingFlatCam<T>::poisson_ratio,
+                                     &OscillatingFlatCam<T>::density,
+                                     &OscillatingFlatCam<T>::bore_radius,
+                                     &OscillatingFlatCam<T>::train_stiffness,
+                                     &OscillatingFlatCam<T>::train_damping,
+                                     &OscillatingFlatCam<T>::end_share};
 };
 
 const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parameters() {
@@ -36,7 +45,8 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingFlatCam>::parame
               speed_parameter(),
               oscillating_load(0.2, 3),
               contact_parameters(),
-              blank_parameters()});
+              blank_parameters(),
+              oscillating_train()});
   return all;
 }
 
@@ -86,7 +96,9 @@ Mechanism oscillating_flat_cam_mechanism() {
                  least_torque(),
                  outer_radius(),
                  least_wall(),
-                 pivot_clearance()},
+                 pivot_clearance(),
+                 peak_end_deviation(),
+                 least_elastic(kOscillating)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscFlatArm,
        .possible = {{{"base_radius", "face_offset", "pivot_distance"}, "DS3"}, {{"swing"}, "DS3"}}},

@@ -17,14 +17,16 @@ struct MachineTraits<OscillatingRollerCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &OscillatingRollerCam<T>::swing,          &OscillatingRollerCam<T>::base_radius,
-      &OscillatingRollerCam<T>::roller_radius,  &OscillatingRollerCam<T>::arm_length,
-      &OscillatingRollerCam<T>::pivot_distance, &OscillatingRollerCam<T>::angular_speed,
-      &OscillatingRollerCam<T>::inertia,        &OscillatingRollerCam<T>::spring_rate,
-      &OscillatingRollerCam<T>::spring_preload, &OscillatingRollerCam<T>::load,
-      &OscillatingRollerCam<T>::face_width,     &OscillatingRollerCam<T>::youngs_modulus,
-      &OscillatingRollerCam<T>::poisson_ratio,  &OscillatingRollerCam<T>::cutter_radius,
-      &OscillatingRollerCam<T>::density,        &OscillatingRollerCam<T>::bore_radius};
+      &OscillatingRollerCam<T>::swing,           &OscillatingRollerCam<T>::base_radius,
+      &OscillatingRollerCam<T>::roller_radius,   &OscillatingRollerCam<T>::arm_length,
+      &OscillatingRollerCam<T>::pivot_distance,  &OscillatingRollerCam<T>::angular_speed,
+      &OscillatingRollerCam<T>::inertia,         &OscillatingRollerCam<T>::spring_rate,
+      &OscillatingRollerCam<T>::spring_preload,  &OscillatingRollerCam<T>::load,
+      &OscillatingRollerCam<T>::face_width,      &OscillatingRollerCam<T>::youngs_modulus,
+      &OscillatingRollerCam<T>::poisson_ratio,   &OscillatingRollerCam<T>::cutter_radius,
+      &OscillatingRollerCam<T>::density,         &OscillatingRollerCam<T>::bore_radius,
+      &OscillatingRollerCam<T>::train_stiffness, &OscillatingRollerCam<T>::train_damping,
+      &OscillatingRollerCam<T>::end_share};
   template <class T>
   static constexpr auto part = &OscillatingRollerCam<T>::duty;
 };
@@ -42,6 +44,7 @@ const std::vector<MechanismParameter>& MachineTraits<OscillatingRollerCam>::para
               contact_parameters(),
               cutter_parameter(),
               blank_parameters(),
+              oscillating_train(),
               duty_parameters()});
   return all;
 }
@@ -82,7 +85,8 @@ Mechanism oscillating_mechanism(const char* name, const char* title, Form form) 
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(), peak_undercut(), peak_torque(), peak_stress(),
                  least_torque(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
-                 least_wall(), pivot_clearance()},
+                 least_wall(), pivot_clearance(), peak_end_deviation(),
+                 least_elastic(kOscillating)},
        .moved_by = MovedBy::Program,
        .form = form,
        .possible = {{{"base_radius", "roller_radius", "arm_length", "pivot_distance"}, "DS3"}}},

@@ -32,6 +32,9 @@ struct OscillatingRollerCam {
   T cutter_radius = number<T>(0.010);             ///< r_c, m
   T density = number<T>(7850);                    ///< rho, kg/m^3, of the cam
   T bore_radius = number<T>(0.010);               ///< r_0, m
+  T train_stiffness = number<T>(0);               ///< c_t, N m/rad
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
   T prime_radius() const { return base_radius + roller_radius; }

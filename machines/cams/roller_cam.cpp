@@ -17,12 +17,13 @@ struct MachineTraits<RollerCam> {
   static const std::vector<MechanismParameter>& parameters();
   template <class T>
   static constexpr std::array fields{
-      &RollerCam<T>::stroke,         &RollerCam<T>::base_radius,    &RollerCam<T>::roller_radius,
-      &RollerCam<T>::offset,         &RollerCam<T>::angular_speed,  &RollerCam<T>::mass,
-      &RollerCam<T>::spring_rate,    &RollerCam<T>::spring_preload, &RollerCam<T>::load,
-      &RollerCam<T>::face_width,     &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
-      &RollerCam<T>::cutter_radius,  &RollerCam<T>::density,        &RollerCam<T>::bore_radius,
-      &RollerCam<T>::guide_friction, &RollerCam<T>::guide_length,   &RollerCam<T>::overhang};
+      &RollerCam<T>::stroke,          &RollerCam<T>::base_radius,    &RollerCam<T>::roller_radius,
+      &RollerCam<T>::offset,          &RollerCam<T>::angular_speed,  &RollerCam<T>::mass,
+      &RollerCam<T>::spring_rate,     &RollerCam<T>::spring_preload, &RollerCam<T>::load,
+      &RollerCam<T>::face_width,      &RollerCam<T>::youngs_modulus, &RollerCam<T>::poisson_ratio,
+      &RollerCam<T>::cutter_radius,   &RollerCam<T>::density,        &RollerCam<T>::bore_radius,
+      &RollerCam<T>::guide_friction,  &RollerCam<T>::guide_length,   &RollerCam<T>::overhang,
+      &RollerCam<T>::train_stiffness, &RollerCam<T>::train_damping,  &RollerCam<T>::end_share};
   template <class T>
   static constexpr auto part = &RollerCam<T>::duty;
 };
@@ -31,7 +32,7 @@ const std::vector<MechanismParameter>& MachineTraits<RollerCam>::parameters() {
   static const Parameters all =
       joined({stroke_parameter(), base_parameter(), roller_parameter(), offset_parameter(),
               speed_parameter(), sliding_load(5, 50), contact_parameters(), cutter_parameter(),
-              blank_parameters(), guide_parameters(), duty_parameters()});
+              blank_parameters(), guide_parameters(), sliding_train(), duty_parameters()});
   return all;
 }
 
@@ -50,7 +51,7 @@ Mechanism roller_cam_mechanism() {
        .responses = std::move(responses),
        .peaks = {peak_pressure_angle(), peak_undercut(), least_force(), peak_force(), peak_torque(),
                  peak_stress(), peak_outer_undercut(), peak_groove_stress(), outer_radius(),
-                 least_wall()},
+                 least_wall(), peak_end_deviation(), least_elastic(kSliding)},
        .moved_by = MovedBy::Program,
        .form = Form::DiscRoller,
        .possible = {{{"base_radius", "roller_radius", "offset", "stroke", "overhang"}, "DS1"},

@@ -36,6 +36,9 @@ struct RollerCam {
   T guide_friction = number<T>(0);                ///< mu, between follower and guide
   T guide_length = number<T>(0.060);              ///< l_g, m
   T overhang = number<T>(0.040);                  ///< a, m, of the roller from its guide at s = 0
+  T train_stiffness = number<T>(0);               ///< c_t, N/m
+  T train_damping = number<T>(0.05);              ///< zeta
+  T end_share = number<T>(1);                     ///< kappa, of what moves
   RollerDuty<T> duty{};
 
   bool is_possible() const {

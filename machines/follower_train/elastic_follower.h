@@ -17,6 +17,8 @@ struct ElasticFollower {
   T stroke = number<T>(0.020);                    ///< h, m
   T rise_angle = number<T>(1.5707963267949);      ///< beta, rad, of the cam
   T angular_speed = number<T>(31.4159265358979);  ///< omega, rad/s, of the cam
+  T slowest_speed = number<T>(25.1327412287183);  ///< rad/s, where a range of speeds begins
+  T fastest_speed = number<T>(37.6991118430775);  ///< rad/s, where it ends
 
   bool is_possible() const {
     const double zeta = value_of(damping_ratio);

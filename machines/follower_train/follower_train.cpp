@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -136,52 +137,186 @@ Complex<T> driven(const Piece<T>& piece, const T& begin, const T& d, const Compl
   return sum;
 }
 
-/// Whether the velocity jumps up to x, from rest before and to rest behind: the closed form knows
-/// no pulse of the acceleration.
 template <class T>
-bool has_jump(const Law<T>& law, double x) {
+double velocity(const Piece<T>& piece, const T& at) {
+  return value_of(derivatives<2>(piece, at)[1]);
+}
+
+/// Whether the velocity jumps up to x, from what it is before, and to rest behind where that is
+/// asked: the closed form knows no pulse of the acceleration.
+template <class T>
+bool has_jump(const Law<T>& law, double x, double before, bool rests_behind) {
   constexpr double kLevel = 1e-9;
-  const auto velocity = [](const Piece<T>& piece, const T& at) {
-    return value_of(derivatives<2>(piece, at)[1]);
-  };
-  double before = 0;
   for (const Piece<T>& piece : law.pieces()) {
     if (std::abs(velocity(piece, piece.begin) - before) > kLevel) break;
     before = velocity(piece, piece.end);
-    if (value_of(piece.end) >= 1 && x >= 1 && std::abs(before) > kLevel) break;
+    if (rests_behind && value_of(piece.end) >= 1 && x >= 1 && std::abs(before) > kLevel) break;
     if (value_of(piece.end) >= std::min(x, 1.0)) return false;
   }
   return true;
 }
 
+/// Why a train has no motion along a law, where it has none.
+template <class T>
+std::optional<Impossible> fault_of(const FollowerTrain<T>& train, const Law<T>& law) {
+  if (!law.is_data()) {
+    return Impossible{"elastic train: the law does not consist of polynomials and harmonics"};
+  }
+  const double tau = value_of(train.period_ratio), zeta = value_of(train.damping_ratio);
+  if (tau > 0 && zeta >= 0 && zeta < 1) return {};
+  return Impossible{
+      "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1"};
+}
+
+Impossible jump() { return {"elastic train: the velocity of the law jumps"}; }
+
+/// exp(i angle).
+template <class T>
+Complex<T> rotation(const T& angle) {
+  using std::cos;
+  using std::sin;
+  return {cos(angle), sin(angle)};
+}
+
+/// Whether a piece is a dwell at all values: one that a program rests in has its level alone, and a
+/// move that happens to stay where it is has coefficients of 0.
+template <class T>
+bool rests(const Piece<T>& piece) {
+  return piece.polynomial.size() <= 1 && piece.harmonics.empty() && piece.curves.empty();
+}
+
+/// The larger one; of intervals, what holds the larger of any two numbers in them.
+template <class T>
+T larger(const T& a, const T& b) {
+  if constexpr (std::is_same_v<T, Interval>) {
+    return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
+  } else {
+    return value_of(a) < value_of(b) ? b : a;
+  }
+}
+
 }  // namespace
+
+template <class T>
+TrainMotion<T>::TrainMotion(const FollowerTrain<T>& train, const Law<T>& law)
+    : train_(train), law_(&law) {
+  using std::sqrt;
+  const T W = number<T>(2) * pi<T>() * train.period_ratio;
+  decay_ = train.damping_ratio * W;
+  damped_ = W * sqrt(number<T>(1) - train.damping_ratio * train.damping_ratio);
+}
+
+/// v itself turns with the damped frequency. What is added up is e^(-i W_d x) v, which does not:
+/// intervals would widen by each turn of the box that they are.
+template <class T>
+void TrainMotion<T>::go(const TrainState<T>& begin, double until) {
+  using std::exp;
+  const Complex<T> lambda{-decay_, damped_};
+  Complex<T> held{begin.rate + decay_ * begin.z, damped_ * begin.z};
+  v_ = {{held.re, held.im}};
+  for (const Piece<T>& piece : law_->pieces()) {
+    if (value_of(piece.begin) >= until) break;
+    const T end = value_of(piece.end) <= until ? piece.end : number<T>(until);
+    const T d = end - piece.begin;
+    held = exp(-(decay_ * d)) * held -
+           rotation(T(-(damped_ * end))) * driven(piece, piece.begin, d, lambda);
+    const Complex<T> v = rotation(T(damped_ * end)) * held;
+    v_.push_back({v.re, v.im});
+  }
+}
+
+template <class T>
+Possible<TrainMotion<T>> TrainMotion<T>::from(const FollowerTrain<T>& train, const Law<T>& law,
+                                              const TrainState<T>& begin, double until) {
+  if (auto fault = fault_of(train, law)) return std::move(*fault);
+  if (has_jump(law, until, 0, true)) return jump();
+  TrainMotion motion(train, law);
+  motion.go(begin, until);
+  return motion;
+}
+
+template <class T>
+Possible<TrainMotion<T>> TrainMotion<T>::periodic(const FollowerTrain<T>& train,
+                                                  const Law<T>& law) {
+  constexpr double kResonance = 1e-9;  // of what a cycle leaves of a vibration, against all
+  if (auto fault = fault_of(train, law)) return std::move(*fault);
+  const Piece<T>& final_piece = law.pieces().back();
+  if (has_jump(law, 1, velocity(final_piece, final_piece.end), false)) return jump();
+  TrainMotion motion(train, law);
+  motion.go({number<T>(0), number<T>(0)}, 1);
+  const Complex<T> lambda{-motion.decay_, motion.damped_};
+  const Complex<T> lost = real<T>(1) - exponential(lambda);
+  if (!(size_of(lost) > kResonance)) {
+    return Impossible{
+        "elastic train: without damping there is no steady state where the cycle lasts a whole "
+        "number of natural periods"};
+  }
+  const Complex<T> begin = Complex<T>{motion.v_.back()[0], motion.v_.back()[1]} / lost;
+  for (std::size_t i = 0; i < motion.v_.size(); ++i) {
+    const bool is_end = i == law.pieces().size();
+    const T x = is_end ? number<T>(1) : law.pieces()[i].begin;
+    const Complex<T> left = exponential(x * lambda) * begin;
+    motion.v_[i] = {motion.v_[i][0] + left.re, motion.v_[i][1] + left.im};
+  }
+  return motion;
+}
+
+template <class T>
+TrainState<T> TrainMotion<T>::state(const V& v) const {
+  const T z = v[1] / damped_;
+  return {z, v[0] - decay_ * z};
+}
+
+template <class T>
+typename TrainMotion<T>::V TrainMotion<T>::within(double x) const {
+  const std::size_t i = law_->piece_at(x, Side::Left);
+  const Piece<T>& piece = law_->pieces()[i];
+  if (value_of(piece.end) <= x) return v_[i + 1];
+  const Complex<T> lambda{-decay_, damped_};
+  const T d = number<T>(x) - piece.begin;
+  const Complex<T> v = exponential(d * lambda) * Complex<T>{v_[i][0], v_[i][1]} -
+                       driven(piece, piece.begin, d, lambda);
+  return {v.re, v.im};
+}
+
+template <class T>
+TrainState<T> TrainMotion<T>::at(double x) const {
+  return state(within(x));
+}
+
+template <class T>
+TrainState<T> TrainMotion<T>::around(double middle, double radius,
+                                     double peak) const requires std::is_same_v<T, Interval> {
+  // (U4); backwards from the middle a free vibration grows.
+  const V v = within(middle);
+  const Interval r(radius), one(1.0);
+  const Interval most =
+      (Interval(magnitude(v[0])) + Interval(magnitude(v[1])) + r * Interval(peak)) *
+      exp(r * decay_);
+  const Interval z = most / damped_, rate = most * (one + decay_ / damped_);
+  return {Interval(-z.upper(), z.upper()), Interval(-rate.upper(), rate.upper())};
+}
+
+template <class T>
+Possible<T> TrainMotion<T>::swing_at_rest() const {
+  using std::sqrt;
+  std::optional<T> greatest;
+  for (std::size_t i = 0; i < law_->pieces().size(); ++i) {
+    if (!rests(law_->pieces()[i])) continue;
+    const auto& [re, im] = v_[i];
+    const T square = re * re + im * im;
+    greatest = greatest ? larger(*greatest, square) : square;
+  }
+  if (!greatest) return Impossible{"elastic train: the motion never rests"};
+  return T(sqrt(*greatest) / damped_);
+}
 
 template <class T>
 Possible<TrainState<T>> FollowerTrain<T>::at(const Law<T>& law, double x,
                                              TrainState<T> begin) const {
-  using std::sqrt;
-  if (!law.is_data()) {
-    return Impossible{"elastic train: the law does not consist of polynomials and harmonics"};
-  }
-  const double tau = value_of(period_ratio), zeta = value_of(damping_ratio);
-  if (!(tau > 0) || !(zeta >= 0 && zeta < 1)) {
-    return Impossible{
-        "elastic train: the period ratio must be above 0, the damping ratio from 0 to below 1"};
-  }
-  if (has_jump(law, x)) return Impossible{"elastic train: the velocity of the law jumps"};
-  const T W = number<T>(2) * pi<T>() * period_ratio;
-  const T damped = W * sqrt(number<T>(1) - damping_ratio * damping_ratio);
-  const Complex<T> lambda{-(damping_ratio * W), damped};
-  // v = z' - conj(lambda) z obeys v' = lambda v - s'', and its imaginary part is damped z.
-  Complex<T> v{begin.rate - lambda.re * begin.z, damped * begin.z};
-  for (const Piece<T>& piece : law.pieces()) {
-    if (value_of(piece.begin) >= x) break;
-    const T end = value_of(piece.end) <= x ? piece.end : number<T>(x);
-    const T d = end - piece.begin;
-    v = exponential(d * lambda) * v - driven(piece, piece.begin, d, lambda);
-  }
-  const T z = v.im / damped;
-  return TrainState<T>{z, v.re + lambda.re * z};
+  const auto motion = TrainMotion<T>::from(*this, law, begin, x);
+  if (!motion) return motion.reason();
+  return motion->last();
 }
 
 template <class T>
@@ -208,5 +343,9 @@ template struct FollowerTrain<double>;
 template struct FollowerTrain<Dual>;
 template struct FollowerTrain<Dual2>;
 template struct FollowerTrain<Interval>;
+template class TrainMotion<double>;
+template class TrainMotion<Dual>;
+template class TrainMotion<Dual2>;
+template class TrainMotion<Interval>;
 
 }  // namespace camlaw

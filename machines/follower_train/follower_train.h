@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
+#include <vector>
 
 #include "kinematics/law.h"
 #include "numerics/possible.h"
@@ -39,6 +41,45 @@ struct FollowerTrain {
   /// amplitude. Over the law's peak C it is the amplification that is left. Throws
   /// std::invalid_argument where after() is impossible.
   T residual_acceleration(const Law<T>& law) const;
+};
+
+/// How the train moves along a law, worked out once: a place then costs the piece that it lies in.
+/// It looks at the law, which must outlive it.
+template <class T>
+class TrainMotion {
+ public:
+  /// From a state at the beginning, up to x = `until`. Impossible where FollowerTrain::after is.
+  static Possible<TrainMotion> from(const FollowerTrain<T>& train, const Law<T>& law,
+                                    const TrainState<T>& begin, double until = 1);
+  /// (U5) The steady state of a cycle that the law goes through again and again, of unit length:
+  /// it ends in the state in which it began. Impossible as above, jumps counted from the cycle's
+  /// end to its beginning, and without damping where the cycle lasts a whole number of natural
+  /// periods: the vibration then grows without end.
+  static Possible<TrainMotion> periodic(const FollowerTrain<T>& train, const Law<T>& law);
+
+  const FollowerTrain<T>& train() const { return train_; }
+  /// The state at x, and where the motion ends. At the end of a piece it moves with that end.
+  TrainState<T> at(double x) const;
+  TrainState<T> last() const { return state(v_.back()); }
+  /// What z and z' lie between within `radius` of a middle, all in one piece, where |s''| is no
+  /// more than `peak`.
+  TrainState<T> around(double middle, double radius,
+                       double peak) const requires std::is_same_v<T, Interval>;
+  /// (U6) The greatest amplitude with which the train swings freely while the law rests. Impossible
+  /// where it never rests.
+  Possible<T> swing_at_rest() const;
+
+ private:
+  using V = std::array<T, 2>;  ///< v = z' - conj(lambda) z, real and imaginary part
+  TrainMotion(const FollowerTrain<T>& train, const Law<T>& law);
+  TrainState<T> state(const V& v) const;
+  V within(double x) const;
+  void go(const TrainState<T>& begin, double until);
+
+  FollowerTrain<T> train_;
+  const Law<T>* law_;
+  T decay_, damped_;  ///< lambda = -decay + i damped
+  std::vector<V> v_;  ///< where each piece begins, and where the last one ends
 };
 
 /// Amplitude after a stretch that began at rest: the residual vibration, in parts of the stroke.

@@ -13,7 +13,8 @@ struct MachineTraits<ElasticFollower> {
   static constexpr std::array fields{
       &ElasticFollower<T>::mass,          &ElasticFollower<T>::stiffness,
       &ElasticFollower<T>::damping_ratio, &ElasticFollower<T>::stroke,
-      &ElasticFollower<T>::rise_angle,    &ElasticFollower<T>::angular_speed};
+      &ElasticFollower<T>::rise_angle,    &ElasticFollower<T>::angular_speed,
+      &ElasticFollower<T>::slowest_speed, &ElasticFollower<T>::fastest_speed};
 };
 
 }  // namespace camlaw::problems

@@ -2,6 +2,7 @@
 #include "machines/follower_train/mechanism.h"
 
 #include "machines/follower_train/machine.h"
+#include "machines/follower_train/speed_curve.h"
 #include "machines/follower_train/train_curve.h"
 #include "machines/model/law_number.h"
 
@@ -14,7 +15,10 @@ const std::vector<MechanismParameter>& MachineTraits<ElasticFollower>::parameter
       {"damping_ratio", "zeta", "1", "1", "damping over the critical", 0.05, 0, 0.99},
       {"stroke", "h", "mm", "m", "stroke of the rise", 20, 1e-6, 1e5},
       {"rise_angle", "beta", "deg", "rad", "angle of the cam for the rise", 90, 1e-3, 360},
-      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6}};
+      {"speed", "n", "rpm", "rad/s", "speed of the cam", 300, 1e-3, 1e6},
+      {"slowest_speed", "n_1", "rpm", "rad/s", "speed at which a range of speeds begins", 240, 1e-3,
+       1e6},
+      {"fastest_speed", "n_2", "rpm", "rad/s", "speed at which it ends", 360, 1e-3, 1e6}};
   return all;
 }
 
@@ -82,18 +86,30 @@ std::vector<MechanismResponse> numbers() {
 
 /// A curve that the law decides as a whole.
 MechanismResponse curve(TrainQuantity which, ResponseAbout about) {
-  const UnitFactor factor(about.stored, about.unit);
-  MechanismResponse response = detail::described<ElasticFollower>(std::move(about));
-  response.along = "1";
-  response.sees_law = true;
-  const std::vector<Write> parts = train_parts(which);
-  response.uses = used_by_any(parts, MachineTraits<ElasticFollower>::parameters().size());
-  response.curve = [=, is_possible = response.is_possible](const Binding& binding,
-                                                           optim::Shape shape) {
-    return std::make_shared<TrainCurve>(which, recorded_parts(binding, parts, is_possible), factor,
-                                        binding, shape);
+  const auto parts = [which]<class T>(const ElasticFollower<T>& f) {
+    const T none = number<T>(0);
+    T scale = f.stroke;
+    if (which == TrainQuantity::Amplification) scale = number<T>(1);
+    if (which == TrainQuantity::MassAcceleration) scale = scale / (f.rise_time() * f.rise_time());
+    return std::array<T, kTrainParts>{
+        f.period_ratio(), f.damping_ratio, scale, none, none, none, none};
   };
-  return response;
+  return train_curve<ElasticFollower>(which, TrainRun::Rise, std::move(about), parts);
+}
+
+/// What is left over the range of speeds.
+MechanismResponse over_speeds() {
+  return speed_curve<ElasticFollower>(
+      {"residual_over_speed",
+       "mm",
+       "m",
+       "amplitude of the vibration that is left, over the speeds of the range",
+       {{{"law"}, S::Convex, "DS10"}, {{"stroke"}, S::Linear, "DS10"}}},
+      []<class T>(const ElasticFollower<T>& f) {
+        return std::array<T, kSpeedParts>{f.natural_frequency(), f.damping_ratio,
+                                          f.rise_angle,          f.stroke,
+                                          f.slowest_speed,       f.fastest_speed};
+      });
 }
 
 }  // namespace
@@ -111,6 +127,7 @@ Mechanism follower_train_mechanism() {
   responses.push_back(curve(
       Q::Amplification,
       {"amplified_acceleration", "1", "1", "acceleration of the mass over the cam's greatest"}));
+  responses.push_back(over_speeds());
   return {.name = "follower-train",
           .title = "elastic follower train with one mass, over a rise from rest",
           .source = "docs/theory.md, Elastic follower train",
@@ -121,7 +138,9 @@ Mechanism follower_train_mechanism() {
                     {"peak_mass_acceleration", "mass_acceleration", Part::Magnitude,
                      "greatest acceleration of the mass during the rise"},
                     {"amplification", "amplified_acceleration", Part::Magnitude,
-                     "greatest acceleration of the mass over the cam's"}}};
+                     "greatest acceleration of the mass over the cam's"},
+                    {"worst_residual", "residual_over_speed", Part::Highest,
+                     "greatest amplitude that is left at any speed of the range"}}};
 }
 
 }  // namespace camlaw::problems

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "machines/follower_train/elastic_follower.h"
+#include "machines/follower_train/follower_train.h"
 #include "machines/model/law_number.h"
+#include "machines/model/listed_responses.h"
 
-/// Curves of an elastic follower train over its rise: what has happened since the beginning decides
-/// them, so that the law is needed as a whole.
+/// Curves of an elastic follower train over its rise, or over the turn of a cam: what has happened
+/// before decides them, so that the law is needed as a whole.
 namespace camlaw::problems {
 
-/// Amplification: acceleration of the mass over the cam's greatest, y'' / C.
-enum class TrainQuantity { Deviation, MassDisplacement, MassAcceleration, Amplification };
+/// Amplification: acceleration of the mass over the cam's greatest, y'' / C. CamForce: what the cam
+/// must give, a sum of what stands, of the law's s and s'', and of the mass's y''.
+enum class TrainQuantity { Deviation, MassDisplacement, MassAcceleration, Amplification, CamForce };
 
-/// Value and two derivatives by x of a quantity, in parts of the stroke, from the law's s, v, a, j
-/// and the state: z'' and z''' by the equation of motion (U0).
+/// The factors of such a sum: a constant, of s, of s'' and of y''.
+template <class T>
+using TrainLoad = std::array<T, 4>;
+
+/// Value and two derivatives by x of a quantity, in parts of the stroke, from the law's s and four
+/// derivatives and the state: z'' and what follows by the equation of motion (U0).
 template <class T>
 std::array<T, 3> train_quantity(TrainQuantity which, const FollowerTrain<T>& train,
-                                const std::array<T, 4>& law, const TrainState<T>& state) {
+                                const std::array<T, 5>& law, const TrainState<T>& state,
+                                const TrainLoad<T>& load) {
   const T W = number<T>(2) * pi<T>() * train.period_ratio;
   const T damping = number<T>(2) * train.damping_ratio * W, square = W * W;
   const T second = -law[2] - damping * state.rate - square * state.z;
@@ -24,20 +31,30 @@ std::array<T, 3> train_quantity(TrainQuantity which, const FollowerTrain<T>& tra
   if (which == TrainQuantity::MassDisplacement) {
     return {law[0] + state.z, law[1] + state.rate, law[2] + second};
   }
-  return {-(damping * state.rate + square * state.z), -(damping * second + square * state.rate),
-          -(damping * third + square * second)};
+  const std::array<T, 3> mass{-(damping * state.rate + square * state.z),
+                              -(damping * second + square * state.rate),
+                              -(damping * third + square * second)};
+  if (which != TrainQuantity::CamForce) return mass;
+  const auto& [stands, by_s, by_a, by_mass] = load;
+  return {stands + by_s * law[0] + by_a * law[2] + by_mass * mass[0],
+          by_s * law[1] + by_a * law[3] + by_mass * mass[1],
+          by_s * law[2] + by_a * law[4] + by_mass * mass[2]};
 }
 
-/// What of the machine matters to a curve: tau, zeta, and the factor from parts of the stroke, by
-/// x, to SI units, as far as the law does not decide it.
-std::vector<Write> train_parts(TrainQuantity which);
+/// What of a machine matters to a curve: tau, zeta, the factor from parts of the stroke, by x, to
+/// SI units, as far as the law does not decide it, and of CamForce the load.
+inline constexpr std::size_t kTrainParts = 7;
 
-/// A curve of the train over x, 0 to 1.
+/// Over what a curve runs: a rise from rest, x from 0 to 1, or the turn of a cam in its steady
+/// state, in degrees.
+enum class TrainRun { Rise, Turn };
+
+/// A curve of the train.
 class TrainCurve final : public optim::Curve {
  public:
-  /// `parts` are those of train_parts, `factor` leads from SI to the listed unit.
-  TrainCurve(TrainQuantity which, std::vector<Recorded> parts, const UnitFactor& factor,
-             const Binding& binding, optim::Shape shape);
+  /// `parts` are kTrainParts, `factor` leads from SI to the listed unit.
+  TrainCurve(TrainQuantity which, TrainRun run, std::vector<Recorded> parts,
+             const UnitFactor& factor, const Binding& binding, optim::Shape shape);
 
   optim::Function at(optim::Place place) const override { return derivative_at(place, 0); }
   std::vector<double> slope_gradient(optim::Place place, optim::Design x) const override;
@@ -49,14 +66,34 @@ class TrainCurve final : public optim::Curve {
   optim::Shape shape() const override { return shape_; }
 
  private:
-  /// The curve's derivative by x of order 0 or 1, as a function of the design.
+  /// The curve's derivative by the place, of order 0 or 1, as a function of the design.
   optim::Function derivative_at(optim::Place place, std::size_t order) const;
 
   TrainQuantity which_;
-  std::vector<Recorded> parts_;  ///< train_parts
+  TrainRun run_;
+  std::vector<Recorded> parts_;
   UnitFactor factor_;
   Binding binding_;
   optim::Shape shape_;
 };
+
+/// The response of a machine M<T> that such a curve is, from
+/// parts(machine) -> std::array<T, kTrainParts>.
+template <template <class> class M, class Parts>
+MechanismResponse train_curve(TrainQuantity which, TrainRun run, ResponseAbout about, Parts parts) {
+  const UnitFactor factor(about.stored, about.unit);
+  MechanismResponse response = detail::described<M>(std::move(about));
+  const std::vector<Write> writes = machine_parts<M>(parts);
+  response.uses = used_by_any(writes, MachineTraits<M>::parameters().size());
+  if (run == TrainRun::Turn) response.cycle = std::make_shared<Cycle>(turn_of_the_cam());
+  response.along = response.cycle ? response.cycle->unit : std::string(1, '1');
+  response.sees_law = true;
+  response.curve = [=, is_possible = response.is_possible](const Binding& binding,
+                                                           optim::Shape shape) {
+    return std::make_shared<TrainCurve>(which, run, recorded_parts(binding, writes, is_possible),
+                                        factor, binding, shape);
+  };
+  return response;
+}
 
 }  // namespace camlaw::problems

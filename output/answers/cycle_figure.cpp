@@ -10,6 +10,7 @@
 #include "optim/cycle/extremes.h"
 #include "output/answers/limit_text.h"
 #include "output/document/formatting.h"
+#include "problems/statement/speed_curves.h"
 
 namespace camlaw::cli {
 namespace {
@@ -75,14 +76,18 @@ Line level(const Panel& panel, double value) {
   return line;
 }
 
+/// What a curve runs over: a cam's angle, the law's x, or a range of speeds.
+enum class Over { Cycle, Speed };
+
 Panel curve_panel(const optim::Trace& trace, const std::string& name, const std::string& unit,
-                  int points = kCyclePoints) {
+                  Over over, int points = kCyclePoints) {
   Panel panel;
   const auto breaks = trace.breaks();
   panel.x = {.label = breaks.back() > 1 ? "angle" : "x",
              .unit = breaks.back() > 1 ? "deg" : "",
              .lower = breaks.front(),
              .upper = breaks.back()};
+  if (over == Over::Speed) panel.x.label = "speed", panel.x.unit = "rpm";
   panel.y = {.label = name, .unit = shown_unit(unit)};
   panel.lines.push_back(curve_line(trace, points));
   panel.lines.back().colour = "#0072b2";
@@ -127,7 +132,8 @@ Figure cycle_figure(const Answer& answer) {
       if (known.y.label == curve) panel = &known;
     }
     if (panel == nullptr) {
-      figure.panels.push_back(curve_panel(*trace, curve, response.unit));
+      const Over over = is_over_speed(*stated.response) ? Over::Speed : Over::Cycle;
+      figure.panels.push_back(curve_panel(*trace, curve, response.unit, over));
       panel = &figure.panels.back();
     }
     for (const double value : levels) panel->lines.push_back(level(*panel, value));
@@ -159,12 +165,21 @@ Figure curves_figure(const problems::ProblemStatement& statement, int points) {
   }
   figure.panel_height = 150;
   const std::set<std::string> in_cases = responses_in_cases(statement);
-  for (const optim::Response& response : problems::curves_of(statement)) {
-    const bool is_of_case = response.name.find('.') != std::string::npos;
-    if (is_of_case && !in_cases.contains(response.name)) continue;
-    figure.panels.push_back(
-        curve_panel(*response.curve().trace({}), response.name, response.unit, points));
-  }
+  const auto is_left_out = [&](const std::string& name) {
+    const auto& all = statement.mechanism->responses;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == name; });
+    return found != all.end() && found->in_case && !in_cases.contains(name);
+  };
+  const auto add = [&](const std::vector<optim::Response>& curves, Over over) {
+    for (const optim::Response& response : curves) {
+      if (is_left_out(response.name)) continue;
+      figure.panels.push_back(
+          curve_panel(*response.curve().trace({}), response.name, response.unit, over, points));
+    }
+  };
+  add(problems::curves_of(statement), Over::Cycle);
+  add(problems::curves_over_speed(statement), Over::Speed);
   return figure;
 }
 

@@ -104,7 +104,10 @@ std::vector<std::string> limits_on(const std::string& curve, const ProblemStatem
 
 std::string alt_text(const Panel& panel, const PanelWords& words) {
   return fmt::format(
-      "{} over the {}{}{}", words.name, is_of_law(panel) ? "law's time" : "cycle",
+      "{} over the {}{}{}", words.name,
+      is_of_law(panel)           ? "law's time"
+      : panel.x.label == "speed" ? "speed"
+                                 : "cycle",
       words.extremes.empty() ? "" : ", " + words.extremes,
       words.limits.empty() ? "" : fmt::format("; limits: {}", fmt::join(words.limits, ", ")));
 }

@@ -7,6 +7,7 @@
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
 #include "problems/statement/bind.h"
+#include "problems/statement/speed_curves.h"
 
 namespace camlaw::problems {
 namespace {
@@ -79,21 +80,33 @@ std::vector<EvaluatedResponse> evaluate(const ProblemStatement& statement) {
   return result;
 }
 
-std::vector<optim::Response> curves_of(const ProblemStatement& statement) {
+namespace {
+
+std::vector<optim::Response> curves_along(const ProblemStatement& statement, bool speed) {
   const Binding binding = fixed(statement);
   std::vector<optim::Response> curves;
   for (const MechanismResponse& declared : statement.mechanism->responses) {
-    if (!declared.curve) continue;
+    if (!declared.curve || is_over_speed(declared) != speed) continue;
     const auto name = find_response(*statement.mechanism, declared.name);
     curves.push_back(response_of(statement, name, binding));
   }
   return curves;
 }
 
+}  // namespace
+
+std::vector<optim::Response> curves_of(const ProblemStatement& statement) {
+  return curves_along(statement, false);
+}
+
+std::vector<optim::Response> curves_over_speed(const ProblemStatement& statement) {
+  return curves_along(statement, true);
+}
+
 std::string place_name(const ProblemStatement& statement) {
   const bool cam = statement.mechanism->moved_by != MovedBy::Nothing;
   for (const MechanismResponse& declared : statement.mechanism->responses) {
-    if (!declared.curve || declared.along == "1") continue;
+    if (!declared.curve || declared.along == "1" || is_over_speed(declared)) continue;
     return (cam ? "cam_angle [" : "angle [") + declared.along + "]";
   }
   return "x";

@@ -279,7 +279,8 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
     read_table(file, program, problem);
     return;
   }
-  check_keys(program, {"matched", "cycle_time", "times_at", "advance", "segments", "table"});
+  check_keys(program,
+             {"matched", "cycle_time", "times_at", "advance", "polydyne", "segments", "table"});
   const Matched matched = read_matched(program);
   const Entry* list = find(program, "segments");
   if (list == nullptr) refuse(program, "segments are missing; write [[program.segments]]");
@@ -292,6 +293,7 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   problem.timing = units.timing;
   problem.told_by_motion = units.told_by_motion;
   const double advance = read_advance(program, units, *problem.mechanism);
+  const std::optional<double> polydyne = read_polydyne(file, program, *problem.mechanism);
   std::vector<StatedSegment> stated;
   double level = 0;
   for (const Entry& entry : tables) {
@@ -305,7 +307,7 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   problem.laws.clear();
   for (auto& segments : combinations(stated)) {
     problem.laws.push_back(
-        located(*list, [&] { return motion_program(segments, matched, advance); }));
+        located(*list, [&] { return motion_program(segments, matched, advance, polydyne); }));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -41,6 +42,10 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
 /// The text of a table beside the problem, in UTF-8 whatever it was written in: a result carries
 /// it.
 const std::string& table_text(const Entry& name, HeldFiles& files);
+/// How many natural periods the train has in a turn for which a program's lift is made, where it is
+/// `polydyne`: a number, or those that the machine's train has at a stated speed.
+std::optional<double> read_polydyne(const Entry& file, const Entry& program,
+                                    const Mechanism& mechanism);
 /// The motion of a program's `table`, and the stroke that it has.
 void read_table(const Entry& file, const Entry& program, ProblemStatement& problem);
 /// The tolerances of a program's points and ends: as variables, but for those that the file states.

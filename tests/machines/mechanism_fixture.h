@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/laws/catalogue.h"
+#include "kinematics/program/program.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 
@@ -37,19 +37,31 @@ inline std::vector<LawVariable> law_variables(const Member& law,
   return result;
 }
 
-/// Variables in an order of their own: those of the law first, the machine's from last to first.
-inline TestDesign design_of(const Mechanism& mechanism, const std::string& law,
+/// A rise by a law, a dwell, a return and a dwell: the rise's parameters are "rise_" and the law's.
+inline Member with_dwells(const std::string& law) {
+  return motion_program({{.name = "rise", .angle = 110, .to = 1, .law = find_law(law)},
+                         {.name = "high", .angle = 60, .to = 1, .rests = true},
+                         {.name = "return", .angle = 80, .to = 0, .law = find_law("cycloidal")},
+                         {.name = "low", .angle = 110, .to = 0, .rests = true}},
+                        Matched::Velocity);
+}
+
+/// Variables in an order of their own: those of the law first, the machine's from last to first. A
+/// cam's follower has an elastic end, which no default states.
+inline TestDesign design_of(const Mechanism& mechanism, const Member& member,
                             const std::vector<std::string>& of_law,
                             const std::vector<std::string>& of_machine) {
+  constexpr double kStiffness = 2;
   TestDesign design;
-  const Member member = find_law(law);
   std::vector<LawVariable> variables = law_variables(member, of_law);
   for (LawVariable& v : variables) {
     v.variable = design.x.size();
     design.x.push_back(member.arguments.list(v.parameter)[v.element]);
   }
   Binding& binding = design.binding;
-  for (const auto& p : mechanism.parameters) binding.constants.push_back(p.default_value);
+  for (const auto& p : mechanism.parameters) {
+    binding.constants.push_back(p.name == "train_stiffness" ? kStiffness : p.default_value);
+  }
   for (const auto& name : of_machine) binding.parameters.push_back(mechanism.parameter(name));
   std::sort(binding.parameters.begin(), binding.parameters.end());
   design.x.resize(design.x.size() + binding.parameters.size());
@@ -59,6 +71,12 @@ inline TestDesign design_of(const Mechanism& mechanism, const std::string& law,
   }
   binding.law = std::make_shared<const LawBinding>(member, variables);
   return design;
+}
+
+inline TestDesign design_of(const Mechanism& mechanism, const std::string& law,
+                            const std::vector<std::string>& of_law,
+                            const std::vector<std::string>& of_machine) {
+  return design_of(mechanism, find_law(law), of_law, of_machine);
 }
 
 inline optim::Response response_of(const Mechanism& mechanism, const std::string& name,

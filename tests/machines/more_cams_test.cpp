@@ -74,18 +74,25 @@ TEST_CASE("curves of cams have exact derivatives by all parameters", "[cams][lon
     const Mechanism& cam = find_mechanism(name);
     std::vector<std::string> all;
     for (const auto& parameter : cam.parameters) all.push_back(parameter.name);
-    TestDesign design = design_of(cam, "poly-3-4-5", {}, all);
-    for (double& x : design.x) x = x == 0 ? 0.7 : x;
+    TestDesign plain = design_of(cam, "poly-3-4-5", {}, all);
+    TestDesign in_dwells = design_of(cam, testing::with_dwells("poly-3-4-5"), {}, all);
+    for (double& x : plain.x) x = x == 0 ? 0.7 : x;
+    in_dwells.x = plain.x;
     for (const auto& response : cam.responses) {
+      const TestDesign& design = response.name == "residual_amplitude" ? in_dwells : plain;
       const auto made = response_of(cam, response.name, design.binding);
       INFO(name << ": " << response.name);
       if (!made.is_curve()) {
-        testing::check_derivatives(made.function(), design.x, 1e-4, 1e-6);
+        const double step = &design == &in_dwells ? 1e-5 : 1e-4;
+        testing::check_derivatives(made.function(), design.x, step, 1e-6);
         continue;
       }
       for (const double angle : {70.0, 230.0}) {
         const auto f = made.curve().at({angle});
-        if (std::isfinite(f.value(design.x))) testing::check_derivatives(f, design.x);
+        if (!std::isfinite(f.value(design.x))) continue;
+        // What swings many times in a turn changes fast with its frequency.
+        const bool swings = !response.write;
+        testing::check_derivatives(f, design.x, swings ? 1e-5 : 1e-3, swings ? 1e-6 : 1e-7);
       }
     }
   }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "machines/cams/elastic_end.h"
+#include "machines/cams/follower_words.h"
+#include "machines/follower_train/train_curve.h"
+
+/// What the end of a follower's train does behind a cam, in the steady state of turn after turn.
+namespace camlaw::problems {
+
+/// What matters of a machine M with elastic_end(): kTrainParts.
+struct TrainPartsOf {
+  TrainQuantity which;
+
+  template <class Cam>
+  auto operator()(const Cam& cam) const {
+    const auto end = elastic_end(cam);
+    const auto load = cam.follower();
+    const auto stroke = stroke_of(cam);
+    using T = std::decay_t<decltype(stroke)>;
+    const T none = number<T>(0), one = number<T>(1);
+    // (M1): from derivatives by x to those by time.
+    const T by_time = cam.angular_speed / (number<T>(2) * pi<T>()), square = by_time * by_time;
+    std::array<T, kTrainParts> parts{
+        end.period_ratio(), end.damping_ratio, stroke, none, none, none, none};
+    if (which == TrainQuantity::MassAcceleration) parts[2] = square * stroke;
+    if (which == TrainQuantity::CamForce) {
+      parts[2] = one;
+      parts[3] = load.spring_preload + load.load;
+      parts[4] = load.spring_rate * stroke;
+      parts[5] = (load.mass - end.mass) * square * stroke;
+      parts[6] = end.mass * square * stroke;
+    }
+    return parts;
+  }
+};
+
+template <template <class> class M>
+MechanismResponse end_curve(TrainQuantity which, ResponseAbout about) {
+  return train_curve<M>(which, TrainRun::Turn, std::move(about), TrainPartsOf{which});
+}
+
+/// Force in the train, which moves the end.
+template <template <class> class M>
+MechanismResponse train_force(ResponseAbout about) {
+  return train_curve<M>(TrainQuantity::MassAcceleration, TrainRun::Turn, std::move(about),
+                        [](const auto& cam) {
+                          auto parts = TrainPartsOf{TrainQuantity::MassAcceleration}(cam);
+                          parts[2] = elastic_end(cam).mass * parts[2];
+                          return parts;
+                        });
+}
+
+template <template <class> class M>
+MechanismResponse swing_at_rest(ResponseAbout about) {
+  return law_number<M>(std::move(about), TrainPartsOf{TrainQuantity::Deviation},
+                       []<class T>(std::span<const T> part, const Law<T>& law) -> Possible<T> {
+                         const auto motion = TrainMotion<T>::periodic({part[0], part[1]}, law);
+                         if (!motion) return motion.reason();
+                         const auto swing = motion->swing_at_rest();
+                         if (!swing) return swing.reason();
+                         return T(part[2] * *swing);
+                       });
+}
+
+/// Of a machine M whose fields elastic_end() takes.
+template <template <class> class M>
+std::vector<MechanismResponse> train_responses(const FollowerWords& w) {
+  using S = optim::Shape;
+  using Q = TrainQuantity;
+  const bool slides = std::string_view(w.force_name) == kSliding.force_name;
+  const std::vector<ShapeStatement> linear{{{"law"}, S::Linear, "DS14"},
+                                           {{w.stroke}, S::Linear, "DS14"}};
+  const std::vector<ShapeStatement> convex{{{"law"}, S::Convex, "DS14"},
+                                           {{w.stroke}, S::Linear, "DS14"}};
+  std::vector<ShapeStatement> load = linear;
+  load.push_back({{"spring_rate", "spring_preload", "load"}, S::Linear, "DS14"});
+  return {
+      number_response<M>(
+          {"train_frequency", "Hz", "Hz",
+           "natural frequency of the train's end, without damping; undefined for a rigid follower"},
+          [](const auto& cam) { return elastic_end(cam).natural_frequency(); }),
+      swing_at_rest<M>({"residual_amplitude", w.place, w.place_stored,
+                        "greatest amplitude with which the train's end swings in a dwell", convex}),
+      end_curve<M>(Q::MassDisplacement, {"end_displacement", w.place, w.place_stored,
+                                         "displacement of the train's end", linear}),
+      end_curve<M>(Q::Deviation, {"end_deviation", w.place, w.place_stored,
+                                  "of the train's end from where the cam wants it", linear}),
+      end_curve<M>(Q::MassAcceleration, {"end_acceleration", w.acceleration, w.acceleration,
+                                         "acceleration of the train's end", linear}),
+      train_force<M>({slides ? "train_force" : "train_torque", w.force, w.force,
+                      "what the train bears, and moves its end with", linear}),
+      end_curve<M>(Q::CamForce, {slides ? "elastic_force" : "elastic_torque", w.force, w.force,
+                                 "what the cam must give along the follower's path, the train's "
+                                 "end moving as it does; below 0 a spring-closed follower leaves "
+                                 "the cam",
+                                 load})};
+}
+
+inline NamedPeak peak_end_deviation() {
+  return {"peak_end_deviation", "end_deviation", optim::Part::Magnitude,
+          "greatest deviation of the train's end"};
+}
+
+inline NamedPeak least_elastic(const FollowerWords& w) {
+  const bool slides = std::string_view(w.force_name) == kSliding.force_name;
+  return {
+      slides ? "least_elastic_force" : "least_elastic_torque",
+      slides ? "elastic_force" : "elastic_torque", optim::Part::Lowest,
+      "least of what the cam must give, the train being elastic; above 0 the spring keeps contact"};
+}
+
+}  // namespace camlaw::problems

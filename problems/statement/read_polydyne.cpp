@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "machines/model/recorded_response.h"
+#include "problems/statement/program_units.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+
+std::optional<double> read_polydyne(const Entry& file, const Entry& program,
+                                    const Mechanism& mechanism) {
+  const Entry* entry = find(program, "polydyne");
+  if (entry == nullptr) return {};
+  if (!has_unit(*entry)) return positive_of(*entry, "1");
+  const double speed = positive_of(*entry, "rpm");
+  const auto frequency =
+      std::find_if(mechanism.responses.begin(), mechanism.responses.end(),
+                   [](const auto& response) { return response.name == "train_frequency"; });
+  if (frequency == mechanism.responses.end()) {
+    refuse(*entry, fmt::format("{} has no elastic train; write a plain number, the natural periods "
+                               "in a turn",
+                               mechanism.name));
+  }
+  std::vector<double> constants;
+  for (const MechanismParameter& parameter : mechanism.parameters) {
+    const StatedParameter stated = stated_parameter(file, parameter);
+    const bool matters =
+        std::ranges::binary_search(frequency->uses, constants.size());  // the place of this one
+    if (matters && stated.varying != nullptr) {
+      refuse(*entry, fmt::format("{} varies; write a plain number, the natural periods in a turn",
+                                 parameter.name));
+    }
+    constants.push_back(stated.fixed == nullptr ? parameter.default_value
+                                                : quantity_of(*stated.fixed, parameter.unit));
+  }
+  const Formula formula = whole_formula(frequency->write, constants.size(), 0);
+  const double by_second = formula(std::span<const double>(constants));
+  if (!(by_second > 0)) {
+    refuse(*entry,
+           "a speed says how many natural periods are in a turn where the train is stated: "
+           "give train_stiffness in [constants], or write that number");
+  }
+  constexpr double kSeconds = 60;  // in a minute
+  return by_second * kSeconds / speed;
+}
+
+}  // namespace camlaw::problems
