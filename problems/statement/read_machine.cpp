@@ -59,8 +59,14 @@ std::string text_or_none(const Entry& table, const char* key) {
 /// Names that [variables] has for the tables of what they belong to.
 const std::set<std::string> kTables{"law", "program", "machine"};
 
-/// Refuses a name that a formula could not hold.
-void check_name(const Entry& table, const std::string& name) {
+[[noreturn]] void refuse_word(const Entry& table, const std::string& name) {
+  refuse(table,
+         fmt::format("'{}' means something else in problem files; give it another name", name));
+}
+
+}  // namespace
+
+void check_spelling(const Entry& table, const std::string& name) {
   const auto accepted = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   };
@@ -70,10 +76,15 @@ void check_name(const Entry& table, const std::string& name) {
                               "and begins with a letter or _",
                               name));
   }
-  if (is_formula_word(name) || kTables.contains(name)) {
-    refuse(table,
-           fmt::format("'{}' means something else in problem files; give it another name", name));
-  }
+  if (kTables.contains(name)) refuse_word(table, name);
+}
+
+namespace {
+
+/// Refuses a name that a formula could not hold, or that means something in every formula.
+void check_name(const Entry& table, const std::string& name) {
+  check_spelling(table, name);
+  if (is_formula_word(name)) refuse_word(table, name);
 }
 
 /// Refuses a name that the mechanism has already.
@@ -259,7 +270,10 @@ class Adding {
   std::vector<bool> is_added_;
 };
 
-void add_responses(const Entry* responses, Mechanism& mechanism) {
+}  // namespace
+
+void read_stated_responses(const Entry& file, Mechanism& mechanism) {
+  const Entry* responses = find(file, "responses");
   std::vector<Stated> all;
   for (const Entry& table : tables_of(responses, "[responses.grip_force]")) {
     all.push_back(read_stated(table, mechanism));
@@ -267,8 +281,6 @@ void add_responses(const Entry* responses, Mechanism& mechanism) {
   Adding adding(mechanism, all);
   for (std::size_t i = 0; i < all.size(); ++i) adding.add(i);
 }
-
-}  // namespace
 
 void read_title(const Entry& file, ProblemStatement& problem) {
   problem.title = text_or_none(file, "title");
@@ -289,7 +301,7 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
     problem.mechanism = listed(*known);
   } else {
     Mechanism mechanism = known != nullptr ? *known : read_own_machine(*own);
-    add_responses(responses, mechanism);
+    read_stated_responses(file, mechanism);
     if (mechanism.responses.empty()) {
       refuse(*own, "the machine has no responses; write [responses.NAME] with a formula");
     }
