@@ -19,6 +19,7 @@ namespace camlaw::problems {
 namespace {
 
 constexpr const char* kDriveTorque = "drive_torque";
+constexpr const char* kAllOfLaw = "law";  ///< in ShapeStatement::varying
 
 bool is_speed(const MechanismParameter& p) { return p.name == kSpeed && p.unit == "rpm"; }
 
@@ -71,7 +72,7 @@ class Renamed {
   }
   std::vector<std::string> names(std::vector<std::string> own) const {
     for (std::string& one : own) {
-      if (one != "law") one = name(one);
+      if (one != kAllOfLaw) one = name(one);
     }
     return own;
   }
