@@ -10,6 +10,7 @@
 #include "output/answers/claim_output.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
+#include "problems/statement/shaft_cams.h"
 
 namespace camlaw::cli {
 namespace {
@@ -20,6 +21,17 @@ namespace {
       "{0}: a study has no one design to export; 'camlaw front {0} --knee --result FILE' writes "
       "one of its designs as a result",
       file));
+}
+
+/// Of several cams on one shaft the one that is asked for.
+void take_cam(const ExportOptions& options, problems::ProblemStatement& statement) {
+  if (options.cam) {
+    statement = problems::cam_alone(statement, problems::find_cam(statement, *options.cam));
+  } else if (!statement.cams.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: there are several cams on the shaft; say which to export, such as --cam {}",
+        options.file, statement.cams.front().name));
+  }
 }
 
 int run_export(const ExportOptions& options) {
@@ -36,6 +48,7 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_values(design.statement, options.settings);
+  take_cam(options, design.statement);
   const ExportedText written = exported_text(options, format, std::move(design), review.words());
   if (!options.out) {
     print_data(written.text);

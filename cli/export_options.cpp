@@ -64,6 +64,7 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--depth", &o.depth, "LENGTH", "gcode: the cut is so far below Z = 0, by default '0 mm'"},
       {"--slave", &o.slave, "NAME",
        "table: the curve that the slave follows; by default displacement, else the law"},
+      {"--cam", &o.cam, "NAME", "of a file with several cams on one shaft: the one to write"},
       set_option(o.settings),
       {"--json", &o.json, takes::kNothing,
        "print what is said of the file that --out writes as JSON"}};

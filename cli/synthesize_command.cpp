@@ -17,6 +17,11 @@ namespace camlaw::cli {
 namespace {
 
 void check_free(const problems::ProblemStatement& statement) {
+  if (!statement.cams.empty()) {
+    throw std::invalid_argument(statement.source +
+                                ": there are several cams on the shaft, and a law is measured for "
+                                "one machine; 'camlaw optimize' finds free laws of several");
+  }
   if (statement.mechanism->moved_by == problems::MovedBy::Program) {
     if (!free_segments(statement).empty()) return;
     throw std::invalid_argument(statement.source +

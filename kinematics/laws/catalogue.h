@@ -123,6 +123,13 @@ struct NamedSpan {
 
 struct Member;
 
+/// One of several laws that a member stands for side by side (kinematics/laws/side_by_side.h).
+struct LawPart {
+  std::string name;
+  std::shared_ptr<const Member> law;  ///< with the arguments that it began with
+  std::size_t first;                  ///< of its parameters among those of all
+};
+
 /// A law of the catalogue: fixed, or a family with parameters.
 struct Family {
   std::string name;
@@ -140,6 +147,7 @@ struct Family {
   std::vector<Room> rooms = {};  ///< what the parameters must leave together
   /// Of a law that is made of parts with names: where these lie, in their order.
   std::function<std::vector<NamedSpan>(const Arguments<double>&)> spans = {};
+  std::vector<LawPart> parts = {};  ///< of several laws side by side; none: it is one law
 
   Arguments<double> defaults() const;
   /// The member for these arguments. Impossible, with the names of law and parameter, for a value

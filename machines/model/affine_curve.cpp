@@ -326,6 +326,9 @@ class AffineTrace final : public optim::Trace {
     return result;
   }
   optim::Bounds enclose(double from, double to) const override { return whole().enclose(from, to); }
+  std::array<optim::Bounds, 3> expand(double from, double to) const override {
+    return whole().expand(from, to);
+  }
 
  private:
   std::array<double, 3> in(const AffineCurve::Section& section, double angle) const {

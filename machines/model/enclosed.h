@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "numerics/scalar/series.h"
@@ -24,6 +25,20 @@ Series<Interval, N> known_where(const Interval& condition, Series<Interval, N> v
   if (condition.lower() >= -kRounding * magnitude(condition)) return value;
   for (Interval& c : value.c) c = Interval::whole();
   return value;
+}
+
+/// What a series proves of a curve's value, slope and half its second derivative; its own argument
+/// grows by 1 where the curve's place grows by `length`.
+inline std::array<optim::Bounds, 3> by_place(const Series<Interval, 3>& series,
+                                             const Interval& length) {
+  std::array<optim::Bounds, 3> result;
+  Interval divisor(1.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval own = both(Interval::whole(), series.c[k] / divisor);
+    result[k] = {own.lower(), own.upper()};
+    divisor *= length;
+  }
+  return result;
 }
 
 /// Bounds of a function f over a stretch (docs/theory.md, "Enclosing a stretch"): from its series

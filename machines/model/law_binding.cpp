@@ -9,6 +9,7 @@
 #include <ranges>
 #include <stdexcept>
 
+#include "kinematics/laws/side_by_side.h"
 #include "machines/model/law_looks.h"
 #include "machines/model/linear_law.h"
 #include "machines/model/recent.h"
@@ -204,8 +205,25 @@ LawBinding::LawBinding(Member member, std::vector<LawVariable> variables)
   }
   const Law<double> law = member_.law();  // throws where there is none
   const auto count = static_cast<double>(blocks(variables_.size()));
-  second_bytes_ = linear_ ? 0 : count * (count + 1) / 2 * bytes_as<Dual2>(law);
+  second_bytes_ = linear_ || !member_.family->parts.empty()
+                      ? 0
+                      : count * (count + 1) / 2 * bytes_as<Dual2>(law);
   laws_ = std::make_shared<BoundLaws>(kept_of(second_bytes_));
+  const std::vector<Member> beside = laws_side_by_side(member_);
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    const std::size_t first = member_.family->parts[i].first;
+    std::vector<LawVariable> own;
+    for (const LawVariable& v : variables_) {
+      const bool is_its = v.parameter >= first && v.parameter < first + beside[i].arguments.size();
+      if (is_its) own.push_back({v.parameter - first, v.element, v.variable});
+    }
+    parts_.push_back(std::make_shared<LawBinding>(beside[i], std::move(own)));
+  }
+}
+
+std::shared_ptr<const LawBinding> law_of_cam(const std::shared_ptr<const LawBinding>& law,
+                                             std::optional<std::size_t> cam) {
+  return law && cam && !law->parts().empty() ? law->parts().at(*cam) : law;
 }
 
 double LawBinding::memory() const {

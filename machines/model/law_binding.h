@@ -58,6 +58,9 @@ class LawBinding {
 
   const Member& member() const { return member_; }
   const std::vector<LawVariable>& variables() const { return variables_; }
+  /// Of several laws side by side the binding of each, in variables of the same design; none of one
+  /// law. Whatever asks for a motion asks one of these.
+  const std::vector<std::shared_ptr<const LawBinding>>& parts() const { return parts_; }
   /// Bytes that second derivatives take: a law for each pair of blocks of kDualWidth parameters, of
   /// each design that is kept. 0 where the law is linear.
   double memory() const;
@@ -129,6 +132,11 @@ class LawBinding {
   std::vector<double> values_;  ///< the member's own
   double second_bytes_ = 0;     ///< of the laws with second derivatives of one design
   std::shared_ptr<BoundLaws> laws_;
+  std::vector<std::shared_ptr<const LawBinding>> parts_;
 };
+
+/// Of several laws side by side the one that moves a cam of that number; else the law itself.
+std::shared_ptr<const LawBinding> law_of_cam(const std::shared_ptr<const LawBinding>& law,
+                                             std::optional<std::size_t> cam);
 
 }  // namespace camlaw::problems

@@ -36,18 +36,6 @@ bool holds(const std::vector<std::size_t>& increasing, std::size_t parameter) {
   return std::binary_search(increasing.begin(), increasing.end(), parameter);
 }
 
-/// The binding with nothing varying that the response does not depend on.
-Binding narrowed(const Binding& binding, const MechanismResponse& response) {
-  Binding result{binding.constants, {}, {}, binding.law};
-  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
-    const std::size_t parameter = binding.parameters[k];
-    if (!holds(response.uses, parameter) && !holds(response.possible_by, parameter)) continue;
-    result.parameters.push_back(parameter);
-    result.variables.push_back(binding.variables[k]);
-  }
-  return result;
-}
-
 /// Whether a statement says something of all that varies.
 bool covers(const std::vector<std::string>& stated, const std::set<std::string>& varying) {
   const std::set<std::string> all(stated.begin(), stated.end());
@@ -147,6 +135,17 @@ optim::Function parameter_function(std::size_t parameter, const Binding& binding
 
 }  // namespace
 
+Binding narrowed(const Binding& binding, const MechanismResponse& response) {
+  Binding result{binding.constants, {}, {}, law_of_cam(binding.law, response.cam)};
+  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
+    const std::size_t parameter = binding.parameters[k];
+    if (!holds(response.uses, parameter) && !holds(response.possible_by, parameter)) continue;
+    result.parameters.push_back(parameter);
+    result.variables.push_back(binding.variables[k]);
+  }
+  return result;
+}
+
 optim::Shape KnownShape::best() const {
   return strength(ruled) > strength(declared) ? ruled : declared;
 }
@@ -204,7 +203,7 @@ optim::Response make_response(const Mechanism& mechanism, const ResponseName& na
   const Shape shape = shape_in(mechanism, response, used).best();
   if (response.curve) {
     auto curve = response.curve(used, shape);
-    if (name.window) curve = windowed(std::move(curve), *name.window, response, binding);
+    if (name.window) curve = windowed(std::move(curve), *name.window, response, used);
     return {name.name, name.unit, std::move(curve)};
   }
   return {name.name, name.unit, response.number(used, shape)};

@@ -114,6 +114,14 @@ struct InCase {
 };
 
 struct OverRanges;
+struct MechanismResponse;
+
+/// A curve of one of the cams on a shaft that a curve over the shaft's turn holds, at the phase of
+/// its cam.
+struct HeldCurve {
+  std::size_t cam, phase;  ///< the cam, and the parameter that its phase is
+  std::shared_ptr<const MechanismResponse> response;
+};
 
 struct MechanismResponse {
   std::string name;
@@ -138,6 +146,10 @@ struct MechanismResponse {
   Write domain = {};
   std::shared_ptr<const ShaftTurn> turn = {};  ///< of a curve that no law moves
   std::vector<InnerNumber> inner = {};
+  std::optional<std::size_t> cam = {};  ///< of several on one shaft the cam that it is of
+  /// Of a curve over the turn of such a shaft: its formula's other inputs are the shaft's angle and
+  /// these.
+  std::vector<HeldCurve> held = {};
   /// One of the two makes the response for a binding, in which only what it uses, and what it is
   /// possible by, varies.
   std::function<optim::Function(const Binding&, optim::Shape)> number = {};
@@ -183,6 +195,7 @@ enum class Form : char {
   BarrelIndex,    ///< a barrel cam and a turret whose rollers are parallel to its axis
   RollerGear,     ///< a globoidal cam and a turret with radial rollers
   LawAlone,       ///< a law by itself, no machine
+  Shaft,          ///< several cams on one shaft
 };
 
 /// Says of the responses of these names where they are numbers.
@@ -212,7 +225,7 @@ struct BuildableCheck {
   std::string response;  ///< of the mechanism, or one of its named peaks
   bool is_upper;         ///< whether the bound is one from above
   /// In the response's listed unit, of what the check needs and, if it is stated, its input.
-  double (*bound)(const StatedNumber&);
+  std::function<double(const StatedNumber&)> bound;
   std::vector<std::string> needs = {};   ///< parameters and inputs that the problem must state
   std::vector<std::string> one_of = {};  ///< ... and one of these
   /// An input that replaces a standard, and that standard in words.
@@ -233,6 +246,17 @@ struct AdvancingCycle {
   std::function<std::string(std::span<const double>, double)> why_open = {};
 };
 
+struct Mechanism;
+
+/// One of the cams on a shaft. Of the shaft's mechanism it has everything with its name and a dot
+/// before its own names, but for the speed, which is the shaft's.
+struct ShaftCam {
+  std::string name;
+  std::shared_ptr<const Mechanism> mechanism;
+  std::vector<std::size_t> parameters;  ///< of the shaft, for each of its own
+  std::size_t phase;  ///< of the shaft's parameters: where on the shaft its own zero stands, deg
+};
+
 struct Mechanism {
   std::string name, title, source;
   std::vector<MechanismParameter> parameters;
@@ -246,6 +270,7 @@ struct Mechanism {
   std::vector<BuildableCheck> checks = {};  ///< of whether it can be made and run
   std::vector<BuildableInput> inputs = {};  ///< of these checks
   std::vector<PossibleSet> possible = {};   ///< where a set is not stated, nothing is known of it
+  std::vector<ShaftCam> cams = {};          ///< of several on one shaft (machines/model/shaft.h)
 
   /// Index by name or symbol; throws std::invalid_argument with near and known names.
   std::size_t parameter(std::string_view parameter_name) const;
@@ -273,6 +298,10 @@ std::string part_name(optim::Part part, const std::string& curve);
 
 /// Throws std::invalid_argument with near and known names, and where a part is asked of a number.
 ResponseName find_response(const Mechanism& mechanism, std::string_view name);
+
+/// The binding as a response sees it: nothing varies that it does not depend on, and of several
+/// laws side by side it has that of the response's cam.
+Binding narrowed(const Binding& binding, const MechanismResponse& response);
 
 /// The shape of a response in what varies of a binding: the strongest that the mechanism declares,
 /// and what machines/model/shape_rules.h finds. Neither where what varies decides which machines

@@ -172,4 +172,15 @@ optim::Bounds MechanismTrace::enclose(double from, double to) const {
       });
 }
 
+std::array<optim::Bounds, 3> MechanismTrace::expand(double from, double to) const {
+  if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
+  const Section& section = section_at({std::midpoint(from, to)});
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  const Interval x = law_range(section, from, to);
+  const Expansion motion = expanders_[section.piece](x);
+  const auto over = formula_->enclosed(
+      {follower_motion(stretch, motion_series<3>(motion.over)), place_series<3>(section, x)});
+  return by_place(over, Interval(stretch.end) - Interval(stretch.begin));
+}
+
 }  // namespace camlaw::problems

@@ -28,6 +28,7 @@ class MechanismTrace final : public optim::Trace {
   std::array<double, 3> at(optim::Place place) const override;
   std::vector<double> values(std::span<const optim::Place> places) const override;
   optim::Bounds enclose(double from, double to) const override;
+  std::array<optim::Bounds, 3> expand(double from, double to) const override;
   std::string why_unbounded() const override;
 
  private:

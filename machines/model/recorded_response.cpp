@@ -10,6 +10,7 @@
 #include "machines/model/composed_number.h"
 #include "machines/model/enclosed.h"
 #include "machines/model/mechanism_curve.h"
+#include "machines/model/shaft_curve.h"
 #include "numerics/formula/expression.h"
 
 namespace camlaw::problems {
@@ -111,6 +112,11 @@ Recorded recorded_for(const Binding& binding, const Write& write, std::size_t ot
 
 std::vector<std::string> other_names(const MechanismResponse& response) {
   if (response.turn) return {"angle"};
+  if (!response.held.empty()) {
+    std::vector<std::string> names{"angle"};
+    for (const HeldCurve& held : response.held) names.push_back(held.response->name);
+    return names;
+  }
   if (response.curve) return {kPlaceNames.begin(), kPlaceNames.end()};
   std::vector<std::string> names;
   for (const InnerNumber& inner : response.inner) names.push_back(inner.name);
@@ -166,6 +172,9 @@ MechanismResponse recorded_number(MechanismResponse response, const Parameters& 
 
 RuledShape ruled_shape(const MechanismResponse& response, const Binding& binding,
                        const Parameters& parameters) {
+  if (response.curve && !response.held.empty()) {
+    return shape_on_shaft(response, binding, parameters);
+  }
   std::vector<RuledInput> inputs = ruled_arguments(binding, parameters);
   Write write = response.write;
   if (response.turn) {

@@ -10,6 +10,8 @@
 
 #include "machines/model/inner_numbers.h"
 #include "machines/model/recorded_response.h"
+#include "machines/model/shaft.h"
+#include "machines/model/shaft_curve.h"
 #include "machines/model/turn_curve.h"
 #include "numerics/formula/formula_writer.h"
 #include "numerics/formula/unit_factor.h"
@@ -44,7 +46,10 @@ struct Resolved {
   bool is_curve = false;
   bool sees_law = false;
   std::vector<InnerNumber> inner;
+  std::vector<HeldCurve> held;  ///< of several cams on one shaft
   std::vector<ValidityLimit> defined_while;
+  std::vector<std::size_t> possible_by;  ///< on a shaft
+  std::vector<IsPossible> is_possible;
 };
 
 Meaning in_si(Meaning::Kind kind, const std::string& unit) {
@@ -65,6 +70,12 @@ Cycle cycle_of(const Mechanism& mechanism) {
 }
 
 Meaning motion_meaning(const Mechanism& mechanism, const std::string& name) {
+  if (is_motion(name) && !mechanism.cams.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "there are several motions on the shaft, so there is no {}; name a cam's curve, "
+        "such as {}.displacement",
+        name, mechanism.cams.front().name));
+  }
   if (is_motion(name)) {
     if (mechanism.moved_by == MovedBy::Nothing) {
       throw std::invalid_argument(
@@ -100,13 +111,60 @@ Meaning inner_meaning(const InnerNumber& inner, Resolved& resolved) {
   return meaning;
 }
 
-Meaning response_meaning(const ResponseName& found, Resolved& resolved) {
+/// The place of a cam's curve among a formula's other inputs, behind the angle; equal ones are
+/// there once.
+std::size_t place_of(const HeldCurve& held, Resolved& resolved) {
+  const auto known = std::find_if(
+      resolved.held.begin(), resolved.held.end(),
+      [&](const HeldCurve& other) { return other.response->name == held.response->name; });
+  const auto place = static_cast<std::size_t>(known - resolved.held.begin());
+  if (known == resolved.held.end()) resolved.held.push_back(held);
+  return 1 + place;
+}
+
+/// A curve of one of the cams on a shaft, at the cam's phase.
+Meaning cam_curve_meaning(const Mechanism& mechanism, const MechanismResponse& curve,
+                          Resolved& resolved) {
+  if (!runs_over_turn(curve)) {
+    throw std::invalid_argument(
+        fmt::format("{} does not run over a turn of the shaft, 0 to 360 deg, so it has no value at "
+                    "the shaft's angle; of it a formula can hold \"peak {}\"",
+                    curve.name, curve.name));
+  }
+  Meaning meaning = in_si(Meaning::Kind::Other, curve.unit);
+  meaning.index = place_of({*curve.cam, mechanism.cams[*curve.cam].phase,
+                            std::make_shared<const MechanismResponse>(curve)},
+                           resolved);
+  return meaning;
+}
+
+/// A curve over the shaft's turn, whose own inputs are the angle and cams' curves.
+Meaning shaft_curve_meaning(const MechanismResponse& curve, Resolved& resolved) {
+  Meaning meaning = in_si(Meaning::Kind::Formula, curve.unit);
+  meaning.write = curve.write;
+  meaning.inner = {0};
+  for (const HeldCurve& held : curve.held) meaning.inner->push_back(place_of(held, resolved));
+  return meaning;
+}
+
+Meaning response_meaning(const Mechanism& mechanism, const ResponseName& found,
+                         Resolved& resolved) {
   const MechanismResponse& response = *found.response;
+  if (!mechanism.cams.empty()) {
+    resolved.possible_by.insert(resolved.possible_by.end(), response.possible_by.begin(),
+                                response.possible_by.end());
+    if (response.is_possible) resolved.is_possible.push_back(response.is_possible);
+  }
   resolved.sees_law = resolved.sees_law || response.sees_law;
   resolved.defined_while.insert(resolved.defined_while.end(), response.defined_while.begin(),
                                 response.defined_while.end());
   if (found.part != optim::Part::Value) {
     return inner_meaning(inner_peak(response, found.part), resolved);
+  }
+  if (response.curve && !mechanism.cams.empty()) {
+    resolved.is_curve = true;
+    return response.cam ? cam_curve_meaning(mechanism, response, resolved)
+                        : shaft_curve_meaning(response, resolved);
   }
   if (!response.curve && !response.write) {
     return inner_meaning(inner_number(response), resolved);
@@ -135,7 +193,7 @@ Meaning meaning_of(const Mechanism& mechanism, const FormulaTree& name, Resolved
     return motion_meaning(mechanism, name.text);
   }
   const ResponseName found = find_response(mechanism, name.full_name());
-  if (found.response != nullptr) return response_meaning(found, resolved);
+  if (found.response != nullptr) return response_meaning(mechanism, found, resolved);
   Meaning meaning = in_si(Meaning::Kind::Parameter, mechanism.parameters[found.parameter].unit);
   meaning.index = found.parameter;
   return meaning;
@@ -157,7 +215,8 @@ Resolved resolve(const Mechanism& mechanism, const FormulaTree& formula) {
                                           resolved.inner.front().name));
     }
   }
-  const bool has_motion = resolved.is_curve && mechanism.moved_by != MovedBy::Nothing;
+  const bool has_motion =
+      resolved.is_curve && mechanism.cams.empty() && mechanism.moved_by != MovedBy::Nothing;
   resolved.sees_law = resolved.sees_law || has_motion;
   return resolved;
 }
@@ -175,6 +234,15 @@ std::vector<Write> breaks_of(const Mechanism& mechanism) {
     if (response.turn) return response.turn->breaks;
   }
   return {};
+}
+
+/// Whether all that decides on what a formula of a shaft holds says that there is such a machine.
+IsPossible all_of(std::vector<IsPossible> parts) {
+  if (parts.empty()) return {};
+  return [parts = std::move(parts)](std::span<const double> parameters) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const IsPossible& part) { return part(parameters); });
+  };
 }
 
 /// Refuses a formula that measures something else than its unit.
@@ -310,12 +378,21 @@ std::vector<std::string> names_held(const FormulaTree& formula,
 MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse stated) {
   Resolved resolved = resolve(mechanism, stated.formula);
   std::optional<Cycle> cycle;
-  if (mechanism.moved_by != MovedBy::Nothing) cycle = cycle_of(mechanism);
+  const bool is_shaft = !mechanism.cams.empty();
+  if (mechanism.moved_by != MovedBy::Nothing && !is_shaft) cycle = cycle_of(mechanism);
   MechanismResponse response{.name = stated.name, .unit = stated.unit, .meaning = stated.meaning};
   response.sees_law = resolved.sees_law;
   response.defined_while = std::move(resolved.defined_while);
   response.inner = std::move(resolved.inner);
-  if (!mechanism.responses.empty()) {
+  response.held = std::move(resolved.held);
+  if (is_shaft) {
+    std::sort(resolved.possible_by.begin(), resolved.possible_by.end());
+    response.possible_by = std::move(resolved.possible_by);
+    if (!resolved.is_curve) response.is_possible = all_of(std::move(resolved.is_possible));
+    if (resolved.is_curve && response.held.empty()) {
+      throw std::invalid_argument("the formula of a shaft's curve holds a curve of a cam");
+    }
+  } else if (!mechanism.responses.empty()) {
     response.possible_by = mechanism.responses.front().possible_by;
     response.is_possible = mechanism.responses.front().is_possible;
   }
@@ -329,6 +406,10 @@ MechanismResponse stated_response(const Mechanism& mechanism, StatedResponse sta
     return domain.least();
   };
   const auto& parameters = mechanism.parameters;
+  if (is_shaft && resolved.is_curve) {
+    check_size(response.write, parameters.size(), 1 + response.held.size());
+    return shaft_curve_response(std::move(response), parameters);
+  }
   const bool is_turn = resolved.is_curve && !cycle;
   ShaftTurn turn{is_turn ? breaks_of(mechanism) : std::vector<Write>(), response.write};
   check_size(response.write, parameters.size(),

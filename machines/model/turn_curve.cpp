@@ -142,13 +142,7 @@ class TurnTrace final : public optim::Trace {
   optim::Bounds enclose(double from, double to) const override {
     if (!is_possible_) return {-optim::kInfinity, optim::kInfinity};
     const std::size_t section = section_of(breaks_, {std::midpoint(from, to)});
-    Interval over = Interval(from, to) * degree();
-    if (section > 0 && from <= degrees(breaks_[section - 1])) {
-      over = boost::numeric::hull(over, meets_[section - 1]);
-    }
-    if (section < meets_.size() && to >= degrees(breaks_[section])) {
-      over = boost::numeric::hull(over, meets_[section]);
-    }
+    const Interval over = angles(section, from, to);
     const Interval middle(value_of(over));
     const double radius =
         std::max(step_up(over.upper() - middle.lower()), step_up(middle.upper() - over.lower()));
@@ -162,7 +156,26 @@ class TurnTrace final : public optim::Trace {
         [&] { return enclosed_at(section, Series<Interval, 2>::variable(middle, one)); });
   }
 
+  std::array<optim::Bounds, 3> expand(double from, double to) const override {
+    if (!is_possible_) return {};
+    const std::size_t section = section_of(breaks_, {std::midpoint(from, to)});
+    const auto angle = Series<Interval, 3>::variable(angles(section, from, to), Interval(1.0));
+    return by_place(enclosed_at(section, angle), Interval(1.0) / degree());
+  }
+
  private:
+  /// The angles of a stretch, rad, in its section and as far as that may go.
+  Interval angles(std::size_t section, double from, double to) const {
+    Interval over = Interval(from, to) * degree();
+    if (section > 0 && from <= degrees(breaks_[section - 1])) {
+      over = boost::numeric::hull(over, meets_[section - 1]);
+    }
+    if (section < meets_.size() && to >= degrees(breaks_[section])) {
+      over = boost::numeric::hull(over, meets_[section]);
+    }
+    return over;
+  }
+
   template <class T>
   using Made = std::vector<std::optional<FormulaAlong<T>>>;
 

@@ -98,6 +98,16 @@ class Reader {
     return std::max<std::size_t>(length, 1);
   }
 
+  /// The same with what names of machines' parts have before them: press.displacement.
+  std::size_t dotted_length(std::size_t from) const {
+    std::size_t length = name_length(from);
+    while (from + length + 1 < text_.size() && text_[from + length] == '.' &&
+           begins_name(text_[from + length + 1])) {
+      length += 1 + name_length(from + length + 1);
+    }
+    return length;
+  }
+
   FormulaTree made(Kind kind, std::size_t at, std::vector<FormulaTree> parts = {}) {
     if (++count_ > kMostParts) {
       refuse_formula(at, fmt::format("the formula has more than {} parts", kMostParts));
@@ -212,14 +222,14 @@ class Reader {
 
   FormulaTree name() {
     FormulaTree result = made(Kind::Name, at_);
-    const std::size_t length = name_length(at_);
+    const std::size_t length = dotted_length(at_);
     result.text = text_.substr(at_, length);
     at_ += length;
     skip_blanks();
     const bool is_word =
         std::find(kPartWords.begin(), kPartWords.end(), result.text) != kPartWords.end();
     if (is_word && begins_name(next())) {
-      result.part = std::exchange(result.text, std::string(text_.substr(at_, name_length(at_))));
+      result.part = std::exchange(result.text, std::string(text_.substr(at_, dotted_length(at_))));
       at_ += result.text.size();
       skip_blanks();
     } else if (is_word && next() == '(') {

@@ -44,6 +44,11 @@ class Trace {
   /// same two breaks. The bounds close on the values as the stretch shrinks. Infinite where nothing
   /// is proved.
   virtual Bounds enclose(double from, double to) const = 0;
+  /// The same of the value, of the slope and of half the second derivative: with these a curve that
+  /// is made of several is enclosed as closely as each of them.
+  virtual std::array<Bounds, 3> expand(double from, double to) const {
+    return {enclose(from, to), Bounds{}, Bounds{}};
+  }
   /// Why the curve has no bound, in words, where that is known; else empty.
   virtual std::string why_unbounded() const { return {}; }
 };

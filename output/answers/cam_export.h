@@ -19,7 +19,8 @@ namespace camlaw::cli {
 struct ExportOptions {
   using Text = std::optional<std::string>;
   std::string file;
-  Text format, out, curve, tolerance, step, form, decimals, tool, feed, clearance, depth, slave;
+  Text format, out, curve, tolerance, step, form, decimals, tool, feed, clearance, depth, slave,
+      cam;
   std::vector<std::string> settings;
   bool json = false;  ///< what is said is for programs
 };

@@ -202,6 +202,7 @@ std::vector<DesignValue> Answer::values() const {
 
 std::optional<Member> Answer::law() const {
   if (bound.statement().mechanism->moved_by == problems::MovedBy::Nothing) return std::nullopt;
+  if (!bound.statement().cams.empty()) return std::nullopt;  // there are several
   if (optimum.found.x.size() != optimum.problem.variables.size()) return {};
   const Member found = bound.at(optimum.options, optimum.found.x).laws.front();
   if (found.family->listed && !found.possible_law()) return {};  // the design makes no law

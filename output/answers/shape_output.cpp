@@ -56,9 +56,13 @@ std::vector<Group> groups_of(const ProblemStatement& statement) {
   return groups;
 }
 
-bool depends_on(const ResponseName& name, const Group& group) {
+bool depends_on(const ProblemStatement& statement, const ResponseName& name, const Group& group) {
   const VariableStatement& v = group.variables.front();
   if (name.response == nullptr) return !v.of_law && v.parameter == name.parameter;
+  if (v.of_law && name.response->cam) {  // whose law alone moves it
+    const std::string& cam = statement.mechanism->cams[*name.response->cam].name;
+    return name.response->sees_law && v.law_parameter.starts_with(cam + ".");
+  }
   if (v.of_law) return name.response->sees_law;
   const auto& uses = name.response->uses;
   return std::binary_search(uses.begin(), uses.end(), v.parameter);
@@ -93,7 +97,7 @@ Table shape_table(const ProblemStatement& statement) {
     Json alone = Json::object();
     std::vector<VariableStatement> together;
     for (const Group& group : groups_of(statement)) {
-      if (!depends_on(name, group)) continue;
+      if (!depends_on(statement, name, group)) continue;
       const auto shape = shape_in(statement, name, group.variables);
       const char* const word = shape ? words_of(shape->best()) : "chosen";
       parts.push_back(fmt::format("{} ({})", group.name, word));

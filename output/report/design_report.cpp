@@ -19,6 +19,7 @@
 #include "output/report/report.h"
 #include "output/report/scene.h"
 #include "output/report/sensitivity_section.h"
+#include "output/report/timing_section.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/parameters.h"
 
@@ -151,6 +152,7 @@ ReportPage design_report(const ReportedDesign& reported) {
   page.sections = {
       problem_section(reported.read.problem), values_section(design),
       limits_section(design, review.limits, review.is_optimal(), reported.read.blamed)};
+  if (auto timing = timing_section(design)) page.sections.push_back(*std::move(timing));
   if (!review.built.checks.empty()) page.sections.push_back(buildable_section(review.built));
   if (!figure.panels.empty()) {
     page.sections.push_back(motion_section(design, scene_svg(design, kPoints)));

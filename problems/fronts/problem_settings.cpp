@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "kinematics/laws/side_by_side.h"
 #include "optim/pareto/nsga2.h"
 #include "optim/solvers/solver.h"
 #include "problems/law_files/json_text.h"
@@ -20,11 +21,20 @@ namespace {
 
 constexpr const char* kProgram = "camlaw 0.1.0";
 
-/// The laws that are not the catalogue's, name and pieces: what a problem's text does not hold.
+/// The laws that are not the catalogue's, name and pieces: what a problem's text does not hold. Of
+/// several side by side each by the name of what it moves.
 std::string laws_of_files(const ProblemStatement& statement) {
   Json laws = Json::object();
   for (const Member& law : statement.laws) {
-    if (!is_of_catalogue(law)) laws[law.family->name] = pieces_to_json(law.law());
+    const std::vector<Member> beside = laws_side_by_side(law);
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+      if (is_of_catalogue(beside[i])) continue;
+      laws[law.family->parts[i].name + ": " + beside[i].family->name] =
+          pieces_to_json(beside[i].law());
+    }
+    if (beside.empty() && !is_of_catalogue(law)) {
+      laws[law.family->name] = pieces_to_json(law.law());
+    }
   }
   return laws.dump();
 }

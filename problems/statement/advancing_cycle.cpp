@@ -6,10 +6,14 @@
 #include <stdexcept>
 
 #include "kinematics/peaks.h"
+#include "problems/statement/shaft_cams.h"
 
 namespace camlaw::problems {
 
 void check_advancing_cycle(const ProblemStatement& problem) {
+  for (std::size_t i = 0; i < problem.cams.size(); ++i) {
+    check_advancing_cycle(cam_alone(problem, i));
+  }
   const Mechanism& mechanism = *problem.mechanism;
   if (!mechanism.advances) return;
   for (const VariableStatement& variable : problem.variables) {

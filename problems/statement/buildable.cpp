@@ -62,11 +62,17 @@ bool asks_for(const ProblemStatement& problem, const MechanismResponse* response
                      [&](const auto& c) { return !c.of_check && is_of(c.response, *response); });
 }
 
+/// On a shaft the cam that a check is of.
+std::optional<std::size_t> cam_of(const ProblemStatement& problem, const BuildableCheck& check) {
+  if (problem.cams.empty()) return {};
+  return find_response(*problem.mechanism, check.response).response->cam;
+}
+
 /// Whether the roller runs in a groove, so that the cam has an outer flank: only the problem knows,
 /// which then asks for what grooves alone have.
-Closure closure_of(const ProblemStatement& problem) {
+Closure closure_of(const ProblemStatement& problem, std::optional<std::size_t> cam) {
   for (const BuildableCheck& check : problem.mechanism->checks) {
-    if (check.closure != Closure::Form) continue;
+    if (check.closure != Closure::Form || cam_of(problem, check) != cam) continue;
     if (asks_for(problem, find_response(*problem.mechanism, check.response).response)) {
       return Closure::Form;
     }
@@ -76,10 +82,11 @@ Closure closure_of(const ProblemStatement& problem) {
 
 /// Of a problem's mechanism those that are made for its follower.
 std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
-  const Closure closure = closure_of(problem);
   std::vector<const BuildableCheck*> result;
   for (const BuildableCheck& check : problem.mechanism->checks) {
-    if (check.closure == Closure::Any || check.closure == closure) result.push_back(&check);
+    const bool is_for = check.closure == Closure::Any ||
+                        check.closure == closure_of(problem, cam_of(problem, check));
+    if (is_for) result.push_back(&check);
   }
   return result;
 }
@@ -112,7 +119,9 @@ ConstraintStatement limit_of(const BuildableCheck& check, const ProblemStatement
 
 std::string note_of(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto& needs = check.needs;
-  const bool pressed = std::find(needs.begin(), needs.end(), "allowable_pressure") != needs.end();
+  const bool pressed = std::any_of(needs.begin(), needs.end(), [](const std::string& name) {
+    return name.ends_with("allowable_pressure");
+  });
   if (pressed) return problem.buildable.material;
   return problem.buildable.inputs.contains(check.input) ? "" : check.standard;
 }

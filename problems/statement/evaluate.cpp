@@ -104,7 +104,7 @@ std::vector<optim::Response> curves_over_speed(const ProblemStatement& statement
 }
 
 std::string place_name(const ProblemStatement& statement) {
-  const bool cam = statement.mechanism->moved_by != MovedBy::Nothing;
+  const bool cam = statement.mechanism->moved_by != MovedBy::Nothing && statement.cams.empty();
   for (const MechanismResponse& declared : statement.mechanism->responses) {
     if (!declared.curve || declared.along == "1" || is_over_speed(declared)) continue;
     return (cam ? "cam_angle [" : "angle [") + declared.along + "]";

@@ -15,13 +15,24 @@ constexpr FileFormat kProblemFormat{"camlaw problem", 1};
 
 }  // namespace
 
+void read_motion(const Entry& file, ProblemStatement& problem, FixedNames& fixed) {
+  read_laws(file, problem, fixed);
+  read_constants(file, problem, fixed);
+  read_parts(file, problem);
+  read_variables(file, problem, fixed);
+  read_free_variables(file, problem, fixed);
+  read_tolerances(file, problem);
+  check_laws_at_start(file, problem);
+  located(file, [&] { check_advancing_cycle(problem); });
+}
+
 ProblemStatement read_problem(std::string_view toml, const std::string& source, HeldFiles known) {
   const Entry file = parse_toml(toml, source);
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"format", "title", "mechanism", "machine", "responses", "constants", "law",
-                    "free", "program", "parts", "variables", "objective", "objectives",
+  check_keys(file, {"format", "title", "mechanism", "machine", "cams", "responses", "constants",
+                    "law", "free", "program", "parts", "variables", "objective", "objectives",
                     "constraints", "cases", "ranges", "buildable", "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
@@ -33,15 +44,12 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   problem.files = std::move(known);
   read_title(file, problem);
   FixedNames fixed;
-  read_mechanism(file, problem);
-  read_laws(file, problem, fixed);
-  read_constants(file, problem, fixed);
-  read_parts(file, problem);
-  read_variables(file, problem, fixed);
-  read_free_variables(file, problem, fixed);
-  read_tolerances(file, problem);
-  check_laws_at_start(file, problem);
-  located(file, [&] { check_advancing_cycle(problem); });
+  if (find(file, "cams") != nullptr) {
+    read_cams(file, problem, fixed);
+  } else {
+    read_mechanism(file, problem);
+    read_motion(file, problem, fixed);
+  }
   read_cases(file, problem);
   read_ranges(file, problem);
   read_objectives(file, problem);

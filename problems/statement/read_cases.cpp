@@ -22,7 +22,7 @@ std::string read_case_name(const Entry& table, const ProblemStatement& problem) 
   const Entry* name = find(table, "name");
   if (name == nullptr) refuse(table, "name is missing, such as name = \"fast\"");
   const std::string& text = text_of(*name);
-  check_formula_name(*name, text);
+  check_spelling(*name, text);
   for (const char* word : {"worst", "mean", "all"}) {
     if (text == word) {
       refuse(*name, fmt::format("'{}' stands for all cases; give this one another name", text));
@@ -45,7 +45,7 @@ std::pair<std::size_t, double> read_value(const Entry& entry, const ProblemState
     refuse(entry, fmt::format("{} comes with {}, [parts.{}], which is the same in every case",
                               parameter.name, part->name, part->name));
   }
-  if (problem.told_by_motion == parameter.parameter) {
+  if (problem.told_by_motion.contains(parameter.parameter)) {
     refuse(entry, fmt::format("the motion is stated in {}, so {} is the same in every case",
                               parameter.unit, parameter.name));
   }

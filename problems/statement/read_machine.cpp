@@ -59,9 +59,14 @@ std::string text_or_none(const Entry& table, const char* key) {
 /// Names that [variables] has for the tables of what they belong to.
 const std::set<std::string> kTables{"law", "program", "machine"};
 
+[[noreturn]] void refuse_word(const Entry& table, const std::string& name) {
+  refuse(table,
+         fmt::format("'{}' means something else in problem files; give it another name", name));
+}
+
 }  // namespace
 
-void check_formula_name(const Entry& table, const std::string& name) {
+void check_spelling(const Entry& table, const std::string& name) {
   const auto accepted = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   };
@@ -71,13 +76,16 @@ void check_formula_name(const Entry& table, const std::string& name) {
                               "and begins with a letter or _",
                               name));
   }
-  if (is_formula_word(name) || kTables.contains(name)) {
-    refuse(table,
-           fmt::format("'{}' means something else in problem files; give it another name", name));
-  }
+  if (kTables.contains(name)) refuse_word(table, name);
 }
 
 namespace {
+
+/// Refuses a name that a formula could not hold, or that means something in every formula.
+void check_name(const Entry& table, const std::string& name) {
+  check_spelling(table, name);
+  if (is_formula_word(name)) refuse_word(table, name);
+}
 
 /// Refuses a name that the mechanism has already.
 void check_new(const Entry& table, const Mechanism& mechanism, const std::string& name) {
@@ -111,14 +119,14 @@ double read_number(const Entry& table, const char* key, const std::string& unit,
 MechanismParameter read_parameter(const Entry& table, const Mechanism& machine) {
   expect(table, Kind::Table, "a table with unit and default");
   check_keys(table, {"unit", "default", "lower", "upper", "type", "symbol", "meaning"});
-  check_formula_name(table, table.key);
+  check_name(table, table.key);
   check_new(table, machine, table.key);
   MechanismParameter parameter;
   parameter.name = table.key;
   parameter.unit = parameter.stored = read_unit(table);
   parameter.symbol = text_or_none(table, "symbol");
   if (const Entry* symbol = find(table, "symbol")) {
-    check_formula_name(*symbol, parameter.symbol);
+    check_name(*symbol, parameter.symbol);
     check_new(*symbol, machine, parameter.symbol);
   } else {
     parameter.symbol = parameter.name;
@@ -219,7 +227,7 @@ std::string in_one_line(const std::string& text) {
 Stated read_stated(const Entry& table, const Mechanism& mechanism) {
   expect(table, Kind::Table, "a table with formula and unit");
   check_keys(table, {"formula", "unit", "meaning"});
-  check_formula_name(table, table.key);
+  check_name(table, table.key);
   check_new(table, mechanism, table.key);
   const Entry* formula = find(table, "formula");
   if (formula == nullptr) refuse(table, "formula is missing, such as formula = \"mass * speed^2\"");
@@ -262,7 +270,10 @@ class Adding {
   std::vector<bool> is_added_;
 };
 
-void add_responses(const Entry* responses, Mechanism& mechanism) {
+}  // namespace
+
+void read_stated_responses(const Entry& file, Mechanism& mechanism) {
+  const Entry* responses = find(file, "responses");
   std::vector<Stated> all;
   for (const Entry& table : tables_of(responses, "[responses.grip_force]")) {
     all.push_back(read_stated(table, mechanism));
@@ -270,8 +281,6 @@ void add_responses(const Entry* responses, Mechanism& mechanism) {
   Adding adding(mechanism, all);
   for (std::size_t i = 0; i < all.size(); ++i) adding.add(i);
 }
-
-}  // namespace
 
 void read_title(const Entry& file, ProblemStatement& problem) {
   problem.title = text_or_none(file, "title");
@@ -292,7 +301,7 @@ void read_mechanism(const Entry& file, ProblemStatement& problem) {
     problem.mechanism = listed(*known);
   } else {
     Mechanism mechanism = known != nullptr ? *known : read_own_machine(*own);
-    add_responses(responses, mechanism);
+    read_stated_responses(file, mechanism);
     if (mechanism.responses.empty()) {
       refuse(*own, "the machine has no responses; write [responses.NAME] with a formula");
     }

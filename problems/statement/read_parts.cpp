@@ -36,7 +36,7 @@ void check_part_alone(const Entry& file, const Entry& table, const ProblemStatem
       refuse(*other, fmt::format("{} comes with {}, from {}; drop this entry", p.name, table.path,
                                  part.catalogue));
     }
-    if (problem.told_by_motion == i) {
+    if (problem.told_by_motion.contains(i)) {
       refuse(table, fmt::format("the motion says what the {} is; drop that column", p.name));
     }
     if (const PartStatement* known = part_of(problem, i)) {

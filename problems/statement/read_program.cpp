@@ -291,7 +291,7 @@ void read_program(const Entry& file, const Entry& program, ProblemStatement& pro
   }
   const ProgramUnits units = read_program_units(file, program, problem);
   problem.timing = units.timing;
-  problem.told_by_motion = units.told_by_motion;
+  if (units.told_by_motion) problem.told_by_motion.insert(*units.told_by_motion);
   const double advance = read_advance(program, units, *problem.mechanism);
   const std::optional<double> polydyne = read_polydyne(file, program, *problem.mechanism);
   std::vector<StatedSegment> stated;

@@ -40,7 +40,7 @@ ParameterRange read_one_range(const Entry& table, const ProblemStatement& proble
     refuse(table, fmt::format("{} is an integer; state its values as load cases, [[cases]]",
                               parameter.name));
   }
-  if (problem.told_by_motion == parameter.parameter) {
+  if (problem.told_by_motion.contains(parameter.parameter)) {
     refuse(table, fmt::format("the motion is stated in {}, so {} has one value", parameter.unit,
                               parameter.name));
   }

@@ -170,7 +170,7 @@ void read_table(const Entry& file, const Entry& program, ProblemStatement& probl
                                  parameter.name, with_unit(range, parameter.unit)));
     }
     set_stroke(name, *place, range, problem);
-    problem.told_by_motion = place;
+    problem.told_by_motion.insert(*place);
   }
   std::vector<double> s;
   for (const double lift : turn.lift) s.push_back((lift - *lowest) / range);

@@ -146,7 +146,8 @@ std::size_t read_count(const Entry& table, const NamedParameter& parameter,
 
 void read_variable(const Entry& table, ProblemStatement& problem, const FixedNames& fixed) {
   // The name is the path after "variables.", so that [variables.law.v] is law.v too.
-  const std::string name = table.path.substr(table.path.find('.') + 1);
+  constexpr std::string_view kBefore = "variables.";
+  const std::string name = table.path.substr(table.path.rfind(kBefore) + kBefore.size());
   expect(table, Kind::Table, "a table with lower and upper, or with values");
   const auto parameter = located(table, [&] { return find_parameter(problem, name); });
   check_keys(table, {"lower", "upper", "start", "scale", "type", "values"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "kinematics/laws/side_by_side.h"
 #include "machines/model/cycle.h"
 #include "machines/model/windowed.h"
 #include "problems/statement/parameters.h"
@@ -11,15 +12,23 @@ namespace camlaw::problems {
 namespace {
 
 /// The segment that `over` names, which every law must have.
-CycleWindow read_over(const Entry& over, const ProblemStatement& problem, const Cycle& cycle) {
+CycleWindow read_over(const Entry& over, const ProblemStatement& problem,
+                      const MechanismResponse& response) {
   CycleWindow window{text_of(over)};
-  if (problem.mechanism->moved_by != MovedBy::Program) {
+  const bool is_of_cam = response.cam && !problem.cams.empty();
+  const Mechanism& mechanism =
+      is_of_cam ? *problem.mechanism->cams[*response.cam].mechanism : *problem.mechanism;
+  const bool is_of_shaft = !problem.cams.empty() && !response.cam;
+  if (mechanism.moved_by != MovedBy::Program || is_of_shaft) {
     refuse(over, fmt::format("{} has no motion program, whose segments have names; write from and "
                              "to",
-                             problem.mechanism->name));
+                             mechanism.name));
   }
   located(over, [&] {
-    for (const Member& law : problem.laws) window_at(window, cycle, law);
+    for (const Member& law : problem.laws) {
+      window_at(window, *response.cycle,
+                is_of_cam ? laws_side_by_side(law).at(*response.cam) : law);
+    }
   });
   return window;
 }
@@ -57,7 +66,7 @@ void read_window(const Entry& table, const ProblemStatement& problem, ResponseNa
     if (from != nullptr || to != nullptr) {
       refuse(from != nullptr ? *from : *to, "over says where already; drop one of the two");
     }
-    response.window = read_over(*over, problem, *cycle);
+    response.window = read_over(*over, problem, *response.response);
     response.name += " over " + response.window->segment;
     return;
   }

@@ -22,6 +22,9 @@ std::string folder_of(const Entry& entry);
 /// A text that does nothing to a terminal and is one line.
 const std::string& printable_text(const Entry& entry);
 
+/// Refuses a name that is not one of a formula's, or that problem files have for something else.
+void check_spelling(const Entry& table, const std::string& name);
+
 /// Refuses an entry with a value that the parameter does not accept.
 void check_accepted(const Entry& entry, const NamedParameter& parameter, double value);
 
@@ -35,6 +38,12 @@ StatedParameter stated_parameter(const Entry& file, const MechanismParameter& pa
 void read_title(const Entry& file, ProblemStatement& problem);
 /// Its mechanism, with the responses that the file states.
 void read_mechanism(const Entry& file, ProblemStatement& problem);
+/// Adds the responses that a file states to its mechanism.
+void read_stated_responses(const Entry& file, Mechanism& mechanism);
+/// The cams of a file that states several on one shaft, [cams.NAME]; and what varies of them.
+void read_cams(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
+/// All that a mechanism's file says of its motion, its sizes and what varies of both.
+void read_motion(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 void read_laws(const Entry& file, ProblemStatement& problem, FixedNames& fixed);
 /// The programs of a file's table [program], one for each combination of its segments' laws. A free
 /// law is what the file's table [free] says.
@@ -72,8 +81,6 @@ std::vector<std::string> read_case_names(const Entry& table, const ProblemStatem
 /// What an objective's table takes of the cases: the worst, where it does not say.
 ObjectiveStatement read_over_cases(const Entry& table, const ProblemStatement& problem,
                                    ObjectiveStatement objective);
-/// Refuses a name that a formula could not hold.
-void check_formula_name(const Entry& entry, const std::string& name);
 /// That each law can be made with its fixed values and starts, and that no two are the same.
 void check_laws_at_start(const Entry& file, const ProblemStatement& problem);
 /// The part of the cycle that a table confines a response to, `over` or `from` and `to`; its name

@@ -45,7 +45,7 @@ double read_number(std::string_view text, const NamedParameter& parameter,
 void set_number(ProblemStatement& problem, const NamedParameter& parameter, std::size_t index,
                 std::string_view text) {
   const std::string name = parameter.element_name(index);
-  if (!parameter.of_law && problem.told_by_motion == parameter.parameter) {
+  if (!parameter.of_law && problem.told_by_motion.contains(parameter.parameter)) {
     throw std::invalid_argument(
         fmt::format("{}: the motion is stated in {}; change it in the file", name, parameter.unit));
   }

@@ -130,6 +130,14 @@ struct HeldFiles {
   std::map<std::string, std::string> tables = {};
 };
 
+struct ProblemStatement;
+
+/// One of the cams on a shaft as its own table states it: without objectives and limits.
+struct CamStatement {
+  std::string name;
+  std::shared_ptr<const ProblemStatement> alone;
+};
+
 /// Constants and laws hold the starts of what varies, so that they make the design to begin with.
 struct ProblemStatement {
   std::string title;
@@ -141,8 +149,8 @@ struct ProblemStatement {
   bool chooses_law() const { return laws.size() > 1; }
   std::optional<ProgramTiming> timing;  ///< where a program speaks of time
   /// The machine's stroke, where the motion is stated in its unit: it is not set beside it.
-  std::optional<std::size_t> told_by_motion = {};
-  std::vector<PartStatement> parts = {};
+  std::set<std::size_t> told_by_motion = {};
+  std::vector<PartStatement> parts = {};  ///< from catalogues
   std::vector<VariableStatement> variables;
   /// One, or for a front two or more; `evaluate` does without.
   std::vector<ObjectiveStatement> objectives;
@@ -157,6 +165,7 @@ struct ProblemStatement {
   std::string text = {};    ///< as it was read
   std::vector<std::string> settings = {};  ///< what set_values has changed since, in its own words
   HeldFiles files = {};                    ///< those that were read with it
+  std::vector<CamStatement> cams = {};     ///< of several on one shaft, in the mechanism's order
   /// Set where whatever is being worked out of the problem is to end: its responses throw
   /// optim::Interrupted then. It must outlive all that is made of them.
   const std::atomic<bool>* stop = nullptr;

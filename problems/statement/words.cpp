@@ -118,6 +118,9 @@ std::string law_text(const ProblemStatement& problem, const Member& law) {
 std::string laws_sentence(const ProblemStatement& problem) {
   std::vector<std::string> laws;
   if (problem.mechanism->moved_by == MovedBy::Nothing) return "";
+  if (!problem.cams.empty() && !problem.chooses_law()) {
+    return fmt::format("The motions are {}.\n", problem.laws.front().family->formula);
+  }
   if (problem.mechanism->moved_by == MovedBy::Program) {
     if (problem.chooses_law()) {
       return fmt::format("Choose among {} motion programs, the first of them {}.\n",

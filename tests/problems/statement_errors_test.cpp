@@ -107,7 +107,8 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
   check({{"mechanism = 'spine-cutter'\nlaws = 3", ":2: laws: unknown key", {"did you mean law?"}},
          {"zzz = 3",
           ":1: zzz: unknown key",
-          {"accepted are format, title, mechanism, machine, responses, constants, law"}}});
+          {"accepted are format, title, mechanism, machine, cams, responses, constants, "
+           "law"}}});
   check(after_law(
       kAlpha,
       {{variable("alpha", "lwoer = 1"), ":5: variables.alpha.lwoer: ", {"lower"}},

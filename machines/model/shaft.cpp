@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/shaft.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "machines/model/cycle.h"
+#include "machines/model/law_binding.h"
+#include "machines/model/stated_response.h"
+#include "machines/model/turn_curve.h"
+#include "numerics/formula/expression.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr const char* kDriveTorque = "drive_torque";
+constexpr const char* kAllOfLaw = "law";  ///< in ShapeStatement::varying
+
+bool is_speed(const MechanismParameter& p) { return p.name == kSpeed && p.unit == "rpm"; }
+
+/// A cam's own numbers among those of the shaft.
+template <class T>
+std::vector<T> own_numbers(const std::vector<std::size_t>& places, std::span<const T> all) {
+  std::vector<T> own;
+  for (const std::size_t place : places) own.push_back(all[place]);
+  return own;
+}
+
+Binding own_binding(const Binding& binding, const ShaftCam& cam, std::size_t number) {
+  Binding own;
+  own.constants = own_numbers<double>(cam.parameters, binding.constants);
+  std::vector<std::pair<std::size_t, std::size_t>> varying;
+  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
+    const auto& places = cam.parameters;
+    const auto at = std::find(places.begin(), places.end(), binding.parameters[k]);
+    if (at == places.end()) continue;
+    varying.emplace_back(static_cast<std::size_t>(at - places.begin()), binding.variables[k]);
+  }
+  std::sort(varying.begin(), varying.end());
+  for (const auto& [parameter, variable] : varying) {
+    own.parameters.push_back(parameter);
+    own.variables.push_back(variable);
+  }
+  own.law = law_of_cam(binding.law, number);
+  return own;
+}
+
+Write for_shaft(const Write& own, const std::vector<std::size_t>& places) {
+  if (!own) return {};
+  return [own, places](std::span<const Expression> all, std::span<const Expression> others) {
+    return own(own_numbers<Expression>(places, all), others);
+  };
+}
+
+/// A cam's things by the shaft's names and numbers.
+class Renamed {
+ public:
+  Renamed(const ShaftCam& cam, std::size_t number) : cam_(cam), number_(number) {}
+
+  /// "press.wall"; "peak press.force" of a part; the speed and the law keep their names.
+  std::string name(const std::string& own) const {
+    if (own.empty() || own == kSpeed) return own;
+    for (const char* word : {"peak ", "highest ", "lowest "}) {
+      if (own.starts_with(word)) return word + name(own.substr(std::string_view(word).size()));
+    }
+    return cam_.name + "." + own;
+  }
+  std::vector<std::string> names(std::vector<std::string> own) const {
+    for (std::string& one : own) {
+      if (one != kAllOfLaw) one = name(one);
+    }
+    return own;
+  }
+  std::vector<std::size_t> places(const std::vector<std::size_t>& own) const {
+    std::vector<std::size_t> result;
+    for (const std::size_t i : own) result.push_back(cam_.parameters[i]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+  ValidityLimit limit(ValidityLimit own) const {
+    own.response = name(own.response);
+    return own;
+  }
+
+  MechanismResponse response(const MechanismResponse& own) const;
+  BuildableCheck check(const BuildableCheck& own) const;
+
+ private:
+  Binding bound(const Binding& binding) const { return own_binding(binding, cam_, number_); }
+
+  ShaftCam cam_;
+  std::size_t number_;
+};
+
+MechanismResponse Renamed::response(const MechanismResponse& own) const {
+  MechanismResponse result = own;
+  result.name = name(own.name);
+  result.cam = number_;
+  for (ShapeStatement& shape : result.shapes) shape.varying = names(shape.varying);
+  result.uses = places(own.uses);
+  result.possible_by = places(own.possible_by);
+  if (own.is_possible) {
+    result.is_possible = [is_possible = own.is_possible,
+                          places = cam_.parameters](std::span<const double> all) {
+      return is_possible(own_numbers<double>(places, all));
+    };
+  }
+  for (ValidityLimit& valid : result.defined_while) valid = limit(valid);
+  result.write = for_shaft(own.write, cam_.parameters);
+  result.domain = for_shaft(own.domain, cam_.parameters);
+  if (own.turn) {
+    ShaftTurn turn{{}, for_shaft(own.turn->sided, cam_.parameters)};
+    for (const Write& meet : own.turn->breaks) {
+      turn.breaks.push_back(for_shaft(meet, cam_.parameters));
+    }
+    result.turn = std::make_shared<const ShaftTurn>(std::move(turn));
+  }
+  for (InnerNumber& inner : result.inner) {
+    inner.name = name(inner.name);
+    inner.uses = places(inner.uses);
+    inner.number = [*this, number = inner.number](const Binding& b) { return number(bound(b)); };
+  }
+  if (own.number) {
+    result.number = [*this, number = own.number](const Binding& b, optim::Shape shape) {
+      return number(bound(b), shape);
+    };
+  }
+  if (own.curve) {
+    result.curve = [*this, curve = own.curve](const Binding& b, optim::Shape shape) {
+      return curve(bound(b), shape);
+    };
+  }
+  return result;
+}
+
+BuildableCheck Renamed::check(const BuildableCheck& own) const {
+  BuildableCheck result = own;
+  result.name = cam_.name + ": " + own.name;
+  result.response = name(own.response);
+  result.bound = [*this, bound = own.bound](const StatedNumber& stated) {
+    return bound([&](std::string_view number) { return stated(name(std::string(number))); });
+  };
+  result.needs = names(own.needs);
+  result.one_of = names(own.one_of);
+  result.input = name(own.input);
+  if (!own.after.empty()) result.after = cam_.name + ": " + own.after;
+  return result;
+}
+
+/// The speed that all cams accept.
+MechanismParameter common_speed(const std::vector<NamedCam>& cams) {
+  std::optional<MechanismParameter> common;
+  for (const NamedCam& cam : cams) {
+    for (const MechanismParameter& p : cam.mechanism->parameters) {
+      if (!is_speed(p)) continue;
+      if (!common) common = p;
+      common->low = std::max(common->low, p.low);
+      common->high = std::min(common->high, p.high);
+    }
+  }
+  if (!common) {
+    throw std::invalid_argument(
+        "none of the mechanisms has a speed, so nothing turns with the shaft; a cam that stands on "
+        "it has one");
+  }
+  common->meaning = "speed of the shaft";
+  return *common;
+}
+
+/// Puts a cam's parameters behind those that the shaft has already.
+ShaftCam add_parameters(const NamedCam& named, Mechanism& shaft) {
+  ShaftCam cam{named.name, named.mechanism, {}, 0};
+  const Renamed renamed(cam, 0);
+  for (const MechanismParameter& own : named.mechanism->parameters) {
+    if (is_speed(own)) {
+      cam.parameters.push_back(0);
+      continue;
+    }
+    cam.parameters.push_back(shaft.parameters.size());
+    MechanismParameter parameter = own;
+    parameter.name = renamed.name(own.name);
+    parameter.symbol = renamed.name(own.symbol);
+    shaft.parameters.push_back(std::move(parameter));
+    const bool is_phase = own.name == kPhase || own.symbol == kPhase;
+    if (!is_phase) continue;
+    throw std::invalid_argument(fmt::format(
+        "{} has a parameter called {}, which on a shaft is where the cam's zero stands; "
+        "give it another name",
+        named.name, kPhase));
+  }
+  cam.phase = shaft.parameters.size();
+  const std::string name = renamed.name(kPhase);
+  shaft.parameters.push_back(
+      {.name = name,
+       .symbol = name,
+       .unit = "deg",
+       .stored = "rad",
+       .meaning = "angle of the shaft at which the zero of " + named.name + " stands",
+       .default_value = 0,
+       .low = -360,
+       .high = 360});
+  return cam;
+}
+
+void add_cam(const ShaftCam& cam, std::size_t number, Mechanism& shaft) {
+  const Mechanism& own = *cam.mechanism;
+  const Renamed renamed(cam, number);
+  for (const MechanismResponse& response : own.responses) {
+    shaft.responses.push_back(renamed.response(response));
+  }
+  for (NamedPeak peak : own.peaks) {
+    peak.name = renamed.name(peak.name);
+    peak.curve = renamed.name(peak.curve);
+    shaft.peaks.push_back(std::move(peak));
+  }
+  for (const ValidityLimit& limit : own.validity) shaft.validity.push_back(renamed.limit(limit));
+  for (const BuildableCheck& check : own.checks) shaft.checks.push_back(renamed.check(check));
+  for (BuildableInput input : own.inputs) {
+    input.name = renamed.name(input.name);
+    shaft.inputs.push_back(std::move(input));
+  }
+  for (PossibleSet set : own.possible) {
+    set.varying = renamed.names(set.varying);
+    shaft.possible.push_back(std::move(set));
+  }
+}
+
+void add_stated(const char* name, const char* unit, const std::string& formula, const char* meaning,
+                Mechanism& shaft) {
+  shaft.responses.push_back(stated_response(shaft, {name, unit, meaning, parse_formula(formula)}));
+}
+
+/// What the shaft needs, where each of its cams says what it needs.
+void add_torque(Mechanism& shaft) {
+  std::vector<std::string> torques;
+  for (const ShaftCam& cam : shaft.cams) {
+    const auto& all = cam.mechanism->responses;
+    const bool has = std::any_of(all.begin(), all.end(), [](const MechanismResponse& r) {
+      return r.name == kDriveTorque && runs_over_turn(r);
+    });
+    if (!has) return;
+    torques.push_back(cam.name + "." + kDriveTorque);
+  }
+  add_stated("shaft_torque", "N m", fmt::format("{}", fmt::join(torques, " + ")),
+             "torque that turns the shaft: the drive torques of its cams, each at its phase",
+             shaft);
+  add_stated("shaft_power", "W", "shaft_torque * speed", "power that turns the shaft", shaft);
+  add_stated("torque_ripple", "N m", "highest shaft_torque - lowest shaft_torque",
+             "what the shaft's torque ranges over in a turn", shaft);
+}
+
+}  // namespace
+
+bool runs_over_turn(const MechanismResponse& response) {
+  if (!response.curve || response.along != "deg") return false;
+  if (!response.cycle) return true;  // a turn curve
+  const auto& stretches = response.cycle->stretches;
+  return stretches.front().begin == 0 && stretches.back().end == 360;
+}
+
+Binding binding_of_cam(const Binding& binding, const Mechanism& shaft, std::size_t cam) {
+  return own_binding(binding, shaft.cams.at(cam), cam);
+}
+
+Mechanism shaft_mechanism(const std::vector<NamedCam>& cams) {
+  Mechanism shaft;
+  shaft.name = "shaft";
+  shaft.source = "the problem file";
+  shaft.form = Form::Shaft;
+  shaft.moved_by = MovedBy::Nothing;
+  shaft.cycle = std::make_shared<Cycle>(Cycle{"deg", {{0, 360}}});
+  shaft.parameters = {common_speed(cams)};
+  std::vector<std::string> names;
+  for (const NamedCam& cam : cams) {
+    names.push_back(fmt::format("{} ({})", cam.name, cam.mechanism->name));
+    shaft.cams.push_back(add_parameters(cam, shaft));
+    if (cam.mechanism->moved_by != MovedBy::Nothing) shaft.moved_by = MovedBy::Program;
+  }
+  shaft.title = fmt::format("a shaft with {}", fmt::join(names, ", "));
+  for (std::size_t i = 0; i < shaft.cams.size(); ++i) add_cam(shaft.cams[i], i, shaft);
+  add_torque(shaft);
+  return shaft;
+}
+
+}  // namespace camlaw::problems

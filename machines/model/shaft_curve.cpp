@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/shaft_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+#include "machines/model/arguments.h"
+#include "machines/model/cycle.h"
+#include "machines/model/enclosed.h"
+#include "machines/model/inner_numbers.h"
+#include "machines/model/law_binding.h"
+#include "machines/model/recorded_response.h"
+#include "machines/model/shaft_row.h"
+#include "numerics/formula/expression.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kTurnOfShaft = 360;
+constexpr double kDegreeOfShaft = std::numbers::pi / 180;
+/// Breaks of several cams that lie no farther apart, deg, are one: rounding has parted them.
+constexpr double kOneBreak = 1e-12;
+/// What a cam's stretch is enclosed beyond the shaft's, deg: more than kOneBreak and the rounding
+/// of its place together.
+constexpr double kMargin = 4e-12;
+
+Interval as_interval(const optim::Bounds& bounds) {
+  Interval result;
+  result.assign(bounds.lower, bounds.upper);
+  return result;
+}
+
+/// The design that a binding was made for.
+std::vector<double> own_design(const Binding& binding) {
+  std::vector<double> x(design_size(binding));
+  for (std::size_t k = 0; k < binding.variables.size(); ++k) {
+    x[binding.variables[k]] = binding.constants[binding.parameters[k]];
+  }
+  for (const LawVariable& v : binding.law->variables()) {
+    x[v.variable] = binding.law->member().arguments.list(v.parameter)[v.element];
+  }
+  return x;
+}
+
+/// The curve of one design.
+class ShaftTrace final : public optim::Trace {
+ public:
+  ShaftTrace(std::shared_ptr<const ShaftParts> parts, optim::Design x)
+      : parts_(std::move(parts)),
+        arguments_(parts_->arguments_at(x)),
+        plain_(parts_->record.formula, arguments_) {
+    for (const ShaftParts::Held& held : parts_->held) {
+      phases_.push_back(held.phase_at(x));
+      traces_.push_back(held.curve->trace(x));
+      own_breaks_.push_back(traces_.back()->breaks());
+    }
+    find_breaks();
+  }
+
+  std::vector<double> breaks() const override { return breaks_; }
+
+  std::array<double, 3> at(optim::Place place) const override {
+    std::vector<Series<double, 3>> inputs{
+        Series<double, 3>::variable(place.angle * kDegreeOfShaft, kDegreeOfShaft)};
+    for (std::size_t k = 0; k < traces_.size(); ++k) {
+      const auto d =
+          traces_[k]->at(cam_place(place.angle, place.from_left, phases_[k], own_breaks_[k]));
+      Series<double, 3> curve(d[0]);
+      curve.c[1] = d[1], curve.c[2] = d[2] / 2;
+      inputs.push_back(curve);
+    }
+    const auto f = plain_(std::span<const Series<double, 3>>(inputs));
+    return {f.c[0], f.c[1], 2 * f.c[2]};
+  }
+
+  std::vector<double> values(std::span<const optim::Place> places) const override {
+    std::vector<std::vector<double>> curves;
+    for (std::size_t k = 0; k < traces_.size(); ++k) {
+      std::vector<optim::Place> own;
+      for (const optim::Place& place : places) {
+        own.push_back(cam_place(place.angle, place.from_left, phases_[k], own_breaks_[k]));
+      }
+      curves.push_back(traces_[k]->values(own));
+    }
+    std::vector<double> result, inputs(1 + traces_.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      inputs[0] = places[i].angle * kDegreeOfShaft;
+      for (std::size_t k = 0; k < curves.size(); ++k) inputs[1 + k] = curves[k][i];
+      result.push_back(plain_(std::span<const double>(inputs)));
+    }
+    return result;
+  }
+
+  optim::Bounds enclose(double from, double to) const override {
+    if (!enclosing_) make_enclosing();
+    const double middle = std::midpoint(from, to);
+    const double radius = std::max(step_up(to - middle), step_up(middle - from)) + 2 * kMargin;
+    const auto value = [&](double angle) { return over<1>(angle, angle, middle).c[0]; };
+    return enclosed(
+        over<3>(from, to, middle), radius, [&] { return value(from); }, [&] { return value(to); },
+        [&] { return over<2>(middle, middle, middle); });
+  }
+
+  std::string why_unbounded() const override {
+    for (const auto& trace : traces_) {
+      if (std::string why = trace->why_unbounded(); !why.empty()) return why;
+    }
+    return {};
+  }
+
+ private:
+  /// Those of all cams, each of them once.
+  void find_breaks() {
+    std::vector<double> all{0, kTurnOfShaft};
+    for (std::size_t k = 0; k < traces_.size(); ++k) {
+      for (const double own : own_breaks_[k]) {
+        const double angle = own + phases_[k];
+        all.push_back(angle - kTurnOfShaft * std::floor(angle / kTurnOfShaft));
+      }
+    }
+    std::sort(all.begin(), all.end());
+    for (const double angle : all) {
+      if (breaks_.empty() || angle > breaks_.back() + kOneBreak) breaks_.push_back(angle);
+    }
+    if (breaks_.back() < kTurnOfShaft) breaks_.back() = kTurnOfShaft;  // which was taken for it
+  }
+
+  void make_enclosing() const {
+    const std::vector<Interval> exact(arguments_.begin(), arguments_.end());
+    enclosing_.emplace(parts_->record.formula, std::span<const Interval>(exact));
+    if (parts_->domain) {
+      domain_.emplace(parts_->domain->formula, std::span<const Interval>(exact));
+    }
+  }
+
+  /// Of a cam over a stretch of the shaft that lies in the smooth part of `middle`: a little more
+  /// than the stretch, as far as the cam's own smooth part goes.
+  std::array<optim::Bounds, 3> of_cam(std::size_t k, double from, double to, double middle) const {
+    const std::vector<double>& breaks = own_breaks_[k];
+    const double own = cam_place(middle, false, phases_[k], breaks).angle, turned = middle - own;
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, own);
+    return traces_[k]->expand(std::max(from - turned - kMargin, *(after - 1)),
+                              std::min(to - turned + kMargin, *after));
+  }
+
+  template <std::size_t N>
+  Series<Interval, N> over(double from, double to, double middle) const {
+    const Interval degree = pi<Interval>() / Interval(180.0);
+    const Interval range(from - kMargin, to + kMargin);
+    std::vector<Series<Interval, N>> inputs{Series<Interval, N>::variable(range * degree, degree)};
+    for (std::size_t k = 0; k < traces_.size(); ++k) {
+      const auto bounds = of_cam(k, from, to, middle);
+      Series<Interval, N> curve;
+      for (std::size_t i = 0; i < N; ++i) curve.c[i] = as_interval(bounds[i]);
+      inputs.push_back(curve);
+    }
+    const auto value = (*enclosing_)(std::span<const Series<Interval, N>>(inputs));
+    if (!domain_) return value;
+    std::vector<Interval> plain;
+    for (const auto& input : inputs) plain.push_back(input.c[0]);
+    return known_where((*domain_)(std::span<const Interval>(plain)), value);
+  }
+
+  std::shared_ptr<const ShaftParts> parts_;
+  std::vector<double> arguments_, phases_;
+  FormulaAlong<double> plain_;
+  std::vector<std::unique_ptr<optim::Trace>> traces_;
+  std::vector<std::vector<double>> own_breaks_;
+  std::vector<double> breaks_;
+  /// Made when something is first enclosed.
+  mutable std::optional<FormulaAlong<Interval>> enclosing_, domain_;
+};
+
+/// What of a binding one cam's curve follows.
+Binding binding_of(const HeldCurve& held, const Binding& binding) {
+  Binding own = narrowed(binding, *held.response);
+  if (!held.response->sees_law)
+    own.law = std::make_shared<LawBinding>(own.law->member(), std::vector<LawVariable>{});
+  return own;
+}
+
+ShaftParts::Held held_of(const HeldCurve& curve, const Binding& binding,
+                         const std::vector<MechanismParameter>& parameters) {
+  const Binding own = binding_of(curve, binding);
+  const optim::Shape shape = ruled_shape(*curve.response, own, parameters).shape;
+  ShaftParts::Held held{
+      curve.response->curve(own, shape), binding.constants[curve.phase], {}, own.variables, {}};
+  for (const LawVariable& v : own.law->variables()) held.variables.push_back(v.variable);
+  const auto phase = std::find(binding.parameters.begin(), binding.parameters.end(), curve.phase);
+  if (phase != binding.parameters.end()) {
+    held.phase_variable =
+        binding.variables[static_cast<std::size_t>(phase - binding.parameters.begin())];
+  }
+  if (!held.curve->breaks_move()) held.breaks = held.curve->trace(own_design(binding))->breaks();
+  return held;
+}
+
+}  // namespace
+
+optim::Place cam_place(double angle, bool from_left, double phase, std::span<const double> breaks) {
+  constexpr double kBeside = 2 * kOneBreak;
+  double own = angle - phase;
+  own -= kTurnOfShaft * std::floor(own / kTurnOfShaft);
+  const auto near = std::lower_bound(breaks.begin(), breaks.end(), own - kBeside);
+  if (near != breaks.end() && std::abs(*near - own) <= kBeside) own = *near;
+  const bool is_end = own <= kBeside || own >= kTurnOfShaft - kBeside;
+  if (is_end) own = from_left ? kTurnOfShaft : 0;
+  return {own, from_left};
+}
+
+bool ShaftParts::phases_vary() const {
+  return std::any_of(held.begin(), held.end(),
+                     [](const Held& h) { return h.phase_variable.has_value(); });
+}
+
+std::vector<double> ShaftParts::arguments_at(optim::Design x) const {
+  std::vector<double> result;
+  for (const std::size_t variable : arguments) result.push_back(x[variable]);
+  return result;
+}
+
+std::shared_ptr<const ShaftParts::Traces> ShaftParts::traces_at(optim::Design x) const {
+  return recent->get(x, [&] {
+    Traces traces{{}, {}, std::make_unique<std::mutex>()};
+    for (const Held& h : held) {
+      traces.of.push_back(h.curve->trace(x));
+      traces.breaks.push_back(traces.of.back()->breaks());
+    }
+    return traces;
+  });
+}
+
+ShaftCurve::ShaftCurve(ShaftParts parts, optim::Shape shape)
+    : parts_(std::make_shared<const ShaftParts>(std::move(parts))), shape_(shape) {}
+
+optim::Function ShaftCurve::at(optim::Place place) const {
+  auto row = std::make_shared<const ShaftRow>(parts_, place);
+  return {row->inputs(), row, shape_};
+}
+
+std::vector<double> ShaftCurve::slope_gradient(optim::Place place, optim::Design x) const {
+  const ShaftRow row(parts_, place, true);
+  std::vector<double> u;
+  for (const std::size_t input : row.inputs()) u.push_back(x[input]);
+  const std::vector<double> own = row.slope_gradient(u);
+  std::vector<double> result(x.size(), 0.0);
+  for (std::size_t i = 0; i < own.size(); ++i) result[row.inputs()[i]] = own[i];
+  return result;
+}
+
+bool ShaftCurve::breaks_move() const {
+  return parts_->phases_vary() ||
+         std::any_of(parts_->held.begin(), parts_->held.end(),
+                     [](const ShaftParts::Held& h) { return h.curve->breaks_move(); });
+}
+
+/// Where a break moves on the cam itself nothing is known of how it moves on the shaft, but for the
+/// one cam that turns evenly with it.
+optim::Place ShaftCurve::tied(optim::Place place, optim::Design x) const {
+  const auto& held = parts_->held;
+  if (!parts_->phases_vary()) {
+    if (held.size() != 1 || !held[0].curve->breaks_move()) return place;
+    const auto traces = parts_->traces_at(x);
+    const optim::Place own =
+        cam_place(place.angle, place.from_left, held[0].phase, traces->breaks[0]);
+    place.joint = held[0].curve->tied(own, x).joint;
+    return place;
+  }
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    if (!held[k].phase_variable || held[k].curve->breaks_move()) continue;
+    const auto& breaks = held[k].breaks;
+    const double own = cam_place(place.angle, place.from_left, held[k].phase_at(x), breaks).angle;
+    const auto found = std::find(breaks.begin(), breaks.end(), own);
+    if (found == breaks.end()) continue;
+    place.joint = static_cast<int>(k) * kMostBreaks + static_cast<int>(found - breaks.begin());
+    return place;
+  }
+  return place;
+}
+
+std::unique_ptr<optim::Trace> ShaftCurve::trace(optim::Design x) const {
+  return std::make_unique<ShaftTrace>(parts_, x);
+}
+
+double ShaftCurve::memory() const {
+  double bytes = 0;
+  for (const ShaftParts::Held& h : parts_->held) bytes += h.curve->memory();
+  return bytes;
+}
+
+RuledShape shape_on_shaft(const MechanismResponse& response, const Binding& binding,
+                          const std::vector<MechanismParameter>& parameters) {
+  std::vector<RuledInput> inputs;
+  for (const std::size_t i : binding.parameters) {
+    inputs.push_back({Varies::Linearly, Interval(parameters[i].low, parameters[i].high)});
+  }
+  inputs.push_back({Varies::Not, Interval(0, 7)});  // the angle, rad: the place stays
+  for (const HeldCurve& held : response.held) {
+    const Binding own = binding_of(held, binding);
+    const bool turns =
+        std::binary_search(binding.parameters.begin(), binding.parameters.end(), held.phase);
+    const bool stays = own.parameters.empty() && own.law->variables().empty();
+    const bool is_linear =
+        !turns && !stays && held.response->write &&
+        ruled_shape(*held.response, own, parameters).shape == optim::Shape::Linear;
+    const Varies varies = turns       ? Varies::Otherwise
+                          : stays     ? Varies::Not
+                          : is_linear ? Varies::Linearly
+                                      : Varies::Otherwise;
+    inputs.push_back({varies, Interval::whole()});
+  }
+  const std::size_t others = 1 + response.held.size();
+  return shape_by_rules(recorded_for(binding, response.write, others, {}).formula, inputs);
+}
+
+MechanismResponse shaft_curve_response(MechanismResponse response,
+                                       const std::vector<MechanismParameter>& parameters) {
+  response.along = "deg";
+  response.cycle = std::make_shared<Cycle>(Cycle{"deg", {{0, kTurnOfShaft}}});
+  const std::size_t others = 1 + response.held.size();
+  std::vector<std::size_t> uses = used_parameters(response.write, parameters.size(), others);
+  for (const HeldCurve& held : response.held) {
+    uses.insert(uses.end(), held.response->uses.begin(), held.response->uses.end());
+    uses.push_back(held.phase);
+    response.sees_law = response.sees_law || held.response->sees_law;
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  response.uses = std::move(uses);
+  response.curve = [write = response.write, write_domain = response.domain, held = response.held,
+                    parameters, others](const Binding& binding, optim::Shape shape) {
+    ShaftParts parts{.record = recorded_for(binding, write, others, {}),
+                     .domain = {},
+                     .kernel = {},
+                     .arguments = binding.variables,
+                     .held = {},
+                     .recent = std::make_shared<Recent<ShaftParts::Traces>>()};
+    if (write_domain) parts.domain = recorded_for(binding, write_domain, others, {});
+    parts.kernel = recorded_kernel(parts.record);
+    for (const HeldCurve& curve : held) parts.held.push_back(held_of(curve, binding, parameters));
+    return std::make_shared<ShaftCurve>(std::move(parts), shape);
+  };
+  return response;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "machines/model/shaft_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+namespace camlaw::problems {
+namespace {
+
+using optim::packed, optim::packed_size;
+
+constexpr double kRadian = std::numbers::pi / 180;  // of a degree
+
+/// Adds a (x) b + b (x) a to a packed symmetric matrix, times a factor.
+void add_products(const std::vector<double>& a, const std::vector<double>& b, double factor,
+                  std::vector<double>& h) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      h[packed(i, k)] += factor * (a[i] * b[k] + a[k] * b[i]);
+    }
+  }
+}
+
+Interval interval_of(const optim::Bounds& bounds) {
+  Interval result;
+  result.assign(bounds.lower, bounds.upper);
+  return result;
+}
+
+}  // namespace
+
+ShaftRow::ShaftRow(std::shared_ptr<const ShaftParts> parts, optim::Place place, bool by_angle)
+    : parts_(std::move(parts)),
+      place_(place),
+      by_angle_(by_angle),
+      moves_(by_angle || parts_->phases_vary()) {
+  inputs_ = parts_->arguments;
+  for (const ShaftParts::Held& held : parts_->held) {
+    if (moves_) {
+      inputs_.insert(inputs_.end(), held.variables.begin(), held.variables.end());
+      if (held.phase_variable) inputs_.push_back(*held.phase_variable);
+      continue;
+    }
+    optim::Place own = cam_place(place.angle, place.from_left, held.phase, held.breaks);
+    own.joint = place.joint;
+    still_.push_back(held.curve->at(own));
+    const auto& its = still_.back().inputs();
+    inputs_.insert(inputs_.end(), its.begin(), its.end());
+  }
+  std::sort(inputs_.begin(), inputs_.end());
+  inputs_.erase(std::unique(inputs_.begin(), inputs_.end()), inputs_.end());
+}
+
+std::size_t ShaftRow::input_of(std::size_t variable) const {
+  return static_cast<std::size_t>(std::lower_bound(inputs_.begin(), inputs_.end(), variable) -
+                                  inputs_.begin());
+}
+
+/// As long as the inputs need; what they do not name is not looked at.
+std::vector<double> ShaftRow::design_at(std::span<const double> u) const {
+  std::vector<double> x(inputs_.empty() ? 0 : inputs_.back() + 1);
+  for (std::size_t i = 0; i < u.size(); ++i) x[inputs_[i]] = u[i];
+  return x;
+}
+
+/// With c the cam's curve, p its place and z the inputs, where p = p(z) is linear:
+///   dc/dz = c_z + c_p p_z,
+///   d2c/dz2 = c_zz + c_pz (x) p_z + p_z (x) c_pz + c_pp p_z (x) p_z.
+void ShaftRow::add_curve(std::size_t k, optim::Design x, optim::Place place,
+                         const std::vector<double>& moves, const ShaftParts::Traces* traces,
+                         int order, Point& point) const {
+  const optim::Curve& curve = *parts_->held[k].curve;
+  const optim::Function own = moves_ ? curve.at(place) : still_[k];
+  const std::size_t n = inputs_.size() + 1, m = own.inputs().size();
+  if (order == 0) {
+    point.value.push_back(own.value(x));
+    return;
+  }
+  std::vector<double> g(m), h(order == 2 ? packed_size(m) : 0);
+  point.value.push_back(order == 2 ? own.hessian(x, g, h) : own.gradient(x, g));
+  std::vector<std::size_t> at;
+  for (const std::size_t variable : own.inputs()) at.push_back(input_of(variable));
+  std::vector<double> first(n), second(order == 2 ? packed_size(n) : 0);
+  for (std::size_t i = 0; i < m; ++i) first[at[i]] += g[i];
+  for (std::size_t i = 0; i < m && order == 2; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) second[packed(at[i], at[j])] += h[packed(i, j)];
+  }
+  const bool is_moved = std::any_of(moves.begin(), moves.end(), [](double d) { return d != 0; });
+  if (is_moved && traces != nullptr) {
+    const auto along = [&] {
+      const std::lock_guard lock(*traces->guard);
+      return traces->of[k]->at(place);
+    }();
+    for (std::size_t i = 0; i < n; ++i) first[i] += along[1] * moves[i];
+    if (order == 2) {
+      std::vector<double> mixed(n);
+      const std::vector<double> whole = curve.slope_gradient(place, x);
+      for (std::size_t i = 0; i < inputs_.size() && !whole.empty(); ++i) {
+        mixed[i] = whole[inputs_[i]];
+      }
+      add_products(mixed, moves, 1, second);
+      add_products(moves, moves, along[2] / 2, second);
+    }
+  }
+  point.gradient.push_back(std::move(first));
+  point.hessian.push_back(std::move(second));
+}
+
+ShaftRow::Point ShaftRow::point(std::span<const double> u, int order) const {
+  const std::vector<double> x = design_at(u);
+  const std::size_t n = inputs_.size() + 1;
+  const bool is_joint = moves_ && !by_angle_ && place_.joint >= 0;
+  std::shared_ptr<const ShaftParts::Traces> traces;
+  if (moves_) traces = parts_->traces_at(x);
+  Point point;
+  std::vector<double> turned(n);  // the shaft's angle, by the inputs
+  double angle = place_.angle;
+  optim::Place joint = place_;
+  const auto tied_cam = static_cast<std::size_t>(is_joint ? place_.joint / kMostBreaks : 0);
+  if (is_joint) {
+    const ShaftParts::Held& held = parts_->held[tied_cam];
+    const auto& breaks = traces->breaks[tied_cam];
+    const auto index = static_cast<std::size_t>(place_.joint % kMostBreaks);
+    angle = breaks[std::min(index, breaks.size() - 1)] + held.phase_at(x);
+    angle -= 360 * std::round((angle - place_.angle) / 360);
+    joint = cam_place(angle, place_.from_left, held.phase_at(x), breaks);
+    if (held.phase_variable) turned[input_of(*held.phase_variable)] = 1;
+  } else if (by_angle_) {
+    turned.back() = 1;
+  }
+  const auto add_plain = [&](double value, std::vector<double> gradient) {
+    point.value.push_back(value);
+    point.gradient.push_back(std::move(gradient));
+    point.hessian.emplace_back(order == 2 ? packed_size(n) : 0);
+  };
+  for (const std::size_t variable : parts_->arguments) {
+    std::vector<double> gradient(n);
+    gradient[input_of(variable)] = 1;
+    add_plain(x[variable], std::move(gradient));
+  }
+  std::vector<double> in_radians = turned;
+  for (double& d : in_radians) d *= kRadian;
+  add_plain(angle * kRadian, std::move(in_radians));
+  for (std::size_t k = 0; k < parts_->held.size(); ++k) {
+    const ShaftParts::Held& held = parts_->held[k];
+    const bool is_tied = is_joint && k == tied_cam;
+    std::vector<double> moves = is_tied ? std::vector<double>(n) : turned;
+    if (held.phase_variable && !is_tied) moves[input_of(*held.phase_variable)] -= 1;
+    const auto& breaks = traces ? traces->breaks[k] : held.breaks;
+    optim::Place place =
+        is_tied ? joint : cam_place(angle, place_.from_left, held.phase_at(x), breaks);
+    place.joint = -1;
+    add_curve(k, x, place, moves, traces.get(), order, point);
+  }
+  return point;
+}
+
+/// By the chain rule, of the formula f of the numbers q: f_q q' and q'^T f_qq q' + f_q q''.
+double ShaftRow::chained(const Point& point, std::span<double> g, std::span<double> h) const {
+  const std::size_t size = point.value.size(), n = inputs_.size() + 1;
+  std::vector<double> own(size), second(h.empty() ? 0 : packed_size(size));
+  const double result = h.empty() ? parts_->kernel->gradient(point.value, own)
+                                  : parts_->kernel->hessian(point.value, own, second);
+  std::fill(g.begin(), g.end(), 0.0);
+  std::fill(h.begin(), h.end(), 0.0);
+  for (std::size_t a = 0; a < size; ++a) {
+    const std::vector<double>& slope = point.gradient[a];
+    for (std::size_t i = 0; i < n; ++i) {
+      if (slope[i] != 0) g[i] += own[a] * slope[i];
+    }
+    if (h.empty()) continue;
+    std::vector<double> bent(n);  // f_aq q'
+    for (std::size_t b = 0; b < size; ++b) {
+      const double mixed = second[packed(std::max(a, b), std::min(a, b))];
+      for (std::size_t i = 0; mixed != 0 && i < n; ++i) bent[i] += mixed * point.gradient[b][i];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k <= i; ++k) {
+        if (slope[i] != 0) h[packed(i, k)] += slope[i] * bent[k];
+        const double curved = point.hessian[a][packed(i, k)];
+        if (curved != 0) h[packed(i, k)] += own[a] * curved;
+      }
+    }
+  }
+  return result;
+}
+
+double ShaftRow::value(std::span<const double> u) const {
+  return parts_->kernel->value(point(u, 0).value);
+}
+
+double ShaftRow::gradient(std::span<const double> u, std::span<double> g) const {
+  std::vector<double> whole(inputs_.size() + 1);
+  const double result = chained(point(u, 1), whole, {});
+  std::copy_n(whole.begin(), g.size(), g.begin());
+  return result;
+}
+
+double ShaftRow::hessian(std::span<const double> u, std::span<double> g,
+                         std::span<double> h) const {
+  std::vector<double> whole(inputs_.size() + 1), second(packed_size(whole.size()));
+  const double result = chained(point(u, 2), whole, second);
+  std::copy_n(whole.begin(), g.size(), g.begin());
+  std::copy_n(second.begin(), h.size(), h.begin());  // by the angle comes last
+  return result;
+}
+
+std::vector<double> ShaftRow::slope_gradient(std::span<const double> u) const {
+  std::vector<double> whole(inputs_.size() + 1), second(packed_size(whole.size()));
+  chained(point(u, 2), whole, second);
+  const std::size_t angle = inputs_.size();
+  std::vector<double> result;
+  for (std::size_t i = 0; i < angle; ++i) result.push_back(second[packed(angle, i)]);
+  return result;
+}
+
+optim::BoxRange ShaftRow::range(std::span<const optim::Bounds> box) const {
+  if (moves_) return Kernel::range(box);
+  std::vector<optim::Bounds> design(inputs_.empty() ? 0 : inputs_.back() + 1);
+  for (std::size_t i = 0; i < box.size(); ++i) design[inputs_[i]] = box[i];
+  std::vector<optim::Bounds> values;
+  for (const std::size_t variable : parts_->arguments) values.push_back(design[variable]);
+  const Interval angle = Interval(place_.angle) * pi<Interval>() / Interval(180.0);
+  values.push_back({angle.lower(), angle.upper()});
+  std::vector<optim::BoxRange> curves;
+  for (const optim::Function& own : still_) {
+    curves.push_back(own.range(design));
+    const optim::Bounds& value = curves.back().value;
+    if (!std::isfinite(value.lower) || !std::isfinite(value.upper)) return Kernel::range(box);
+    values.push_back(value);
+  }
+  const optim::BoxRange outer = parts_->kernel->range(values);
+  std::vector<Interval> slopes(box.size(), Interval(0.0));
+  for (std::size_t k = 0; k < parts_->arguments.size(); ++k) {
+    slopes[input_of(parts_->arguments[k])] += interval_of(outer.slopes[k]);
+  }
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const Interval slope = interval_of(outer.slopes[parts_->arguments.size() + 1 + k]);
+    for (std::size_t i = 0; i < curves[k].slopes.size(); ++i) {
+      slopes[input_of(still_[k].inputs()[i])] += slope * interval_of(curves[k].slopes[i]);
+    }
+  }
+  optim::BoxRange result{outer.value, {}};
+  for (const Interval& slope : slopes) result.slopes.push_back({slope.lower(), slope.upper()});
+  return result;
+}
+
+}  // namespace camlaw::problems
