@@ -116,7 +116,8 @@ Mechanism knife_edge_cam_mechanism() {
                             least_elastic(kSliding)},
                   .moved_by = MovedBy::Program,
                   .form = Form::DiscKnifeEdge,
-                  .possible = {{{"base_radius", "offset"}, "DS1"}}},
+                  .possible = {{{"base_radius", "offset", "stroke", "overhang"}, "DS1"},
+                               {{"base_radius", "offset", "guide_friction"}, "DS1"}}},
                  {hollow_checks(), force_closure_checks(kSliding), wall_checks()});
 }
 

@@ -110,13 +110,19 @@ double value_of_variable(const ProblemStatement& design, const problems::Variabl
   return v.of_law ? v.start : design.constants[v.parameter];
 }
 
-/// The law or the program of a design.
+/// The law or the program of a design, and its parts from catalogues.
 std::string law_words(const ProblemStatement& design) {
-  if (design.mechanism->moved_by == problems::MovedBy::Nothing) return "";
-  const Member law = design.laws.front().listed();
-  return design.mechanism->moved_by == problems::MovedBy::Program
-             ? definitions({{"program", law.family->formula}})
-             : definitions({{"motion law", law.label()}});
+  std::string words;
+  if (design.mechanism->moved_by != problems::MovedBy::Nothing) {
+    const Member law = design.laws.front().listed();
+    words = design.mechanism->moved_by == problems::MovedBy::Program
+                ? definitions({{"program", law.family->formula}})
+                : definitions({{"motion law", law.label()}});
+  }
+  for (const problems::PartStatement& part : design.parts) {
+    words += definitions({{part.name, part.items[part.start].name + ", of " + part.catalogue}});
+  }
+  return words;
 }
 
 std::string parameter_table(const ProblemStatement& design) {

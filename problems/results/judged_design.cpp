@@ -22,6 +22,7 @@ namespace camlaw::problems {
 std::optional<HeldProblem> held_problem(const ReadDesign& read) {
   ProblemStatement held = read.statement;
   held.laws.erase(held.laws.begin() + 1, held.laws.end());
+  for (const PartStatement& part : read.statement.parts) keep_item(held, part.name, part.start);
   std::erase_if(held.variables, [&](const VariableStatement& v) {
     const bool others = v.of_law && !index_in(*held.laws.front().family, v.law_parameter);
     return others || v.integer || !v.values.empty();

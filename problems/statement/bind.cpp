@@ -268,7 +268,9 @@ Binding BoundProblem::binding(const std::vector<std::size_t>& options) const {
   Binding binding;
   binding.constants = statement_.constants;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    put_item(statement_.parts[parts_[i]], options[first_part() + i], binding.constants);
+    const PartStatement& part = statement_.parts[parts_[i]];
+    const std::size_t at = first_part() + i;  // without options it is the start
+    put_item(part, at < options.size() ? options[at] : part.start, binding.constants);
   }
   std::vector<LawVariable> law_variables;
   std::vector<std::pair<std::size_t, std::size_t>> parameters;
