@@ -21,8 +21,8 @@ struct ParameterRange {
 /// What is known of a response over ranges.
 struct OverRanges {
   std::vector<ParameterRange> ranges;
-  /// Where in the ranges the worst value is, at a design and a place of it (of a number none). Not a
-  /// number for a range in which it is the same everywhere.
+  /// Where in the ranges the worst value is, at a design and a place of it (of a number none). Not
+  /// a number for a range in which it is the same everywhere.
   std::function<std::vector<double>(const Binding&, optim::Design, const optim::Place*)> worst;
 };
 

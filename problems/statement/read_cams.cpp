@@ -81,7 +81,7 @@ void check_cam(const Entry& table) {
   check_spelling(table, table.key);
   expect(table, Kind::Table, fmt::format("a table, [cams.{}] with a mechanism", table.key));
   check_keys(table, {"mechanism", "machine", "responses", "constants", "law", "free", "program",
-                     "variables", "buildable"});
+                     "parts", "variables", "buildable"});
   const Entry* buildable = find(table, "buildable");
   if (buildable == nullptr || buildable->kind != Kind::Table) return;
   if (const Entry* require = find(*buildable, "require")) {
@@ -155,6 +155,11 @@ class Joining {
     }
     for (const VariableStatement& v : alone.variables) {
       if (v.of_law || !is_speed(v.parameter)) problem.variables.push_back(variable(v));
+    }
+    for (PartStatement part : alone.parts) {
+      part.name = before() + part.name;
+      for (std::size_t& parameter : part.parameters) parameter = place(parameter);
+      problem.parts.push_back(std::move(part));
     }
     for (const std::string& name : cam_.fixed) {
       if (name != kSpeed) fixed.insert(before() + name);
