@@ -35,8 +35,14 @@ inline std::optional<Impossible> polydyne_fault(const Law<double>& wanted, std::
     const auto& before = pieces[i == 0 ? pieces.size() - 1 : i - 1];
     const auto left = derivatives<kOrders>(before, before.end);
     const auto right = derivatives<kOrders>(pieces[i], pieces[i].begin);
-    for (std::size_t k = 2; k <= highest; ++k) {
+    for (std::size_t k = 1; k <= highest; ++k) {
       if (std::abs(left[k] - right[k]) <= kSlack * size[k]) continue;
+      if (k == 1) {
+        return Impossible{fmt::format(
+            "a polydyne lift is made for a motion without jumps of velocity, and at {:.6g} deg the "
+            "velocity jumps: use laws in which it does not, such as 5-6-7-8-9",
+            360 * pieces[i].begin)};
+      }
       return Impossible{fmt::format(
           "a polydyne lift has the wanted motion's {} in its own {}, and at {:.6g} deg that jumps: "
           "use laws in which it does not, such as 5-6-7-8-9",

@@ -74,7 +74,7 @@ Parameters guide_parameters() {
 }
 
 Parameters wear_parameter() {
-  return {{"wear_coefficient", "k_w", "mm3/(N m)", "m2/N",
+  return {{"wear_coefficient", "k_w", "mm3/N/m", "m2/N",
            "volume that the profile loses by force and length of sliding (Archard)", 1e-7, 0, 1}};
 }
 

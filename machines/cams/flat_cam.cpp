@@ -60,7 +60,7 @@ Mechanism flat_cam_mechanism() {
   responses.push_back(contact_offset());
   responses.push_back(profile_radius_response<FlatCam>());
   append(responses, face_contact_responses<FlatCam>());
-  append(responses, sliding_responses<FlatCam>());
+  append(responses, sliding_responses<FlatCam>({"follower_force", "profile_radius"}));
   append(responses, drawn_responses<FlatCam>(false));
   append(responses, blank_responses<FlatCam>());
   append(responses, extent_responses<FlatCam>());

@@ -93,7 +93,7 @@ Mechanism knife_edge_cam_mechanism() {
                              "fit"}));
   responses.push_back(
       curve(Curve::ContactForce, {"contact_force", "N", "N", "force between edge and cam"}));
-  append(responses, sliding_responses<KnifeEdgeCam>());
+  append(responses, sliding_responses<KnifeEdgeCam>({"contact_force"}));
   append(responses, drawn_responses<KnifeEdgeCam>(true));
   append(responses, blank_responses<KnifeEdgeCam>());
   append(responses, extent_responses<KnifeEdgeCam>());

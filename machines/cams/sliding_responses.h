@@ -8,8 +8,10 @@ namespace camlaw::problems {
 
 enum class SlidingCurve { Speed, Wear };
 
+/// A wear counts where these responses are 0 or above: the force that presses, and of a face the
+/// radius that it touches.
 template <template <class> class M>
-std::vector<MechanismResponse> sliding_responses() {
+std::vector<MechanismResponse> sliding_responses(const std::vector<std::string>& not_negative) {
   const auto curve = [](SlidingCurve which, ResponseAbout about) {
     return listed_curve<M>(std::move(about), turn_of_the_cam(), which,
                            [](const auto& cam, SlidingCurve wanted, const auto& motion) {
@@ -19,11 +21,16 @@ std::vector<MechanismResponse> sliding_responses() {
                              return kTurns * cam.wear(f);
                            });
   };
-  return {curve(SlidingCurve::Speed,
-                {"sliding_speed", "m/s", "m/s", "how fast the follower slides on the cam"}),
-          curve(SlidingCurve::Wear,
-                {"profile_wear", "mm", "m",
-                 "what the profile loses at the contact in a million turns, by Archard's law"})};
+  std::vector<MechanismResponse> all{
+      curve(SlidingCurve::Speed,
+            {"sliding_speed", "m/s", "m/s", "how fast the follower slides on the cam"}),
+      curve(SlidingCurve::Wear,
+            {"profile_wear", "mm", "m",
+             "what the profile loses at the contact in a million turns, by Archard's law"})};
+  for (const std::string& name : not_negative) {
+    set_defined_while(all, {"profile_wear"}, {.response = name, .lower = 0});
+  }
+  return all;
 }
 
 }  // namespace camlaw::problems

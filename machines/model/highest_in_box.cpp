@@ -23,9 +23,9 @@ double middle(const Bounds& b) { return std::midpoint(b.lower, b.upper); }
 /// The search of highest_within: bounds of the highest value so far.
 class Halving {
  public:
-  Halving(const Box& whole, const std::function<Bounds(const Point&)>& at,
+  Halving(const Box& whole, int parts, const std::function<Bounds(const Point&)>& at,
           const std::function<OverBox(const Box&)>& over)
-      : whole_(whole), at_(at), over_(over) {}
+      : whole_(whole), parts_(parts), at_(at), over_(over) {}
 
   void look_at(const Point& point) {
     const Bounds here = at_(point);
@@ -34,6 +34,7 @@ class Halving {
   }
 
   void go_through(const Box& box, int halvings) {
+    --parts_;
     const OverBox whole = over_(box);
     Box narrow = box;
     for (std::size_t i = 0; i < box.size(); ++i) {
@@ -47,18 +48,21 @@ class Halving {
     const Point centre = point_of(narrow, middle);
     const Bounds here = at_(centre);
     double upper = here.upper;  // by the mean value, where that is less
+    double sizes = std::abs(here.upper);
     for (std::size_t i = 0; i < box.size(); ++i) {
       if (is_point(narrow[i])) continue;
       const Bounds& slope = whole.slopes[i];
       const double half = (narrow[i].upper - narrow[i].lower) / 2 +
                           1e-15 * (std::abs(narrow[i].lower) + std::abs(narrow[i].upper));
-      upper += half * std::max(std::abs(slope.lower), std::abs(slope.upper));
+      const double change = half * std::max(std::abs(slope.lower), std::abs(slope.upper));
+      upper += change;
+      sizes += change;
     }
-    upper += 1e-15 * std::abs(upper);
+    upper += 2e-15 * sizes;
     if (!(upper <= whole.value.upper)) upper = whole.value.upper;
     found_.lower = std::max(found_.lower, here.lower);
     if (upper <= found_.upper) return;
-    if (halvings == 0 || !std::isfinite(upper)) {
+    if (halvings == 0 || parts_ <= 0) {
       found_.upper = upper;
       return;
     }
@@ -85,6 +89,7 @@ class Halving {
   }
 
   const Box& whole_;
+  int parts_;  ///< that may still be looked at
   const std::function<Bounds(const Point&)>& at_;
   const std::function<OverBox(const Box&)>& over_;
   Bounds found_{-optim::kInfinity, -optim::kInfinity};
@@ -156,13 +161,14 @@ Point climbed(Point from, const Box& box, const std::function<Slopes(const Point
   return from;
 }
 
-Bounds highest_within(const Box& box, int halvings, const std::function<Bounds(const Point&)>& at,
+Bounds highest_within(const Box& box, const Division& division,
+                      const std::function<Bounds(const Point&)>& at,
                       const std::function<OverBox(const Box&)>& over) {
-  Halving search(box, at, over);
+  Halving search(box, division.parts, at, over);
   std::vector<std::vector<double>> ends;
   for (const Bounds& b : box) ends.push_back({b.lower, b.upper});
   for (const Point& corner : combinations(ends)) search.look_at(corner);
-  search.go_through(box, halvings);
+  search.go_through(box, division.halvings);
   return search.found();
 }
 

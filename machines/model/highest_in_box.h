@@ -30,10 +30,15 @@ struct OverBox {
   std::vector<optim::Bounds> slopes;
 };
 
-/// Numbers between which the highest value over a box is proved to lie, by halving the box at most
-/// so often: where a slope has one sign, that parameter stands at an end. `at` bounds the value at
-/// a point.
-optim::Bounds highest_within(const Box& box, int halvings,
+/// How far a box is divided: at most so often, and into at most so many parts.
+struct Division {
+  int halvings;
+  int parts;
+};
+
+/// Numbers between which the highest value over a box is proved to lie, by halving the box: where a
+/// slope has one sign, that parameter stands at an end. `at` bounds the value at a point.
+optim::Bounds highest_within(const Box& box, const Division& division,
                              const std::function<optim::Bounds(const Point&)>& at,
                              const std::function<OverBox(const Box&)>& over);
 

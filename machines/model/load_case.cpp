@@ -87,6 +87,9 @@ MechanismResponse in_case(const MechanismResponse& response, const LoadCase& loa
   result.domain = in(response.domain, set);
   result.turn = in(response.turn, set);
   for (InnerNumber& inner : result.inner) inner = in(inner, load);
+  for (HeldCurve& held : result.held) {
+    held.response = std::make_shared<const MechanismResponse>(in_case(*held.response, load));
+  }
   if (response.number) {
     result.number = [make = response.number, set](const Binding& binding, optim::Shape shape) {
       return make(in(binding, set), shape);
@@ -118,6 +121,8 @@ const MechanismResponse* looked_at(const Mechanism& mechanism, const std::string
 /// How far the cases of a response are apart on the curve of all: twice the cycle.
 double apart(const MechanismResponse& response) {
   if (response.curve && response.cycle) return 2 * response.cycle->stretches.back().end;
+  constexpr double kFastest = 1e6;  // rpm, of a curve over speeds
+  if (response.curve && response.along == "rpm") return 2 * kFastest;
   return response.curve && response.along == "deg" ? 720 : 2;
 }
 

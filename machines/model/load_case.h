@@ -11,15 +11,7 @@
 /// response of the mechanism like any other, "fast.contact_stress".
 namespace camlaw::problems {
 
-struct LoadCase {
-  std::string name;
-  double weight = 1;  ///< in a mean over the cases
-  /// Parameters with the values that they have in this case, in listed units, increasing.
-  std::vector<std::pair<std::size_t, double>> parameters = {};
-};
-
-/// Of the cases those in which a response may be another than in the others: none where it depends
-/// on nothing that they set.
+/// Whether a response depends on anything that the cases set.
 bool differs(const MechanismResponse& response, const std::vector<LoadCase>& cases);
 
 /// The mechanism with every response that differs, its peaks and its checks, in each case beside

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "optim/problem/problem.h"
@@ -30,6 +31,20 @@ struct MechanismParameter {
   double default_value;  ///< in the listed unit, as are the ends of the range
   double low, high;      ///< accepted values, ends included
   bool integer = false;
+};
+
+/// A load case: values that some parameters have in it, others at rest (load_case.h).
+struct LoadCase {
+  std::string name;
+  double weight = 1;  ///< in a mean over the cases
+  /// In listed units, by the index of the parameter, increasing.
+  std::vector<std::pair<std::size_t, double>> parameters = {};
+};
+
+/// A parameter that may have any value between two, in its listed unit (over_ranges.h).
+struct ParameterRange {
+  std::size_t parameter;
+  double lower, upper;
 };
 
 /// The number of a derivation in docs/theory.md, "Shapes that are declared". There is none without

@@ -85,12 +85,30 @@ class HighestKernel final : public optim::Kernel {
     return inputs;
   }
 
-  double value(std::span<const double> u) const override { return f_.value(design(u, worst(u))); }
+  double value(std::span<const double> u) const override {
+    const Point p = worst(u);
+    return settled(u, p, f_.value(design(u, p)));
+  }
+
+  /// Whether the function has no bound close to a place in the ranges: then what was found there is
+  /// no highest value, however large, but the flank of a pole.
+  bool is_beside_pole(std::span<const double> u, const Point& p) const {
+    constexpr double kBeside = 1e-7;  // of a range
+    Box point, near;
+    for (const double value : u) point.push_back({value, value});
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double room = kBeside * (box_[i].upper - box_[i].lower);
+      near.push_back({std::max(box_[i].lower, p[i] - room), std::min(box_[i].upper, p[i] + room)});
+    }
+    const Bounds value = f_.range(widened_box(point, near)).value;
+    return !(std::isfinite(value.lower) && std::isfinite(value.upper));
+  }
 
   double gradient(std::span<const double> u, std::span<double> g) const override {
     std::vector<double> all(f_.inputs().size());
-    const double value = f_.gradient(design(u, worst(u)), all);
-    for (std::size_t k = 0; k < own_.size(); ++k) g[k] = all[own_[k]];
+    const Point p = worst(u);
+    const double value = settled(u, p, f_.gradient(design(u, p), all));
+    for (std::size_t k = 0; k < own_.size(); ++k) g[k] = std::isnan(value) ? kNaN : all[own_[k]];
     return value;
   }
 
@@ -99,7 +117,12 @@ class HighestKernel final : public optim::Kernel {
     const std::size_t n = f_.inputs().size();
     std::vector<double> all(n), second(optim::packed_size(n));
     const Point p = worst(u);
-    const double value = f_.hessian(design(u, p), all, second);
+    const double value = settled(u, p, f_.hessian(design(u, p), all, second));
+    if (std::isnan(value)) {
+      std::fill(g.begin(), g.end(), kNaN);
+      std::fill(h.begin(), h.end(), kNaN);
+      return value;
+    }
     const auto at = [&](std::size_t i, std::size_t k) -> double& {
       return second[optim::packed(std::max(i, k), std::min(i, k))];
     };
@@ -132,7 +155,7 @@ class HighestKernel final : public optim::Kernel {
   }
 
   optim::BoxRange range(std::span<const Bounds> box) const override {
-    constexpr int kHalvings = 12;
+    constexpr Division kDivision{.halvings = 14, .parts = 1000};
     std::vector<Bounds> slopes;
     const auto over = [&](const Box& ranges) {
       const optim::BoxRange all = f_.range(widened_box(box, ranges));
@@ -148,7 +171,7 @@ class HighestKernel final : public optim::Kernel {
       return times(sign_, f_.range(widened_box(box, point)).value);
     };
     optim::BoxRange result;
-    result.value = times(sign_, highest_within(box_, kHalvings, at, over));
+    result.value = times(sign_, highest_within(box_, kDivision, at, over));
     const optim::BoxRange whole = f_.range(widened_box(box, box_));
     for (const std::size_t k : own_) result.slopes.push_back(whole.slopes[k]);
     return result;
@@ -172,6 +195,15 @@ class HighestKernel final : public optim::Kernel {
       if (value > highest) highest = value, best = p;
     }
     return climb(best, u);
+  }
+
+  /// The value at the worst place, not a number beside a pole.
+  double settled(std::span<const double> u, const Point& p, double value) const {
+    constexpr double kSteep =
+        1e6;  // times another value: a formula that rises so far may have a pole
+    const double other = std::abs(f_.value(design(u, places_.front())));
+    if (std::abs(value) <= kSteep * other) return value;
+    return is_beside_pole(u, p) ? kNaN : value;
   }
 
   /// From a place in the ranges to the highest value nearby.
@@ -419,19 +451,24 @@ class RangeTrace final : public optim::Trace {
   std::array<double, 3> at(Place place) const override {
     const Point found = worst(place);
     const auto known = traces_.find(found);
-    if (known != traces_.end()) return known->second->at(place);
-    return parts_->curve->trace(parts_->wide.design(x_, found))->at(place);
+    std::array<double, 3> at =
+        known != traces_.end() ? known->second->at(place)
+                               : parts_->curve->trace(parts_->wide.design(x_, found))->at(place);
+    const Function f = parts_->curve->at(place);
+    const HighestKernel highest(f, parts_->wide, parts_->sign);
+    if (std::isnan(highest.settled(own_of(f), found, at[0]))) at.fill(kNaN);
+    return at;
   }
 
   Bounds enclose(double from, double to) const override {
     if (!parts_->record) return {};
-    constexpr int kLeast = 2, kMost = 24;
+    constexpr int kLeast = 2, kMost = 24, kParts = 64;
     const double share = (breaks_.back() - breaks_.front()) / std::max(to - from, 1e-300);
     const int halvings =
         std::min(kMost, kLeast + static_cast<int>(std::log2(std::min(share, 1e9))));
     const double sign = parts_->sign;
     const Bounds found = highest_within(
-        parts_->wide.box, halvings,
+        parts_->wide.box, {halvings, kParts},
         [&](const Point& p) { return times(sign, at_place(p).enclose(from, to)); },
         [&](const Box& box) { return over(box).over(from, to, sign); });
     return times(sign, found);
@@ -531,7 +568,7 @@ std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
   const bool decides = std::any_of(ranges.begin(), ranges.end(), [&](const ParameterRange& range) {
     return holds(response.possible_by, range.parameter);
   });
-  if (response.write && response.cycle && !decides) {
+  if (response.write && response.cycle && response.held.empty() && !decides) {
     parts.record = curve_record(response, wide.binding);
     parts.kernel = recorded_kernel(parts.record->record);
   }
@@ -561,7 +598,6 @@ bool depends_on(const MechanismResponse& response, const std::vector<ParameterRa
 }
 
 std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& response,
-                                                     const std::vector<MechanismParameter>&,
                                                      std::vector<ParameterRange> ranges,
                                                      bool highest) {
   std::erase_if(ranges, [&](const ParameterRange& range) {

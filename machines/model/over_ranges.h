@@ -13,11 +13,6 @@
 /// (docs/theory.md, "Ranges of parameters").
 namespace camlaw::problems {
 
-struct ParameterRange {
-  std::size_t parameter;
-  double lower, upper;  ///< in the parameter's listed unit
-};
-
 /// What is known of a response over ranges.
 struct OverRanges {
   std::vector<ParameterRange> ranges;
@@ -31,8 +26,8 @@ bool depends_on(const MechanismResponse& response, const std::vector<ParameterRa
 
 /// The highest value of a response over all values of the ranges, at each place of a curve; or the
 /// lowest. Its name is that of the response.
-std::shared_ptr<const MechanismResponse> over_ranges(
-    const MechanismResponse& response, const std::vector<MechanismParameter>& parameters,
-    std::vector<ParameterRange> ranges, bool highest);
+std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& response,
+                                                     std::vector<ParameterRange> ranges,
+                                                     bool highest);
 
 }  // namespace camlaw::problems

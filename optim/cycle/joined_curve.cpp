@@ -48,8 +48,8 @@ class LevelCurve final : public Curve {
 };
 
 /// The break that rounding has left an angle beside, else the angle.
-double onto_break(double angle, const std::vector<double>& breaks, double length) {
-  const double beside = 1e-9 * length;
+double onto_break(double angle, const std::vector<double>& breaks) {
+  const double beside = 1e-9 * (breaks.back() - breaks.front());
   const auto next = std::lower_bound(breaks.begin(), breaks.end(), angle - beside);
   return next != breaks.end() && *next <= angle + beside ? *next : angle;
 }
@@ -64,7 +64,7 @@ struct OwnPlace {
 /// Where two parts meet, from the left the earlier one; between two the end of the earlier one.
 OwnPlace locate(Place place, const Breaks& breaks, double length) {
   auto [k, angle] = part_place(place.angle, breaks.size(), length);
-  angle = onto_break(angle, breaks[k], length);
+  angle = onto_break(angle, breaks[k]);
   const double begin = breaks[k].front(), end = breaks[k].back();
   if (k > 0 && (angle < begin || (angle == begin && place.from_left))) {
     return {k - 1, {breaks[k - 1].back(), true}};
@@ -128,8 +128,8 @@ class JoinedTrace final : public Trace {
     auto [k, begin] = part_place(from, parts_.size(), length_);
     if (from_left && k > 0 && begin == 0) begin = from - static_cast<double>(--k) * length_;
     const std::vector<double>& own = breaks_[k];
-    begin = onto_break(begin, own, length_);
-    const double end = onto_break(to - static_cast<double>(k) * length_, own, length_);
+    begin = onto_break(begin, own);
+    const double end = onto_break(to - static_cast<double>(k) * length_, own);
     const bool is_behind = begin == own.back() && !from_left && k + 1 < parts_.size();
     const bool is_before = end == own.front() && from_left && k > 0;
     if (begin < own.front() || end > own.back() || is_behind || is_before) return {};

@@ -340,15 +340,22 @@ std::vector<std::string> told_apart(const std::vector<std::string>& options) {
       ++count[key_of(word)];
     }
   }
-  std::vector<std::string> result;
-  for (const std::string& option : options) {
+  const auto shortened = [&](const std::string& option, bool all_have_it) {
     std::string text;
     for (const std::string& word : words_of(option)) {
       const std::string key = key_of(word);
-      if (count[key] != options.size() || values[key].size() < 2) continue;
-      text += (text.empty() ? "" : " ") + word;
+      const bool is_common = count[key] == options.size();
+      const bool counts = is_common ? values[key].size() > 1 : !all_have_it;
+      if (counts) text += (text.empty() ? "" : " ") + word;
     }
-    result.push_back(std::move(text));
+    return text;
+  };
+  std::map<std::string, int> seen;
+  for (const std::string& option : options) ++seen[shortened(option, true)];
+  std::vector<std::string> result;
+  for (const std::string& option : options) {
+    const std::string text = shortened(option, true);
+    result.push_back(seen[text] == 1 ? text : shortened(option, false));
   }
   const std::set<std::string> different(result.begin(), result.end());
   return different.size() == options.size() ? result : options;
@@ -364,8 +371,12 @@ std::string limits_words(optim::Verdict verdict) {
 Document combinations_document(const Answer& answer) {
   const std::vector<optim::Choice>& choices = answer.space.choices;
   Document document;
-  if (choices.empty()) return document;
   std::vector<optim::PartFound> parts = answer.optimum.parts;
+  if (choices.empty() || parts.empty()) return document;
+  for (optim::PartFound& part : parts) {
+    if (part.options != answer.optimum.options) continue;
+    part.objective = assessment(answer).objective.value;  // which was solved once more
+  }
   const optim::Objective& sought = answer.optimum.problem.objective();
   const double sense = sought.sense == optim::Sense::Minimize ? 1 : -1;
   const auto has_design = [](const optim::PartFound& part) {
@@ -380,7 +391,7 @@ Document combinations_document(const Answer& answer) {
     table.columns.push_back(words(choice.name, choice.name));
   table.columns.insert(table.columns.end(),
                        {numbers(objective_name(answer), "objective"), words("unit", "unit"),
-                        numbers("from the best", "from_best"), words("verdict", "verdict"),
+                        numbers("from the best", "from_best"), words("limits", "limits"),
                         words("held by", "held_by")});
   std::vector<std::vector<std::string>> names;
   for (const optim::Choice& choice : choices) {

@@ -106,7 +106,17 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
     parts.push_back(
         fmt::format("no {} or {}", fmt::join(some.begin(), some.end() - 1, ", "), some.back()));
   }
-  return parts.empty() ? "" : listed(parts) + " stated";
+  if (!parts.empty()) return listed(parts) + " stated";
+  for (const ParameterRange& range : problem.ranges) {
+    ProblemStatement low = problem, high = problem;
+    low.constants[range.parameter] = range.lower;
+    high.constants[range.parameter] = range.upper;
+    if (bound_of(check, low) != bound_of(check, high)) {
+      return fmt::format("what it is held to changes over the range of {}",
+                         problem.mechanism->parameters[range.parameter].name);
+    }
+  }
+  return "";
 }
 
 ConstraintStatement limit_of(const BuildableCheck& check, const ProblemStatement& problem) {

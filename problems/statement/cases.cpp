@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "machines/model/load_case.h"
+#include "machines/model/over_ranges.h"
 #include "problems/statement/ranges.h"
 
 namespace camlaw::problems {
@@ -25,8 +27,8 @@ const MechanismResponse* renewed(const Mechanism& mechanism, const ResponseName&
 using Owned = std::vector<std::shared_ptr<const MechanismResponse>>;
 
 /// The response in each case over the problem's ranges; of the largest size of a curve both the
-/// highest values and the lowest ones.
-void spread_over_ranges(const ProblemStatement& problem, bool highest,
+/// highest values and the lowest ones, for a mean as one curve.
+void spread_over_ranges(const ProblemStatement& problem, bool highest, bool is_mean,
                         std::vector<ResponseName>& parts, Owned& owned) {
   std::vector<ResponseName> spread;
   const auto add = [&](ResponseName part, bool of_highest) {
@@ -42,6 +44,12 @@ void spread_over_ranges(const ProblemStatement& problem, bool highest,
     const bool is_size = part.part == optim::Part::Magnitude;
     const bool is_over = add(part, is_size || highest);
     if (is_size && is_over) add(part, false);
+    if (!is_size || !is_over || !is_mean) continue;
+    const std::vector<ResponseName> both(spread.end() - 2, spread.end());
+    WorstCase size = worst_case(problem.mechanism, both, part.name, true);
+    owned.push_back(std::move(size.response));
+    spread.resize(spread.size() - 2);
+    spread.push_back(std::move(size.name));
   }
   parts = std::move(spread);
 }
@@ -89,7 +97,7 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
   const std::string name = over_name(over, objective.response.name);
   const bool is_upper = objective.sense == optim::Sense::Minimize;
   Owned owned;
-  spread_over_ranges(problem, is_upper, parts, owned);
+  spread_over_ranges(problem, is_upper, over == OverCases::Mean, parts, owned);
   WorstCase wanted = over == OverCases::Mean
                          ? mean_over_cases(problem.mechanism, std::move(parts), problem.cases, name)
                          : worst_case(problem.mechanism, std::move(parts), name, is_upper);
@@ -108,16 +116,12 @@ const LoadCase* find_case(const ProblemStatement& problem, std::string_view name
   return found == problem.cases.end() ? nullptr : &*found;
 }
 
-void set_in_case(ProblemStatement& problem, std::string_view load, std::size_t parameter,
-                 double value) {
-  for (LoadCase& one : problem.cases) {
-    if (one.name != load) continue;
-    for (auto& [set, its] : one.parameters) {
-      if (set == parameter) its = value;
-    }
+void renew(ProblemStatement& problem) {
+  const auto old = problem.mechanism;  // names refer to it until they are renewed
+  if (problem.without_cases) {
+    problem.mechanism =
+        std::make_shared<const Mechanism>(with_cases(*problem.without_cases, problem.cases));
   }
-  problem.mechanism =
-      std::make_shared<const Mechanism>(with_cases(*problem.without_cases, problem.cases));
   for (ConstraintStatement& limit : problem.constraints) {
     const bool is_own = limit.of_law || limit.response.response == nullptr;
     if (is_own) continue;
@@ -131,6 +135,7 @@ void set_in_case(ProblemStatement& problem, std::string_view load, std::size_t p
       objective.response.response = renewed(*problem.mechanism, objective.response);
       objective = over_cases(problem, objective, *objective.over);
     } else if (objective.response.response != nullptr) {
+      if (objective.of_ranges) objective.response = objective.one_value;
       objective.response.response = renewed(*problem.mechanism, objective.response);
       if (objective.of_ranges) objective = over_ranges(problem, objective);
     }

@@ -26,8 +26,7 @@ ObjectiveStatement over_cases(const ProblemStatement& problem, ObjectiveStatemen
 /// A case by its name; null where there is none.
 const LoadCase* find_case(const ProblemStatement& problem, std::string_view name);
 
-/// Sets a parameter of a case to a value that it accepts; all that is limited and sought follows.
-void set_in_case(ProblemStatement& problem, std::string_view load, std::size_t parameter,
-                 double value);
+/// Makes what is limited and sought anew, where cases or ranges have changed.
+void renew(ProblemStatement& problem);
 
 }  // namespace camlaw::problems

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "machines/model/law_binding.h"
+#include "machines/model/load_case.h"
+#include "machines/model/over_ranges.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -13,14 +15,15 @@ namespace {
 
 using optim::Part;
 
+/// Whether a response is to be taken over the ranges: that of several cases has them in each.
 bool matters(const ProblemStatement& problem, const ResponseName& name) {
   return name.response != nullptr && !name.response->over_ranges &&
-         depends_on(*name.response, problem.ranges);
+         name.response->over_cases.empty() && depends_on(*name.response, problem.ranges);
 }
 
 std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
                                                 const ResponseName& name, bool highest) {
-  return over_ranges(*name.response, problem.mechanism->parameters, problem.ranges, highest);
+  return over_ranges(*name.response, problem.ranges, highest);
 }
 
 /// The largest size of a curve over the ranges: that of the highest values and the lowest ones, one

@@ -28,6 +28,11 @@ std::string read_case_name(const Entry& table, const ProblemStatement& problem) 
       refuse(*name, fmt::format("'{}' stands for all cases; give this one another name", text));
     }
   }
+  for (const CamStatement& cam : problem.cams) {
+    if (cam.name == text) {
+      refuse(*name, fmt::format("'{}' is a cam of this file; give the case another name", text));
+    }
+  }
   if (find_case(problem, text) != nullptr) {
     refuse(*name, fmt::format("there is a case '{}' already", text));
   }

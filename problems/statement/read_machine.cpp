@@ -57,7 +57,7 @@ std::string text_or_none(const Entry& table, const char* key) {
 }
 
 /// Names that [variables] has for the tables of what they belong to.
-const std::set<std::string> kTables{"law", "program", "machine"};
+const std::set<std::string> kTables{"law", "program", "machine", "variables"};
 
 [[noreturn]] void refuse_word(const Entry& table, const std::string& name) {
   refuse(table,

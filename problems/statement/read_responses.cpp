@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "machines/model/over_ranges.h"
 #include "problems/statement/cases.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"

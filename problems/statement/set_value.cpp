@@ -90,16 +90,50 @@ const LoadCase* case_of(const ProblemStatement& problem, std::string_view name) 
 /// "fast.speed=380 rpm".
 void set_parameter_in_case(ProblemStatement& problem, const LoadCase& load, std::string_view name,
                            std::string_view text) {
-  const NamedParameter parameter =
-      find_parameter(problem, name.substr(load.name.size() + 1), Owner::Machine);
-  const auto& set = load.parameters;
-  if (std::none_of(set.begin(), set.end(),
-                   [&](const auto& s) { return s.first == parameter.parameter; })) {
-    throw std::invalid_argument(
-        fmt::format("{}: the cases of this file do not set {}", name, parameter.name));
+  const std::string_view own = name.substr(load.name.size() + 1);
+  LoadCase changed = load;
+  if (own == "weight") {
+    changed.weight = parse_quantity(text, "1", "1", std::string(name));
+    if (!(changed.weight > 0)) {
+      throw std::invalid_argument(fmt::format("{} is {:g}; it is above 0", name, changed.weight));
+    }
+  } else {
+    const NamedParameter parameter = find_parameter(problem, own, Owner::Machine);
+    const auto set = std::find_if(changed.parameters.begin(), changed.parameters.end(),
+                                  [&](const auto& s) { return s.first == parameter.parameter; });
+    if (set == changed.parameters.end()) {
+      throw std::invalid_argument(
+          fmt::format("{}: the cases of this file do not set {}", name, parameter.name));
+    }
+    set->second = read_number(text, parameter, std::string(name));
   }
-  const double value = read_number(text, parameter, std::string(name));
-  set_in_case(problem, std::string(load.name), parameter.parameter, value);
+  const auto index = &load - problem.cases.data();
+  problem.cases[static_cast<std::size_t>(index)] = std::move(changed);
+  renew(problem);
+}
+
+/// The range of a parameter; null where it has none.
+ParameterRange* range_of(ProblemStatement& problem, std::size_t parameter) {
+  const auto found = std::find_if(problem.ranges.begin(), problem.ranges.end(),
+                                  [&](const auto& range) { return range.parameter == parameter; });
+  return found == problem.ranges.end() ? nullptr : &*found;
+}
+
+/// Refuses a value for what load cases or a range set: it would change nothing.
+void check_has_one_value(const ProblemStatement& problem, const NamedParameter& parameter) {
+  if (parameter.of_law) return;
+  for (const LoadCase& load : problem.cases) {
+    for (const auto& [set, value] : load.parameters) {
+      if (set != parameter.parameter) continue;
+      throw std::invalid_argument(
+          fmt::format("{0}: each load case has its own; set {1}.{0}", parameter.name, load.name));
+    }
+  }
+  for (const ParameterRange& range : problem.ranges) {
+    if (range.parameter != parameter.parameter) continue;
+    throw std::invalid_argument(
+        fmt::format("{0} has a range; set {0}.lower or {0}.upper", parameter.name));
+  }
 }
 
 struct Bound {
@@ -117,6 +151,28 @@ std::optional<Bound> bound_named(std::string_view name) {
   return {};
 }
 
+/// "speed.upper=300 rpm", of a range: whether the name is of one.
+bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view name,
+               std::string_view text) {
+  for (const ParameterRange& range : problem.ranges) {
+    const MechanismParameter& p = problem.mechanism->parameters[range.parameter];
+    if (bound.response != p.name && bound.response != p.symbol) continue;
+    const NamedParameter parameter = find_parameter(problem, p.name, Owner::Machine);
+    ParameterRange changed = range;
+    (bound.is_upper ? changed.upper : changed.lower) =
+        read_number(text, parameter, std::string(name));
+    if (!(changed.lower < changed.upper)) {
+      throw std::invalid_argument(fmt::format("{}: lower {} would not be below upper {}", name,
+                                              with_unit(changed.lower, p.unit),
+                                              with_unit(changed.upper, p.unit)));
+    }
+    *range_of(problem, range.parameter) = changed;
+    renew(problem);
+    return true;
+  }
+  return false;
+}
+
 /// Whether a limit that the file states is on that response, by the name that the file has for it
 /// or, in a load case, the name in that case.
 bool is_on(const ConstraintStatement& limit, std::string_view response) {
@@ -131,14 +187,27 @@ bool is_on(const ConstraintStatement& limit, std::string_view response) {
          name.substr(0, at) + name.substr(at + prefix.size()) == response;
 }
 
+/// Whether a limit is the lower side of one on the largest size of a curve over ranges, which has
+/// the same bound on both sides.
+bool is_mirrored(const ProblemStatement& problem, const ConstraintStatement& limit) {
+  const std::string& name = limit.response.name;
+  const auto& peaks = problem.mechanism->peaks;
+  const bool is_size = name.starts_with("peak ") ||
+                       std::any_of(peaks.begin(), peaks.end(), [&](const NamedPeak& peak) {
+                         return peak.part == optim::Part::Magnitude && name.starts_with(peak.name);
+                       });
+  return limit.of_range && limit.lower && !limit.upper && is_size;
+}
+
 /// "pressure_angle.upper=25 deg": another bound of a limit that there is.
 void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view name,
                std::string_view text) {
   std::vector<std::string> known;
   bool is_set = false;
   for (ConstraintStatement& limit : problem.constraints) {
-    std::optional<double>& own = bound.is_upper ? limit.upper : limit.lower;
-    if (!own) continue;
+    const bool mirrored = is_mirrored(problem, limit);
+    std::optional<double>& own = bound.is_upper && !mirrored ? limit.upper : limit.lower;
+    if (!own || (mirrored && !bound.is_upper)) continue;
     known.push_back(limit.response.name + (bound.is_upper ? ".upper" : ".lower"));
     if (!is_on(limit, bound.response)) continue;
     if (limit.lower == limit.upper) {
@@ -146,15 +215,18 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
           fmt::format("{}: the file holds it at one value; change it in the file", name));
     }
     const std::string& unit = limit.response.unit;
-    own = parse_quantity(text, unit, unit, std::string(name));
+    const double value = parse_quantity(text, unit, unit, std::string(name));
+    const bool is_size = mirrored || (limit.of_range && limit.response.name.starts_with("peak ")) ||
+                         limit.response.part == optim::Part::Magnitude;
+    if (is_size && !(value > 0)) {
+      throw std::invalid_argument(
+          fmt::format("{}: it is the largest size of a curve, whose bound is above 0", name));
+    }
+    own = mirrored ? -value : value;
     if (limit.lower && limit.upper && *limit.lower >= *limit.upper) {
       throw std::invalid_argument(fmt::format("{}: lower {} would not be below upper {}", name,
                                               with_unit(*limit.lower, unit),
                                               with_unit(*limit.upper, unit)));
-    }
-    if (limit.response.part == optim::Part::Magnitude && !(*own > 0)) {
-      throw std::invalid_argument(
-          fmt::format("{}: it is the largest size of a curve, whose bound is above 0", name));
     }
     is_set = true;
   }
@@ -180,12 +252,16 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
     const auto bound = bound_named(name);
     if (!bound) return set_parameter_in_case(problem, *load, name, text);
   }
-  if (const auto bound = bound_named(name)) return set_bound(problem, *bound, name, text);
+  if (const auto bound = bound_named(name)) {
+    if (!set_range(problem, *bound, name, text)) set_bound(problem, *bound, name, text);
+    return;
+  }
   if (const PartStatement* part = find_part(problem, name)) {
     start_with(problem, part->name, item_named(*part, text));
     return;
   }
   const NamedParameter parameter = find_parameter(problem, name);
+  check_has_one_value(problem, parameter);
   if (parameter.list && !parameter.element) {
     set_list(problem, parameter, text);
   } else {

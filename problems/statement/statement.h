@@ -13,9 +13,7 @@
 #include <vector>
 
 #include "kinematics/laws/catalogue.h"
-#include "machines/model/load_case.h"
 #include "machines/model/mechanism.h"
-#include "machines/model/over_ranges.h"
 #include "optim/solvers/native_options.h"
 
 /// A design problem as a person states it: a file that names a mechanism, a law, what may vary,

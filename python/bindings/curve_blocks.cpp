@@ -42,7 +42,7 @@ bool same_cycle(const problems::Cycle& a, const problems::Cycle& b) {
 
 bool CurveBlocks::takes(const MechanismResponse& response) {
   return response.curve && response.write && response.cycle && !response.turn && !response.domain &&
-         response.inner.empty();
+         response.inner.empty() && !response.cam && response.held.empty();
 }
 
 std::unique_ptr<const CurveBlocks> CurveBlocks::of(

@@ -334,7 +334,7 @@ void add_problems(nb::module_& module) {
            })
       .def("law",
            [](const StatedProblem& p) -> std::optional<NamedLaw> {
-             if (p.statement.laws.empty() ||
+             if (p.statement.laws.empty() || !p.statement.mechanism->cams.empty() ||
                  p.statement.mechanism->moved_by == problems::MovedBy::Nothing) {
                return std::nullopt;
              }

@@ -52,8 +52,9 @@ class Problem:
     to be least, or {"minimize": ...} or {"maximize": ...}; objectives: a list of such, for a front.
     constraints: a dict of (lower, upper) or tables, or a list of tables. responses: formulas of
     one's own, each a Response. cases: load cases, [{"name": "fast", "speed": "400 rpm"}, ...].
-    ranges: parameters that take any value within, {"speed": ("100 rpm", "400 rpm")}. Raises
-    InputError.
+    ranges: parameters that take any value within, {"speed": ("100 rpm", "400 rpm")}. parts: tables
+    [parts.NAME] with a catalogue. cams: several cams on one shaft by name, each with the keywords
+    of a problem, {"press": {"mechanism": ..., "constants": ..., "program": ...}}. Raises InputError.
     """
 
     def __init__(
@@ -71,6 +72,8 @@ class Problem:
         objectives: Sequence[Any] | None = None,
         constraints: Any = None,
         responses: Mapping[str, Any] | None = None,
+        parts: Mapping[str, Any] | None = None,
+        cams: Mapping[str, Mapping[str, Any]] | None = None,
         cases: Sequence[Mapping[str, Any]] | None = None,
         ranges: Mapping[str, Any] | None = None,
         buildable: Mapping[str, Any] | None = None,
@@ -94,6 +97,8 @@ class Problem:
             objectives=objectives,
             constraints=constraints,
             responses=responses,
+            parts=parts,
+            cams=cams,
             cases=cases,
             ranges=ranges,
             buildable=buildable,

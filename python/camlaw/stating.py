@@ -48,6 +48,21 @@ def response_table(response: Any) -> Any:
     return response.table() if isinstance(response, Response) else response
 
 
+def cam_table(cam: Mapping[str, Any]) -> dict[str, Any]:
+    """The table of one of several cams on a shaft, stated as a problem is."""
+    stated = dict.fromkeys(_OF_A_CAM) | dict(cam)
+    table = problem_table(stated.pop("mechanism", None), **{**dict.fromkeys(_ALL), **stated})
+    return {key: value for key, value in table.items() if value is not None}
+
+
+#: What Problem takes, and what of it the table of a cam has.
+_OF_A_CAM = ("mechanism", "machine", "responses", "constants", "law", "free", "program", "parts",
+             "variables", "buildable")  # fmt: skip
+_ALL = ("machine", "title", "constants", "law", "free", "program", "variables", "objective",
+        "objectives", "constraints", "responses", "parts", "cams", "cases", "ranges", "buildable",
+        "solver")  # fmt: skip
+
+
 def problem_table(
     mechanism: str | Machine | None,
     *,
@@ -62,6 +77,8 @@ def problem_table(
     objectives: Sequence[Any] | None,
     constraints: Any,
     responses: Mapping[str, Any] | None,
+    parts: Mapping[str, Any] | None,
+    cams: Mapping[str, Mapping[str, Any]] | None,
     cases: Sequence[Mapping[str, Any]] | None,
     ranges: Mapping[str, Any] | None,
     buildable: Mapping[str, Any] | None,
@@ -84,6 +101,8 @@ def problem_table(
         "law": law_table(law) if law is not None else None,
         "free": free,
         "program": program,
+        "parts": parts,
+        "cams": {name: cam_table(cam) for name, cam in cams.items()} if cams else None,
         "cases": [dict(case) for case in cases] if cases else None,
         "ranges": {name: bounds_table(b) for name, b in ranges.items()} if ranges else None,
         "variables": {name: bounds_table(b) for name, b in variables.items()}

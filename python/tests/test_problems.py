@@ -100,7 +100,7 @@ def test_an_evaluation_is_the_programs():
         assert (
             (mine == value or value in ("inf", None))
             if "value" in row
-            else mine.lowest == row["lowest"]
+            else mine.lowest == row["lowest"] or row["lowest"] is None
         )
     with pytest.raises(cl.InputError, match="no response is called"):
         found["nonsense"]
@@ -214,7 +214,7 @@ def test_load_cases_and_ranges_are_stated_as_in_a_file():
                    "spring_rate": "6 N/mm", "spring_preload": "60 N"},
     )  # fmt: skip
     result = cases.optimize()
-    assert result.verdict == "certified"
+    assert result.verdict == "certified optimum"
     names = list(result.margins.index)
     assert "slow.follower_force" in names and "fast.follower_force" in names
     eased = cases.set({"pressure_angle.upper": "35 deg", "fast.speed": "200 rpm"}).optimize()
@@ -228,5 +228,5 @@ def test_load_cases_and_ranges_are_stated_as_in_a_file():
                    "spring_rate": "6 N/mm", "spring_preload": "60 N"},
     )  # fmt: skip
     found = ranged.optimize()
-    assert found.verdict == "certified"
+    assert found.verdict == "certified optimum"
     assert found["base_radius"] == pytest.approx(result["base_radius"], rel=1e-6)

@@ -181,9 +181,9 @@ TEST_CASE("a parameter is a response too, varying or not", "[mechanism]") {
 
 TEST_CASE("a response depends on the parameters that it says it uses, and on no others",
           "[mechanism]") {
-  std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(0.95, 1.05);  // what is possible stays so
   for (const Mechanism& mechanism : mechanisms()) {
+    std::mt19937 random(11);
     for (const auto& response : mechanism.responses) {
       // A peak may hang on one parameter in one design and on another in the next, and of two cams
       // the one that bears changes where inertia is large, and some matter at high speeds alone:

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "machines/model/load_case.h"
+#include "optim/cycle/sizes.h"
 #include "optim/search/optimise.h"
 #include "output/answers/optimum_output.h"
 #include "problems/results/recorded_design.h"
@@ -162,7 +163,7 @@ TEST_CASE("The worst of two curves is found, proved and told with its case") {
   const auto optimum = optim::optimise(bound.space(), {});
   const auto& a = optimum.found.assessment;
   REQUIRE(a.verdict == optim::Verdict::Certified);
-  // No design of a grid within the limits is better; each is evaluated as two files of one case.
+  // The design is evaluated in each case by itself.
   const ProblemStatement found = bound.at(optimum.options, optimum.found.x);
   const double slow = response(found, "setting_up.peak_stress").value;
   const double fast = response(found, "production.peak_stress").value;
@@ -210,6 +211,14 @@ TEST_CASE("Another value in a case and another bound can be set beside the file"
   CHECK(limits[0].bound == Approx(30));
   CHECK(limits[1].bound == Approx(15));
   CHECK_THROWS_WITH(set_value(problem, "fast.mass=2 kg"), Contains("do not set mass"));
+  CHECK_THROWS_WITH(set_value(problem, "speed=100 rpm"), Contains("slow.speed"));
+  CHECK_THROWS_WITH(set_value(problem, "fast.weight=0"), Contains("above 0"));
+  const std::vector<std::string> both{"fast.speed=210 rpm", "slow.speed=50 rpm", "fast.load=30 N"};
+  set_values(problem, both);
+  CHECK(response(problem, "slow.velocity").highest ==
+        response(read(cam("speed = '50 rpm'\nload = '220 N'\n")), "velocity").highest);
+  set_value(problem, "fast.weight=3");
+  CHECK(problem.cases[1].weight == 3);
   CHECK_THROWS_WITH(set_value(problem, "follower_force.upper=1 N"), Contains("no limit"));
   CHECK_THROWS_WITH(set_value(problem, "fast.speed=-1 rpm"), Contains("speed"));
 }

@@ -5,6 +5,7 @@
 
 #include "machines/model/highest_in_box.h"
 #include "optim/cycle/extremes.h"
+#include "optim/cycle/sizes.h"
 #include "optim/search/optimise.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
@@ -190,7 +191,7 @@ TEST_CASE("Bounds over a box hold the highest value and close on it") {
     const double value = f(p[0], p[1]);
     return optim::Bounds{value - 1e-14, value + 1e-14};
   };
-  const optim::Bounds bounds = highest_within(box, 30, at, over);
+  const optim::Bounds bounds = highest_within(box, {30, 100000}, at, over);
   CHECK(bounds.lower <= highest + 1e-4);
   CHECK(bounds.upper >= highest);
   CHECK(bounds.upper - bounds.lower < 1e-6);
@@ -231,6 +232,75 @@ TEST_CASE("Load cases within ranges are looked at over the ranges in each case")
   const std::vector<double> x{constant_of(problem, "roller_radius")};
   CHECK(optim::objective_value(bound.objective(), x) ==
         Approx(value_of_peak(b, "contact_force", true)).epsilon(1e-9));
+}
+
+TEST_CASE("The ends of a range are set beside the file") {
+  ProblemStatement problem =
+      read(cam(kSpeeds, "[[constraints]]\nresponse = 'inertia_fraction'\nupper = 2\n"));
+  set_value(problem, "speed.upper=300 rpm");
+  const ProblemStatement fast = read(cam("speed = '300 rpm'\n"));
+  CHECK(standing(problem)[0].value ==
+        Approx(value_of_peak(fast, "inertia_fraction", true)).epsilon(1e-9));
+  CHECK_THROWS_WITH(set_value(problem, "speed=100 rpm"), Contains("speed.upper"));
+  CHECK_THROWS_WITH(set_value(problem, "speed.upper=50 rpm"), Contains("below upper"));
+}
+
+TEST_CASE("A range that reaches a pole leaves no highest value") {
+  const std::string machine =
+      "[machine]\n[machine.parameters.p]\ndefault = 1\nlower = -9\nupper = 9\n"
+      "[machine.parameters.q]\ndefault = 4\nlower = -9\nupper = 9\n"
+      "[responses.f]\nformula = '1 / (p - q)^2 + 0.01 * q'\n[ranges.p]\nlower = 0\nupper = 3\n"
+      "[variables.q]\nlower = 0.5\nupper = 6\nstart = 1.3\n[objective]\nminimize = 'f'\n";
+  const optim::Problem problem = BoundProblem(read(machine)).problem({});
+  const optim::Function& f = problem.objectives.front().response.function();
+  CHECK(std::isnan(f.value(std::vector<double>{1.3})));
+  CHECK(f.value(std::vector<double>{4}) == Approx(1.04));
+  const auto found = optim::optimise(BoundProblem(read(machine)).space(), {});
+  INFO(found.found.assessment.reason);
+  CHECK(found.found.x[0] == Approx(6).epsilon(1e-7));
+  CHECK(found.found.assessment.objective.value == Approx(1.0 / 9 + 0.06).epsilon(1e-9));
+}
+
+TEST_CASE("The bound of a largest size over a range is set on both sides") {
+  ProblemStatement problem =
+      read(cam(kSpeeds, "[[constraints]]\nresponse = 'peak acceleration'\nupper = '400 m/s2'\n"));
+  set_value(problem, "peak acceleration.upper=90 m/s2");
+  REQUIRE(problem.constraints.size() == 2);
+  CHECK(*problem.constraints[0].upper == 90);
+  CHECK(*problem.constraints[1].lower == -90);
+  CHECK_THROWS_WITH(set_value(problem, "peak acceleration.upper=-5"), Contains("above 0"));
+}
+
+TEST_CASE("A mean over cases within ranges is that of the largest sizes") {
+  const std::string cases =
+      "[[cases]]\nname = 'light'\nload = '10 N'\n[[cases]]\nname = 'heavy'\nload = '90 N'\n"
+      "weight = 3\n";
+  const ProblemStatement problem =
+      read(cam(kSpeeds + cases,
+               "[objective]\nminimize = 'peak contact_force'\ncases = 'mean'\n"
+               "[variables.roller_radius]\nlower = '8 mm'\nupper = '12 mm'\n"));
+  const optim::Problem bound = BoundProblem(problem).problem({});
+  const std::vector<double> x{constant_of(problem, "roller_radius")};
+  const ProblemStatement light = read(cam("speed = '400 rpm'\nload = '10 N'\n"));
+  const ProblemStatement heavy = read(cam("speed = '400 rpm'\nload = '90 N'\n"));
+  const double expected = (value_of_peak(light, "contact_force", true) +
+                           3 * value_of_peak(heavy, "contact_force", true)) /
+                          4;
+  CHECK(optim::objective_value(bound.objective(), x) == Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("The worst of cases within ranges is certified") {
+  const std::string machine =
+      "[machine]\nmoved_by = 'law'\n[machine.parameters.p]\ndefault = 1\n"
+      "[machine.parameters.c]\ndefault = 1\n[machine.parameters.q]\ndefault = 1\n"
+      "[responses.f]\nformula = 'p * c * s + (q - 1)^2'\n[law]\nname = 'polynomial-5'\n"
+      "[ranges.p]\nlower = 1\nupper = 2\n[[cases]]\nname = 'light'\nc = 1\n[[cases]]\nname = "
+      "'heavy'\nc = 3\n[variables.q]\nlower = -2\nupper = 4\nstart = 3\n"
+      "[objective]\nminimize = 'highest f'\n";
+  const auto found = optim::optimise(BoundProblem(read(machine)).space(), {});
+  INFO(found.found.assessment.reason);
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(found.found.assessment.objective.value == Approx(6).epsilon(1e-9));
 }
 
 TEST_CASE("What cannot be a range is refused by name") {
