@@ -158,7 +158,8 @@ TEST_CASE("A least worst case of numbers stands where two cases are equal") {
 }
 
 TEST_CASE("The worst of two curves is found, proved and told with its case") {
-  const ProblemStatement problem = read_problem_file("problems/cams/load_cases.toml");
+  const ProblemStatement problem =
+      read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/load_cases.toml");
   const BoundProblem bound(problem);
   const auto optimum = optim::optimise(bound.space(), {});
   const auto& a = optimum.found.assessment;
