@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/expansion.h"
+#include "machines/follower_train/parts_at.h"
 
 namespace camlaw::problems {
 namespace {
@@ -178,26 +179,17 @@ optim::Function SpeedCurve::at(optim::Place place) const {
 }
 
 std::unique_ptr<optim::Trace> SpeedCurve::trace(optim::Design x) const {
-  std::vector<double> u;
-  for (const std::size_t variable : binding_.variables) u.push_back(x[variable]);
-  const std::vector<Interval> exact(u.begin(), u.end());
-  std::vector<double> parts;
-  std::vector<Interval> enclosing;
-  bool possible = true;
-  for (const Recorded& record : parts_) {
-    parts.push_back(record(std::span<const double>(u)));
-    enclosing.push_back(record(std::span<const Interval>(exact)));
-    possible = is_possible_at(record.is_possible, std::span<const double>(u));
-  }
+  PartsAt parts = parts_at(parts_, binding_, x);
   const Member member = binding_.law->member_at(x);
   const auto law = member.possible_law();
   auto enclosing_law = member.possible_law<Interval>();
-  if (!possible || !law || !enclosing_law || !(parts[Slowest] < parts[Fastest]) ||
-      !train_at(std::span<const double>(parts), parts[Slowest]).after(*law)) {
+  const std::span<const double> plain(parts.plain);
+  if (!parts.possible || !law || !enclosing_law || !(plain[Slowest] < plain[Fastest]) ||
+      !train_at(plain, plain[Slowest]).after(*law)) {
     return std::make_unique<NoSpeeds>();
   }
-  return std::make_unique<SpeedTrace>(std::move(parts), std::move(enclosing), factor_.as<double>(),
-                                      *law, std::move(*enclosing_law));
+  return std::make_unique<SpeedTrace>(std::move(parts.plain), std::move(parts.enclosing),
+                                      factor_.as<double>(), *law, std::move(*enclosing_law));
 }
 
 }  // namespace camlaw::problems

@@ -6,6 +6,7 @@
 
 #include "kinematics/expansion.h"
 #include "kinematics/peaks.h"
+#include "machines/follower_train/parts_at.h"
 #include "machines/model/law_looks.h"
 
 namespace camlaw::problems {
@@ -202,22 +203,13 @@ optim::Function TrainCurve::derivative_at(optim::Place place, std::size_t order)
 }
 
 std::unique_ptr<optim::Trace> TrainCurve::trace(optim::Design x) const {
-  std::vector<double> u;
-  for (const std::size_t variable : binding_.variables) u.push_back(x[variable]);
-  const std::vector<Interval> exact(u.begin(), u.end());
-  std::vector<double> parts;
-  std::vector<Interval> enclosing;
-  bool possible = true;
-  for (const Recorded& record : parts_) {
-    parts.push_back(record(std::span<const double>(u)));
-    enclosing.push_back(record(std::span<const Interval>(exact)));
-    possible = is_possible_at(record.is_possible, std::span<const double>(u));
-  }
+  PartsAt parts = parts_at(parts_, binding_, x);
   const Member member = binding_.law->member_at(x);
   auto law = member.possible_law();
   auto enclosing_law = member.possible_law<Interval>();
-  if (!possible || !law || !enclosing_law) return std::make_unique<NoTrace>(length_of(run_));
-  return std::make_unique<TrainTrace>(which_, run_, parts, enclosing, factor_.as<double>(),
+  if (!parts.possible || !law || !enclosing_law) return std::make_unique<NoTrace>(length_of(run_));
+  return std::make_unique<TrainTrace>(which_, run_, std::move(parts.plain),
+                                      std::move(parts.enclosing), factor_.as<double>(),
                                       std::move(*law), std::move(*enclosing_law));
 }
 

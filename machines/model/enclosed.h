@@ -18,6 +18,13 @@ inline Interval both(const Interval& a, const Interval& b) {
   return result;
 }
 
+/// Bounds as an interval; infinite ones too.
+inline Interval interval_of(const optim::Bounds& bounds) {
+  Interval result;
+  result.assign(bounds.lower, bounds.upper);
+  return result;
+}
+
 /// What is known of a value that exists where a condition is 0 or above.
 template <std::size_t N>
 Series<Interval, N> known_where(const Interval& condition, Series<Interval, N> value) {

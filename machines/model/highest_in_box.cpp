@@ -131,10 +131,23 @@ std::vector<Point> places_of(const Box& box) {
   return all;
 }
 
+Point highest_place(const std::vector<Point>& places,
+                    const std::function<double(const Point&)>& value) {
+  const Point* best = &places.front();
+  double highest = -optim::kInfinity;
+  for (const Point& place : places) {
+    const double here = value(place);
+    if (std::isnan(here)) return place;
+    if (here > highest) highest = here, best = &place;
+  }
+  return *best;
+}
+
 Point climbed(Point from, const Box& box, const std::function<Slopes(const Point&)>& slopes) {
   constexpr int kSteps = 40;
   constexpr double kSmall = 1e-13;  // of the range
   Slopes here = slopes(from);
+  if (std::isnan(here.value)) return from;
   double share = 1;  // of the range that a step may take
   for (int step = 0; step < kSteps; ++step) {
     Point next = from;

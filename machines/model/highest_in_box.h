@@ -16,6 +16,10 @@ using Point = std::vector<double>;
 /// Places of a box at which a highest value is looked for: its corners first, then some within.
 std::vector<Point> places_of(const Box& box);
 
+/// The first of the places where a value is highest; where one is not a number, the first such.
+Point highest_place(const std::vector<Point>& places,
+                    const std::function<double(const Point&)>& value);
+
 /// From one of these places, the highest of them, uphill to the highest value nearby. `slopes` are
 /// the function's first and second derivatives, packed, at a point.
 struct Slopes {

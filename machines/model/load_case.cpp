@@ -6,6 +6,7 @@
 
 #include "machines/model/cycle.h"
 #include "machines/model/inner_numbers.h"
+#include "machines/model/kept_parameters.h"
 #include "numerics/formula/expression.h"
 #include "optim/cycle/joined_curve.h"
 #include "optim/cycle/peak_function.h"
@@ -31,13 +32,8 @@ std::vector<std::size_t> left(const std::vector<std::size_t>& parameters, const 
 
 /// The binding with what a case sets as constants.
 Binding in(const Binding& binding, const Set& set) {
-  Binding result{binding.constants, {}, {}, binding.law};
+  Binding result = keeping(binding, [&](std::size_t parameter) { return !sets(set, parameter); });
   for (const auto& [parameter, value] : set) result.constants[parameter] = value;
-  for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
-    if (sets(set, binding.parameters[k])) continue;
-    result.parameters.push_back(binding.parameters[k]);
-    result.variables.push_back(binding.variables[k]);
-  }
   return result;
 }
 

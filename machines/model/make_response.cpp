@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "machines/model/kept_parameters.h"
 #include "machines/model/law_binding.h"
 #include "machines/model/mechanism.h"
 #include "machines/model/recorded_response.h"
@@ -136,11 +137,18 @@ optim::Function parameter_function(std::size_t parameter, const Binding& binding
 }  // namespace
 
 Binding narrowed(const Binding& binding, const MechanismResponse& response) {
-  Binding result{binding.constants, {}, {}, law_of_cam(binding.law, response.cam)};
+  Binding result = keeping(binding, [&](std::size_t parameter) {
+    return holds(response.uses, parameter) || holds(response.possible_by, parameter);
+  });
+  result.law = law_of_cam(binding.law, response.cam);
+  return result;
+}
+
+Binding keeping(const Binding& binding, const std::function<bool(std::size_t parameter)>& is_kept) {
+  Binding result{binding.constants, {}, {}, binding.law};
   for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
-    const std::size_t parameter = binding.parameters[k];
-    if (!holds(response.uses, parameter) && !holds(response.possible_by, parameter)) continue;
-    result.parameters.push_back(parameter);
+    if (!is_kept(binding.parameters[k])) continue;
+    result.parameters.push_back(binding.parameters[k]);
     result.variables.push_back(binding.variables[k]);
   }
   return result;

@@ -155,32 +155,36 @@ std::string MechanismTrace::why_unbounded() const {
                      cycle_.unit == "1" ? "" : " " + cycle_.unit);
 }
 
-optim::Bounds MechanismTrace::enclose(double from, double to) const {
+std::optional<MechanismTrace::Stretched> MechanismTrace::stretched(double from, double to) const {
   if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
   const Section& section = section_at({std::midpoint(from, to)});
-  const Stretch& stretch = cycle_.stretches[section.stretch];
   const Interval x = law_range(section, from, to);
   const Expansion motion = expanders_[section.piece](x);
-  const auto over = formula_->enclosed(
-      {follower_motion(stretch, motion_series<3>(motion.over)), place_series<3>(section, x)});
+  const Stretch& stretch = cycle_.stretches[section.stretch];
+  return Stretched{section, x, motion,
+                   formula_->enclosed({follower_motion(stretch, motion_series<3>(motion.over)),
+                                       place_series<3>(section, x)})};
+}
+
+optim::Bounds MechanismTrace::enclose(double from, double to) const {
+  const auto known = stretched(from, to);
+  if (!known) return {};
   return enclosed(
-      over, motion.radius, [&] { return value_at(section, x.lower()); },
-      [&] { return value_at(section, x.upper()); },
+      known->over, known->motion.radius, [&] { return value_at(known->section, known->x.lower()); },
+      [&] { return value_at(known->section, known->x.upper()); },
       [&] {
-        return formula_->enclosed({follower_motion(stretch, motion_series<2>(motion.at)),
-                                   place_series<2>(section, Interval(motion.middle))});
+        const Stretch& stretch = cycle_.stretches[known->section.stretch];
+        return formula_->enclosed(
+            {follower_motion(stretch, motion_series<2>(known->motion.at)),
+             place_series<2>(known->section, Interval(known->motion.middle))});
       });
 }
 
 std::array<optim::Bounds, 3> MechanismTrace::expand(double from, double to) const {
-  if (expanders().empty() || pulse_at({from}) || pulse_at({to, true})) return {};
-  const Section& section = section_at({std::midpoint(from, to)});
-  const Stretch& stretch = cycle_.stretches[section.stretch];
-  const Interval x = law_range(section, from, to);
-  const Expansion motion = expanders_[section.piece](x);
-  const auto over = formula_->enclosed(
-      {follower_motion(stretch, motion_series<3>(motion.over)), place_series<3>(section, x)});
-  return by_place(over, Interval(stretch.end) - Interval(stretch.begin));
+  const auto known = stretched(from, to);
+  if (!known) return {};
+  const Stretch& stretch = cycle_.stretches[known->section.stretch];
+  return by_place(known->over, Interval(stretch.end) - Interval(stretch.begin));
 }
 
 }  // namespace camlaw::problems

@@ -46,6 +46,15 @@ class MechanismTrace final : public optim::Trace {
   std::optional<double> place_inside(const Section& section, optim::Place place) const;
   Interval law_range(const Section& section, double from, double to) const;
   Interval value_at(const Section& section, double x) const;
+  /// What is known of a stretch as a whole.
+  struct Stretched {
+    const Section& section;
+    Interval x;
+    Expansion motion;
+    Series<Interval, 3> over;
+  };
+  /// None where nothing is enclosed.
+  std::optional<Stretched> stretched(double from, double to) const;
   /// The place in the whole cycle, over the law's x.
   template <std::size_t N, class T>
   Series<T, N> place_series(const Section& section, const T& x) const {

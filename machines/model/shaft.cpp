@@ -195,15 +195,7 @@ ShaftCam add_parameters(const NamedCam& named, Mechanism& shaft) {
   }
   cam.phase = shaft.parameters.size();
   const std::string name = renamed.name(kPhase);
-  shaft.parameters.push_back(
-      {.name = name,
-       .symbol = name,
-       .unit = "deg",
-       .stored = "rad",
-       .meaning = "angle of the shaft at which the zero of " + named.name + " stands",
-       .default_value = 0,
-       .low = -360,
-       .high = 360});
+  shaft.parameters.push_back(phase_parameter(name, named.name));
   return cam;
 }
 
@@ -255,6 +247,17 @@ void add_torque(Mechanism& shaft) {
 }
 
 }  // namespace
+
+MechanismParameter phase_parameter(const std::string& name, const std::string& whose) {
+  return {.name = name,
+          .symbol = name,
+          .unit = "deg",
+          .stored = "rad",
+          .meaning = "angle of the shaft at which the zero of " + whose + " stands",
+          .default_value = 0,
+          .low = -360,
+          .high = 360};
+}
 
 bool runs_over_turn(const MechanismResponse& response) {
   if (!response.curve || response.along != "deg") return false;

@@ -15,6 +15,9 @@ inline constexpr const char* kPhase = "phase";
 /// The parameter that is the shaft's, for all its cams.
 inline constexpr const char* kSpeed = "speed";
 
+/// The phase of a cam as a parameter of that name; `whose` says of what the zero is.
+MechanismParameter phase_parameter(const std::string& name, const std::string& whose);
+
 /// A cam by its name, and its mechanism.
 struct NamedCam {
   std::string name;

@@ -26,12 +26,6 @@ constexpr double kOneBreak = 1e-12;
 /// of its place together.
 constexpr double kMargin = 4e-12;
 
-Interval as_interval(const optim::Bounds& bounds) {
-  Interval result;
-  result.assign(bounds.lower, bounds.upper);
-  return result;
-}
-
 /// The design that a binding was made for.
 std::vector<double> own_design(const Binding& binding) {
   std::vector<double> x(design_size(binding));
@@ -153,7 +147,7 @@ class ShaftTrace final : public optim::Trace {
     for (std::size_t k = 0; k < traces_.size(); ++k) {
       const auto bounds = of_cam(k, from, to, middle);
       Series<Interval, N> curve;
-      for (std::size_t i = 0; i < N; ++i) curve.c[i] = as_interval(bounds[i]);
+      for (std::size_t i = 0; i < N; ++i) curve.c[i] = interval_of(bounds[i]);
       inputs.push_back(curve);
     }
     const auto value = (*enclosing_)(std::span<const Series<Interval, N>>(inputs));

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <numbers>
 
+#include "machines/model/enclosed.h"
+
 namespace camlaw::problems {
 namespace {
 
@@ -21,12 +23,6 @@ void add_products(const std::vector<double>& a, const std::vector<double>& b, do
       h[packed(i, k)] += factor * (a[i] * b[k] + a[k] * b[i]);
     }
   }
-}
-
-Interval interval_of(const optim::Bounds& bounds) {
-  Interval result;
-  result.assign(bounds.lower, bounds.upper);
-  return result;
 }
 
 }  // namespace

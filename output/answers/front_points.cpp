@@ -20,7 +20,7 @@ using optim::FrontPoint;
 constexpr std::size_t kListed = 6;
 
 /// The limits of a design, with what easing each by a unit buys of the first objective.
-Table limits_table(const FrontAnswer& answer, const FrontPoint& point) {
+Table front_limits_table(const FrontAnswer& answer, const FrontPoint& point) {
   Table table{.key = "limits",
               .columns = {words("limit", "name"), numbers("margin", "margin"),
                           words("unit", "unit"), numbers("at", "worst_angle"), data("met"),
@@ -111,7 +111,7 @@ std::vector<Cell> point_cells(const FrontAnswer& answer, std::size_t k) {
        datum(point.reason),
        datum(point.is_global),
        datum(slopes_json(answer, point)),
-       datum(json_of(limits_table(answer, point))),
+       datum(json_of(front_limits_table(answer, point))),
        datum(buildable_json(answer.built[k])),
        datum(answer.ruler ? to_json(answer.ruler->limit_index(point.objectives)) : Json(nullptr)),
        datum(point.solver),
@@ -153,7 +153,7 @@ Document point_document(const FrontAnswer& answer, std::size_t k) {
   if (!point.limits.empty()) {
     const auto& first = answer.front.objectives.front();
     document.say("\n");
-    document.add(limits_table(answer, point));
+    document.add(front_limits_table(answer, point));
     document.say(fmt::format("price: by how much {} improves{} per unit of the limit's bound\n",
                              first.name,
                              first.unit == "1" ? "" : fmt::format(", in {},", first.unit)));

@@ -42,6 +42,15 @@ LimitText limit_text(const optim::LimitReport& report,
           report.worst_angle ? place_text(*report.worst_angle, stated.response) : ""};
 }
 
+LimitText limit_text(const optim::LimitReport& report, const problems::ProblemStatement& design,
+                     std::size_t number) {
+  const problems::ConstraintStatement& stated = design.constraints[number];
+  LimitText text = limit_text(report, stated);
+  const std::string worst = problems::worst_in_ranges(design, stated, report.worst_angle);
+  if (!worst.empty()) text.place += (text.place.empty() ? "" : ", ") + worst;
+  return text;
+}
+
 std::vector<Cell> limit_cells(const optim::LimitReport& report,
                               const problems::ConstraintStatement& stated) {
   const LimitText text = limit_text(report, stated);
@@ -63,9 +72,7 @@ Table limits_table(const std::vector<optim::LimitReport>& limits,
               .shown = 0};
   for (std::size_t i = 0; i < limits.size(); ++i) {
     std::vector<Cell> cells = limit_cells(limits[i], design.constraints[i]);
-    const std::string worst =
-        problems::worst_in_ranges(design, design.constraints[i], limits[i].worst_angle);
-    if (!worst.empty()) cells.back().text += (cells.back().text.empty() ? "" : ", ") + worst;
+    cells.back().text = limit_text(limits[i], design, i).place;
     cells.insert(cells.begin(), limits[i].name);
     cells.push_back(datum(limits[i].met));
     cells.push_back(datum(limits[i].tolerance));
@@ -80,10 +87,7 @@ Document limits_document(const std::vector<optim::LimitReport>& limits,
   Document document;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const optim::LimitReport& limit = limits[i];
-    LimitText text = limit_text(limit, design.constraints[i]);
-    const std::string worst =
-        problems::worst_in_ranges(design, design.constraints[i], limit.worst_angle);
-    if (!worst.empty()) text.place += (text.place.empty() ? "" : ", ") + worst;
+    const LimitText text = limit_text(limit, design, i);
     document.say(fmt::format("{} {} = {} {}{}{}\n",
                              limit.met ? shaded("met", Shade::Good) : shaded("NOT met", Shade::Bad),
                              limit.name, text.value, with_unit(text.bound, limit.unit),

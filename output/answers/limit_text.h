@@ -20,6 +20,10 @@ struct LimitText {
 
 /// `stated` is the constraint behind the report.
 LimitText limit_text(const optim::LimitReport& report, const problems::ConstraintStatement& stated);
+/// The same of a design's limit of this number: the place says where in the ranges it is too, "12
+/// deg, speed = 400 rpm".
+LimitText limit_text(const optim::LimitReport& report, const problems::ProblemStatement& design,
+                     std::size_t number);
 
 /// How a design stands to a limit, in a table: value, bound, side, margin, unit and the worst
 /// place.

@@ -12,7 +12,6 @@
 #include "output/document/formatting.h"
 #include "output/report/html.h"
 #include "problems/statement/parameters.h"
-#include "problems/statement/ranges.h"
 
 namespace camlaw::cli {
 namespace {
@@ -166,10 +165,7 @@ ReportSection limits_section(const ProblemStatement& design,
   Table table = limit_table(priced);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const problems::ConstraintStatement& stated = design.constraints[i];
-    LimitText text = limit_text(limits[i], stated);
-    const std::string worst = problems::worst_in_ranges(design, stated, limits[i].worst_angle);
-    if (!worst.empty()) text.place += (text.place.empty() ? "" : ", ") + worst;
-    table.add(limit_row(limits[i], text, priced, blamed));
+    table.add(limit_row(limits[i], limit_text(limits[i], design, i), priced, blamed));
     if (const auto other = other_side(design, i, limits[i])) {
       table.add(limit_row(*other, limit_text(*other, stated), priced, {}));
     }

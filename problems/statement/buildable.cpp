@@ -31,20 +31,36 @@ std::size_t parameter_named(const ProblemStatement& problem, std::string_view na
       all.begin());
 }
 
-/// What the problem states by that name for a check, of the machine or for its checks.
+/// What the problem states by that name for a check, of the machine with these constants or for its
+/// checks.
 std::optional<double> stated_number(const BuildableCheck& check, const ProblemStatement& problem,
-                                    std::string_view name) {
+                                    const std::vector<double>& constants, std::string_view name) {
   const auto input = problem.buildable.inputs.find(name);
   if (input != problem.buildable.inputs.end()) return input->second;
   const std::size_t i = parameter_named(problem, name);
   for (const auto& [parameter, value] : check.in_case) {
     if (parameter == i) return value;
   }
-  return problem.stated.contains(i) ? std::optional(problem.constants[i]) : std::nullopt;
+  return problem.stated.contains(i) ? std::optional(constants[i]) : std::nullopt;
+}
+
+double bound_with(const BuildableCheck& check, const ProblemStatement& problem,
+                  const std::vector<double>& constants) {
+  return check.bound(
+      [&](std::string_view name) { return stated_number(check, problem, constants, name); });
 }
 
 double bound_of(const BuildableCheck& check, const ProblemStatement& problem) {
-  return check.bound([&](std::string_view name) { return stated_number(check, problem, name); });
+  return bound_with(check, problem, problem.constants);
+}
+
+/// Whether a check's bound is another at one end of a parameter's range than at the other.
+bool bound_moves(const BuildableCheck& check, const ProblemStatement& problem,
+                 const ParameterRange& range) {
+  std::vector<double> low = problem.constants, high = problem.constants;
+  low[range.parameter] = range.lower;
+  high[range.parameter] = range.upper;
+  return bound_with(check, problem, low) != bound_with(check, problem, high);
 }
 
 /// Whether a name is of that response, over ranges or not.
@@ -95,7 +111,7 @@ std::vector<const BuildableCheck*> checks_for(const ProblemStatement& problem) {
 /// nothing is missing.
 std::string missing(const BuildableCheck& check, const ProblemStatement& problem) {
   const auto is_stated = [&](const auto& name) {
-    return stated_number(check, problem, name).has_value();
+    return stated_number(check, problem, problem.constants, name).has_value();
   };
   std::vector<std::string> parts;
   for (const std::string& name : check.needs) {
@@ -108,10 +124,7 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
   }
   if (!parts.empty()) return listed(parts) + " stated";
   for (const ParameterRange& range : problem.ranges) {
-    ProblemStatement low = problem, high = problem;
-    low.constants[range.parameter] = range.lower;
-    high.constants[range.parameter] = range.upper;
-    if (bound_of(check, low) != bound_of(check, high)) {
+    if (bound_moves(check, problem, range)) {
       return fmt::format("what it is held to changes over the range of {}",
                          problem.mechanism->parameters[range.parameter].name);
     }
@@ -194,10 +207,10 @@ void add_limit(ConstraintStatement limit, ProblemStatement& problem) {
 /// Refuses a bound that would be another at another design: limits have numbers.
 void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
   for (const PartStatement& part : problem.parts) {
-    ProblemStatement other = problem;
+    std::vector<double> constants = problem.constants;
     for (std::size_t item = 0; item < part.items.size(); ++item) {
-      put_item(part, item, other.constants);
-      if (bound_of(check, problem) == bound_of(check, other)) continue;
+      put_item(part, item, constants);
+      if (bound_of(check, problem) == bound_with(check, problem, constants)) continue;
       throw std::invalid_argument(
           fmt::format("{} is chosen, and with it what {} is held to, {}; state {}", part.name,
                       check.name, check.standard, check.input));
@@ -205,11 +218,7 @@ void check_stays(const BuildableCheck& check, const ProblemStatement& problem) {
   }
   for (const VariableStatement& v : problem.variables) {
     if (v.of_law || v.lower == v.upper) continue;
-    ProblemStatement other = problem;
-    other.constants[v.parameter] = v.lower;
-    const double low = bound_of(check, other);
-    other.constants[v.parameter] = v.upper;
-    if (low == bound_of(check, other)) continue;
+    if (!bound_moves(check, problem, {v.parameter, v.lower, v.upper})) continue;
     throw std::invalid_argument(
         fmt::format("{} varies, and with it what {} is held to, {}; state {}", v.name, check.name,
                     check.standard, check.input));

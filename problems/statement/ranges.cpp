@@ -65,6 +65,7 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
     side.of_range = spread(problem, limit.response, is_upper);
     side.response.response = side.of_range.get();
     const bool is_curve = static_cast<bool>(limit.response.response->curve);
+    side.is_size = limit.is_size || limit.response.part == Part::Magnitude;
     if (is_curve) side.response.part = Part::Value;
     sides.push_back(std::move(side));
   };

@@ -28,14 +28,7 @@ struct ReadCam {
 /// What a cam has beside what it has in a file of its own.
 std::shared_ptr<const Mechanism> with_phase(const Mechanism& mechanism) {
   Mechanism result = mechanism;
-  result.parameters.push_back({.name = kPhase,
-                               .symbol = kPhase,
-                               .unit = "deg",
-                               .stored = "rad",
-                               .meaning = "angle of the shaft at which the cam's zero stands",
-                               .default_value = 0,
-                               .low = -360,
-                               .high = 360});
+  result.parameters.push_back(phase_parameter(kPhase, "the cam"));
   return std::make_shared<const Mechanism>(std::move(result));
 }
 

@@ -112,13 +112,6 @@ void set_parameter_in_case(ProblemStatement& problem, const LoadCase& load, std:
   renew(problem);
 }
 
-/// The range of a parameter; null where it has none.
-ParameterRange* range_of(ProblemStatement& problem, std::size_t parameter) {
-  const auto found = std::find_if(problem.ranges.begin(), problem.ranges.end(),
-                                  [&](const auto& range) { return range.parameter == parameter; });
-  return found == problem.ranges.end() ? nullptr : &*found;
-}
-
 /// Refuses a value for what load cases or a range set: it would change nothing.
 void check_has_one_value(const ProblemStatement& problem, const NamedParameter& parameter) {
   if (parameter.of_law) return;
@@ -154,7 +147,7 @@ std::optional<Bound> bound_named(std::string_view name) {
 /// "speed.upper=300 rpm", of a range: whether the name is of one.
 bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view name,
                std::string_view text) {
-  for (const ParameterRange& range : problem.ranges) {
+  for (ParameterRange& range : problem.ranges) {
     const MechanismParameter& p = problem.mechanism->parameters[range.parameter];
     if (bound.response != p.name && bound.response != p.symbol) continue;
     const NamedParameter parameter = find_parameter(problem, p.name, Owner::Machine);
@@ -166,7 +159,7 @@ bool set_range(ProblemStatement& problem, const Bound& bound, std::string_view n
                                               with_unit(changed.lower, p.unit),
                                               with_unit(changed.upper, p.unit)));
     }
-    *range_of(problem, range.parameter) = changed;
+    range = changed;
     renew(problem);
     return true;
   }
@@ -187,25 +180,13 @@ bool is_on(const ConstraintStatement& limit, std::string_view response) {
          name.substr(0, at) + name.substr(at + prefix.size()) == response;
 }
 
-/// Whether a limit is the lower side of one on the largest size of a curve over ranges, which has
-/// the same bound on both sides.
-bool is_mirrored(const ProblemStatement& problem, const ConstraintStatement& limit) {
-  const std::string& name = limit.response.name;
-  const auto& peaks = problem.mechanism->peaks;
-  const bool is_size = name.starts_with("peak ") ||
-                       std::any_of(peaks.begin(), peaks.end(), [&](const NamedPeak& peak) {
-                         return peak.part == optim::Part::Magnitude && name.starts_with(peak.name);
-                       });
-  return limit.of_range && limit.lower && !limit.upper && is_size;
-}
-
 /// "pressure_angle.upper=25 deg": another bound of a limit that there is.
 void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view name,
                std::string_view text) {
   std::vector<std::string> known;
   bool is_set = false;
   for (ConstraintStatement& limit : problem.constraints) {
-    const bool mirrored = is_mirrored(problem, limit);
+    const bool mirrored = limit.is_size && limit.lower;  // the same bound as on the upper side
     std::optional<double>& own = bound.is_upper && !mirrored ? limit.upper : limit.lower;
     if (!own || (mirrored && !bound.is_upper)) continue;
     known.push_back(limit.response.name + (bound.is_upper ? ".upper" : ".lower"));
@@ -216,8 +197,7 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
     }
     const std::string& unit = limit.response.unit;
     const double value = parse_quantity(text, unit, unit, std::string(name));
-    const bool is_size = mirrored || (limit.of_range && limit.response.name.starts_with("peak ")) ||
-                         limit.response.part == optim::Part::Magnitude;
+    const bool is_size = limit.is_size || limit.response.part == optim::Part::Magnitude;
     if (is_size && !(value > 0)) {
       throw std::invalid_argument(
           fmt::format("{}: it is the largest size of a curve, whose bound is above 0", name));

@@ -84,6 +84,7 @@ struct ConstraintStatement {
   /// the mechanism's.
   std::shared_ptr<const MechanismResponse> of_law = {};
   std::shared_ptr<const MechanismResponse> of_range = {};  ///< of one over ranges of parameters
+  bool is_size = false;   ///< of one over ranges: a side of a limit on the largest size of a curve
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "machines/model/highest_in_box.h"
+#include "machines/model/mechanism.h"
+
+/// The highest value that a function of a design has over ranges of parameters, as a function of
+/// the design (docs/theory.md, "Ranges of parameters").
+namespace camlaw::problems {
+
+/// A binding in which the parameters of the ranges vary too: their variables come behind those that
+/// it has.
+struct Widened {
+  Binding binding;
+  std::size_t first = 0;  ///< variable of the first range
+  Box box;
+
+  /// A design of the widened binding.
+  std::vector<double> design(optim::Design x, const Point& p) const {
+    std::vector<double> all(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(first));
+    all.insert(all.end(), p.begin(), p.end());
+    return all;
+  }
+};
+
+Widened widened(const Binding& binding, const std::vector<ParameterRange>& ranges);
+
+/// The bounds of sign * f, from those of f.
+optim::Bounds times(double sign, const optim::Bounds& bounds);
+
+/// The highest value of sign * f over the ranges, times the sign; f is a function over a widened
+/// design. At the place where it is highest its derivatives by the design are those of f; where
+/// that place lies within a range, the second ones change as it moves (theory: RG2).
+class HighestKernel final : public optim::Kernel {
+ public:
+  HighestKernel(optim::Function f, const Widened& wide, double sign);
+
+  /// The design's own inputs of f.
+  std::vector<std::size_t> own_inputs() const;
+
+  double value(std::span<const double> u) const override;
+  double gradient(std::span<const double> u, std::span<double> g) const override;
+  double hessian(std::span<const double> u, std::span<double> g,
+                 std::span<double> h) const override;
+  optim::Bounds enclose(std::span<const double> u) const override;
+  optim::BoxRange range(std::span<const optim::Bounds> box) const override;
+  bool is_enclosed() const override { return f_.is_enclosed(); }
+  bool is_searched() const override { return true; }
+  std::string why_undefined(std::span<const double> u) const override;
+
+  /// The place in the ranges; where a value is not a number, the first such place.
+  Point worst(std::span<const double> u) const;
+  /// From a place in the ranges to the highest value nearby.
+  Point climb(const Point& from, std::span<const double> u) const;
+  /// The value at the worst place, not a number beside a pole.
+  double settled(std::span<const double> u, const Point& p, double value) const;
+
+ private:
+  std::vector<double> design(std::span<const double> u, const Point& p) const;
+  std::vector<optim::Bounds> widened_box(std::span<const optim::Bounds> u, const Box& ranges) const;
+  /// Whether the function has no bound close to a place in the ranges: then what was found there is
+  /// no highest value, however large, but the flank of a pole.
+  bool is_beside_pole(std::span<const double> u, const Point& p) const;
+
+  optim::Function f_;
+  std::size_t first_;
+  Box box_;
+  double sign_;
+  std::vector<Point> places_;
+  std::vector<std::size_t> own_, moved_;  ///< which of f's inputs are the design's, and the ranges'
+};
+
+/// That of a function over a widened design, as a function of the design.
+optim::Function highest_of(const optim::Function& f, const Widened& wide, double sign);
+
+/// A place in the ranges, not a number where a range does not change the value there.
+Point told(const optim::Function& f, const Widened& wide, optim::Design x, const Point& p);
+
+}  // namespace camlaw::problems
