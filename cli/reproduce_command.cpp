@@ -6,10 +6,14 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/exit_status.h"
 #include "cli/files.h"
+#include "cli/inputs.h"
+#include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "output/answers/reproduction_output.h"
 #include "output/document/printing.h"
+#include "optim/search/deadline.h"
 #include "output/report/report.h"
 #include "problems/published/cam_shape/solve.h"
 #include "problems/published/systems.h"
@@ -19,16 +23,6 @@ namespace camlaw::cli {
 namespace {
 
 using problems::SystemReproduction;
-
-const problems::ReproducibleSystem& find_system(const std::string& name) {
-  std::vector<std::string> known;
-  for (const auto& system : problems::reproducible_systems()) {
-    if (system.name == name) return system;
-    known.push_back(system.name);
-  }
-  throw std::invalid_argument(
-      fmt::format("no system is called '{}'; there is {}", name, fmt::join(known, ", ")));
-}
 
 Document case_document(const problems::CamShapeCase& solved) {
   Document document;
@@ -97,23 +91,35 @@ int run_reproduce(const ReproduceOptions& options) {
   std::vector<std::string> names = options.names;
   const bool json = options.json;
   keep_standard_output({options.report}, json);
-  if (options.report) check_writable({*options.report});
   if (names.empty()) {
     for (const auto& system : problems::reproducible_systems()) names.push_back(system.name);
   }
-  std::vector<const problems::ReproducibleSystem*> systems;
-  for (const std::string& name : names) systems.push_back(&find_system(name));
+  std::vector<problems::ReproducibleSystem> systems;
+  for (const std::string& name : names) {
+    systems.push_back(problems::find_reproducible(name));
+    for (const std::string& file : systems.back().files) keep_input(file);
+  }
+  if (options.report) check_writable({*options.report});
   Json all = Json::array();
   std::vector<SystemReproduction> results;
   ProgressLine line(!json);
-  for (const auto* system : systems) {
-    line.show(fmt::format("{}, {} of {}", system->name, results.size() + 1, systems.size()),
+  const Interruptible interruptible;
+  bool is_stopped = false;
+  for (const problems::ReproducibleSystem& system : systems) {
+    line.show(fmt::format("{}, {} of {}", system.name, results.size() + 1, systems.size()),
               static_cast<double>(results.size()) / static_cast<double>(systems.size()));
-    results.push_back(system->reproduce(nullptr));
+    try {
+      results.push_back(system.reproduce(interruptible.flag()));
+    } catch (const optim::Interrupted&) {
+      line.clear();
+      warn(fmt::format("stopped before {} was done", system.name));
+      is_stopped = true;
+      break;
+    }
     line.clear();
     Document document = reproduction_document(results.back());
     if (systems.size() > 1) document.say("\n");
-    if (json && system->name == "cam-shape") document.fact("cases", cam_shape_cases());
+    if (json && system.name == "cam-shape") document.fact("cases", cam_shape_cases());
     if (!json) print(document, false);
     all.push_back(json_of(document));
   }
@@ -125,6 +131,7 @@ int run_reproduce(const ReproduceOptions& options) {
     write_files({{*options.report, page_html(reproduction_report(results))}});
     if (!json) say_written({{*options.report, ""}});
   }
+  if (is_stopped) return kNotSolved;
   return warn_of_worsened(results) ? kFailed : kDone;
 }
 
@@ -135,7 +142,7 @@ Command reproduce_command() {
   return {.name = "reproduce",
           .help = "Compute published tables again and explain the differences",
           .options = {{"SYSTEM", &options->names, takes::kSystem,
-                       "systems to reproduce (all, if none is named)"},
+                       "systems to reproduce, or files of tables (all systems, if none is named)"},
                       json_switch(options->json),
                       {"--n", &options->n, takes::kNumber,
                        "cam-shape: solve it for this many radii instead"},
@@ -143,6 +150,8 @@ Command reproduce_command() {
                        "write the tables as a page for the browser to this HTML file"}},
           .examples = {{"camlaw reproduce spine-cutter",
                         "the printed numbers, which agree, and what is behind those that do not"},
+                       {"camlaw reproduce problems/published/die_press.toml",
+                        "a table that is stated in a file, such as one of your own"},
                        {"camlaw reproduce cam-shape --n 1000",
                         "one case of the COPS cam, of any size"}},
           .run = [options] { return run_reproduce(*options); }};

@@ -2,39 +2,103 @@
 #include "problems/published/systems.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 #include "numerics/text/csv_rows.h"
+#include "numerics/text/file_text.h"
 #include "problems/baseline.csv.h"
-#include "problems/published/balancing_cam/reproduction.h"
+#include "problems/published/balancing_cam.toml.h"
 #include "problems/published/cam_shape/reproduction.h"
-#include "problems/published/die_press/reproduction.h"
-#include "problems/published/sheet_delivery/reproduction.h"
-#include "problems/published/signature_feeder/reproduction.h"
-#include "problems/published/spine_cutter/reproduction.h"
+#include "problems/published/die_press.toml.h"
+#include "problems/published/motion_laws.toml.h"
+#include "problems/published/sheet_delivery.toml.h"
+#include "problems/published/signature_feeder.toml.h"
+#include "problems/published/spine_cutter.toml.h"
+#include "problems/published/table/stated_table.h"
 
 namespace camlaw::problems {
 
 namespace {
 
-/// A system whose reproduction is always short.
-ReproducibleSystem quick(std::string name, SystemReproduction (*reproduce)()) {
-  return {std::move(name), [reproduce](const std::atomic<bool>*) { return reproduce(); }};
+/// A system whose table is one of the program's files.
+ReproducibleSystem stated(std::string name, std::string_view text) {
+  const std::string file = "problems/published/" + name + ".toml";
+  return {std::move(name), [file, text](const std::atomic<bool>* stop) {
+            SystemReproduction result = reproduce_table(read_stated_table(text, file), stop);
+            result.is_shipped = true;
+            return result;
+          }};
 }
 
 }  // namespace
 
 const std::vector<ReproducibleSystem>& reproducible_systems() {
   static const std::vector<ReproducibleSystem> systems{
-      quick("spine-cutter", reproduce_spine_cutter),
-      quick("balancing-cam", reproduce_balancing_cam),
-      quick("die-press", reproduce_die_press),
-      quick("sheet-delivery", reproduce_sheet_delivery),
-      quick("signature-feeder", reproduce_signature_feeder),
-      {"cam-shape", reproduce_cam_shape}};
+      stated("spine-cutter", data::spine_cutter),
+      stated("balancing-cam", data::balancing_cam),
+      stated("die-press", data::die_press),
+      stated("sheet-delivery", data::sheet_delivery),
+      stated("signature-feeder", data::signature_feeder),
+      stated("motion-laws", data::motion_laws),
+      {"cam-shape", [](const std::atomic<bool>* stop) {
+         SystemReproduction result = reproduce_cam_shape(stop);
+         result.is_shipped = true;
+         return result;
+       }}};
   return systems;
+}
+
+namespace {
+
+/// The files of laws that a table names.
+std::vector<std::string> law_files_of(const StatedTable& table) {
+  std::vector<std::string> files;
+  const auto add = [&](const std::string& law) {
+    if (!law.ends_with(".json")) return;
+    const std::filesystem::path folder = std::filesystem::path(table.file.place).parent_path();
+    files.push_back((folder / law).string());
+  };
+  for (const StatedRow& row : table.rows) add(row.law);
+  for (const auto& [word, law] : table.laws) add(law);
+  for (const StatedHypothesis& hypothesis : table.hypotheses) {
+    for (const StatedAlternative& alternative : hypothesis.alternatives) {
+      for (const auto& [word, law] : alternative.departure.laws) add(law);
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+bool names_table_file(const std::string& name_or_path) {
+  return name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string::npos;
+}
+
+ReproducibleSystem find_reproducible(const std::string& name_or_path) {
+  if (names_table_file(name_or_path)) {
+    StatedTable table = read_stated_table(file_text(name_or_path, "table"), name_or_path);
+    std::string name = table.name;
+    std::vector<std::string> files = law_files_of(table);
+    files.push_back(name_or_path);
+    return {std::move(name),
+            [table = std::move(table)](const std::atomic<bool>* stop) {
+              return reproduce_table(table, stop);
+            },
+            std::move(files)};
+  }
+  std::vector<std::string> known;
+  for (const ReproducibleSystem& system : reproducible_systems()) {
+    if (system.name == name_or_path) return system;
+    known.push_back(system.name);
+  }
+  throw std::invalid_argument(fmt::format("no system is called '{}'; there is {}, or the file of a "
+                                          "table, which ends in .toml",
+                                          name_or_path, fmt::join(known, ", ")));
 }
 
 namespace {
@@ -65,6 +129,7 @@ std::vector<Expected> read_baseline() {
 std::vector<std::string> worsened(const SystemReproduction& result) {
   static const std::vector<Expected> baseline = read_baseline();
   std::vector<std::string> worse;
+  if (!result.is_shipped) return worse;
   for (const Expected& expected : baseline) {
     if (expected.system != result.system) continue;
     const auto found =

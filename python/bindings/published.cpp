@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nanobind/stl/tuple.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "output/answers/delivery_study.h"
@@ -35,14 +33,8 @@ std::vector<std::string> system_names() {
 }
 
 Reproduced reproduce(const std::string& name, nb::handle progress) {
-  const auto& systems = problems::reproducible_systems();
-  const auto system =
-      std::find_if(systems.begin(), systems.end(), [&](const auto& s) { return s.name == name; });
-  if (system == systems.end()) {
-    throw std::invalid_argument(fmt::format("no system is called '{}'; there is {}", name,
-                                            fmt::join(system_names(), ", ")));
-  }
-  return run_whole([&](const Work& work) { return Reproduced{system->reproduce(work.stop())}; },
+  const problems::ReproducibleSystem system = problems::find_reproducible(name);
+  return run_whole([&](const Work& work) { return Reproduced{system.reproduce(work.stop())}; },
                    progress);
 }
 

@@ -19,18 +19,20 @@ ReproductionState state_of(const problems::SystemReproduction& result) {
           {result.reproduced, result.explained, result.unexplained, result.tried},
           result.departures,
           result.equals,
-          result.notes};
+          result.notes,
+          result.is_shipped};
 }
 
 problems::SystemReproduction reproduction_of(const ReproductionState& state) {
-  const auto& [system, title, source, values, counts, departures, equals, notes] = state;
+  const auto& [system, title, source, values, counts, departures, equals, notes, is_shipped] = state;
   problems::SystemReproduction result{.system = system,
                                       .title = title,
                                       .source = source,
                                       .values = {},
                                       .departures = departures,
                                       .equals = equals,
-                                      .notes = notes};
+                                      .notes = notes,
+                                      .is_shipped = is_shipped};
   std::tie(result.reproduced, result.explained, result.unexplained, result.tried) = counts;
   for (const auto& [printed, verdict, stated, explained, causes] : values) {
     const auto& [id, quantity, law, condition, value, decimals, unit, place] = printed;

@@ -18,11 +18,11 @@ using PrintedState = std::tuple<std::string, std::string, std::string, std::stri
 /// As printed, verdict, stated value, explained value, causes.
 using ReproducedState = std::tuple<PrintedState, int, double, double, Texts>;
 /// System, title, source, values, counts (reproduced, explained, unexplained, tried), departures,
-/// other sets of them, notes.
+/// other sets of them, notes, whether it is one of the program's.
 using ReproductionState =
     std::tuple<std::string, std::string, std::string, std::vector<ReproducedState>,
                std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>, Texts,
-               std::vector<Texts>, Texts>;
+               std::vector<Texts>, Texts, bool>;
 
 ReproductionState state_of(const problems::SystemReproduction& result);
 problems::SystemReproduction reproduction_of(const ReproductionState& state);

@@ -85,10 +85,11 @@ def reproducible() -> list[str]:
     return native.system_names()
 
 
-def reproduce(system: str, *, progress: Progress = None) -> Reproduction:
-    """A published table computed again, each difference with its cause."""
+def reproduce(system: str | Path, *, progress: Progress = None) -> Reproduction:
+    """A published table computed again, each difference with its cause. system: one of
+    reproducible(), or the file of a table, whose name ends in .toml."""
     with shown(progress, f"reproduce {system}") as tell:
-        return Reproduction(native.reproduce(system, tell))
+        return Reproduction(native.reproduce(str(system), tell))
 
 
 def cam_shape(n: int) -> dict[str, Any]:

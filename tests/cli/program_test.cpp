@@ -254,7 +254,8 @@ TEST_CASE("reproduce gives the verdict on every printed number", "[program][heav
   const ParsedJson both = json_of({"reproduce", "--json"});
   REQUIRE(all.size() == 1);
   const std::vector<const char*> systems{"spine-cutter",   "balancing-cam",    "die-press",
-                                         "sheet-delivery", "signature-feeder", "cam-shape"};
+                                         "sheet-delivery", "signature-feeder", "motion-laws",
+                                         "cam-shape"};
   REQUIRE(both.size() == systems.size());
   CHECK(both[0] == all[0]);
   for (std::size_t i = 0; i < systems.size(); ++i) {

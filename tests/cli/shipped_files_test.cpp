@@ -2,18 +2,12 @@
 // Every problem file that ships, through every command that looks at one without a search, with
 // every option that these have.
 #include "tests/cli/command_help.h"
+#include "tests/shipped_problems.h"
 
 namespace camlaw::cli::shipped_files_test {
 namespace {
 
-Words shipped_problems() {
-  Words files;
-  for (const auto& entry : fs::recursive_directory_iterator(CAMLAW_SOURCE_DIR "/problems")) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
+Words shipped_problems() { return testing::shipped_problem_files(); }
 
 /// Every subset of words.
 std::vector<Words> subsets(const Words& words) {

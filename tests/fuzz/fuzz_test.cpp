@@ -27,6 +27,7 @@ void check_spoilt_files(const std::string& name) {
 }  // namespace
 
 TEST_CASE("spoilt problem files are read or refused", "[fuzz]") { check_spoilt_files("problem"); }
+TEST_CASE("spoilt published tables are read or refused", "[fuzz]") { check_spoilt_files("table"); }
 TEST_CASE("spoilt law files are read or refused", "[fuzz]") { check_spoilt_files("law"); }
 TEST_CASE("spoilt results are read or refused", "[fuzz]") { check_spoilt_files("result"); }
 TEST_CASE("spoilt studies are read or refused", "[fuzz]") { check_spoilt_files("study"); }

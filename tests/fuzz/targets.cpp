@@ -10,6 +10,7 @@
 #include "numerics/tables/sample_table.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/law_files/law_file.h"
+#include "problems/published/table/stated_model.h"
 #include "problems/results/judged_design.h"
 #include "problems/statement/bind.h"
 #include "tests/cutter_study.h"
@@ -34,6 +35,14 @@ void read_a_problem(std::string_view bytes) {
     const auto statement = problems::read_problem(bytes, "fuzz.toml");
     problems::in_words(statement);
     if (statement.objectives.size() == 1) problems::BoundProblem(statement).space();
+  });
+}
+
+/// With all that its rows and hypotheses name; the search behind it reads nothing more.
+void read_a_table(std::string_view bytes) {
+  refused_or_read([&] {
+    const auto table = problems::read_stated_table(bytes, "fuzz.toml");
+    const problems::stated::Model model(table, nullptr);
   });
 }
 
@@ -88,6 +97,7 @@ std::vector<std::string> made_studies() {
 const std::vector<Target>& targets() {
   static const std::vector<Target> all{
       {"problem", read_a_problem, {"problems"}, ".toml"},
+      {"table", read_a_table, {"problems/published"}, ".toml"},
       {"law", read_a_law, {"tests/fuzz/corpus/law"}, ".json"},
       {"result", read_a_result, {"tests/fuzz/corpus/result"}, ".json"},
       {"samples", read_samples, {"problems/cams", "tests/fuzz/corpus/samples"}, ".csv"},

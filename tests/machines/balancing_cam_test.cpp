@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "machines/registry.h"
-#include "problems/published/balancing_cam/reproduction.h"
+#include "problems/published/systems.h"
 #include "tests/machines/system_fixture.h"
 
 namespace camlaw::problems::balancing_cam_test {
@@ -126,7 +126,7 @@ TEST_CASE("the least stress of the springs is that of a grid", "[balancing-cam][
 }
 
 TEST_CASE("the printed coefficients name the loads that they would need", "[balancing-cam]") {
-  const SystemReproduction result = reproduce_balancing_cam();
+  const SystemReproduction result = find_reproducible("balancing-cam").reproduce(nullptr);
   REQUIRE(result.values.size() == 2);
   CHECK(result.unexplained == 2);
   // Planar, 6 slots: the ratio named gives 7.82 on a grid.
@@ -137,8 +137,11 @@ TEST_CASE("the printed coefficients name the loads that they would need", "[bala
     greatest = std::max(greatest, drive.torque(drive.wheel(true, phi)));
   }
   CHECK(greatest * 6 == Approx(7.82).epsilon(1e-4));
-  CHECK(std::any_of(result.notes.begin(), result.notes.end(),
-                    [](const auto& note) { return note.starts_with("  6 slots: 0.4553"); }));
+  const auto& causes = result.values[1].causes;
+  CHECK(causes.front() == "loads: not stated");
+  CHECK(std::any_of(causes.begin(), causes.end(), [](const auto& cause) {
+    return cause.starts_with("inertia = 0.4553 kg m2 with slots=6");
+  }));
 }
 
 }  // namespace camlaw::problems::balancing_cam_test

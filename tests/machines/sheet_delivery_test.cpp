@@ -8,7 +8,7 @@
 #include "kinematics/laws/polynomial.h"
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"
-#include "problems/published/sheet_delivery/reproduction.h"
+#include "problems/published/systems.h"
 #include "problems/published/sheet_delivery/trade_off.h"
 #include "tests/machines/system_fixture.h"
 
@@ -155,7 +155,7 @@ TEST_CASE("numbers and curves of the sheet delivery have exact derivatives and b
 
 TEST_CASE("both printed efficiencies are found, the greatest with dissipation and cut off",
           "[sheet-delivery][reproduction]") {
-  const SystemReproduction result = reproduce_sheet_delivery();
+  const SystemReproduction result = find_reproducible("sheet-delivery").reproduce(nullptr);
   REQUIRE(result.values.size() == 2);
   CHECK(result.reproduced == 1);
   CHECK(result.explained == 1);
@@ -163,8 +163,9 @@ TEST_CASE("both printed efficiencies are found, the greatest with dissipation an
   CHECK(result.values[1].stated_value == Approx(0.9969).margin(5e-5));
   CHECK(result.departures ==
         std::vector<std::string>{
-            "friction terms: each dissipates (stated signed as printed), one of 1 tried",
-            "digits: cut off (stated rounded), one of 1 tried"});
+            "friction terms: each dissipates (stated signed as printed), one of 1 tried, "
+            "needed by 1 value",
+            "digits: cut off (stated rounded), one of 1 tried, needed by 1 value"});
   REQUIRE(result.equals.size() == 2);  // either alone, and a misprinted last digit
   for (const auto& other : result.equals) {
     CHECK(other.size() == result.departures.size());

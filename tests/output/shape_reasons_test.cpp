@@ -10,6 +10,7 @@
 #include "optim/search/optimise.h"
 #include "output/answers/shape_output.h"
 #include "problems/statement/bind.h"
+#include "tests/shipped_problems.h"
 
 namespace camlaw::cli::shape_reasons_test {
 namespace {
@@ -23,13 +24,11 @@ const fs::path kRecord = kSource / "tests/output/shape_reasons.txt";
 /// The files that ask for a design, by their place in the sources.
 std::vector<std::string> shipped_files() {
   std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(kSource / "problems")) {
-    if (entry.path().extension() != ".toml") continue;
-    const ProblemStatement statement = problems::read_problem_file(entry.path().string());
+  for (const std::string& file : testing::shipped_problem_files()) {
+    const ProblemStatement statement = problems::read_problem_file(file);
     if (statement.objectives.empty()) continue;
-    files.push_back(fs::relative(entry.path(), kSource).generic_string());
+    files.push_back(fs::relative(file, kSource).generic_string());
   }
-  std::sort(files.begin(), files.end());
   return files;
 }
 

@@ -2,10 +2,10 @@
 #include "problems/statement/cautions.h"
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 
 #include "problems/statement/bind.h"
 #include "problems/statement/doubtful_limits.h"
+#include "tests/shipped_problems.h"
 
 namespace camlaw::problems::cautions_test {
 
@@ -68,12 +68,10 @@ TEST_CASE("a limit with a wrong unit is named, with what it was read as", "[caut
 }
 
 TEST_CASE("no limit of a shipped problem is doubtful", "[cautions]") {
-  namespace fs = std::filesystem;
   int count = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(CAMLAW_SOURCE_DIR "/problems")) {
-    if (entry.path().extension() != ".toml") continue;
-    INFO(entry.path());
-    CHECK(doubtful_limits(BoundProblem(read_problem_file(entry.path()), true)).empty());
+  for (const std::string& file : testing::shipped_problem_files()) {
+    INFO(file);
+    CHECK(doubtful_limits(BoundProblem(read_problem_file(file), true)).empty());
     ++count;
   }
   CHECK(count > 35);

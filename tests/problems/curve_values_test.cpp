@@ -2,23 +2,15 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
 #include <random>
 
 #include "problems/statement/bind.h"
+#include "tests/shipped_problems.h"
 
 namespace camlaw::problems::curve_values_test {
 namespace {
 
-std::vector<std::string> shipped_problems() {
-  std::vector<std::string> files;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(CAMLAW_SOURCE_DIR "/problems")) {
-    if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
+std::vector<std::string> shipped_problems() { return testing::shipped_problem_files(); }
 
 /// Both sides of the breaks and places between them, in no order.
 std::vector<optim::Place> places_of(const optim::Trace& trace) {

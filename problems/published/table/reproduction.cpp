@@ -70,6 +70,23 @@ std::vector<std::string> departure_names(const optim::Table& table,
   return result;
 }
 
+/// The same of the departures that were found, with how many values need each.
+std::vector<std::string> departures_found(const optim::Table& table,
+                                          const optim::Reproduction& found) {
+  std::vector<std::string> result = departure_names(table, found.departures);
+  std::size_t departed = 0;
+  for (std::size_t i = 0; i < found.departures.size(); ++i) {
+    if (found.departures[i] == 0) continue;
+    const auto values =
+        std::count_if(found.rows.begin(), found.rows.end(), [i](const optim::Explanation& row) {
+          return std::any_of(row.causes.begin(), row.causes.end(),
+                             [i](const auto& cause) { return cause.first == i; });
+        });
+    result[departed++] += fmt::format(", needed by {} value{}", values, values == 1 ? "" : "s");
+  }
+  return result;
+}
+
 }  // namespace
 
 SystemReproduction reproduce_system(std::string system, std::string title, std::string source,
@@ -97,7 +114,7 @@ SystemReproduction reproduce_system(std::string system, std::string title, std::
   result.reproduced = found.reproduced;
   result.explained = found.explained;
   result.unexplained = found.unexplained;
-  result.departures = departure_names(table, found.departures);
+  result.departures = departures_found(table, found);
   for (const optim::Assignment& other : found.equals) {
     std::vector<std::string> names = departure_names(table, other);
     const std::size_t misprints = found.departed + found.misprints - names.size();

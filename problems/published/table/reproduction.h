@@ -17,9 +17,8 @@ struct PrintedValue {
   std::string unit, place;
 };
 
-/// Reads a reference table: CSV with the columns id, quantity, law, condition, printed, unit,
-/// decimals, place (others are left alone). Throws std::invalid_argument naming `source` and the
-/// line.
+/// Reads values from CSV with the columns id, quantity, law, condition, printed, unit, decimals,
+/// place (others are left alone). Throws std::invalid_argument naming `source` and the line.
 std::vector<PrintedValue> read_printed_values(std::string_view csv, const std::string& source);
 
 /// One printed value beside ours.
@@ -41,6 +40,7 @@ struct SystemReproduction {
   std::vector<std::vector<std::string>> equals;  ///< other sets as small that explain as many
   std::size_t tried = 0;
   std::vector<std::string> notes = {};  ///< what else there is to say
+  bool is_shipped = false;              ///< one of the program's tables, whose baseline is kept
 };
 
 /// Runs the hypothesis search for a system. `table` is in the order of `printed`.
