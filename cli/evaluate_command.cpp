@@ -8,17 +8,22 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/inputs.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "optim/search/deadline.h"
 #include "output/answers/claim_output.h"
 #include "output/answers/cycle_figure.h"
 #include "output/answers/evaluation_output.h"
 #include "output/answers/next_step.h"
 #include "output/answers/possible.h"
+#include "output/answers/sensitivity_output.h"
 #include "output/document/printing.h"
 #include "output/figure/chart.h"
 #include "output/figure/profile_figure.h"
 #include "problems/results/recorded_design.h"
 #include "problems/statement/bind.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/solver_settings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -29,7 +34,9 @@ struct EvaluateOptions {
   std::string file;
   std::vector<std::string> settings;
   std::optional<std::string> curves, svg, profile;
-  bool json = false;
+  bool json = false, sensitivity = false;
+  std::vector<std::string> over;
+  std::optional<std::string> samples;
 };
 
 /// Tables and pictures of the curves that were asked for.
@@ -50,7 +57,38 @@ std::vector<OutputFile> curve_files(const EvaluateOptions& options,
   return files;
 }
 
+/// Derivatives and, unless it is stopped, Sobol indices; whether it was not.
+bool add_sensitivity(const EvaluateOptions& options, const ProblemStatement& statement,
+                     Document& document) {
+  const auto ranges = problems::sensitivity_ranges(statement, options.over);
+  const problems::LocalSensitivity local = problems::local_sensitivity(statement);
+  constexpr std::int64_t kLeast = 16, kMost = 1 << 20;
+  optim::SobolOptions sobol{.samples = 512};
+  if (options.samples) {
+    sobol.samples = static_cast<std::size_t>(
+        problems::parse_integer(*options.samples, kLeast, kMost, "--samples"));
+  }
+  ProgressLine line(!options.json);
+  const Interruptible interruptible;
+  sobol.stop = interruptible.flag();
+  sobol.progress = [&](double done) { line.show("Sobol indices", done); };
+  std::optional<problems::GlobalSensitivity> global;
+  try {
+    if (!ranges.ranges.empty()) global = problems::global_sensitivity(statement, ranges, sobol);
+  } catch (const optim::Interrupted&) {
+    line.clear();
+    warn("stopped before the Sobol indices were done");
+  }
+  line.clear();
+  document.say("\n");
+  document.add(sensitivity_document(local, global ? &*global : nullptr));
+  return global.has_value() || ranges.ranges.empty();
+}
+
 int run_evaluate(const EvaluateOptions& options) {
+  if (!options.sensitivity && (!options.over.empty() || options.samples)) {
+    throw std::invalid_argument("--over and --samples go with --sensitivity");
+  }
   keep_standard_output({options.curves, options.svg, options.profile}, options.json);
   keep_input(options.file);
   const problems::ReadDesign read = problems::read_design_file(options.file);
@@ -63,8 +101,11 @@ int run_evaluate(const EvaluateOptions& options) {
   check_possible(options.file, statement, responses);
   const auto files = curve_files(options, statement);
   const auto limits = problems::standing(statement);
-  print(evaluation_document(statement, responses, limits, review), options.json);
+  Document document = evaluation_document(statement, responses, limits, review);
+  const bool is_whole = !options.sensitivity || add_sensitivity(options, statement, document);
+  print(document, options.json);
   write_files(files);
+  if (!is_whole) return kNotSolved;
   if (options.json) return status;
   say_written(files);
   const bool met = std::all_of(limits.begin(), limits.end(), [](const auto& l) { return l.met; });
@@ -91,6 +132,12 @@ Command evaluate_command() {
                    "draw every curve over the cycle to this SVG"},
                   {"--profile", &options->profile, takes::kFile,
                    "draw the cam's profile, pitch curve and path of the tool to this SVG"},
+                  {"--sensitivity", &options->sensitivity, takes::kNothing,
+                   "derivatives of objective and limits by every parameter, and Sobol indices"},
+                  {"--over", &options->over, "NAME=LOWER:UPPER",
+                   "a range for the Sobol indices, such as 'stroke=18:22 mm'; may be repeated"},
+                  {"--samples", &options->samples, takes::kNumber,
+                   "samples for the Sobol indices (512)"},
                   json_switch(options->json)},
       .examples =
           {{"camlaw evaluate problems/cams/roller_least_base.toml",
@@ -100,7 +147,10 @@ Command evaluate_command() {
             "another roller, and the cam drawn"},
            {"camlaw evaluate problems/cams/roller_least_base.toml --curves curves.csv --svg "
             "curves.svg",
-            "every curve over the cycle, with the profile's coordinates"}},
+            "every curve over the cycle, with the profile's coordinates"},
+           {"camlaw evaluate problems/spine_cutter/least_force.toml --sensitivity --over "
+            "'depth=0.3:0.6 mm' --over 'stroke=38:42 mm'",
+            "what the least force depends on, at the design and over two ranges"}},
       .run = [options] { return run_evaluate(*options); }};
 }
 

@@ -100,11 +100,9 @@ SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs
                         const SobolOptions& options) {
   std::vector<SampleValues> samples;
   for (const SampleValues& sample : all) {
-    const bool has_values =
-        std::isfinite(sample.a) && std::isfinite(sample.b) &&
-        std::all_of(sample.mixed.begin(), sample.mixed.end(), [](double v) {
-          return std::isfinite(v);
-        });
+    const bool has_values = std::isfinite(sample.a) && std::isfinite(sample.b) &&
+                            std::all_of(sample.mixed.begin(), sample.mixed.end(),
+                                        [](double v) { return std::isfinite(v); });
     if (has_values) samples.push_back(sample);
   }
   SobolIndices result;

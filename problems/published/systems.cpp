@@ -96,9 +96,10 @@ ReproducibleSystem find_reproducible(const std::string& name_or_path) {
     if (system.name == name_or_path) return system;
     known.push_back(system.name);
   }
-  throw std::invalid_argument(fmt::format("no system is called '{}'; there is {}, or the file of a "
-                                          "table, which ends in .toml",
-                                          name_or_path, fmt::join(known, ", ")));
+  throw std::invalid_argument(
+      fmt::format("no system is called '{}'; there is {}, or the file of a "
+                  "table, which ends in .toml",
+                  name_or_path, fmt::join(known, ", ")));
 }
 
 namespace {

@@ -24,7 +24,8 @@ ReproductionState state_of(const problems::SystemReproduction& result) {
 }
 
 problems::SystemReproduction reproduction_of(const ReproductionState& state) {
-  const auto& [system, title, source, values, counts, departures, equals, notes, is_shipped] = state;
+  const auto& [system, title, source, values, counts, departures, equals, notes, is_shipped] =
+      state;
   problems::SystemReproduction result{.system = system,
                                       .title = title,
                                       .source = source,

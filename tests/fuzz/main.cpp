@@ -47,7 +47,8 @@ int run(const Target& target, long count, unsigned long seed) {
 
 int main(int count, char** words) {
   if (count < 2) {
-    std::fputs("usage: camlaw_fuzz problem|table|law|result|samples|study [COUNT] [SEED]\n", stderr);
+    std::fputs("usage: camlaw_fuzz problem|table|law|result|samples|study [COUNT] [SEED]\n",
+               stderr);
     return 2;
   }
   try {

@@ -136,7 +136,8 @@ TEST_CASE("eight of the table's values follow with 0.8 of the spring's force, no
   REQUIRE(table().values.size() == 15);
   CHECK(table().reproduced == 0);
   CHECK(table().departures ==
-        std::vector<std::string>{"share of F_s in the load: 0.8 (stated 1), one of 150 tried, needed by 8 values"});
+        std::vector<std::string>{
+            "share of F_s in the load: 0.8 (stated 1), one of 150 tried, needed by 8 values"});
   CHECK(table().equals.empty());
   CHECK(table().explained == 8);
   CHECK(table().unexplained == 7);

@@ -8,8 +8,8 @@
 #include "kinematics/laws/polynomial.h"
 #include "machines/registry.h"
 #include "optim/cycle/extremes.h"
-#include "problems/published/systems.h"
 #include "problems/published/sheet_delivery/trade_off.h"
+#include "problems/published/systems.h"
 #include "tests/machines/system_fixture.h"
 
 namespace camlaw::problems::sheet_delivery_test {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "problems/published/systems.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <stdexcept>
 
 #include "machines/spine_cutter/spine_cutter.h"
+#include "problems/published/systems.h"
 
 namespace camlaw::problems::reproduction_test {
 namespace {
@@ -132,15 +131,16 @@ TEST_CASE("13 values are reproduced, 19 explained, none is left", "[reproduction
 
 TEST_CASE("the search finds one set of departures by itself and no other as small",
           "[reproduction]") {
-  CHECK(spine_cutter().departures ==
-        std::vector<std::string>{
-            "blades z: 21 (stated 17), one of 21 tried, needed by 4 values",
-            "depth h: 1.0 mm (stated 0.4 mm), one of 6 tried, needed by 12 values",
-            "peaks: read off a grid of 20 steps (stated exact), one of 32 tried, needed by 5 values",
-            "A of \"polynomial-7 alpha=6.6\": 6 (not stated), one of 71 tried, needed by 2 values",
-            "A of \"polynomial-7 alpha=4.2\": 48 (not stated), one of 71 tried, needed by 2 values",
-            "law of the cosine rows: polynomial-5 alpha=-1.78 (stated cosine), one of 1001 tried, "
-            "needed by 5 values"});
+  CHECK(
+      spine_cutter().departures ==
+      std::vector<std::string>{
+          "blades z: 21 (stated 17), one of 21 tried, needed by 4 values",
+          "depth h: 1.0 mm (stated 0.4 mm), one of 6 tried, needed by 12 values",
+          "peaks: read off a grid of 20 steps (stated exact), one of 32 tried, needed by 4 values",
+          "A of \"polynomial-7 alpha=6.6\": 6 (not stated), one of 71 tried, needed by 2 values",
+          "A of \"polynomial-7 alpha=4.2\": 48 (not stated), one of 71 tried, needed by 2 values",
+          "law of the cosine rows: polynomial-5 alpha=-1.78 (stated cosine), one of 1001 tried, "
+          "needed by 4 values"});
   CHECK(spine_cutter().equals.empty());
   CHECK(spine_cutter().tried > 0);
 }
@@ -247,7 +247,8 @@ TEST_CASE("with a digit of the data changed the outcome changes", "[reproduction
   const std::string csv = reference_table();
   const auto sound = reproduce_blades(csv);
   CHECK(sound.explained == 4);
-  CHECK(sound.departures == std::vector<std::string>{"z: 21 (stated 17), one of 6 tried, needed by 4 values"});
+  CHECK(sound.departures ==
+        std::vector<std::string>{"z: 21 (stated 17), one of 6 tried, needed by 4 values"});
 
   // 0.0817 z rounds to 1.47 for z = 21 only where z is free; 1.37 is one digit off.
   const auto misprint = reproduce_blades(replaced(csv, ",1.47,", ",1.37,"));

@@ -63,19 +63,18 @@ TEST_CASE("a printed text is its digits, its decimals and its unit", "[stated-ta
     int decimals;
     const char* unit;
   };
-  for (const Print& print :
-       {Print{"12.34 mm", 12.34, 2, "mm"}, Print{"-0.50", -0.5, 2, ""}, Print{"+7", 7, 0, ""},
-        Print{"1.20e-3 m", 1.2e-3, 5, "m"}, Print{"1.234e2 N", 123.4, 1, "N"},
-        Print{"48.78 1/s", 48.78, 2, "1/s"}, Print{" 3 N mm ", 3, 0, "N mm"},
-        Print{"5eV", 5, 0, "eV"}}) {
+  for (const Print& print : {Print{"12.34 mm", 12.34, 2, "mm"}, Print{"-0.50", -0.5, 2, ""},
+                             Print{"+7", 7, 0, ""}, Print{"1.20e-3 m", 1.2e-3, 5, "m"},
+                             Print{"1.234e2 N", 123.4, 1, "N"}, Print{"48.78 1/s", 48.78, 2, "1/s"},
+                             Print{" 3 N mm ", 3, 0, "N mm"}, Print{"5eV", 5, 0, "eV"}}) {
     INFO(print.text);
     const PrintedText read = read_printed_text(print.text);
     CHECK(read.number.value == print.value);
     CHECK(read.number.decimals == print.decimals);
     CHECK(read.unit == print.unit);
   }
-  for (const char* text : {"", "mm", "1,5 mm", "1.2.3", "1.2e3", "1e400", ".", "-", "nan",
-                           "0.1234567890123456"}) {
+  for (const char* text :
+       {"", "mm", "1,5 mm", "1.2.3", "1.2e3", "1e400", ".", "-", "nan", "0.1234567890123456"}) {
     INFO(text);
     CHECK_THROWS_AS(read_printed_text(text), std::invalid_argument);
   }
@@ -101,12 +100,13 @@ TEST_CASE("the alternative behind a table is found, and no other", "[stated-tabl
       "[hypotheses.gravity]\nstated = \"9.81\"\nset = \"gravity = {} m/s2\"\n"
       "alternatives = [9.8, \"1.5:0.01:1.8\", \"3.7:0.01:3.8\"]\n";
   // On the Moon, at 1.62: 4.93656, 6.98136, 8.55037.
-  const auto result = reproduced(kPendulum + hypothesis + pendulum_value("1 m", "4.937 s") +
-                                 pendulum_value("2 m", "6.981 s") +
-                                 pendulum_value("3 m", "8.550 s"));
+  const auto result =
+      reproduced(kPendulum + hypothesis + pendulum_value("1 m", "4.937 s") +
+                 pendulum_value("2 m", "6.981 s") + pendulum_value("3 m", "8.550 s"));
   CHECK(result.explained == 3);
-  CHECK(result.departures == std::vector<std::string>{
-                                 "gravity: 1.62 (stated 9.81), one of 43 tried, needed by 3 values"});
+  CHECK(
+      result.departures ==
+      std::vector<std::string>{"gravity: 1.62 (stated 9.81), one of 43 tried, needed by 3 values"});
   CHECK(result.equals.empty());
 }
 
@@ -119,11 +119,11 @@ TEST_CASE("what the source does not state is found among the alternatives, or le
                                 value);
   CHECK(std::isnan(found.values[0].stated_value));
   CHECK(found.explained == 1);
-  const auto unknown =
-      reproduced(kPendulum + "[hypotheses.gravity]\nset = \"gravity={}\"\nrows = \"*\"\n"
-                             "alternatives = []\n[[implied]]\nparameter = \"gravity\"\n"
-                             "lower = \"1\"\nupper = \"20\"\n" +
-                 value);
+  const auto unknown = reproduced(kPendulum +
+                                  "[hypotheses.gravity]\nset = \"gravity={}\"\nrows = \"*\"\n"
+                                  "alternatives = []\n[[implied]]\nparameter = \"gravity\"\n"
+                                  "lower = \"1\"\nupper = \"20\"\n" +
+                                  value);
   CHECK(unknown.unexplained == 1);
   CHECK_THAT(unknown.values[0].causes[0], Contains("gravity: not stated"));
   // (2 pi / 2.006)^2 = 9.8107
@@ -135,8 +135,7 @@ TEST_CASE("a row keeps what it states itself", "[stated-table]") {
       "[hypotheses.length]\nstated = \"1 m\"\nset = \"length={}\"\nalternatives = [\"2 m\"]\n";
   const std::string bare =
       "[[values]]\nid = \"bare\"\nresponse = \"period\"\nprinted = \"2.837 s\"\n";
-  const auto result =
-      reproduced(kPendulum + hypothesis + bare + pendulum_value("1 m", "2.837 s"));
+  const auto result = reproduced(kPendulum + hypothesis + bare + pendulum_value("1 m", "2.837 s"));
   CHECK(value_of(result, "bare").verdict == optim::Finding::Explained);
   CHECK(value_of(result, "1 m").verdict == optim::Finding::Unexplained);
 }
@@ -169,6 +168,12 @@ TEST_CASE("peaks are read off grids and differences as by hand", "[stated-table]
     CHECK(off(1, Readout::Kind::Differences, once) == Approx(dv).epsilon(1e-12));
     CHECK(off(2, Readout::Kind::Differences, once) == Approx(da).epsilon(1e-12));
   }
+  // The acceleration of the cosine falls from its end on: of four steps the first inner place
+  // counts.
+  CHECK(read_off({formula(2), once}, {}, find_law("cosine").law(), optim::Part::Highest,
+                 {Readout::Kind::InnerGrid, 4}) ==
+        Approx(kPi * kPi / 2 * std::cos(kPi / 4)).epsilon(1e-12));
+  CHECK(read_readout("grid of 9 steps without its ends").kind == Readout::Kind::InnerGrid);
   CHECK(read_readout("grid of 12 steps").steps == 12);
   CHECK(read_readout("differences on 360 steps").kind == Readout::Kind::Differences);
   for (const char* text : {"", "grid", "grid of steps", "grid of -3 steps", "grid of 1 steps",
@@ -208,14 +213,16 @@ TEST_CASE("digits may be cut off, and the wrong response may be printed", "[stat
                               pendulum_value("2 m", "2.83 s") + pendulum_value("1 m", "2.0 s"));
   CHECK(value_of(cut, "2 m").verdict == optim::Finding::Explained);
   CHECK(value_of(cut, "1 m").verdict == optim::Finding::Reproduced);
-  const auto half = reproduced(kPendulum +
-                               "[responses.swing]\nformula = \"period / 2\"\nunit = \"s\"\n"
-                               "[hypotheses.time]\nstated = \"period\"\n"
-                               "responses = { period = \"swing\" }\nalternatives = [\"a swing\"]\n" +
-                               pendulum_value("2 m", "1.4185 s") + pendulum_value("3 m", "1.7373 s"));
+  const auto half =
+      reproduced(kPendulum +
+                 "[responses.swing]\nformula = \"period / 2\"\nunit = \"s\"\n"
+                 "[hypotheses.time]\nstated = \"period\"\n"
+                 "responses = { period = \"swing\" }\nalternatives = [\"a swing\"]\n" +
+                 pendulum_value("2 m", "1.4185 s") + pendulum_value("3 m", "1.7373 s"));
   CHECK(half.explained == 2);
   CHECK(half.departures ==
-        std::vector<std::string>{"time: a swing (stated period), one of 1 tried, needed by 2 values"});
+        std::vector<std::string>{
+            "time: a swing (stated period), one of 1 tried, needed by 2 values"});
 }
 
 TEST_CASE("a wrong table is refused with its file, line, row and key", "[stated-table]") {
@@ -239,7 +246,8 @@ TEST_CASE("a wrong table is refused with its file, line, row and key", "[stated-
        {"'a'.printed", "quotes"}},
       {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"perod\"\nprinted = \"2.01\"\n",
        {"own.toml:", "'a'.response", "period"}},
-      {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"period\"\n", {"'a'", "printed is missing"}},
+      {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"period\"\n",
+       {"'a'", "printed is missing"}},
       {kPendulum + "[[values]]\nresponse = \"period\"\n", {"values[1]", "id is missing"}},
       {kPendulum + "[[values]]\nid = \"a\"\nresponse = \"period\"\nprinted = \"2\"\nlaw = "
                    "\"cosine\"\n",
@@ -264,7 +272,8 @@ TEST_CASE("a wrong table is refused with its file, line, row and key", "[stated-
        {"hypotheses.h", "none of the values"}},
       {hypothesis("stated = \"a\"\npeaks = \"grid of {} steps\"\nalternatives = [1]\n"),
        {"peaks", "steps"}},
-      {hypothesis("stated = \"a\"\ndigits = \"lost\"\nalternatives = [1]\n"), {"digits", "cut off"}},
+      {hypothesis("stated = \"a\"\ndigits = \"lost\"\nalternatives = [1]\n"),
+       {"digits", "cut off"}},
       {hypothesis("stated = \"a\"\nset = \"gravity={}\"\nalternatives = [1]\n[hypotheses.i]\n"
                   "stated = \"b\"\nset = \"gravity={}\"\nalternatives = [2]\n"),
        {"hypotheses.i", "gravity", "hypotheses.h"}},
@@ -308,9 +317,9 @@ TEST_CASE("the table of motion laws agrees with the peaks of the laws", "[stated
     INFO(value.printed.id);
     if (value.printed.quantity != "C_v" && value.printed.quantity != "C_a") continue;
     const auto peak = peaks(find_law(value.printed.law).law());
-    CHECK(value.stated_value == Approx(value.printed.quantity == "C_v" ? peak.max_velocity()
-                                                                       : peak.max_acceleration())
-                                    .epsilon(1e-10));
+    CHECK(value.stated_value ==
+          Approx(value.printed.quantity == "C_v" ? peak.max_velocity() : peak.max_acceleration())
+              .epsilon(1e-10));
   }
 }
 

@@ -88,22 +88,22 @@ std::vector<std::string> said_of(Model& model, std::size_t row, const ImpliedPar
                                  const AskedParameter& of, const ImpliedRange& own,
                                  const ImpliedRange& shared, const std::string& by) {
   const auto& printed = model.row(row).row->printed;
-  const std::string& unit =
-      model.row(row).problem->mechanism->parameters[of.parameter].unit;
+  const std::string& unit = model.row(row).problem->mechanism->parameters[of.parameter].unit;
   if (!shared.is_found()) {
-    return {fmt::format("no value of {}{} gives the print", implied.parameter,
-                        with_settings(implied))};
+    return {
+        fmt::format("no value of {}{} gives the print", implied.parameter, with_settings(implied))};
   }
-  std::vector<std::string> result{
-      fmt::format("{}{} is what the {} printed with it needs",
-                  value_text(implied, shared.middle(), unit), with_settings(implied), by)};
+  std::vector<std::string> result{fmt::format("{}{} is what {} needs",
+                                              value_text(implied, shared.middle(), unit),
+                                              with_settings(implied), by)};
   Overrides overrides = of.overrides;
   overrides.emplace_back(of.parameter, shared.middle());
   const double value = model.value_with(row, overrides);
   if (optim::agrees(printed.number, value)) return result;
   const bool misprint = optim::one_digit_misprint(printed.number, value);
-  std::string text = fmt::format("that gives {}{}", optim::as_printed(value, printed.number.decimals),
-                                 misprint ? ", so that one digit is misprinted" : "");
+  std::string text =
+      fmt::format("that gives {}{}", optim::as_printed(value, printed.number.decimals),
+                  misprint ? ", so that one digit is misprinted" : "");
   if (own.is_found()) {
     text += fmt::format("; the print needs {:.4g} to {:.4g}", own.lower, own.upper);
   }
@@ -139,10 +139,13 @@ void add_implied(Model& model, SystemReproduction& result) {
           closest = ranges.size() - 1;
         }
       }
-      const std::string& by = model.row(rows[closest]).row->response;
       for (std::size_t k = 0; k < rows.size(); ++k) {
         ReproducedValue& value = result.values[rows[k]];
         if (value.verdict != optim::Finding::Unexplained) continue;
+        const std::string by = k == closest
+                                   ? "the print"
+                                   : fmt::format("the {} printed with it",
+                                                 model.row(rows[closest]).row->printed.quantity);
         for (auto& text : said_of(model, rows[k], implied, of, ranges[k], ranges[closest], by)) {
           value.causes.push_back(std::move(text));
         }

@@ -121,14 +121,13 @@ StatedDeparture departure_for(const Entry& table, const std::string& value) {
   departure.laws = filled(text_table_of(find(table, "laws")), value);
   departure.responses = filled(text_table_of(find(table, "responses")), value);
   if (const Entry* peaks = find(table, "peaks")) {
-    departure.peaks =
-        located(*peaks, [&] { return read_readout(filled(text_of(*peaks), value)); });
+    departure.peaks = located(*peaks, [&] { return read_readout(filled(text_of(*peaks), value)); });
   }
   if (const Entry* digits = find(table, "digits")) {
     const std::string& text = text_of(*digits);
     if (text != "cut off" && text != "rounded") {
-      refuse(*digits, fmt::format("'{}' is not accepted; digits are \"rounded\" or \"cut off\"",
-                                  text));
+      refuse(*digits,
+             fmt::format("'{}' is not accepted; digits are \"rounded\" or \"cut off\"", text));
     }
     departure.cuts_off = text == "cut off";
   }
@@ -148,8 +147,8 @@ void add_alternatives(const Entry& table, const Entry* values, const std::string
   if (changes_nothing(table)) {
     refuse(table, "it changes nothing; give set, laws, responses, peaks or digits");
   }
-  const auto list = values == nullptr ? std::vector<std::string>{""}
-                                      : read_alternative_values(*values);
+  const auto list =
+      values == nullptr ? std::vector<std::string>{""} : read_alternative_values(*values);
   for (const std::string& value : list) {
     if (all.size() >= kMostAlternatives) {
       refuse(table, fmt::format("there are more than {} alternatives", kMostAlternatives));
@@ -197,8 +196,9 @@ StatedHypothesis read_hypothesis(const Entry& table) {
     read_own_alternatives(*alternatives, hypothesis.alternatives);
   } else if (alternatives->items.empty()) {
     if (!hypothesis.unstated || hypothesis.rows.empty()) {
-      refuse(*alternatives, "it is empty; only what the source does not state may be left unknown, "
-                            "without stated and with the rows that need it");
+      refuse(*alternatives,
+             "it is empty; only what the source does not state may be left unknown, "
+             "without stated and with the rows that need it");
     }
   } else {
     const Entry* name = find(table, "name");

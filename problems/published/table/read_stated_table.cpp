@@ -35,8 +35,9 @@ PrintedText read_printed(const Entry& row) {
   const Entry* printed = find(row, "printed");
   if (printed == nullptr) refuse(row, "printed is missing, such as printed = \"12.34 mm\"");
   if (printed->is_number()) {
-    refuse(*printed, "a number is given; put it in quotes as it is printed, such as \"12.30 mm\", "
-                     "as zeros at its end count");
+    refuse(*printed,
+           "a number is given; put it in quotes as it is printed, such as \"12.30 mm\", "
+           "as zeros at its end count");
   }
   return located(*printed, [&] { return read_printed_text(text_of(*printed)); });
 }
@@ -84,8 +85,8 @@ std::vector<StatedRow> read_rows(const Entry& file) {
   if (values == nullptr) return rows;
   expect(*values, Kind::List, "a list of tables, each headed [[values]]");
   if (values->items.size() > kMostRows) {
-    refuse(*values, fmt::format("{} values; at most {} are accepted", values->items.size(),
-                                kMostRows));
+    refuse(*values,
+           fmt::format("{} values; at most {} are accepted", values->items.size(), kMostRows));
   }
   std::set<std::string> ids;
   for (const Entry& table : values->items) {
@@ -121,9 +122,9 @@ StatedTable read_stated_table(std::string_view toml, const std::string& source) 
   StatedTable table;
   table.file = parse_toml(toml, source);
   const Entry& file = table.file;
-  check_keys(file, {"format", "name", "title", "source", "mechanism", "machine", "responses",
-                    "constants", "law", "program", "laws", "misprints", "notes", "hypotheses",
-                    "implied", "values"});
+  check_keys(file,
+             {"format", "name", "title", "source", "mechanism", "machine", "responses", "constants",
+              "law", "program", "laws", "misprints", "notes", "hypotheses", "implied", "values"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kTableFormat.check(stated); });
@@ -138,8 +139,9 @@ StatedTable read_stated_table(std::string_view toml, const std::string& source) 
   table.implied = read_implied(file);
   table.rows = read_rows(file);
   if (table.rows.empty() && table.notes.empty()) {
-    refuse(file, "there are no values; list them, each headed [[values]], with id, response and "
-                 "printed");
+    refuse(file,
+           "there are no values; list them, each headed [[values]], with id, response and "
+           "printed");
   }
   return table;
 }

@@ -65,8 +65,7 @@ std::vector<Motion<double>> differenced_motions(const Law<double>& law, const Cy
   return motions;
 }
 
-int steps_in(std::string_view text, std::string_view before) {
-  constexpr std::string_view after = " steps";
+int steps_in(std::string_view text, std::string_view before, std::string_view after = " steps") {
   int steps = 0;
   if (!text.starts_with(before) || !text.ends_with(after)) return 0;
   const std::string_view number =
@@ -88,12 +87,15 @@ Readout read_readout(std::string_view text) {
   if (const int steps = steps_in(words, "grid of "); steps > 0) {
     return {Readout::Kind::Grid, steps};
   }
+  if (const int steps = steps_in(words, "grid of ", " steps without its ends"); steps > 0) {
+    return {Readout::Kind::InnerGrid, steps};
+  }
   if (const int steps = steps_in(words, "differences on "); steps > 0) {
     return {Readout::Kind::Differences, steps};
   }
   throw std::invalid_argument(
       fmt::format("'{}' does not say how peaks are read; accepted are \"exact\", \"grid of 20 "
-                  "steps\", \"differences on 20 steps\"",
+                  "steps\", \"grid of 20 steps without its ends\", \"differences on 20 steps\"",
                   text));
 }
 
@@ -106,7 +108,8 @@ double read_off(const SampledCurve& curve, std::span<const double> constants,
   double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
   for (const Stretch& stretch : curve.cycle.stretches) {
     const Cycle::Part place = curve.cycle.part_of(stretch);
-    for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::size_t left_out = readout.kind == Readout::Kind::InnerGrid ? 1 : 0;
+    for (std::size_t i = left_out; i + left_out < motions.size(); ++i) {
       const auto m = follower_motion(stretch, motions[i]);
       const double x = place.at(static_cast<double>(i) / readout.steps);
       const std::array<double, 5> others{m.s, m.v, m.a, m.j, x};

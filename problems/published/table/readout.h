@@ -17,13 +17,15 @@ struct Readout {
   enum class Kind : char {
     Exact,
     Grid,        ///< the largest of even places
+    InnerGrid,   ///< the same, without the ends of each stretch
     Differences  ///< the same, v, a and j by central differences of s between these places
   };
   Kind kind = Kind::Exact;
   int steps = 0;  ///< of each stretch of the cycle
 };
 
-/// Reads "exact", "grid of 20 steps", "differences on 20 steps". Throws std::invalid_argument.
+/// Reads "exact", "grid of 20 steps", "grid of 20 steps without its ends", "differences on 20
+/// steps". Throws std::invalid_argument.
 Readout read_readout(std::string_view text);
 
 /// A curve of the follower's motion as its formula has it: of all parameters, in listed units, then

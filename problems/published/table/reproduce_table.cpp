@@ -47,9 +47,8 @@ SystemReproduction reproduce_table(const StatedTable& stated, const std::atomic<
     printed.push_back(model.row(i).row->printed);
     printed.back().unit = model.row(i).unit;
   }
-  SystemReproduction result =
-      reproduce_system(stated.name, stated.title, stated.source, std::move(printed),
-                       hypothesis_table(stated, model));
+  SystemReproduction result = reproduce_system(stated.name, stated.title, stated.source,
+                                               std::move(printed), hypothesis_table(stated, model));
   add_unknowns(stated, model, result);
   stated::add_implied(model, result);
   result.notes = stated.notes;

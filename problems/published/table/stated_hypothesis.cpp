@@ -57,10 +57,9 @@ std::vector<std::string> Model::law_settings(const RowModel& model, std::size_t 
                                              std::size_t k) const {
   std::vector<std::string> settings;
   for (const std::string& setting : table_.hypotheses[h].alternatives[k].departure.set) {
-    const bool is_stated =
-        std::any_of(model.law_settings.begin(), model.law_settings.end(), [&](const auto& own) {
-          return name_of_setting(own) == name_of_setting(setting);
-        });
+    const bool is_stated = std::any_of(
+        model.law_settings.begin(), model.law_settings.end(),
+        [&](const auto& own) { return name_of_setting(own) == name_of_setting(setting); });
     if (is_law_setting(model, setting) && !is_stated) settings.push_back(setting);
   }
   return settings;
@@ -89,12 +88,12 @@ void Model::add_settings(RowModel& model, std::size_t h) {
   for (std::size_t k = 0; k < hypothesis.alternatives.size(); ++k) {
     Overrides own;
     for (const auto& [parameter, value] : machine_settings(model, h, k)) {
-      const bool is_stated = std::any_of(
-          model.row->set.begin(), model.row->set.end(), [&, p = parameter](const auto& setting) {
-            const auto& of = model.problem->mechanism->parameters[p];
-            const std::string name = name_of_setting(setting);
-            return name == of.name || name == of.symbol;
-          });
+      const bool is_stated = std::any_of(model.row->set.begin(), model.row->set.end(),
+                                         [&, p = parameter](const auto& setting) {
+                                           const auto& of = model.problem->mechanism->parameters[p];
+                                           const std::string name = name_of_setting(setting);
+                                           return name == of.name || name == of.symbol;
+                                         });
       if (is_stated || !any_uses(model, parameter)) continue;
       for (const auto& [other, choices] : model.overrides) {
         for (const Overrides& set : choices) {

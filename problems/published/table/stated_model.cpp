@@ -93,8 +93,8 @@ LawOfRow Model::make_law(const RowModel& model, std::span<const int> choice) {
   const MovedBy moved_by = base.mechanism->moved_by;
   if (!text.empty()) {
     if (moved_by != MovedBy::Law) {
-      refuse(where, fmt::format("{} is not moved by a law that a value can name",
-                                base.mechanism->name));
+      refuse(where,
+             fmt::format("{} is not moved by a law that a value can name", base.mechanism->name));
     }
     Entry name = where;
     name.kind = Entry::Kind::Text;
@@ -131,12 +131,10 @@ double Model::looked_up(const RowModel& model, const LookedUp& number,
                         Readout readout) {
   const Binding binding{constants, {}, {}, law};
   if (readout.kind != Readout::Kind::Exact && number.sampled) {
-    return read_off(*number.sampled, constants, law->law_at<double>({}), number.name.part,
-                    readout);
+    return read_off(*number.sampled, constants, law->law_at<double>({}), number.name.part, readout);
   }
   if (number.inner) return number.inner->number(binding).value({});
-  const optim::Response response =
-      response_of(*model.problem, number.name, binding);
+  const optim::Response response = response_of(*model.problem, number.name, binding);
   if (!response.is_curve()) return response.function().value({});
   const auto trace = response.curve().trace({});
   return number.place ? trace->at(*number.place)[0] : peak_of(*trace, number.name.part);
@@ -148,16 +146,16 @@ double Model::number(RowModel& model, LookedUp& number, const std::vector<double
                      std::span<const int> choice) {
   if (number.known.empty()) {
     for (const std::size_t h : model.depends) {
-      const bool sets = std::any_of(
-          model.overrides.begin(), model.overrides.end(), [&](const auto& overrides) {
+      const bool sets =
+          std::any_of(model.overrides.begin(), model.overrides.end(), [&](const auto& overrides) {
             return overrides.first == h &&
-                   std::any_of(overrides.second.begin(), overrides.second.end(),
-                               [&](const Overrides& set) {
-                                 return std::any_of(set.begin(), set.end(), [&](const auto& s) {
-                                   return std::find(number.uses.begin(), number.uses.end(),
-                                                    s.first) != number.uses.end();
-                                 });
-                               });
+                   std::any_of(
+                       overrides.second.begin(), overrides.second.end(), [&](const Overrides& set) {
+                         return std::any_of(set.begin(), set.end(), [&](const auto& s) {
+                           return std::find(number.uses.begin(), number.uses.end(), s.first) !=
+                                  number.uses.end();
+                         });
+                       });
           });
       const bool is_law = number.sees_law && std::find(model.law_by.begin(), model.law_by.end(),
                                                        h) != model.law_by.end();
@@ -167,11 +165,10 @@ double Model::number(RowModel& model, LookedUp& number, const std::vector<double
   }
   std::optional<double>& known = number.known[place_in(number.by, choice)];
   if (known) return *known;
-  const LawOfRow law = number.sees_law
-                           ? law_of(model, choice)
-                           : std::make_shared<LawBinding>(
-                                 bases_.at(model.row->mechanism).laws.front(),
-                                 std::vector<LawVariable>{});
+  const LawOfRow law =
+      number.sees_law ? law_of(model, choice)
+                      : std::make_shared<LawBinding>(bases_.at(model.row->mechanism).laws.front(),
+                                                     std::vector<LawVariable>{});
   Readout readout;
   if (number.sampled && model.peaks_by != kNone && choice_of(choice, model.peaks_by) > 0) {
     const auto k = static_cast<std::size_t>(choice_of(choice, model.peaks_by) - 1);
@@ -223,8 +220,8 @@ double Model::value(std::size_t row, std::span<const int> choice) {
   RowModel& model = rows_[row];
   std::vector<double> constants = model.problem->constants;
   for (const auto& [h, of_choice] : model.overrides) {
-    for (const auto& [parameter, value] : of_choice[static_cast<std::size_t>(
-             choice_of(choice, h))]) {
+    for (const auto& [parameter, value] :
+         of_choice[static_cast<std::size_t>(choice_of(choice, h))]) {
       constants[parameter] = value;
     }
   }

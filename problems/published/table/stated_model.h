@@ -23,14 +23,14 @@ using LawOfRow = std::shared_ptr<const LawBinding>;  ///< null: the settings mak
 
 /// A number that is searched for, and not worked out by a formula: a peak, a curve at a place.
 struct LookedUp {
-  ResponseName name;                           ///< unless it is an inner number that has no name
-  std::optional<InnerNumber> inner;            ///< of a number that another one holds
-  std::optional<optim::Place> place;           ///< of a curve
-  std::optional<SampledCurve> sampled;         ///< of a peak that can be read off
-  std::vector<std::size_t> uses;               ///< parameters
+  ResponseName name;                    ///< unless it is an inner number that has no name
+  std::optional<InnerNumber> inner;     ///< of a number that another one holds
+  std::optional<optim::Place> place;    ///< of a curve
+  std::optional<SampledCurve> sampled;  ///< of a peak that can be read off
+  std::vector<std::size_t> uses;        ///< parameters
   bool sees_law = false;
-  std::size_t id = 0;                          ///< equal ones of several rows have the same
-  std::vector<std::size_t> by = {};            ///< the hypotheses that matter to it
+  std::size_t id = 0;                             ///< equal ones of several rows have the same
+  std::vector<std::size_t> by = {};               ///< the hypotheses that matter to it
   std::vector<std::optional<double>> known = {};  ///< by their choices
 };
 

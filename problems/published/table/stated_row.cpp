@@ -48,8 +48,7 @@ Entry problem_part(const StatedTable& table, const StatedRow& row) {
            e.key != "program";
   });
   if (!row.mechanism.empty()) {
-    part.items.push_back(
-        text_entry(*find(row.where, "mechanism"), "mechanism", row.mechanism));
+    part.items.push_back(text_entry(*find(row.where, "mechanism"), "mechanism", row.mechanism));
   }
   if (is_moved_by_law(part) && find(part, "law") == nullptr) {
     Entry law = part;
@@ -64,8 +63,7 @@ Entry problem_part(const StatedTable& table, const StatedRow& row) {
 std::optional<SampledCurve> sampled_curve(const ProblemStatement& problem,
                                           const MechanismResponse& curve) {
   if (!curve.write || !curve.cycle || curve.turn || !curve.held.empty()) return {};
-  return SampledCurve{whole_formula(curve.write, problem.constants.size(), kOfPlace),
-                      *curve.cycle};
+  return SampledCurve{whole_formula(curve.write, problem.constants.size(), kOfPlace), *curve.cycle};
 }
 
 /// The curve and the part of it that a formula holds; null of another number.
@@ -229,8 +227,7 @@ Model::Model(const StatedTable& table, const std::atomic<bool>* stop) : table_(t
       if (is_about(table_.hypotheses[h], row.printed.id)) add_hypothesis(model, h);
     }
     complete(model);
-    const bool is_unstated =
-        model.laws_by != kNone && table_.hypotheses[model.laws_by].unstated;
+    const bool is_unstated = model.laws_by != kNone && table_.hypotheses[model.laws_by].unstated;
     if (!row.law.empty() && !is_unstated) law_of(model, {});
     rows_.push_back(std::move(model));
   }

@@ -19,7 +19,7 @@ namespace camlaw::problems {
 
 /// What an alternative of a hypothesis changes.
 struct StatedDeparture {
-  std::vector<std::string> set = {};  ///< "blades=21"
+  std::vector<std::string> set = {};                               ///< "blades=21"
   std::map<std::string, std::string, std::less<>> laws = {};       ///< by the name in the rows
   std::map<std::string, std::string, std::less<>> responses = {};  ///< by the name in the rows
   std::optional<Readout> peaks = {};

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sensitivity/sensitivity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "numerics/text/names.h"
+#include "numerics/text/units.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr double kHundredth = 0.01;
+
+std::vector<double> values_of_parameters(const std::vector<DesignParameter>& parameters) {
+  std::vector<double> values;
+  for (const DesignParameter& parameter : parameters) values.push_back(parameter.value);
+  return values;
+}
+
+Sensitivity sensitivity_of(double value, double parameter, std::pair<double, double> slopes) {
+  const double size = std::max(std::abs(slopes.first), std::abs(slopes.second));
+  constexpr double kRounding = 1e-9;
+  const bool is_kink = slopes.second - slopes.first > kRounding * size;
+  Sensitivity result;
+  result.slope = is_kink ? (slopes.first + slopes.second) / 2 : slopes.first;
+  result.low = is_kink ? slopes.first : result.slope;
+  result.high = is_kink ? slopes.second : result.slope;
+  const bool has_ratio = value != 0 && parameter != 0;
+  result.elasticity =
+      has_ratio ? result.slope * parameter / value : std::numeric_limits<double>::quiet_NaN();
+  return result;
+}
+
+/// The parameter that a range is of.
+DesignParameter ranged(const ProblemStatement& design, const std::vector<DesignParameter>& all,
+                       std::string_view name) {
+  std::string found(name);
+  for (const MechanismParameter& p : design.mechanism->parameters) {
+    if (p.symbol == name) found = p.name;
+  }
+  for (const DesignParameter& parameter : all) {
+    if (parameter.name == found) return parameter;
+  }
+  std::vector<std::string> known;
+  for (const DesignParameter& parameter : all) known.push_back(parameter.name);
+  refuse_name("no objective or limit depends on a continuous parameter", std::string(name), known);
+}
+
+/// "10:40 mm" or "10 mm:40 mm".
+SensitivityRange read_range(const ProblemStatement& design, const std::vector<DesignParameter>& all,
+                            const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = equals == std::string::npos ? equals : text.find(':', equals);
+  if (colon == std::string::npos) {
+    throw std::invalid_argument(
+        fmt::format("'{}' is not a range; write name=lower:upper, such as stroke=10:40 mm", text));
+  }
+  const std::string name(trimmed(std::string_view(text).substr(0, equals)));
+  SensitivityRange range{ranged(design, all, name), 0, 0};
+  const DesignParameter& p = range.parameter;
+  std::string lower = text.substr(equals + 1, colon - equals - 1);
+  const std::string upper(trimmed(std::string_view(text).substr(colon + 1)));
+  const bool is_bare = std::none_of(lower.begin(), lower.end(), [](unsigned char c) {
+    return std::isalpha(c) != 0 && c != 'e' && c != 'E';
+  });
+  const std::size_t unit = upper.find_first_not_of("+-.0123456789eE ");
+  if (is_bare && unit != std::string::npos) lower += " " + upper.substr(unit);
+  range.lower = onto_range(parse_quantity(lower, p.unit, p.unit, name), p.low, p.high);
+  range.upper = onto_range(parse_quantity(upper, p.unit, p.unit, name), p.low, p.high);
+  if (!(range.lower < range.upper)) {
+    throw std::invalid_argument(fmt::format("{}: lower {} is not below upper {}", name,
+                                            with_unit(range.lower, p.unit),
+                                            with_unit(range.upper, p.unit)));
+  }
+  if (!(range.lower >= p.low && range.upper <= p.high)) {
+    throw std::invalid_argument(fmt::format("{}: {} is not within {}", name,
+                                            range_text(range.lower, range.upper, p.unit),
+                                            range_text(p.low, p.high, p.unit)));
+  }
+  return range;
+}
+
+}  // namespace
+
+LocalSensitivity local_sensitivity(const ProblemStatement& design) {
+  LocalSensitivity result;
+  result.parameters = design_parameters(design);
+  const auto numbers = design_numbers(design, result.parameters);
+  if (result.parameters.empty() || numbers.empty()) {
+    throw std::invalid_argument(
+        "there is no objective and no limit that depends on a continuous parameter, so that there "
+        "is no sensitivity");
+  }
+  const std::vector<double> x = values_of_parameters(result.parameters);
+  for (const DesignNumber& number : numbers) {
+    NumberSensitivity own{
+        number.name, number.unit, number.is_objective, number.function.value(x), {}};
+    const auto slopes = number.slopes(x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      own.by.push_back(sensitivity_of(own.value, x[i], slopes[i]));
+    }
+    result.numbers.push_back(std::move(own));
+  }
+  return result;
+}
+
+SensitivityRanges sensitivity_ranges(const ProblemStatement& design,
+                                     std::span<const std::string> over) {
+  const std::vector<DesignParameter> all = design_parameters(design);
+  SensitivityRanges result;
+  for (const std::string& text : over) {
+    result.ranges.push_back(read_range(design, all, text));
+    const std::string& name = result.ranges.back().parameter.name;
+    const auto same = [&](const SensitivityRange& r) { return r.parameter.name == name; };
+    if (std::count_if(result.ranges.begin(), result.ranges.end(), same) > 1) {
+      throw std::invalid_argument(fmt::format("{} has two ranges; give one", name));
+    }
+  }
+  if (!over.empty()) return result;
+  result.from = RangesFrom::File;
+  for (const ParameterRange& range : design.ranges) {
+    for (const DesignParameter& parameter : all) {
+      if (parameter.of_machine != range.parameter) continue;
+      result.ranges.push_back({parameter, range.lower, range.upper});
+    }
+  }
+  if (!result.ranges.empty()) return result;
+  result.from = RangesFrom::Hundredths;
+  for (const DesignParameter& parameter : all) {
+    const double off = kHundredth * std::abs(parameter.value);
+    const double lower = std::max(parameter.low, parameter.value - off);
+    const double upper = std::min(parameter.high, parameter.value + off);
+    if (lower < upper) result.ranges.push_back({parameter, lower, upper});
+  }
+  return result;
+}
+
+GlobalSensitivity global_sensitivity(const ProblemStatement& design, SensitivityRanges over,
+                                     const optim::SobolOptions& options) {
+  GlobalSensitivity result;
+  std::vector<DesignParameter> parameters;
+  std::vector<optim::Quantile> quantiles;
+  for (const SensitivityRange& range : over.ranges) {
+    parameters.push_back(range.parameter);
+    quantiles.push_back(optim::even_between(range.lower, range.upper));
+  }
+  ProblemStatement watched = design;
+  watched.stop = options.stop;
+  result.over = std::move(over);
+  result.numbers = design_numbers(watched, parameters);
+  const auto model = [&](std::span<const double> x, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = result.numbers[i].function.value(x);
+    }
+  };
+  result.indices = optim::sobol_indices(quantiles, result.numbers.size(), model, options);
+  return result;
+}
+
+}  // namespace camlaw::problems

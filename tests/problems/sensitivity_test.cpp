@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sensitivity/sensitivity.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "problems/statement/bind.h"
+#include "problems/statement/parameters.h"
+#include "tests/shipped_problems.h"
+
+namespace camlaw::problems::sensitivity_test {
+namespace {
+
+using Catch::Matchers::Contains;
+
+ProblemStatement shipped_statement(const std::string& name) {
+  return read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name);
+}
+
+/// y = 3 a^2 b^-1.5 c^0 and a linear one, of a machine of one's own.
+ProblemStatement power_law() {
+  return read_problem(R"(
+[machine]
+name = "powers"
+[machine.parameters.a]
+unit = "mm"
+default = 5
+lower = 0
+[machine.parameters.b]
+unit = "kg"
+default = 2
+lower = 0.1
+[machine.parameters.c]
+default = 7
+[responses.y]
+formula = "3 * (a / (1 mm))^2 * (b / (1 kg))^(-1.5)"
+[responses.z]
+formula = "2 * a / (1 mm) - 4 * b / (1 kg) + 0 * c"
+[variables.a]
+lower = 1
+upper = 10
+[objective]
+minimize = "y"
+[[constraints]]
+response = "z"
+upper = 100
+)",
+                      "powers.toml");
+}
+
+const Sensitivity& by(const LocalSensitivity& local, const std::string& number,
+                      const std::string& parameter) {
+  for (const NumberSensitivity& n : local.numbers) {
+    if (n.name != number) continue;
+    for (std::size_t i = 0; i < local.parameters.size(); ++i) {
+      if (local.parameters[i].name == parameter) return n.by[i];
+    }
+  }
+  FAIL("no derivative of " + number + " by " + parameter);
+  return local.numbers.front().by.front();
+}
+
+/// The value of a number of a design in which one parameter has another value.
+double value_at(const ProblemStatement& design, const std::string& number,
+                const DesignParameter& parameter, double value) {
+  const auto all = design_numbers(design, {parameter});
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& n) { return n.name == number; });
+  REQUIRE(found != all.end());
+  return found->function.value(std::vector<double>{value});
+}
+
+/// Richardson's central difference, of steps h and h / 2.
+double difference(const ProblemStatement& design, const std::string& number,
+                  const DesignParameter& p, double h) {
+  const auto central = [&](double step) {
+    return (value_at(design, number, p, p.value + step) -
+            value_at(design, number, p, p.value - step)) /
+           (2 * step);
+  };
+  return (4 * central(h / 2) - central(h)) / 3;
+}
+
+}  // namespace
+
+TEST_CASE("the elasticity of a power law is its exponent", "[sensitivity]") {
+  const LocalSensitivity local = local_sensitivity(power_law());
+  REQUIRE(local.parameters.size() == 2);  // nothing depends on c
+  CHECK(local.parameters[0].varies);
+  CHECK_FALSE(local.parameters[1].varies);
+  CHECK(by(local, "y", "a").elasticity == Approx(2).epsilon(1e-12));
+  CHECK(by(local, "y", "b").elasticity == Approx(-1.5).epsilon(1e-12));
+  CHECK(by(local, "y", "a").slope == Approx(6 * 5 * std::pow(2, -1.5)).epsilon(1e-12));
+  CHECK(by(local, "z", "a").slope == Approx(2).epsilon(1e-12));
+  CHECK(by(local, "z", "b").slope == Approx(-4).epsilon(1e-12));
+  CHECK_FALSE(by(local, "z", "b").is_kink());
+}
+
+TEST_CASE("indices of a linear limit are the shares of its variance", "[sensitivity]") {
+  const std::vector<std::string> over{"a=4:6 mm", "b = 1 kg : 3 kg"};
+  const ProblemStatement design = power_law();
+  const auto global =
+      global_sensitivity(design, sensitivity_ranges(design, over), {.samples = 2048});
+  REQUIRE(global.numbers.size() == 2);
+  CHECK(global.numbers[1].name == "z");
+  // The variances go as (2 * 2)^2 and (4 * 2)^2.
+  CHECK(global.indices[1].first[0].value == Approx(0.2).margin(0.01));
+  CHECK(global.indices[1].first[1].value == Approx(0.8).margin(0.01));
+  CHECK(global.indices[1].total[1].value == Approx(0.8).margin(0.01));
+  CHECK(global.indices[1].mean == Approx(2).margin(0.02));
+}
+
+TEST_CASE("derivatives of peaks over the cycle are those of differences", "[sensitivity]") {
+  for (const char* name : {"cams/roller_least_base.toml", "spine_cutter/least_force.toml",
+                           "own/bearing_load.toml", "cams/speed_range.toml"}) {
+    const ProblemStatement design = shipped_statement(name);
+    const LocalSensitivity local = local_sensitivity(design);
+    REQUIRE_FALSE(local.parameters.empty());
+    std::size_t compared = 0;
+    for (const NumberSensitivity& number : local.numbers) {
+      for (std::size_t i = 0; i < local.parameters.size(); ++i) {
+        const DesignParameter& p = local.parameters[i];
+        const Sensitivity& s = number.by[i];
+        const double h = 1e-3 * std::abs(p.value);
+        if (h == 0 || s.is_kink() || p.value - h < p.low || p.value + h > p.high) continue;
+        INFO(name << ": " << number.name << " by " << p.name);
+        const double expected = difference(design, number.name, p, h);
+        const double size = std::abs(number.value / p.value);
+        CHECK(s.slope == Approx(expected).epsilon(1e-5).margin(1e-7 * size));
+        ++compared;
+      }
+    }
+    CHECK(compared >= 4);
+  }
+}
+
+TEST_CASE("where peaks are equally high the derivatives to both sides are given", "[sensitivity]") {
+  // max(u x, 1 - x) over the cycle: at u = 1 both ends are 1 high; the slope by u is 0 or 1.
+  const ProblemStatement design = read_problem(R"(
+[machine]
+name = "two peaks"
+moved_by = "law"
+[machine.parameters.u]
+default = 1
+lower = 0
+[responses.f]
+formula = "max(u * x, 1 - x)"
+[law]
+name = "cycloidal"
+[objective]
+minimize = "highest f"
+[variables.u]
+lower = 0.1
+upper = 4
+start = 1
+)",
+                                               "peaks.toml");
+  const LocalSensitivity local = local_sensitivity(design);
+  const Sensitivity& s = by(local, "highest f", "u");
+  CHECK(s.is_kink());
+  CHECK(s.low == Approx(0).margin(1e-9));
+  CHECK(s.high == Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("ranges are those that are stated, else the file's, else hundredths", "[sensitivity]") {
+  const ProblemStatement ranged = shipped_statement("cams/speed_range.toml");
+  const auto of_file = sensitivity_ranges(ranged, {});
+  CHECK(of_file.from == RangesFrom::File);
+  REQUIRE(of_file.ranges.size() == 2);
+  CHECK(of_file.ranges[0].lower == Approx(60));
+  CHECK(of_file.ranges[0].upper == Approx(350));
+  const auto none = sensitivity_ranges(power_law(), {});
+  CHECK(none.from == RangesFrom::Hundredths);
+  REQUIRE(none.ranges.size() == 2);
+  CHECK(none.ranges[0].lower == Approx(4.95));
+  CHECK(none.ranges[0].upper == Approx(5.05));
+  const std::vector<std::string> stated{"a=1 cm:20 mm"};
+  const auto own = sensitivity_ranges(power_law(), stated);
+  CHECK(own.from == RangesFrom::Stated);
+  CHECK(own.ranges[0].lower == Approx(10));
+  struct Wrong {
+    std::vector<std::string> over;
+    const char* says;
+  };
+  for (const Wrong& wrong :
+       {Wrong{{"a"}, "lower:upper"}, Wrong{{"a=3 mm"}, "lower:upper"}, Wrong{{"d=1:2"}, "d"},
+        Wrong{{"a=2:1 mm"}, "not below"}, Wrong{{"a=1:2 kg"}, "kg"},
+        Wrong{{"a=1:2", "a=3:4"}, "two ranges"}, Wrong{{"b=0:1 kg"}, "not within"},
+        Wrong{{"a=:"}, "a"}, Wrong{{"=1:2"}, ""}}) {
+    INFO(wrong.over.front());
+    CHECK_THROWS_WITH(sensitivity_ranges(power_law(), wrong.over), Contains(wrong.says));
+  }
+}
+
+TEST_CASE("every shipped problem with an objective has sensitivities", "[sensitivity][heavy]") {
+  for (const std::string& file : testing::shipped_problem_files()) {
+    INFO(file);
+    const ProblemStatement design = read_problem_file(file);
+    if (design.objectives.empty() || design_parameters(design).empty()) continue;
+    if (design_numbers(design, design_parameters(design)).empty()) continue;
+    const LocalSensitivity local = local_sensitivity(design);
+    for (const NumberSensitivity& number : local.numbers) {
+      CHECK(number.by.size() == local.parameters.size());
+    }
+  }
+}
+
+}  // namespace camlaw::problems::sensitivity_test
