@@ -19,7 +19,12 @@ using problems::LocalSensitivity;
 using problems::NumberSensitivity;
 using problems::Sensitivity;
 
-std::string four(double value) { return in_digits(value, 4); }
+/// Of each number as many rows are shown to people.
+constexpr std::size_t kMostShown = 15;
+/// Of Sobol indices those from here on.
+constexpr double kLeastShown = 0.0005;
+
+std::string four(double value) { return std::isnan(value) ? "-" : in_digits(value, 4); }
 
 /// Indexes in the order of falling sizes; what is not a number comes last.
 template <class Size>
@@ -53,7 +58,7 @@ std::vector<Cell> local_cells(const NumberSensitivity& number, const DesignParam
           {parameter.varies ? "variable" : "constant", parameter.varies},
           {slope_text(s), s.slope},
           per(number.unit, parameter.unit),
-          {std::isnan(s.elasticity) ? "-" : four(s.elasticity), s.elasticity},
+          {four(s.elasticity), s.elasticity},
           datum(s.low),
           datum(s.high)};
 }
@@ -68,25 +73,28 @@ Table local_sensitivity_table(const LocalSensitivity& local) {
                   data("parameter_unit"), words("", "varies"), numbers("derivative", "derivative"),
                   words("in", "derivative_unit"), numbers("% per %", "elasticity"),
                   data("least_derivative"), data("greatest_derivative")}};
-  std::vector<std::vector<Cell>> zeros;
+  std::vector<std::vector<Cell>> rest;
   for (const NumberSensitivity& number : local.numbers) {
     const auto order = by_size(number.by.size(), [&](std::size_t i) {
       const Sensitivity& s = number.by[i];
       return std::isnan(s.elasticity) ? std::max(std::abs(s.low), std::abs(s.high)) * 1e-300
                                       : std::abs(s.elasticity);
     });
+    std::size_t count = 0;
     for (const std::size_t i : order) {
       const Sensitivity& s = number.by[i];
       auto cells = local_cells(number, local.parameters[i], s);
-      if (s.low == 0 && s.high == 0) {
-        zeros.push_back(std::move(cells));
+      const bool is_zero = s.low == 0 && s.high == 0;
+      if (is_zero || count == kMostShown) {
+        rest.push_back(std::move(cells));
       } else {
         table.add(std::move(cells));
+        ++count;
       }
     }
   }
   table.shown = table.rows.size();
-  for (auto& cells : zeros) table.add(std::move(cells));
+  for (auto& cells : rest) table.add(std::move(cells));
   return table;
 }
 
@@ -94,6 +102,14 @@ std::string local_sensitivity_words(const LocalSensitivity& local) {
   std::string text =
       "exact derivatives at this design, and by how many percent each number changes for one "
       "percent of the parameter; what is left out is 0\n";
+  const auto is_long = [](const NumberSensitivity& n) {
+    const auto counts = [](const Sensitivity& s) { return s.low != 0 || s.high != 0; };
+    return static_cast<std::size_t>(std::count_if(n.by.begin(), n.by.end(), counts)) > kMostShown;
+  };
+  if (std::any_of(local.numbers.begin(), local.numbers.end(), is_long)) {
+    text +=
+        fmt::format("of each number the {} parameters that matter most are shown\n", kMostShown);
+  }
   const bool has_kinks =
       std::any_of(local.numbers.begin(), local.numbers.end(), [](const NumberSensitivity& n) {
         return std::any_of(n.by.begin(), n.by.end(), [](const auto& s) { return s.is_kink(); });
@@ -160,13 +176,19 @@ Table global_sensitivity_table(const GlobalSensitivity& global) {
                           numbers("first order", "first"), words("95 %"), numbers("total", "total"),
                           words("95 %"), data("first_low"), data("first_high"), data("total_low"),
                           data("total_high")}};
+  std::vector<std::vector<Cell>> rest;
   for (std::size_t n = 0; n < global.numbers.size(); ++n) {
     const auto& total = global.indices[n].total;
     for (const std::size_t p :
          by_size(total.size(), [&](std::size_t i) { return total[i].value; })) {
-      if (!std::isnan(total[p].value)) table.add(global_cells(global, n, p));
+      if (std::isnan(total[p].value)) continue;
+      const bool is_shown =
+          std::max(total[p].value, std::abs(global.indices[n].first[p].value)) >= kLeastShown;
+      (is_shown ? table.rows : rest).push_back(global_cells(global, n, p));
     }
   }
+  table.shown = table.rows.size();
+  for (auto& cells : rest) table.add(std::move(cells));
   return table;
 }
 
@@ -184,7 +206,7 @@ std::string global_sensitivity_words(const GlobalSensitivity& global) {
   std::string text = fmt::format(
       "Sobol indices over {}: the share of a number's variance that a parameter makes alone (first "
       "order) and with others (total), from {} samples of {} points, with 95 % intervals of "
-      "resampling\n",
+      "resampling; what is left out rounds to 0\n",
       ranges, samples, global.over.ranges.size() + 2);
   if (undefined > 0) {
     text += fmt::format("up to {} of the samples have no value somewhere and do not count\n",

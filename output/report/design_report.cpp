@@ -162,6 +162,9 @@ ReportPage design_report(const ReportedDesign& reported) {
   if (review.held) {
     page.sections.push_back(sensitivity_section(review.held->problem, review.held->x));
   }
+  if (auto derivatives = derivatives_section(design)) {
+    page.sections.push_back(*std::move(derivatives));
+  }
   const ReportSection numbers = numbers_section(review.evaluated);
   if (!numbers.html.empty()) page.sections.push_back(numbers);
   Facts facts = reported.facts;

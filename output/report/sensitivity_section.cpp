@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/answers/sensitivity_output.h"
 #include "output/answers/tolerance_output.h"
 #include "output/document/formatting.h"
 #include "output/report/html.h"
@@ -86,6 +87,23 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
                          report.impossible_corners, report.impossible_samples);
   }
   return {"sensitivity", "Tolerances", html + paragraph(notes)};
+}
+
+std::optional<ReportSection> derivatives_section(const problems::ProblemStatement& design) {
+  constexpr std::size_t kMostRanges = 24, kSamples = 64;  // a page is to be there at once
+  const auto parameters = problems::design_parameters(design);
+  if (parameters.empty() || problems::design_numbers(design, parameters).empty()) return {};
+  const auto local = problems::local_sensitivity(design);
+  std::string html = paragraph(local_sensitivity_words(local));
+  html += html_of(local_sensitivity_table(local));
+  auto ranges = problems::sensitivity_ranges(design, {});
+  if (!ranges.ranges.empty() && ranges.ranges.size() <= kMostRanges) {
+    const auto global =
+        problems::global_sensitivity(design, std::move(ranges), {.samples = kSamples});
+    html += paragraph(global_sensitivity_words(global));
+    html += html_of(global_sensitivity_table(global));
+  }
+  return ReportSection{"derivatives", "Sensitivities", html};
 }
 
 }  // namespace camlaw::cli

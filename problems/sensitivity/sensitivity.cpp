@@ -24,14 +24,24 @@ std::vector<double> values_of_parameters(const std::vector<DesignParameter>& par
   return values;
 }
 
+/// What a slope is but for rounding: nothing, where one percent of the parameter would change
+/// nothing of the number that can be told.
+double rounded_slope(double slope, double value, double parameter) {
+  constexpr double kTold = 1e-13;
+  return std::abs(slope * parameter) <= kTold * std::abs(value) && parameter != 0 ? 0 : slope;
+}
+
 Sensitivity sensitivity_of(double value, double parameter, std::pair<double, double> slopes) {
-  const double size = std::max(std::abs(slopes.first), std::abs(slopes.second));
-  constexpr double kRounding = 1e-9;
-  const bool is_kink = slopes.second - slopes.first > kRounding * size;
+  const double first = rounded_slope(slopes.first, value, parameter);
+  const double second = rounded_slope(slopes.second, value, parameter);
+  const double size = std::max(std::abs(first), std::abs(second));
+  constexpr double kFound = 1e-6;  // a peak's place is found to the root of rounding
+  const bool is_kink = second - first > kFound * size;
   Sensitivity result;
-  result.slope = is_kink ? (slopes.first + slopes.second) / 2 : slopes.first;
-  result.low = is_kink ? slopes.first : result.slope;
-  result.high = is_kink ? slopes.second : result.slope;
+  result.slope = is_kink ? (first + second) / 2 : first;
+  if (std::abs(result.slope) < kFound * size) result.slope = 0;
+  result.low = is_kink ? first : result.slope;
+  result.high = is_kink ? second : result.slope;
   const bool has_ratio = value != 0 && parameter != 0;
   result.elasticity =
       has_ratio ? result.slope * parameter / value : std::numeric_limits<double>::quiet_NaN();
