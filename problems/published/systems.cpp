@@ -55,22 +55,14 @@ const std::vector<ReproducibleSystem>& reproducible_systems() {
 
 namespace {
 
-/// The files of laws that a table names.
-std::vector<std::string> law_files_of(const StatedTable& table) {
-  std::vector<std::string> files;
-  const auto add = [&](const std::string& law) {
-    if (!law.ends_with(".json")) return;
-    const std::filesystem::path folder = std::filesystem::path(table.file.place).parent_path();
-    files.push_back((folder / law).string());
-  };
-  for (const StatedRow& row : table.rows) add(row.law);
-  for (const auto& [word, law] : table.laws) add(law);
-  for (const StatedHypothesis& hypothesis : table.hypotheses) {
-    for (const StatedAlternative& alternative : hypothesis.alternatives) {
-      for (const auto& [word, law] : alternative.departure.laws) add(law);
-    }
+/// Adds what a table's texts name that may be files of laws or motions beside it.
+void add_files(const Entry& entry, const std::filesystem::path& folder,
+               std::vector<std::string>& files) {
+  if (entry.kind == Entry::Kind::Text) {
+    const bool is_file = entry.text.ends_with(".json") || entry.text.ends_with(".csv");
+    if (is_file) files.push_back((folder / entry.text).string());
   }
-  return files;
+  for (const Entry& item : entry.items) add_files(item, folder, files);
 }
 
 }  // namespace
@@ -83,8 +75,8 @@ ReproducibleSystem find_reproducible(const std::string& name_or_path) {
   if (names_table_file(name_or_path)) {
     StatedTable table = read_stated_table(file_text(name_or_path, "table"), name_or_path);
     std::string name = table.name;
-    std::vector<std::string> files = law_files_of(table);
-    files.push_back(name_or_path);
+    std::vector<std::string> files{name_or_path};
+    add_files(table.file, std::filesystem::path(name_or_path).parent_path(), files);
     return {std::move(name),
             [table = std::move(table)](const std::atomic<bool>* stop) {
               return reproduce_table(table, stop);

@@ -9,6 +9,8 @@
 
 #include "kinematics/laws/catalogue.h"
 #include "kinematics/peaks.h"
+#include "numerics/formula/expression.h"
+#include "optim/search/deadline.h"
 #include "problems/published/systems.h"
 #include "problems/published/table/printed_text.h"
 #include "problems/published/table/readout.h"
@@ -321,6 +323,35 @@ TEST_CASE("the table of motion laws agrees with the peaks of the laws", "[stated
           Approx(value.printed.quantity == "C_v" ? peak.max_velocity() : peak.max_acceleration())
               .epsilon(1e-10));
   }
+}
+
+TEST_CASE("a law that the source does not state leaves nothing to imply", "[stated-table]") {
+  const auto result = reproduced(R"(
+mechanism = "law"
+[hypotheses.coefficient]
+laws = { "a secret law" = "polynomial-7 A={}" }
+alternatives = [1, 2]
+[[implied]]
+parameter = "period_ratio"
+[[values]]
+id = "a"
+response = "C_a"
+law = "a secret law"
+printed = "1.234"
+)");
+  CHECK(result.unexplained == 1);
+}
+
+TEST_CASE("the documents' example comes out as they say", "[stated-table]") {
+  const std::string page = testing::read(CAMLAW_SOURCE_DIR "/docs/reproduction.md");
+  const std::string fence = "```toml\n";
+  const auto start = page.find(fence) + fence.size();
+  const auto result = reproduced(page.substr(start, page.find("```", start) - start));
+  CHECK(value_of(result, "chord").verdict == optim::Finding::Reproduced);
+  CHECK(value_of(result, "blades").verdict == optim::Finding::Explained);
+  CHECK(result.departures ==
+        std::vector<std::string>{
+            "number of blades: 21 (stated 17), one of 21 tried, needed by 1 value"});
 }
 
 TEST_CASE("a table can be stopped", "[stated-table]") {

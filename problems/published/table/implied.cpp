@@ -121,7 +121,9 @@ void add_implied(Model& model, SystemReproduction& result) {
   for (const ImpliedParameter& implied : model.table().implied) {
     std::map<RowGroup, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < model.size(); ++i) {
-      groups[group_of(*model.row(i).row)].push_back(i);
+      const std::size_t by = model.row(i).laws_by;
+      const bool has_no_law = by != kNone && model.table().hypotheses[by].unstated;
+      if (!has_no_law) groups[group_of(*model.row(i).row)].push_back(i);
     }
     for (const auto& [key, rows] : groups) {
       const bool any = std::any_of(rows.begin(), rows.end(), [&](std::size_t i) {

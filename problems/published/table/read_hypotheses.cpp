@@ -18,6 +18,7 @@ namespace {
 using Kind = Entry::Kind;
 
 constexpr std::size_t kMostAlternatives = 10000;  // of a hypothesis
+constexpr std::size_t kMostOfAll = 20000;
 
 /// A number of a range of alternatives, and its decimals.
 struct RangeNumber {
@@ -233,6 +234,12 @@ std::vector<StatedHypothesis> read_hypotheses(const Entry& file) {
   if (all == nullptr) return hypotheses;
   expect(*all, Kind::Table, "tables, such as [hypotheses.depth]");
   for (const Entry& table : all->items) hypotheses.push_back(read_hypothesis(table));
+  std::size_t alternatives = 0;
+  for (const StatedHypothesis& h : hypotheses) alternatives += h.alternatives.size();
+  if (alternatives > kMostOfAll) {
+    refuse(*all, fmt::format("{} alternatives of all hypotheses; at most {} are accepted",
+                             alternatives, kMostOfAll));
+  }
   if (hypotheses.size() > optim::kMaxHypotheses) {
     refuse(*all, fmt::format("{} hypotheses; at most {} are accepted", hypotheses.size(),
                              optim::kMaxHypotheses));

@@ -59,25 +59,22 @@ std::size_t combinations(const StatedTable& table, const std::vector<std::size_t
 
 }  // namespace
 
-LawOfRow Model::make_law(const RowModel& model, std::span<const int> choice) {
+Model::NamedByRow Model::law_named(const RowModel& model, std::span<const int> choice) const {
   const StatedRow& row = *model.row;
-  std::string text = row.law;
-  Entry where = row.where;
-  if (const Entry* law = find(row.where, "law")) where = *law;
-  bool is_alternative = false;
   if (model.laws_by != kNone && choice_of(choice, model.laws_by) > 0) {
     const StatedHypothesis& hypothesis = table_.hypotheses[model.laws_by];
     const auto k = static_cast<std::size_t>(choice_of(choice, model.laws_by) - 1);
     const auto& map = hypothesis.alternatives[k].departure.laws;
-    if (const auto found = map.find(row.law); found != map.end()) {
-      text = found->second;
-      where = hypothesis.where;
-      is_alternative = true;
-    }
+    const auto found = map.find(row.law);
+    if (found != map.end()) return {found->second, &hypothesis.where};
   }
-  if (!is_alternative) {
-    if (const auto word = table_.laws.find(text); word != table_.laws.end()) text = word->second;
-  }
+  const Entry* law = find(row.where, "law");
+  const auto word = table_.laws.find(row.law);
+  return {word != table_.laws.end() ? word->second : row.law, law != nullptr ? law : &row.where};
+}
+
+std::vector<std::string> Model::settings_of_law(const RowModel& model,
+                                                std::span<const int> choice) const {
   std::vector<std::string> settings = model.law_settings;
   for (const std::size_t h : model.law_by) {
     const int k = choice_of(choice, h);
@@ -86,34 +83,49 @@ LawOfRow Model::make_law(const RowModel& model, std::span<const int> choice) {
       settings.push_back(std::move(setting));
     }
   }
-  const std::string key = fmt::format("{}|{}|{}", row.mechanism, text, fmt::join(settings, "|"));
-  if (const auto known = laws_.find(key); known != laws_.end()) return known->second;
-  const ProblemStatement& base = bases_.at(row.mechanism);
-  Member member = base.laws.front();
+  return settings;
+}
+
+/// The law of the name, or without one the law of the file.
+Member Model::member_of(const RowModel& model, const NamedByRow& named) const {
+  const ProblemStatement& base = bases_.at(model.row->mechanism);
   const MovedBy moved_by = base.mechanism->moved_by;
-  if (!text.empty()) {
-    if (moved_by != MovedBy::Law) {
-      refuse(where,
-             fmt::format("{} is not moved by a law that a value can name", base.mechanism->name));
+  if (named.law.empty()) {
+    if (moved_by == MovedBy::Law && find(table_.file, "law") == nullptr) {
+      refuse(*named.where, fmt::format("{} follows a law; name it, law = \"cosine\", or in [law] "
+                                       "for all values",
+                                       model.row->response));
     }
-    Entry name = where;
-    name.kind = Entry::Kind::Text;
-    name.text = text;
-    name.items.clear();
-    HeldFiles files;
-    member = read_law_name(name, files).law;
-  } else if (moved_by == MovedBy::Law && find(table_.file, "law") == nullptr) {
-    refuse(where, fmt::format("{} follows a law; name it, law = \"cosine\", or in [law] for all "
-                              "values",
-                              row.response));
+    return base.laws.front();
   }
+  if (moved_by != MovedBy::Law) {
+    refuse(*named.where,
+           fmt::format("{} is not moved by a law that a value can name", base.mechanism->name));
+  }
+  Entry name = *named.where;
+  name.kind = Entry::Kind::Text;
+  name.text = named.law;
+  name.items.clear();
+  HeldFiles files;
+  return read_law_name(name, files).law;
+}
+
+LawOfRow Model::make_law(const RowModel& model, std::span<const int> choice) {
+  const NamedByRow named = law_named(model, choice);
+  const std::vector<std::string> settings = settings_of_law(model, choice);
+  const std::string key =
+      fmt::format("{}|{}|{}", model.row->mechanism, named.law, fmt::join(settings, "|"));
+  if (const auto known = laws_.find(key); known != laws_.end()) return known->second;
+  const ProblemStatement& base = bases_.at(model.row->mechanism);
+  Member member = member_of(model, named);
   if (!settings.empty()) {
     ProblemStatement problem = base;
     problem.laws = {member};
-    located(where, [&] { set_values(problem, settings); });
+    located(*named.where, [&] { set_values(problem, settings); });
     member = problem.laws.front();
   }
-  const bool is_possible = moved_by == MovedBy::Nothing || static_cast<bool>(member.possible_law());
+  const bool is_possible =
+      base.mechanism->moved_by == MovedBy::Nothing || static_cast<bool>(member.possible_law());
   LawOfRow law;
   if (is_possible) law = std::make_shared<LawBinding>(member, std::vector<LawVariable>{});
   return laws_.emplace(key, std::move(law)).first->second;
@@ -140,26 +152,39 @@ double Model::looked_up(const RowModel& model, const LookedUp& number,
   return number.place ? trace->at(*number.place)[0] : peak_of(*trace, number.name.part);
 }
 
+namespace {
+
+/// Whether a hypothesis sets a parameter that a number uses.
+bool sets_used(const RowModel& model, const LookedUp& number, std::size_t h) {
+  const auto is_used = [&](const auto& set) {
+    return std::find(number.uses.begin(), number.uses.end(), set.first) != number.uses.end();
+  };
+  for (const auto& [by, choices] : model.overrides) {
+    if (by != h) continue;
+    for (const Overrides& overrides : choices) {
+      if (std::any_of(overrides.begin(), overrides.end(), is_used)) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a hypothesis changes a number.
+bool matters(const RowModel& model, const LookedUp& number, std::size_t h) {
+  const bool is_of_law =
+      std::find(model.law_by.begin(), model.law_by.end(), h) != model.law_by.end();
+  return sets_used(model, number, h) || (number.sees_law && is_of_law) ||
+         (number.sampled && model.peaks_by == h);
+}
+
+}  // namespace
+
 /// Kept twice: by the row's choices, which is quick to find, and by all that matters to it, which
 /// rows share.
 double Model::number(RowModel& model, LookedUp& number, const std::vector<double>& constants,
                      std::span<const int> choice) {
   if (number.known.empty()) {
     for (const std::size_t h : model.depends) {
-      const bool sets =
-          std::any_of(model.overrides.begin(), model.overrides.end(), [&](const auto& overrides) {
-            return overrides.first == h &&
-                   std::any_of(
-                       overrides.second.begin(), overrides.second.end(), [&](const Overrides& set) {
-                         return std::any_of(set.begin(), set.end(), [&](const auto& s) {
-                           return std::find(number.uses.begin(), number.uses.end(), s.first) !=
-                                  number.uses.end();
-                         });
-                       });
-          });
-      const bool is_law = number.sees_law && std::find(model.law_by.begin(), model.law_by.end(),
-                                                       h) != model.law_by.end();
-      if (sets || is_law || (number.sampled && model.peaks_by == h)) number.by.push_back(h);
+      if (matters(model, number, h)) number.by.push_back(h);
     }
     number.known.resize(combinations(table_, number.by));
   }

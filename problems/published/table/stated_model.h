@@ -87,6 +87,15 @@ class Model {
   const Overrides& machine_settings(const RowModel& model, std::size_t h, std::size_t k);
   std::vector<std::string> law_settings(const RowModel& model, std::size_t h, std::size_t k) const;
   bool is_law_setting(const RowModel& model, const std::string& setting) const;
+  /// A law's name and where it stands.
+  struct NamedByRow {
+    std::string law;
+    const Entry* where;
+  };
+  NamedByRow law_named(const RowModel& model, std::span<const int> choice) const;
+  std::vector<std::string> settings_of_law(const RowModel& model,
+                                           std::span<const int> choice) const;
+  Member member_of(const RowModel& model, const NamedByRow& named) const;
   LawOfRow law_of(RowModel& model, std::span<const int> choice);
   LawOfRow make_law(const RowModel& model, std::span<const int> choice);
   double number(RowModel& model, LookedUp& number, const std::vector<double>& constants,

@@ -8,6 +8,7 @@
 #include "numerics/formula/expression.h"
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "optim/search/deadline.h"
 #include "problems/published/table/stated_model.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/reading.h"
@@ -76,6 +77,36 @@ std::pair<const MechanismResponse*, Part> held_peak(const Mechanism& mechanism,
     }
   }
   return {nullptr, Part::Value};
+}
+
+/// A number that a formula holds as a whole.
+LookedUp held_number(const ProblemStatement& problem, const MechanismResponse& response,
+                     const InnerNumber& inner) {
+  LookedUp held{.name = {},
+                .inner = inner,
+                .place = {},
+                .sampled = {},
+                .uses = inner.uses,
+                .sees_law = response.sees_law};
+  const auto [curve, part] = held_peak(*problem.mechanism, inner);
+  if (curve == nullptr) return held;
+  held.sampled = sampled_curve(problem, *curve);
+  held.name.part = part;
+  held.sees_law = curve->sees_law;
+  return held;
+}
+
+/// A curve is compared at a place or by a part of it, a number without either.
+void check_place(const StatedRow& row, const ResponseName& name, const Entry& where) {
+  const bool is_whole_curve = name.response->curve && name.part == Part::Value;
+  if (is_whole_curve && !row.at) {
+    refuse(where, fmt::format("{0} is a curve over the cycle; write \"peak {0}\", \"highest {0}\" "
+                              "or \"lowest {0}\", or give the place, at = \"30 {1}\"",
+                              name.response->name, name.response->along));
+  }
+  if (row.at && !is_whole_curve) {
+    refuse(*find(row.where, "at"), name.name + " is a number, which has no place on the cycle");
+  }
 }
 
 /// From the response's unit into that of the print.
@@ -151,35 +182,14 @@ RowResponse Model::make_response_of(const RowModel& model, const std::string& na
   result.uses = response->uses;
   result.uses.insert(result.uses.end(), response->possible_by.begin(), response->possible_by.end());
   result.sees_law = response->sees_law;
-  const bool is_curve = static_cast<bool>(response->curve);
-  if (is_curve && result.name.part == Part::Value && !model.row->at) {
-    refuse(where, fmt::format("{0} is a curve over the cycle; write \"peak {0}\", \"highest {0}\" "
-                              "or \"lowest {0}\", or give the place, at = \"30 {1}\"",
-                              response->name, response->along));
-  }
-  if (model.row->at && (!is_curve || result.name.part != Part::Value)) {
-    refuse(*find(model.row->where, "at"),
-           fmt::format("{} is a number, which has no place on the cycle", name));
-  }
-  if (!is_curve && response->write) {
+  check_place(*model.row, result.name, where);
+  if (!response->curve && response->write) {
     result.formula =
         whole_formula(response->write, problem.constants.size(), response->inner.size());
     for (const InnerNumber& inner : response->inner) {
-      LookedUp held{.name = {},
-                    .inner = inner,
-                    .place = {},
-                    .sampled = {},
-                    .uses = inner.uses,
-                    .sees_law = response->sees_law,
-                    .id = id_of(of, inner.name)};
-      const auto [curve, part] = held_peak(mechanism, inner);
-      if (curve != nullptr) {
-        held.sampled = sampled_curve(problem, *curve);
-        held.name.part = part;
-        held.sees_law = curve->sees_law;
-        result.has_peak = true;
-      }
-      result.numbers.push_back(std::move(held));
+      result.numbers.push_back(held_number(problem, *response, inner));
+      result.numbers.back().id = id_of(of, inner.name);
+      result.has_peak = result.has_peak || result.numbers.back().name.part != Part::Value;
     }
     return result;
   }
@@ -195,7 +205,7 @@ RowResponse Model::make_response_of(const RowModel& model, const std::string& na
     whole.place = optim::Place{located(at, [&] {
       return parse_quantity(*model.row->at, response->along, response->along, "at");
     })};
-  } else if (is_curve) {
+  } else if (response->curve) {
     whole.sampled = sampled_curve(problem, *response);
     result.has_peak = true;
   }
@@ -222,6 +232,7 @@ RowModel Model::make_row(const StatedRow& row) {
 
 Model::Model(const StatedTable& table, const std::atomic<bool>* stop) : table_(table), stop_(stop) {
   for (const StatedRow& row : table_.rows) {
+    if (stop_ != nullptr) optim::Deadline({}, stop_).check();
     RowModel model = make_row(row);
     for (std::size_t h = 0; h < table_.hypotheses.size(); ++h) {
       if (is_about(table_.hypotheses[h], row.printed.id)) add_hypothesis(model, h);
