@@ -20,7 +20,7 @@ ProblemStatement shipped_statement(const std::string& name) {
 
 /// y = 3 a^2 b^-1.5 c^0 and a linear one, of a machine of one's own.
 ProblemStatement power_law() {
-  return read_problem(R"(
+  return read_problem(R"toml(
 [machine]
 name = "powers"
 [machine.parameters.a]
@@ -45,7 +45,7 @@ minimize = "y"
 [[constraints]]
 response = "z"
 upper = 100
-)",
+)toml",
                       "powers.toml");
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("derivatives of peaks over the cycle are those of differences", "[sens
 
 TEST_CASE("where peaks are equally high the derivatives to both sides are given", "[sensitivity]") {
   // max(u x, 1 - x) over the cycle: at u = 1 both ends are 1 high; the slope by u is 0 or 1.
-  const ProblemStatement design = read_problem(R"(
+  const ProblemStatement design = read_problem(R"toml(
 [machine]
 name = "two peaks"
 moved_by = "law"
@@ -154,7 +154,7 @@ minimize = "highest f"
 lower = 0.1
 upper = 4
 start = 1
-)",
+)toml",
                                                "peaks.toml");
   const LocalSensitivity local = local_sensitivity(design);
   const Sensitivity& s = by(local, "highest f", "u");

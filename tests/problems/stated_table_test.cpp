@@ -34,7 +34,7 @@ const ReproducedValue& value_of(const SystemReproduction& result, const std::str
 }
 
 /// A pendulum's period, 2 pi sqrt(l / g): no machine of the program.
-const std::string kPendulum = R"(
+const std::string kPendulum = R"toml(
 title = "periods of pendulums"
 [machine]
 name = "pendulum"
@@ -49,7 +49,7 @@ lower = 0
 [responses.period]
 formula = "2 * pi * sqrt(length / gravity)"
 unit = "s"
-)";
+)toml";
 
 std::string pendulum_value(const std::string& length, const std::string& printed) {
   return "[[values]]\nid = \"" + length + "\"\nresponse = \"period\"\nset = \"length = " + length +
@@ -187,7 +187,7 @@ TEST_CASE("peaks are read off grids and differences as by hand", "[stated-table]
 
 TEST_CASE("a curve is compared at a place of its cycle", "[stated-table]") {
   // Simple harmonic motion: half of the stroke is done at half of the rise.
-  const auto result = reproduced(R"(
+  const auto result = reproduced(R"toml(
 mechanism = "spine-cutter"
 [[values]]
 id = "half"
@@ -203,7 +203,7 @@ at = "300 deg"
 law = "cosine"
 set = ["stroke = 40 mm"]
 printed = "10.0 mm"
-)");
+)toml");
   CHECK(result.reproduced == 2);
   CHECK(value_of(result, "third").stated_value == Approx(10).epsilon(1e-12));
 }
@@ -326,7 +326,7 @@ TEST_CASE("the table of motion laws agrees with the peaks of the laws", "[stated
 }
 
 TEST_CASE("a law that the source does not state leaves nothing to imply", "[stated-table]") {
-  const auto result = reproduced(R"(
+  const auto result = reproduced(R"toml(
 mechanism = "law"
 [hypotheses.coefficient]
 laws = { "a secret law" = "polynomial-7 A={}" }
@@ -338,7 +338,7 @@ id = "a"
 response = "C_a"
 law = "a secret law"
 printed = "1.234"
-)");
+)toml");
   CHECK(result.unexplained == 1);
 }
 
