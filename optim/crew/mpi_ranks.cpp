@@ -133,8 +133,9 @@ MpiRanks::MpiRanks() : plugin_(std::make_unique<Plugin>()) {
                     "as by the packages of packages-mpi.txt",
                     kPlugin));
   }
-  // Global, as an MPI loads parts of its own that look for what it has.
-  void* plugin = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL);
+  // Global, as an MPI loads parts of its own that look for what it has. Its own libraries first
+  // (DEEPBIND): the sequential MUMPS of Ipopt brings functions by MPI's names that know one rank.
+  void* plugin = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_DEEPBIND);
   void* open = plugin != nullptr ? dlsym(plugin, CAMLAW_TEXT(CAMLAW_MPI)) : nullptr;
   if (open == nullptr) throw std::runtime_error(fmt::format("{}: {}", kPlugin, dlerror()));
   if (const char* error = reinterpret_cast<CamlawMpiOpen>(open)(&plugin_->mpi)) {
