@@ -9,6 +9,7 @@
 
 #include "benchmarks/accuracy/accuracy.h"
 #include "benchmarks/records/record_table.h"
+#include "benchmarks/scale/simulated_cluster.h"
 #include "benchmarks/timing.h"
 
 namespace {
@@ -71,6 +72,7 @@ int main(int argc, char* argv[]) {
   if (all || wanted == "--fronts") measures::print_front_table();
   if (wanted == "--known-fronts") measures::print_known_fronts();
   if (wanted == "--even-fronts") measures::print_even_fronts();
+  if (wanted == "--scale") measures::print_scale_table();
   if (wanted == "--accuracy") {
     measures::print_hock_schittkowski_table();
     measures::print_cam_shape_accuracy();
@@ -79,7 +81,7 @@ int main(int argc, char* argv[]) {
   }
   if (all || wanted == "--search" || wanted == "--cam-shape" || wanted == "--cams" ||
       wanted == "--fronts" || wanted == "--known-fronts" || wanted == "--even-fronts" ||
-      wanted == "--accuracy") {
+      wanted == "--scale" || wanted == "--accuracy") {
     return 0;
   }
   measures::register_laws();

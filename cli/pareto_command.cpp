@@ -14,6 +14,7 @@
 #include "cli/run_limits.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
+#include "optim/crew/mpi_ranks.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct ParetoCommand {
   std::string file;
-  std::optional<std::string> method, points, workers, db, out;
+  std::optional<std::string> method, points, workers, executor, db, out;
   RunLimits limits;
   std::vector<std::string> settings;
   bool resume = false, json = false;
@@ -116,15 +117,60 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& d
   return files;
 }
 
+/// The ranks that mpirun has started, where the searches are theirs; null: they are of processes of
+/// this machine.
+std::unique_ptr<optim::MpiRanks> ranks_of(const ParetoCommand& options) {
+  const std::string executor = options.executor.value_or("processes");
+  if (executor == "processes") return nullptr;
+  if (executor != "mpi") {
+    throw std::invalid_argument(
+        fmt::format("--executor: '{}' is neither processes nor mpi", executor));
+  }
+  if (options.workers) {
+    throw std::invalid_argument("--workers: with --executor mpi, mpirun says how many there are");
+  }
+  if (options.limits.time_limit) {
+    throw std::invalid_argument(
+        "--time-limit: not with --executor mpi; interrupt mpirun in its place, and what is "
+        "recorded "
+        "stays (--db, --resume)");
+  }
+  return std::make_unique<optim::MpiRanks>();
+}
+
+/// Searches by the ranks of MPI.
+class RankExecutor final : public optim::Executor {
+ public:
+  RankExecutor(const problems::FrontStudy& study, optim::MpiRanks& ranks)
+      : force_(ranks), tasks_(study.space(), study.options().solve, force_) {
+    ranks.give(problems::worker_program(study).problem);
+  }
+  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
+                                  const optim::OnOutcome& on_outcome) override {
+    return tasks_.run(tasks, on_outcome);
+  }
+  std::string remark() const override { return force_.remark(); }
+
+ private:
+  optim::ParcelForce force_;
+  optim::WorkforceExecutor tasks_;
+};
+
+std::unique_ptr<optim::Executor> executor_of(const problems::FrontStudy& study, int count,
+                                             optim::MpiRanks* ranks) {
+  if (ranks != nullptr) return std::make_unique<RankExecutor>(study, *ranks);
+  return std::make_unique<optim::ProcessExecutor>(study.space(), study.options().solve, count,
+                                                  problems::worker_program(study));
+}
+
 /// The front, and what of the record was not believed and has been solved again.
 problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::StudyRecord>& record,
-                           const ParetoCommand& options, int count) {
+                           const ParetoCommand& options, int count, optim::MpiRanks* ranks) {
   ProgressLine line(!options.json);
   study.options().progress = [&](const optim::StudyProgress& p) { show(line, p); };
-  optim::ProcessExecutor workers(study.space(), study.options().solve, count,
-                                 problems::worker_program(study));
-  if (!record) return {.front = study.run(workers)};
-  optim::RecordedExecutor recorded(study.space(), *record, &workers);
+  const auto workers = executor_of(study, count, ranks);
+  if (!record) return {.front = study.run(*workers)};
+  optim::RecordedExecutor recorded(study.space(), *record, workers.get());
   problems::StoredFront found{.front = study.run(recorded),
                               .faults = recorded.faults(),
                               .resuming = problems::Resuming::Works};
@@ -137,6 +183,11 @@ problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::Stu
 
 int run_pareto(const ParetoCommand& options) {
   const auto began = std::chrono::steady_clock::now();
+  const auto ranks = ranks_of(options);
+  if (ranks && ranks->rank() > 0) {
+    ranks->serve(problems::service_of_worker);
+    return 0;
+  }
   const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
@@ -157,7 +208,7 @@ int run_pareto(const ParetoCommand& options) {
   study.options().solve.stop = interruptible.flag();
   const auto work = [&](const Teller* teller) {
     auto record = record_of(path, study, options.resume);
-    const problems::StoredFront found = look(study, record, options, workers);
+    const problems::StoredFront found = look(study, record, options, workers, ranks.get());
     const optim::Front& front = found.front;
     if (teller != nullptr) teller->answers();
     const FrontAnswer answer{study, found};
@@ -194,6 +245,8 @@ Command pareto_command() {
                   {"--method", &options->method, "{auto,sweep,nsga2}",
                    "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
                   workers_option(options->workers),
+                  {"--executor", &options->executor, "{processes,mpi}",
+                   "who searches: processes of this machine, or the ranks that mpirun has started"},
                   {"--db", &options->db, takes::kFile, "record the study in this file"},
                   {"--resume", &options->resume, takes::kNothing,
                    "go on with the study of --db; what is damaged or wrong in it is solved again"},
@@ -207,7 +260,10 @@ Command pareto_command() {
             "the front of cam radius and force, with pictures and the study's file"},
            {"camlaw pareto problems/spine_cutter/front.toml --points 16 --out results/front "
             "--resume",
-            "more points of the same study: what it has is not searched again"}},
+            "more points of the same study: what it has is not searched again"},
+           {"mpirun -n 17 camlaw pareto problems/spine_cutter/front.toml --executor mpi --db "
+            "front.db",
+            "by 16 processes of a cluster and one that hands out the work"}},
       .run = [options] { return run_pareto(*options); }};
 }
 

@@ -74,6 +74,13 @@ Service study_service(ProblemSpace space) {
   };
 }
 
+std::vector<Outcome> WorkforceExecutor::run(const std::vector<Task>& tasks,
+                                            const OnOutcome& on_outcome) {
+  Tasks errands(tasks, options_, on_outcome);
+  force_.run(errands, study_service(space_));
+  return errands.in_order();
+}
+
 ProcessExecutor::ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options,
                                  int workers, std::optional<WorkerProgram> program)
     : space_(space),
@@ -82,9 +89,7 @@ ProcessExecutor::ProcessExecutor(const ProblemSpace& space, const OptimiseOption
 
 std::vector<Outcome> ProcessExecutor::run(const std::vector<Task>& tasks,
                                           const OnOutcome& on_outcome) {
-  Tasks errands(tasks, options_, on_outcome);
-  crew_.run(errands, study_service(space_));
-  return errands.in_order();
+  return WorkforceExecutor(space_, options_, crew_).run(tasks, on_outcome);
 }
 
 }  // namespace camlaw::optim

@@ -19,6 +19,7 @@
 #include "problems/fronts/study_worker.h"
 #include "problems/results/design_json.h"
 #include "problems/results/seal.h"
+#include "python/bindings/executors.h"
 #include "python/bindings/front_state.h"
 #include "python/bindings/laws.h"
 #include "python/bindings/module.h"
@@ -74,7 +75,38 @@ std::optional<optim::StudyRecord> record_of(const std::string& path, const Front
   return optim::StudyRecord::create(path, study.settings());
 }
 
-void search(FoundFront& found, int workers, bool resume, Work& work) {
+/// Who carries a study's searches out: processes of this machine, or what `carrier` reaches.
+struct Labour {
+  int workers = 1;
+  nb::handle carrier = nb::none();
+};
+
+/// Searches through an executor of Python.
+class CarriedExecutor final : public optim::Executor {
+ public:
+  CarriedExecutor(const FrontStudy& study, nb::handle carrier)
+      : transport_(carrier),
+        force_(transport_),
+        tasks_(study.space(), study.options().solve, force_) {}
+  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
+                                  const optim::OnOutcome& on_outcome) override {
+    return tasks_.run(tasks, on_outcome);
+  }
+  std::string remark() const override { return force_.remark(); }
+
+ private:
+  PythonTransport transport_;
+  optim::ParcelForce force_;
+  optim::WorkforceExecutor tasks_;
+};
+
+std::unique_ptr<optim::Executor> executor_of(const FrontStudy& study, const Labour& labour) {
+  if (!labour.carrier.is_none()) return std::make_unique<CarriedExecutor>(study, labour.carrier);
+  return std::make_unique<optim::ProcessExecutor>(study.space(), study.options().solve,
+                                                  labour.workers, problems::worker_program(study));
+}
+
+void search(FoundFront& found, const Labour& labour, bool resume, Work& work) {
   FrontStudy& study = found.study;
   study.options().solve.stop = work.stop();
   study.options().progress = [&work](const optim::StudyProgress& p) {
@@ -83,12 +115,11 @@ void search(FoundFront& found, int workers, bool resume, Work& work) {
                                                p.points, p.wanted, p.tasks, p.hypervolume));
   };
   auto record = record_of(found.file, study, resume);
-  optim::ProcessExecutor crew(study.space(), study.options().solve, workers,
-                              problems::worker_program(study));
+  const auto crew = executor_of(study, labour);
   if (!record) {
-    found.stored = {.front = study.run(crew)};
+    found.stored = {.front = study.run(*crew)};
   } else {
-    optim::RecordedExecutor recorded(study.space(), *record, &crew);
+    optim::RecordedExecutor recorded(study.space(), *record, crew.get());
     found.stored = {.front = study.run(recorded),
                     .faults = recorded.faults(),
                     .resuming = problems::Resuming::Works};
@@ -102,13 +133,13 @@ void search(FoundFront& found, int workers, bool resume, Work& work) {
 }
 
 nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::string& method,
-                 std::optional<int> workers, const std::string& record, bool resume,
-                 std::optional<double> time_limit, nb::handle progress) {
+                 std::optional<int> workers, nb::handle carrier, const std::string& record,
+                 bool resume, std::optional<double> time_limit, nb::handle progress) {
   if (points < 2 || points > problems::kMostPoints) {
     throw std::invalid_argument(
         fmt::format("points: {} is outside 2 .. {}", points, problems::kMostPoints));
   }
-  const int crew = workers_of(workers);
+  const Labour labour{workers_of(workers), carrier};
   if (resume && record.empty()) throw std::invalid_argument("resume: name the record");
   const problems::ProblemStatement& statement = problem.statement;
   problems::FrontSettings settings{points, problems::parse_method(method), statement.settings};
@@ -118,9 +149,13 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
   }
   FrontOwner front(
       new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
+  if (!carrier.is_none()) {
+    const std::string about = problems::worker_program(front->study).problem;
+    carrier.attr("about")(nb::bytes(about.data(), about.size()));
+  }
   const bool interrupted = run_beside(
       [&](Work& work) {
-        search(*front, crew, resume, work);
+        search(*front, labour, resume, work);
         front = answered(std::move(front));
       },
       progress, time_limit);
@@ -312,8 +347,8 @@ void add_fronts(nb::module_& module) {
       .def("__setstate__",
            [](FoundFront& front, const FrontOwnState& state) { restore(&front, state); });
   module.def("pareto", &pareto, nb::arg("problem"), nb::arg("points"), nb::arg("method"),
-             nb::arg("workers").none(), nb::arg("record"), nb::arg("resume"),
-             nb::arg("time_limit").none(), nb::arg("progress").none());
+             nb::arg("workers").none(), nb::arg("carrier").none(), nb::arg("record"),
+             nb::arg("resume"), nb::arg("time_limit").none(), nb::arg("progress").none());
   module.def("front_file", &front_file, nb::arg("path"));
 }
 

@@ -25,6 +25,7 @@ NB_MODULE(_camlaw, module) {
   add_batch(module);
   add_model(module);
   add_results(module);
+  add_executors(module);
   add_fronts(module);
   add_fits(module);
   add_published(module);

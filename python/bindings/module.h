@@ -14,6 +14,7 @@ void add_problems(nb::module_& module);
 void add_batch(nb::module_& module);
 void add_model(nb::module_& module);
 void add_results(nb::module_& module);
+void add_executors(nb::module_& module);
 void add_fronts(nb::module_& module);
 void add_fits(nb::module_& module);
 void add_published(nb::module_& module);

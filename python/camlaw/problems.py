@@ -6,6 +6,7 @@ How one is stated is in stating, what is said of it without a search in evaluati
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
@@ -321,6 +322,7 @@ class Problem:
         *,
         points: int = 50,
         workers: int | None = None,
+        executor: Any = None,
         method: str = "auto",
         record: str | Path | None = None,
         resume: bool = False,
@@ -330,18 +332,27 @@ class Problem:
         """The front of two objectives or more.
 
         workers: processes at work side by side; the front does not depend on them. They are started
-        afresh, so that it does not matter which threads are running here. record: a file that the
-        study is written to as it goes; with resume what is in it is not searched again. time_limit:
-        seconds, or such as "1 min"; what has been found by then is the answer, which is `stopped`.
+        afresh, so that it does not matter which threads are running here. executor: who carries the
+        searches out in their place, on other machines perhaps: a client of Dask, an executor of
+        concurrent.futures, or a function that makes one, which is called again if the executor
+        breaks; the front is the same (docs/scale.md). record: a file that the study is written to as
+        it goes; with resume what is in it is not searched again. time_limit: seconds, or such as
+        "1 min"; what has been found by then is the answer, which is `stopped`.
         """
+        from .executors import Carrier
         from .fronts import Front
 
-        with shown(progress, "pareto") as tell:
+        if executor is not None and workers is not None:
+            raise InputError("workers: an executor has its own; state one of the two")
+        carrier = None if executor is None else Carrier(executor)
+        ended = contextlib.closing(carrier) if carrier else contextlib.nullcontext()
+        with ended, shown(progress, "pareto") as tell:
             found, interrupted = native.pareto(
                 self._native,
                 units.whole(points, "points", 2),
                 method,
                 units.whole(workers, "workers", 1),
+                carrier,
                 "" if record is None else str(record),
                 resume,
                 units.seconds(time_limit),

@@ -53,6 +53,7 @@ const std::map<std::string, Names>& libraries() {
       {"Coin", {"optim/solvers/clp.cpp"}},
       {"nlopt", {"optim/solvers/nlopt_methods.h"}},
       {"nanobind/", {"python/bindings/"}},
+      {"mpi.h", {"optim/crew/mpi_plugin.cpp"}},
       {"pagmo/", {"optim/pareto/nsga2_plugin.cpp"}},
       {"SQLite", {"optim/study/"}},
       // Matrices are everywhere; what factors them takes seconds to compile in each unit.

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""Studies on other machines: parcels of searches carried by an executor that exists already."""
+
+from __future__ import annotations
+
+import os
+import socket
+import threading
+import time
+from concurrent.futures import BrokenExecutor, CancelledError
+from typing import Any
+
+from .errors import Error, InputError
+from .native import native
+
+_desks = threading.local()
+
+
+def carry_out(problem: bytes, parcel: int, orders: list[bytes]) -> tuple[Any, ...]:
+    """A worker's part: what came of the orders, and the seconds that it took.
+
+    parcel: makes the call unlike any other, so that no engine takes it for one that it has seen.
+    """
+    began = time.perf_counter()
+    known = getattr(_desks, "known", None)
+    if known is None or known[0] != problem:
+        try:
+            known = (problem, native.Desk(problem))
+        except InputError as error:
+            return ("refused", f"the worker {os.getpid()} on {socket.gethostname()}: {error}")
+        _desks.known = known
+    answers = known[1].carry_out(orders)
+    return ("done", answers, time.perf_counter() - began)
+
+
+def _is_dask(executor: Any) -> bool:
+    return type(executor).__module__.split(".")[0] == "distributed"
+
+
+class Carrier:
+    """What the library calls: sends parcels through an executor and puts down what arrives.
+
+    executor: a client of Dask; any executor of concurrent.futures; or a function that makes one, which
+    is called again where the executor breaks because a worker died.
+    """
+
+    def __init__(self, executor: Any) -> None:
+        self._make = None
+        if not hasattr(executor, "submit"):
+            if not callable(executor):
+                raise InputError(
+                    f"executor: {type(executor).__name__} has no submit(); a client of Dask or an "
+                    "executor of concurrent.futures is wanted, or a function that makes one"
+                )
+            self._make = executor
+            executor = executor()
+        self._executor = executor
+        self._broken: BaseException | None = None
+        self._problem = b""
+        self._futures: dict[int, Any] = {}
+        self._lock = threading.RLock()
+        self._counted = (float("-inf"), 1)
+        self._arrivals: Any = None
+
+    def about(self, problem: bytes) -> None:
+        """What the orders are about."""
+        self._problem = problem
+
+    def begin(self, arrivals: Any) -> None:
+        self._arrivals = arrivals
+
+    def workers(self) -> int:
+        """Orders that can be carried out at a time now. A client of Dask is asked once a second."""
+        when, count = self._counted
+        if time.monotonic() < when + 1:
+            return count
+        if _is_dask(self._executor) and hasattr(self._executor, "scheduler_info"):
+            count = sum(self._threads_of_dask())
+        else:
+            count = getattr(self._executor, "_max_workers", None) or os.cpu_count() or 1
+        self._counted = (time.monotonic(), max(1, count))
+        return self._counted[1]
+
+    def _threads_of_dask(self) -> list[int]:
+        try:
+            return list(self._executor.nthreads().values())
+        except Exception as error:
+            raise Error(f"the scheduler does not answer: {error}") from error
+
+    def send(self, parcel: int, orders: list[bytes]) -> None:
+        options = {"pure": False, "retries": 0} if _is_dask(self._executor) else {}
+        try:
+            future = self._executor.submit(carry_out, self._problem, parcel, orders, **options)
+        except BrokenExecutor:
+            if self._make is None:
+                raise
+            self._executor = self._make()
+            future = self._executor.submit(carry_out, self._problem, parcel, orders)
+        with self._lock:
+            self._futures[parcel] = future
+        future.add_done_callback(lambda done: self._arrived(parcel, done))
+
+    def _arrived(self, parcel: int, future: Any) -> None:
+        with self._lock:
+            self._futures.pop(parcel, None)
+        try:
+            what = future.result()
+        except CancelledError:
+            # By us, or by an engine that gave it up: then it is sent again.
+            return self._arrivals.put(parcel, died="the engine gave it up")
+        except BaseException as error:  # whatever an engine raises
+            return self._failed(parcel, error)
+        if what[0] == "refused":
+            self._arrivals.put(parcel, refused=what[1])
+        else:
+            self._arrivals.put(parcel, answers=what[1], seconds=what[2])
+
+    def _failed(self, parcel: int, error: BaseException) -> None:
+        why = f"{type(error).__name__}: {error}"
+        if type(error).__name__ == "KilledWorker":
+            # Dask has tried it already, on one worker after another. It blames all that waited there.
+            deaths = int(getattr(error, "allowed_failures", 2)) + 1
+            self._arrivals.put(parcel, died=why, deaths=deaths, shared=True)
+        elif isinstance(error, BrokenExecutor) and self._make is not None:
+            self._arrivals.put(parcel, died="a process of the executor ended", shared=True)
+        else:
+            self._broken = error
+            self._arrivals.put(parcel, died=why, deaths=0)
+
+    def check(self) -> None:
+        """Raises what broke the executor."""
+        if self._broken is None:
+            return
+        error, self._broken = self._broken, None
+        again = "a function that makes an executor, in its place, is called again where one breaks"
+        hint = f"; {again}" if isinstance(error, BrokenExecutor) else ""
+        raise Error(f"the executor failed: {type(error).__name__}: {error}{hint}") from error
+
+    def cancel(self) -> None:
+        with self._lock:
+            futures = list(self._futures.values())
+            self._futures.clear()
+        for future in futures:
+            future.cancel()
+
+    def close(self) -> None:
+        """Ends an executor that was made here."""
+        if self._make is not None:
+            self._executor.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""Fronts by other executors than our own processes: the same, whatever happens to their workers."""
+
+import multiprocessing
+import os
+import signal
+import socket
+import threading
+import time
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+
+import pytest
+
+import camlaw as cl
+from camlaw import executors
+from conftest import ROOT, needs, same
+
+CUTTER = ROOT / "problems/spine_cutter/front.toml"
+
+
+@pytest.fixture(scope="module")
+def facts():
+    """Of the front that one process of ours finds."""
+    return cl.Problem.load(CUTTER).pareto(points=8, workers=1).facts
+
+
+def found(executor, **how):
+    return cl.Problem.load(CUTTER).pareto(points=8, executor=executor, **how)
+
+
+def pool():
+    return ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
+
+
+@pytest.fixture(scope="module")
+def dask():
+    distributed = needs("distributed")
+    with (
+        distributed.LocalCluster(
+            n_workers=2,
+            threads_per_worker=1,
+            processes=True,
+            host="127.0.0.1",
+            dashboard_address=None,
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
+
+
+def test_dasks_workers_find_the_same_front(dask, facts):
+    assert same(found(dask).facts, facts)
+
+
+def test_threads_find_the_same_front(facts):
+    with ThreadPoolExecutor(3) as threads:
+        assert same(found(threads).facts, facts)
+
+
+@pytest.mark.full
+def test_a_pool_of_processes_and_dasks_own_executor(dask, facts):
+    with pool() as processes:
+        assert same(found(processes).facts, facts)
+    assert same(found(dask.get_executor()).facts, facts)
+
+
+class Killing(ProcessPoolExecutor):
+    """A pool, one worker of which is killed once it has begun with a parcel."""
+
+    made = 0
+
+    def submit(self, work, *rest):
+        future = super().submit(work, *rest)
+        if Killing.made <= 2 and len(self._processes) > 0:
+            time.sleep(0.2)
+            os.kill(next(iter(self._processes)), signal.SIGKILL)
+        return future
+
+
+def made_to_be_killed():
+    Killing.made += 1
+    return Killing(2, mp_context=multiprocessing.get_context("spawn"))
+
+
+@pytest.mark.full
+def test_a_pool_that_breaks_is_made_anew(facts):
+    Killing.made = 0
+    front = found(made_to_be_killed)
+    assert Killing.made >= 3
+    # What workers that were killed had looked at is not counted; the front is the same.
+    assert same(front.facts, facts)
+
+
+@pytest.mark.full
+def test_a_pool_that_breaks_and_cannot_be_made_anew_is_an_error_and_the_record_goes_on(
+    tmp_path, facts
+):
+    Killing.made = 0
+    record = tmp_path / "study.db"
+    with made_to_be_killed() as broken:
+        with pytest.raises(cl.Error, match="BrokenProcessPool.*a function that makes an executor"):
+            found(broken, record=record)
+    assert same(found(None, workers=1, record=record, resume=True).facts, facts)
+
+
+@pytest.mark.full
+def test_workers_of_dask_that_are_killed_and_added_are_no_matter(dask):
+    problem = cl.Problem.load(ROOT / "problems/cams/roller_front.toml")
+    expected = problem.pareto(points=30, workers=1).facts
+    workers = list(dask.run(os.getpid).values())
+
+    def disturb():
+        time.sleep(0.3)
+        os.kill(workers[0], signal.SIGKILL)
+        dask.cluster.scale(3)
+
+    disturber = threading.Thread(target=disturb)
+    disturber.start()
+    front = problem.pareto(points=30, executor=dask)
+    disturber.join()
+    assert same(front.facts, expected)
+
+
+class Altering(Executor):
+    """Workers of another version, as far as they can tell."""
+
+    def __init__(self, how):
+        self.how = how
+
+    def submit(self, work, problem, *rest):
+        future = Future()
+        future.set_result(work(self.how(problem), *rest))
+        return future
+
+
+def test_a_worker_of_another_version_is_refused_by_its_name():
+    older = Altering(lambda problem: problem.replace(b"camlaw 0.1", b"camlaw 0.0"))
+    with pytest.raises(cl.Error, match=f"on {socket.gethostname()}.*camlaw 0.0"):
+        found(older)
+
+
+def test_what_is_no_executor_is_refused():
+    for wrong in (3, "dask"):
+        with pytest.raises(cl.InputError, match="executor: (int|str) has no submit"):
+            found(wrong)
+    with ThreadPoolExecutor(1) as threads, pytest.raises(cl.InputError, match="workers"):
+        found(threads, workers=2)
+
+
+class Failing(Executor):
+    def submit(self, work, *rest):
+        future = Future()
+        future.set_exception(ModuleNotFoundError("No module named 'camlaw'"))
+        return future
+
+
+def test_an_executor_whose_workers_have_no_camlaw_is_an_error():
+    with pytest.raises(cl.Error, match="the executor failed: .*No module named 'camlaw'"):
+        found(Failing())
+
+
+def test_a_worker_keeps_what_it_has_read_of_a_problem(monkeypatch):
+    sent = []
+
+    class Keeping(Altering):
+        def submit(self, work, *rest):
+            sent.append(rest)
+            return super().submit(work, *rest)
+
+    found(Keeping(lambda problem: problem))
+    assert len(sent) > 3
+    began = time.perf_counter()
+    first = executors.carry_out(*sent[0])
+    again = executors.carry_out(*sent[0])
+    assert first[0] == again[0] == "done"
+    assert first[1] == again[1]
+    assert time.perf_counter() - began < 60
