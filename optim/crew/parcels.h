@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/crew/errands.h"
+#include "optim/crew/crew.h"
 
 /// Errands for workers on other machines: an engine that exists already, such as Dask or MPI,
 /// carries parcels of orders to them. What is decided here is how many orders a parcel has, and
