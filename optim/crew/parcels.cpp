@@ -220,10 +220,4 @@ void ParcelForce::run(Errands& errands, const Service& /*service*/) {
   Run(*this, errands).carry_out();
 }
 
-std::string ParcelForce::remark() const {
-  if (sent_again_ == 0) return {};
-  return fmt::format(
-      "{} searches were sent a second time, as their workers ended or did not answer", sent_again_);
-}
-
 }  // namespace camlaw::optim

@@ -71,8 +71,9 @@ class ParcelForce final : public Workforce {
  public:
   explicit ParcelForce(Transport& transport, const ParcelRules& rules = {});
   void run(Errands& errands, const Service& service) override;
-  /// How many orders were sent again, if any.
-  std::string remark() const override;
+  /// How many orders were sent again, as their workers ended or did not answer. It is no remark:
+  /// what was found does not depend on it, and says nothing of it.
+  std::size_t sent_again() const { return sent_again_; }
 
  private:
   class Run;

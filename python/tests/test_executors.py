@@ -65,14 +65,15 @@ def test_a_pool_of_processes_and_dasks_own_executor(dask, facts):
 
 
 class Killing(ProcessPoolExecutor):
-    """A pool, one worker of which is killed once it has begun with a parcel."""
+    """A pool, one worker of which is killed with its first parcel."""
 
     made = 0
+    has_killed = False
 
     def submit(self, work, *rest):
         future = super().submit(work, *rest)
-        if Killing.made <= 2 and len(self._processes) > 0:
-            time.sleep(0.2)
+        if Killing.made <= 2 and not self.has_killed:
+            self.has_killed = True
             os.kill(next(iter(self._processes)), signal.SIGKILL)
         return future
 
