@@ -70,11 +70,11 @@ bool add_sensitivity(const EvaluateOptions& options, const ProblemStatement& sta
   }
   ProgressLine line(!options.json);
   const Interruptible interruptible;
-  sobol.stop = interruptible.flag();
   sobol.progress = [&](double done) { line.show("Sobol indices", done); };
   std::optional<problems::GlobalSensitivity> global;
   try {
-    if (!ranges.ranges.empty()) global = problems::global_sensitivity(statement, ranges, sobol);
+    if (!ranges.ranges.empty())
+      global = problems::global_sensitivity(statement, ranges, sobol, interruptible.flag());
   } catch (const optim::Interrupted&) {
     line.clear();
     warn("stopped before the Sobol indices were done");

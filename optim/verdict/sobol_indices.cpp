@@ -12,8 +12,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "optim/search/deadline.h"
-
 namespace camlaw::optim {
 namespace {
 
@@ -134,7 +132,6 @@ SobolIndices indices_of(const std::vector<SampleValues>& all, std::size_t inputs
   std::vector<std::vector<double>> first(inputs), total(inputs);
   std::mt19937_64 random(options.seed);
   for (std::size_t r = 0; r < options.resamples; ++r) {
-    Deadline({}, options.stop).check();
     for (auto& i : which) i = static_cast<std::uint32_t>(random() % samples.size());
     const std::vector<Sums> again = estimated(samples, which, inputs);
     for (std::size_t k = 0; k < inputs; ++k) {
@@ -179,7 +176,6 @@ std::vector<SobolIndices> sobol_indices(std::span<const Quantile> inputs, std::s
     model(x, values);
   };
   for (std::size_t i = 0; i < count; ++i) {
-    Deadline({}, options.stop).check();
     if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(count));
     const std::vector<double> point = sequence.next();
     for (std::size_t j = 0; j < k; ++j) a[j] = inputs[j](point[j]), b[j] = inputs[j](point[k + j]);

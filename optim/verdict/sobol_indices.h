@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -24,7 +23,6 @@ struct SobolOptions {
   std::size_t samples = 1024;  ///< taken as the next power of two; each costs inputs + 2 points
   std::uint64_t seed = 1;      ///< of the sequence's shift and of the resampling
   std::size_t resamples = 400;
-  const std::atomic<bool>* stop = nullptr;
   std::function<void(double share)> progress = {};  ///< told what share is done, 0 .. 1
 };
 
@@ -45,7 +43,7 @@ struct SobolIndices {
 /// First-order and total indices of `outputs` numbers of independent inputs, by the estimators of
 /// Saltelli (SI3) and Jansen (SI4) over a Sobol sequence that is shifted digit by digit. The same
 /// seed gives the same bits. Throws std::invalid_argument for no input or output and more inputs or
-/// samples than the sequence has, and Interrupted where `stop` is set before the end.
+/// samples than the sequence has; what the model throws passes through.
 std::vector<SobolIndices> sobol_indices(std::span<const Quantile> inputs, std::size_t outputs,
                                         const SampledModel& model,
                                         const SobolOptions& options = {});

@@ -11,6 +11,7 @@
 
 #include "numerics/text/names.h"
 #include "numerics/text/units.h"
+#include "optim/search/deadline.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::problems {
@@ -153,7 +154,8 @@ SensitivityRanges sensitivity_ranges(const ProblemStatement& design,
 }
 
 GlobalSensitivity global_sensitivity(const ProblemStatement& design, SensitivityRanges over,
-                                     const optim::SobolOptions& options) {
+                                     const optim::SobolOptions& options,
+                                     const std::atomic<bool>* stop) {
   GlobalSensitivity result;
   std::vector<DesignParameter> parameters;
   std::vector<optim::Quantile> quantiles;
@@ -162,10 +164,11 @@ GlobalSensitivity global_sensitivity(const ProblemStatement& design, Sensitivity
     quantiles.push_back(optim::even_between(range.lower, range.upper));
   }
   ProblemStatement watched = design;
-  watched.stop = options.stop;
+  watched.stop = stop;
   result.over = std::move(over);
   result.numbers = design_numbers(watched, parameters);
   const auto model = [&](std::span<const double> x, std::span<double> values) {
+    optim::Deadline({}, stop).check();
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = result.numbers[i].function.value(x);
     }

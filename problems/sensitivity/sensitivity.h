@@ -67,8 +67,10 @@ struct GlobalSensitivity {
   std::vector<optim::SobolIndices> indices;
 };
 
-/// Sobol indices of every number over the ranges. Throws as optim::sobol_indices.
+/// Sobol indices of every number over the ranges. Throws as optim::sobol_indices, and
+/// optim::Interrupted where `stop`, which may be null, is set before the end.
 GlobalSensitivity global_sensitivity(const ProblemStatement& design, SensitivityRanges over,
-                                     const optim::SobolOptions& options);
+                                     const optim::SobolOptions& options,
+                                     const std::atomic<bool>* stop = nullptr);
 
 }  // namespace camlaw::problems

@@ -18,26 +18,26 @@ ProblemStatement shipped_statement(const std::string& name) {
   return read_problem_file(std::string(CAMLAW_SOURCE_DIR) + "/problems/" + name);
 }
 
-/// y = 3 a^2 b^-1.5 c^0 and a linear one, of a machine of one's own.
+/// y = 3 p^2 q^-1.5 r^0 and a linear one, of a machine of one's own.
 ProblemStatement power_law() {
   return read_problem(R"toml(
 [machine]
 name = "powers"
-[machine.parameters.a]
+[machine.parameters.p]
 unit = "mm"
 default = 5
 lower = 0
-[machine.parameters.b]
+[machine.parameters.q]
 unit = "kg"
 default = 2
 lower = 0.1
-[machine.parameters.c]
+[machine.parameters.r]
 default = 7
 [responses.y]
-formula = "3 * (a / (1 mm))^2 * (b / (1 kg))^(-1.5)"
+formula = "3 * (p / (1 mm))^2 * (q / (1 kg))^(-1.5)"
 [responses.z]
-formula = "2 * a / (1 mm) - 4 * b / (1 kg) + 0 * c"
-[variables.a]
+formula = "2 * p / (1 mm) - 4 * q / (1 kg)"
+[variables.p]
 lower = 1
 upper = 10
 [objective]
@@ -86,19 +86,19 @@ double difference(const ProblemStatement& design, const std::string& number,
 
 TEST_CASE("the elasticity of a power law is its exponent", "[sensitivity]") {
   const LocalSensitivity local = local_sensitivity(power_law());
-  REQUIRE(local.parameters.size() == 2);  // nothing depends on c
+  REQUIRE(local.parameters.size() == 2);  // nothing depends on r
   CHECK(local.parameters[0].varies);
   CHECK_FALSE(local.parameters[1].varies);
-  CHECK(by(local, "y", "a").elasticity == Approx(2).epsilon(1e-12));
-  CHECK(by(local, "y", "b").elasticity == Approx(-1.5).epsilon(1e-12));
-  CHECK(by(local, "y", "a").slope == Approx(6 * 5 * std::pow(2, -1.5)).epsilon(1e-12));
-  CHECK(by(local, "z", "a").slope == Approx(2).epsilon(1e-12));
-  CHECK(by(local, "z", "b").slope == Approx(-4).epsilon(1e-12));
-  CHECK_FALSE(by(local, "z", "b").is_kink());
+  CHECK(by(local, "y", "p").elasticity == Approx(2).epsilon(1e-12));
+  CHECK(by(local, "y", "q").elasticity == Approx(-1.5).epsilon(1e-12));
+  CHECK(by(local, "y", "p").slope == Approx(6 * 5 * std::pow(2, -1.5)).epsilon(1e-12));
+  CHECK(by(local, "z", "p").slope == Approx(2).epsilon(1e-12));
+  CHECK(by(local, "z", "q").slope == Approx(-4).epsilon(1e-12));
+  CHECK_FALSE(by(local, "z", "q").is_kink());
 }
 
 TEST_CASE("indices of a linear limit are the shares of its variance", "[sensitivity]") {
-  const std::vector<std::string> over{"a=4:6 mm", "b = 1 kg : 3 kg"};
+  const std::vector<std::string> over{"p=4:6 mm", "q = 1 kg : 3 kg"};
   const ProblemStatement design = power_law();
   const auto global =
       global_sensitivity(design, sensitivity_ranges(design, over), {.samples = 2048});
@@ -175,7 +175,7 @@ TEST_CASE("ranges are those that are stated, else the file's, else hundredths", 
   REQUIRE(none.ranges.size() == 2);
   CHECK(none.ranges[0].lower == Approx(4.95));
   CHECK(none.ranges[0].upper == Approx(5.05));
-  const std::vector<std::string> stated{"a=1 cm:20 mm"};
+  const std::vector<std::string> stated{"p=1 cm:20 mm"};
   const auto own = sensitivity_ranges(power_law(), stated);
   CHECK(own.from == RangesFrom::Stated);
   CHECK(own.ranges[0].lower == Approx(10));
@@ -184,10 +184,10 @@ TEST_CASE("ranges are those that are stated, else the file's, else hundredths", 
     const char* says;
   };
   for (const Wrong& wrong :
-       {Wrong{{"a"}, "lower:upper"}, Wrong{{"a=3 mm"}, "lower:upper"}, Wrong{{"d=1:2"}, "d"},
-        Wrong{{"a=2:1 mm"}, "not below"}, Wrong{{"a=1:2 kg"}, "kg"},
-        Wrong{{"a=1:2", "a=3:4"}, "two ranges"}, Wrong{{"b=0:1 kg"}, "not within"},
-        Wrong{{"a=:"}, "a"}, Wrong{{"=1:2"}, ""}}) {
+       {Wrong{{"p"}, "lower:upper"}, Wrong{{"p=3 mm"}, "lower:upper"}, Wrong{{"d=1:2"}, "d"},
+        Wrong{{"p=2:1 mm"}, "not below"}, Wrong{{"p=1:2 kg"}, "kg"},
+        Wrong{{"p=1:2", "p=3:4"}, "two ranges"}, Wrong{{"q=0:1 kg"}, "not within"},
+        Wrong{{"p=:"}, "p"}, Wrong{{"=1:2"}, ""}}) {
     INFO(wrong.over.front());
     CHECK_THROWS_WITH(sensitivity_ranges(power_law(), wrong.over), Contains(wrong.says));
   }
