@@ -7,8 +7,8 @@
 
 #include "machines/model/law_binding.h"
 #include "machines/model/load_case.h"
-#include "machines/model/over_ranges.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -18,12 +18,12 @@ using optim::Part;
 /// Whether a response is to be taken over the ranges: that of several cases has them in each.
 bool matters(const ProblemStatement& problem, const ResponseName& name) {
   return name.response != nullptr && !name.response->over_ranges &&
-         name.response->over_cases.empty() && depends_on(*name.response, problem.ranges);
+         name.response->over_cases.empty() && depends_on(*name.response, taken_ranges(problem));
 }
 
 std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
                                                 const ResponseName& name, bool highest) {
-  return over_ranges(*name.response, problem.ranges, highest);
+  return over_ranges(*name.response, taken_ranges(problem), highest);
 }
 
 /// The largest size of a curve over the ranges: that of the highest values and the lowest ones, one
@@ -46,6 +46,17 @@ ObjectiveStatement size_over_ranges(const ProblemStatement& problem, ObjectiveSt
 }
 
 }  // namespace
+
+std::vector<TakenRange> taken_ranges(const ProblemStatement& problem) {
+  std::vector<TakenRange> taken;
+  for (const ParameterRange& range : problem.ranges) taken.push_back({range, false});
+  for (const VariationStatement& v : variations_of(problem)) {
+    if (v.parameter.of_law) continue;
+    const optim::Variation off = v.at(meant_value(problem, v));
+    taken.push_back({{v.parameter.parameter, off.lower, off.upper}, true});
+  }
+  return taken;
+}
 
 std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
                                                              const ResponseName& name,

@@ -183,10 +183,10 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   check_possible(above, constraint.upper, constraint.response);
   constraint.tolerance = find_positive(table, "tolerance", unit);
   const bool over_range = constraint.response.response != nullptr &&
-                          depends_on(*constraint.response.response, problem.ranges);
+                          depends_on(*constraint.response.response, taken_ranges(problem));
   if (limits.equals != nullptr && over_range) {
-    refuse(*limits.equals, fmt::format("{} changes over the ranges of this file, and cannot be "
-                                       "held at one value; give lower or upper",
+    refuse(*limits.equals, fmt::format("{} changes over the ranges or variations of this file, and "
+                                       "cannot be held at one value; give lower or upper",
                                        constraint.response.name));
   }
   return constraint;
