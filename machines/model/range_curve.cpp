@@ -12,10 +12,6 @@ namespace camlaw::problems {
 
 using optim::Bounds, optim::Design, optim::Function, optim::Place;
 
-namespace {
-
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
 /// A curve over the ranges, and what bounds it; without `record` nothing is proved between places.
 struct RangeParts {
   std::shared_ptr<const optim::Curve> curve;  ///< over the widened design
@@ -25,6 +21,8 @@ struct RangeParts {
 };
 
 namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 class RangeTrace final : public optim::Trace {
  public:
