@@ -55,31 +55,42 @@ Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges) {
   return result;
 }
 
-HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
-    : f_(std::move(f)), first_(wide.first), box_(wide.box), sign_(sign), about_(wide.about.size()) {
+OwnInputs own_inputs(const Function& f, const Widened& wide) {
+  OwnInputs result;
+  result.about.resize(wide.about.size());
   std::map<std::size_t, std::size_t> own;
-  for (std::size_t k = 0; k < f_.inputs().size(); ++k) {
-    const std::size_t input = f_.inputs()[k];
-    if (input < first_) {
+  for (std::size_t k = 0; k < f.inputs().size(); ++k) {
+    const std::size_t input = f.inputs()[k];
+    if (input < wide.first) {
       own[input] = k;
       continue;
     }
-    moved_.push_back(k);
-    if (const auto& about = wide.about[input - first_]) own[*about] = k;
+    result.moved.push_back(k);
+    if (const auto& about = wide.about[input - wide.first]) own[*about] = k;
   }
   for (const auto& [input, k] : own) {
-    if (f_.inputs()[k] >= first_) about_[f_.inputs()[k] - first_] = own_.size();
-    own_inputs_.push_back(input);
-    own_.push_back(k);
+    if (f.inputs()[k] >= wide.first) {
+      result.about[f.inputs()[k] - wide.first] = result.variables.size();
+    }
+    result.variables.push_back(input);
+    result.behind.push_back(k);
   }
+  return result;
 }
+
+HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
+    : f_(std::move(f)),
+      first_(wide.first),
+      box_(wide.box),
+      sign_(sign),
+      own_(camlaw::problems::own_inputs(f_, wide)) {}
 
 Box HighestKernel::box_at(std::span<const double> u) const {
   Box result = box_;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (!about_[i]) continue;
-    result[i].lower += u[*about_[i]];
-    result[i].upper += u[*about_[i]];
+    if (!own_.about[i]) continue;
+    result[i].lower += u[*own_.about[i]];
+    result[i].upper += u[*own_.about[i]];
   }
   return result;
 }
@@ -87,15 +98,15 @@ Box HighestKernel::box_at(std::span<const double> u) const {
 Box HighestKernel::box_over(std::span<const Bounds> u) const {
   Box result = box_;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (!about_[i]) continue;
-    result[i].lower += u[*about_[i]].lower;
-    result[i].upper += u[*about_[i]].upper;
+    if (!own_.about[i]) continue;
+    result[i].lower += u[*own_.about[i]].lower;
+    result[i].upper += u[*own_.about[i]].upper;
   }
   return result;
 }
 
 bool HighestKernel::moves(std::span<const Bounds> u) const {
-  return std::any_of(about_.begin(), about_.end(), [&](const auto& about) {
+  return std::any_of(own_.about.begin(), own_.about.end(), [&](const auto& about) {
     return about && u[*about].lower != u[*about].upper;
   });
 }
@@ -122,7 +133,8 @@ double HighestKernel::gradient(std::span<const double> u, std::span<double> g) c
   std::vector<double> all(f_.inputs().size());
   const Point p = worst(u);
   const double value = settled(u, p, f_.gradient(design(u, p), all));
-  for (std::size_t k = 0; k < own_.size(); ++k) g[k] = std::isnan(value) ? kNaN : all[own_[k]];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k)
+    g[k] = std::isnan(value) ? kNaN : all[own_.behind[k]];
   return value;
 }
 
@@ -142,7 +154,7 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
   };
   const Box box = box_at(u);
   // Ranges within which the place lies are eliminated one after the other.
-  for (const std::size_t m : moved_) {
+  for (const std::size_t m : own_.moved) {
     const std::size_t range = f_.inputs()[m] - first_;
     const bool inside = p[range] > box[range].lower && p[range] < box[range].upper;
     const double bend = at(m, m);
@@ -156,9 +168,10 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
       for (std::size_t k = 0; k <= i; ++k) at(i, k) -= column[i] * column[k] / bend;
     }
   }
-  for (std::size_t i = 0; i < own_.size(); ++i) {
-    g[i] = all[own_[i]];
-    for (std::size_t k = 0; k <= i; ++k) h[optim::packed(i, k)] = at(own_[i], own_[k]);
+  for (std::size_t i = 0; i < own_.behind.size(); ++i) {
+    g[i] = all[own_.behind[i]];
+    for (std::size_t k = 0; k <= i; ++k)
+      h[optim::packed(i, k)] = at(own_.behind[i], own_.behind[k]);
   }
   return value;
 }
@@ -174,7 +187,7 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
   const auto over = [&](const Box& ranges) {
     const optim::BoxRange all = f_.range(widened_box(box, ranges));
     OverBox result{times(sign_, all.value), std::vector<Bounds>(ranges.size(), Bounds{0, 0})};
-    for (const std::size_t m : moved_) {
+    for (const std::size_t m : own_.moved) {
       result.slopes[f_.inputs()[m] - first_] = times(sign_, all.slopes[m]);
     }
     return result;
@@ -190,7 +203,7 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
   if (moves(box)) highest.lower = largest_lower(box);
   result.value = times(sign_, highest);
   const optim::BoxRange whole = f_.range(widened_box(box, all));
-  for (const std::size_t k : own_) result.slopes.push_back(whole.slopes[k]);
+  for (const std::size_t k : own_.behind) result.slopes.push_back(whole.slopes[k]);
   return result;
 }
 
@@ -203,8 +216,8 @@ double HighestKernel::largest_lower(std::span<const Bounds> u) const {
     for (std::size_t i = 0; i < part.size(); ++i) {
       const double off = box_[i].lower + share * (box_[i].upper - box_[i].lower);
       part[i] = {off, off};
-      if (!about_[i]) continue;
-      part[i] = {u[*about_[i]].lower + off, u[*about_[i]].upper + off};
+      if (!own_.about[i]) continue;
+      part[i] = {u[*own_.about[i]].lower + off, u[*own_.about[i]].upper + off};
     }
     largest = std::max(largest, times(sign_, f_.range(widened_box(u, part)).value).lower);
   }
@@ -239,7 +252,7 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
     std::vector<double> all(n), second(optim::packed_size(n));
     Slopes result{sign_ * f_.hessian(design(u, p), all, second), Point(box_.size()),
                   Point(optim::packed_size(box_.size()))};
-    for (const std::size_t m : moved_) {
+    for (const std::size_t m : own_.moved) {
       const std::size_t i = f_.inputs()[m] - first_;
       result.first[i] = sign_ * all[m];
       result.second[optim::packed(i, i)] = sign_ * second[optim::packed(m, m)];
@@ -250,14 +263,14 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
 
 std::vector<double> HighestKernel::design(std::span<const double> u, const Point& p) const {
   std::vector<double> x(first_ + p.size());
-  for (std::size_t k = 0; k < own_.size(); ++k) x[own_inputs_[k]] = u[k];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k) x[own_.variables[k]] = u[k];
   std::copy(p.begin(), p.end(), x.begin() + static_cast<std::ptrdiff_t>(first_));
   return x;
 }
 
 std::vector<Bounds> HighestKernel::widened_box(std::span<const Bounds> u, const Box& ranges) const {
   std::vector<Bounds> all(first_ + ranges.size(), Bounds{0, 0});
-  for (std::size_t k = 0; k < own_.size(); ++k) all[own_inputs_[k]] = u[k];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k) all[own_.variables[k]] = u[k];
   std::copy(ranges.begin(), ranges.end(), all.begin() + static_cast<std::ptrdiff_t>(first_));
   return all;
 }

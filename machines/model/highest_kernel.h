@@ -37,6 +37,16 @@ struct Widened {
 
 Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges);
 
+/// Which variables of a design a function over a widened one depends on.
+struct OwnInputs {
+  std::vector<std::size_t>
+      variables;                    ///< those of the function, and those that its ranges move with
+  std::vector<std::size_t> behind;  ///< the function's input behind each of these
+  std::vector<std::size_t> moved;   ///< its inputs that are ranges
+  std::vector<std::optional<std::size_t>> about;  ///< of each range which of the variables it is
+};
+OwnInputs own_inputs(const optim::Function& f, const Widened& wide);
+
 /// The bounds of sign * f, from those of f.
 optim::Bounds times(double sign, const optim::Bounds& bounds);
 
@@ -48,7 +58,7 @@ class HighestKernel final : public optim::Kernel {
   HighestKernel(optim::Function f, const Widened& wide, double sign);
 
   /// The design's own inputs of f, and the variables that ranges of f move with.
-  const std::vector<std::size_t>& own_inputs() const { return own_inputs_; }
+  const std::vector<std::size_t>& own_inputs() const { return own_.variables; }
 
   double value(std::span<const double> u) const override;
   double gradient(std::span<const double> u, std::span<double> g) const override;
@@ -84,10 +94,7 @@ class HighestKernel final : public optim::Kernel {
   std::size_t first_;
   Box box_;
   double sign_;
-  std::vector<std::optional<std::size_t>> about_;  ///< of each range which own input it moves with
-  std::vector<std::size_t> own_inputs_;
-  std::vector<std::size_t> own_;    ///< behind each of these the input of f
-  std::vector<std::size_t> moved_;  ///< the inputs of f that are ranges
+  OwnInputs own_;
 };
 
 /// That of a function over a widened design, as a function of the design.
