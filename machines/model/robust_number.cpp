@@ -50,7 +50,7 @@ class RobustKernel final : public optim::Kernel {
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
     const std::vector<double> all = values(u);
-    const std::size_t n = g.size(), count = all.size();
+    const std::size_t n = g.size();
     std::fill(g.begin(), g.end(), 0.0);
     std::fill(h.begin(), h.end(), 0.0);
     const double deviation = robust_.is_quantile ? 0 : deviation_of(all);
