@@ -12,6 +12,7 @@
 #include "machines/model/inner_numbers.h"
 #include "machines/model/kept_parameters.h"
 #include "machines/model/over_ranges.h"
+#include "machines/model/recent.h"
 #include "numerics/linear/statistics.h"
 #include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/peak_function.h"
@@ -34,29 +35,29 @@ class RobustKernel final : public optim::Kernel {
 
   const std::vector<std::size_t>& own_inputs() const { return own_.variables; }
 
-  double value(std::span<const double> u) const override { return result(values(u)); }
+  double value(std::span<const double> u) const override { return result(*values(u)); }
 
   double gradient(std::span<const double> u, std::span<double> g) const override {
-    const std::vector<double> all = values(u);
+    const auto all = values(u);
     std::fill(g.begin(), g.end(), 0.0);
-    for (const auto& [sample, weight] : weights(all)) {
+    for (const auto& [sample, weight] : weights(*all)) {
       std::vector<double> own(f_.inputs().size());
       f_.gradient(design(u, offsets_[sample]), own);
       for (std::size_t i = 0; i < g.size(); ++i) g[i] += weight * own[own_.behind[i]];
     }
-    return result(all);
+    return result(*all);
   }
 
   double hessian(std::span<const double> u, std::span<double> g,
                  std::span<double> h) const override {
-    const std::vector<double> all = values(u);
+    const auto all = values(u);
     const std::size_t n = g.size();
     std::fill(g.begin(), g.end(), 0.0);
     std::fill(h.begin(), h.end(), 0.0);
-    const double deviation = robust_.is_quantile ? 0 : deviation_of(all);
+    const double deviation = robust_.is_quantile ? 0 : deviation_of(*all);
     const bool bends = deviation > 0 && robust_.factor != 0;
     std::vector<std::vector<double>> slopes;
-    for (const auto& [sample, weight] : weights(all)) {
+    for (const auto& [sample, weight] : weights(*all)) {
       std::vector<double> own(f_.inputs().size()), second(optim::packed_size(own.size()));
       f_.hessian(design(u, offsets_[sample]), own, second);
       std::vector<double> slope(n);
@@ -70,8 +71,8 @@ class RobustKernel final : public optim::Kernel {
       }
       if (bends) slopes.push_back(std::move(slope));
     }
-    if (bends) add_bend(all, slopes, deviation, h);
-    return result(all);
+    if (bends) add_bend(*all, slopes, deviation, h);
+    return result(*all);
   }
 
   /// Parts that were drawn stand for all: nothing is proved of these.
@@ -95,10 +96,12 @@ class RobustKernel final : public optim::Kernel {
     return x;
   }
 
-  std::vector<double> values(std::span<const double> u) const {
-    std::vector<double> all;
-    for (const Point& offset : offsets_) all.push_back(f_.value(design(u, offset)));
-    return all;
+  std::shared_ptr<const std::vector<double>> values(std::span<const double> u) const {
+    return recent_.get(u, [&] {
+      std::vector<double> all;
+      for (const Point& offset : offsets_) all.push_back(f_.value(design(u, offset)));
+      return all;
+    });
   }
 
   static double mean_of(const std::vector<double>& all) {
@@ -170,6 +173,7 @@ class RobustKernel final : public optim::Kernel {
   OwnInputs own_;
   std::vector<Point> offsets_;
   Robust robust_;
+  mutable Recent<std::vector<double>> recent_;  ///< the samples' values
 };
 
 /// The same parts whatever the problem.
@@ -205,10 +209,11 @@ std::string Robust::text() const {
 }
 
 std::size_t Robust::parts() const {
-  constexpr std::size_t kLeast = 128;
-  if (!is_quantile) return kLeast;
+  constexpr std::size_t kOfMean = 32, kLeast = 64;
+  constexpr double kBeyond = 4;
+  if (!is_quantile) return kOfMean;
   const double beyond = std::min(share, 1 - share);
-  return std::max(kLeast, std::bit_ceil(static_cast<std::size_t>(std::ceil(10 / beyond))));
+  return std::max(kLeast, std::bit_ceil(static_cast<std::size_t>(kBeyond / beyond)));
 }
 
 Robust parse_robust(std::string_view text) {

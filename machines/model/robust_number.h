@@ -20,8 +20,7 @@ struct Robust {
 
   /// "mean + 3 sigma", "quantile 0.99".
   std::string text() const;
-  /// Parts that it is taken over: 128 of a mean, of a quantile ten times as many as one of which
-  /// lies beyond it.
+  /// Parts that it is taken over: 32 of a mean, of a quantile so many that four lie beyond it.
   std::size_t parts() const;
 };
 

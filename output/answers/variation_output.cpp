@@ -110,7 +110,7 @@ std::string part_text(const VariedDesign& varied, const WorstPart& worst) {
 }
 
 std::string factor_text(const problems::BreakFactor& factor) {
-  if (std::isinf(factor.factor)) return fmt::format("> {:.4g}", problems::kLargestFactor);
+  if (std::isinf(factor.factor)) return fmt::format("> {:.4g}", factor.tried);
   return fmt::format("{:.4g}{}", factor.factor, factor.proved ? "" : " (not proved)");
 }
 
@@ -224,8 +224,8 @@ void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
   document.fact("scale_factor", first->factor);
   document.fact("first_to_break", worst.name);
   if (std::isinf(first->factor)) {
-    document.say(fmt::format("no limit breaks up to {:.4g} times these variations\n",
-                             problems::kLargestFactor));
+    document.say(
+        fmt::format("no limit breaks up to {:.4g} times these variations\n", first->tried));
     return;
   }
   document.say(fmt::format("the first limit to break is {}, at {:.4g} times these variations\n",

@@ -157,7 +157,7 @@ std::optional<LimitGrid> grid_of(const VariedDesign& varied, std::size_t limit, 
   for (SideGrid& side : grid.sides) {
     const auto stretches = left_over(over, side);
     if (!stretches) return {};
-    const double wanted = std::max(1e-5 * std::abs(side.bound), 10 * tolerance);
+    const double wanted = std::max(1e-6 * std::abs(side.bound), tolerance);
     if (!add_places(over, *grid.rows, *stretches, wanted, side)) return {};
     double length = 0;
     for (const OpenStretch& s : *stretches) length += s.to - s.from;

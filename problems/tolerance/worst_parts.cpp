@@ -326,7 +326,7 @@ BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
   const OnePart one(varied, side);
   std::vector<double> slopes;
   double low = 0, low_room = one.room(varied.meant, slopes);
-  if (!(low_room >= 0)) return {0, true};
+  if (!(low_room >= 0)) return {0, true, most};
   double high = 1, high_room = worst.margin + worst.tolerance;
   if (!std::isfinite(high_room)) high_room = room(1);
   while (high_room >= 0 && high < most) {
@@ -337,7 +337,7 @@ BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
     high = std::min({std::max(reach, 1.05 * high), 4 * high, most});
     high_room = room(high);
   }
-  if (high_room >= 0) return {kInfinity, is_proved_at(varied, side, high)};
+  if (high_room >= 0) return {kInfinity, is_proved_at(varied, side, high), most};
   for (int k = 0; k < kSteps && high - low > kExact * high; ++k) {
     const bool is_finite = std::isfinite(high_room) && k % 3 != 2;
     const double share = is_finite ? low_room / (low_room - high_room) : 0.5;
@@ -346,7 +346,7 @@ BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst) {
     (left >= 0 ? low : high) = middle;
     (left >= 0 ? low_room : high_room) = left;
   }
-  return {low, is_proved_at(varied, side, kProvedTo * low)};
+  return {low, is_proved_at(varied, side, kProvedTo * low), most};
 }
 
 }  // namespace camlaw::problems

@@ -38,14 +38,16 @@ struct WorstPart {
 /// Of each limit and each of its sides, as large as `share` of the variations.
 std::vector<WorstPart> worst_parts(const VariedDesign& varied, double share = 1);
 
+inline constexpr double kLargestFactor = 100;
+
 /// How far the variations may grow before a limit breaks.
 struct BreakFactor {
   /// Times the variations as they are stated; infinite where it is above the largest that is tried,
   /// 0 where a part as it is meant breaks the limit.
   double factor = 0;
-  bool proved = false;  ///< that the limit holds up to a hundredth less
+  bool proved = false;            ///< that the limit holds up to a hundredth less
+  double tried = kLargestFactor;  ///< the largest factor, whose values the parameters accept
 };
-inline constexpr double kLargestFactor = 100;
 /// Of one side of a limit, as worst_parts has it at 1.
 BreakFactor break_factor(const VariedDesign& varied, const WorstPart& worst);
 

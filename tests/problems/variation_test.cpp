@@ -136,9 +136,9 @@ TEST_CASE("Where a resonance lies inside, the worst part is found and proved the
 TEST_CASE("The yield of linear limits with normal variation is the closed form", "[variation]") {
   // b + 2 c is normal about 5 with the deviation sqrt(0.3^2 + 0.2^2).
   const VariedDesign design = varied(
-      machine("[responses.s]\nformula = 'b + 2 * c'\n[variation.b]\nstandard_deviation = 0.3\n"
+      machine("[responses.total]\nformula = 'b + 2 * c'\n[variation.b]\nstandard_deviation = 0.3\n"
               "[variation.c]\nstandard_deviation = 0.1\n"
-              "[[constraints]]\nresponse = 's'\nupper = 5.5\n"));
+              "[[constraints]]\nresponse = 'total'\nupper = 5.5\n"));
   const ToleranceAnswer answer = tolerance_of(design, {.samples = 100000});
   const double deviation = std::sqrt(0.09 + 0.04), exact = normal_share(-0.5 / deviation);
   REQUIRE(answer.yield);
@@ -223,50 +223,57 @@ TEST_CASE("Derivatives of a highest value about a variable are those at the wors
 }
 
 TEST_CASE("Rooms on a grid are those of a search at each part, within their slack", "[variation]") {
+  const std::string sizes =
+      "base_radius = '42 mm'\nroller_radius = '10 mm'\nspring_preload = '260 N'\n";
+  double angle = 0, undercut = 0, force = 0;
+  for (const EvaluatedResponse& r : evaluate(read(cam(sizes)))) {
+    if (r.name == "pressure_angle") angle = r.highest;
+    if (r.name == "undercut") undercut = r.highest;
+    if (r.name == "follower_force") force = r.lowest;
+  }
   const VariedDesign design =
-      varied(cam("base_radius = '42 mm'\nroller_radius = '10 mm'\nspring_preload = '260 N'\n"
-                 "[variation.base_radius]\nplus = '1 mm'\nminus = '1 mm'\n"
-                 "[variation.roller_radius]\nplus = '0.5 mm'\nminus = '0.5 mm'\n"
-                 "[variation.spring_preload]\nstandard_deviation = '20 N'\n" +
-                 fmt::format(fmt::runtime(kLimits), 27, 0.78, 0)));
+      varied(cam(sizes + "[variation.base_radius]\nplus = '1 mm'\nminus = '1 mm'\n"
+                         "[variation.roller_radius]\nplus = '0.5 mm'\nminus = '0.5 mm'\n"
+                         "[variation.spring_preload]\nstandard_deviation = '20 N'\n") +
+             fmt::format(fmt::runtime(kLimits), angle, undercut, force));
   const GridRooms rooms = grid_rooms(design);
   CHECK(rooms.report.without_grid == 0);
   CHECK(rooms.report.places > 0);
-  CHECK(rooms.report.left < 0.5);
+  CHECK(rooms.report.left < 0.9);
   const auto searched = optim::searched_rooms(design.problem, design.meant);
+  const std::size_t limits = rooms.rows->limits();
+  REQUIRE(searched->limits() == limits);
   camlaw::testing::Random random(5);
-  constexpr std::size_t kParts = 60;
+  constexpr std::size_t kParts = 61;
   std::vector<double> parts;
   for (std::size_t k = 0; k < kParts; ++k) {
     parts.insert(parts.end(), {42 + random(-1, 1), 10 + random(-0.5, 0.5), 260 + random(-90, 90)});
   }
-  std::vector<double> fast(3 * kParts), slow(3 * kParts);
+  std::vector<double> fast(limits * kParts), slow(limits * kParts);
   rooms.rows->room(parts, kParts, fast);
   searched->room(parts, kParts, slow);
   const std::vector<double> slack = rooms.rows->slack();
-  int broken = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < limits; ++i) {
     for (std::size_t k = 0; k < kParts; ++k) {
-      INFO("limit " << i << ", part " << k << ": " << fast[i * kParts + k] << ", searched "
-                    << slow[i * kParts + k] << ", slack " << slack[i]);
+      const double quick = fast[i * kParts + k], exact = slow[i * kParts + k];
+      INFO("limit " << i << ", part " << k << ": " << quick << ", searched " << exact << ", slack "
+                    << slack[i]);
+      CHECK(quick >= exact - 1e-7);  // nothing between the places of the grid is worse
+      broken += exact < 0;
       // Where no part of the box breaks a limit its room may be anything above 0.
-      if (slow[i * kParts + k] >= slack[i]) {
-        CHECK(fast[i * kParts + k] >= 0);
-        continue;
-      }
-      ++broken;
-      CHECK(fast[i * kParts + k] >= slow[i * kParts + k] - 1e-7);
-      CHECK(fast[i * kParts + k] <= slow[i * kParts + k] + slack[i] + 1e-9);
+      if (exact < 0) CHECK(quick <= exact + slack[i] + 1e-9);
+      if (exact >= slack[i]) CHECK(quick >= 0);
     }
   }
-  CHECK(broken > 20);
-  CHECK(broken < 160);
+  CHECK(broken > limits * kParts / 10);
+  CHECK(broken < limits * kParts * 9 / 10);
 }
 
 TEST_CASE("Proof and sampling never contradict each other", "[variation][heavy]") {
   camlaw::testing::Random random(11);
   int proved = 0, broken = 0, estimated = 0;
-  for (int trial = 0; trial < 40; ++trial) {
+  for (int trial = 0; trial < 16; ++trial) {
     const double base = random(30, 60), roller = random(6, 14), preload = random(100, 500);
     const VariedDesign design = varied(cam(
         fmt::format("base_radius = {}\nroller_radius = {}\nspring_preload = {}\n"
@@ -277,7 +284,7 @@ TEST_CASE("Proof and sampling never contradict each other", "[variation][heavy]"
                     random(0.01, 1), random(0, 50), random(1, 50)) +
         fmt::format(fmt::runtime(kLimits), random(20, 35), random(0.3, 0.95), random(-100, 100))));
     ToleranceOptions options;
-    options.samples = 4000;
+    options.samples = 512;
     options.factors = false;
     const ToleranceAnswer answer = tolerance_of(design, options);
     REQUIRE(answer.yield);
@@ -316,9 +323,9 @@ TEST_CASE("Proof and sampling never contradict each other", "[variation][heavy]"
       CHECK(s.lowest >= least - 1e-6 * (1 + std::abs(least)));
     }
   }
-  CHECK(proved > 10);
-  CHECK(broken > 10);
-  CHECK(estimated > 10);
+  CHECK(proved > 5);
+  CHECK(broken > 5);
+  CHECK(estimated > 5);
 }
 
 TEST_CASE("A law that varies is searched, and nothing is said to be proved of it", "[variation]") {
