@@ -34,6 +34,7 @@ std::vector<LimitSlopes> slopes_of(const VariedDesign& varied) {
 std::vector<std::vector<std::size_t>> alone(const VariedDesign& varied) {
   const optim::Problem problem = limits_alone(varied);
   const optim::Sizes sizes = optim::sizes(problem, varied.meant);
+  const auto as_meant = optim::limit_reports(problem, sizes, varied.meant, false);
   std::vector<std::vector<std::size_t>> result(varied.meant.size());
   for (std::size_t i = 0; i < varied.meant.size(); ++i) {
     for (const double off : {varied.variations[i].lower, varied.variations[i].upper}) {
@@ -42,7 +43,7 @@ std::vector<std::vector<std::size_t>> alone(const VariedDesign& varied) {
       const auto reports = optim::limit_reports(problem, sizes, part, false);
       for (std::size_t k = 0; k < reports.size(); ++k) {
         const bool is_known = std::find(result[i].begin(), result[i].end(), k) != result[i].end();
-        if (!reports[k].met && !is_known) result[i].push_back(k);
+        if (as_meant[k].met && !reports[k].met && !is_known) result[i].push_back(k);
       }
     }
     std::sort(result[i].begin(), result[i].end());
