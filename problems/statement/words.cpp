@@ -271,8 +271,10 @@ std::string buildable_sentence(const ProblemStatement& problem) {
 std::string constraint_sentence(const ConstraintStatement& c) {
   const bool curve = c.response.response != nullptr && c.response.response->curve;
   const bool everywhere = curve && c.response.part == optim::Part::Value && !c.response.window;
-  return fmt::format("Such that {} is {}{}{}.\n", c.response.name, limits_text(c),
-                     everywhere ? " over the whole cycle" : "",
+  const std::string share =
+      c.reliability ? fmt::format(" for {:.6g} % of all parts", 100 * *c.reliability) : "";
+  return fmt::format("Such that {} is {}{}{}{}.\n", c.response.name, limits_text(c),
+                     everywhere ? " over the whole cycle" : "", share,
                      tolerance_note(c.tolerance, c.response.unit));
 }
 
