@@ -37,8 +37,10 @@ class RobustKernel final : public optim::Kernel {
 
   double value(std::span<const double> u) const override { return result(*values(u)); }
 
-  double gradient(std::span<const double> u, std::span<double> g) const override {
+  double gradient(std::span<const double> u, std::span<double> slopes) const override {
+    const auto g = slopes.first(own_.behind.size());  // there may be room for more
     const auto all = values(u);
+    if (!is_number(*all)) return without_number(g);
     std::fill(g.begin(), g.end(), 0.0);
     for (const auto& [sample, weight] : weights(*all)) {
       std::vector<double> own(f_.inputs().size());
@@ -48,9 +50,15 @@ class RobustKernel final : public optim::Kernel {
     return result(*all);
   }
 
-  double hessian(std::span<const double> u, std::span<double> g,
-                 std::span<double> h) const override {
+  double hessian(std::span<const double> u, std::span<double> by_input,
+                 std::span<double> by_two) const override {
+    const auto g = by_input.first(own_.behind.size());
+    const auto h = by_two.first(optim::packed_size(g.size()));
     const auto all = values(u);
+    if (!is_number(*all)) {
+      without_number(h);
+      return without_number(g);
+    }
     const std::size_t n = g.size();
     std::fill(g.begin(), g.end(), 0.0);
     std::fill(h.begin(), h.end(), 0.0);
@@ -104,6 +112,13 @@ class RobustKernel final : public optim::Kernel {
     });
   }
 
+  static bool is_number(const std::vector<double>& all) {
+    return std::none_of(all.begin(), all.end(), [](double value) { return std::isnan(value); });
+  }
+  static double without_number(std::span<double> derivatives) {
+    std::fill(derivatives.begin(), derivatives.end(), std::nan(""));
+    return std::nan("");
+  }
   static double mean_of(const std::vector<double>& all) {
     double sum = 0;
     for (const double value : all) sum += value;
