@@ -20,6 +20,7 @@ Command optimize_command();
 Command pareto_command();
 Command front_command();
 Command synthesize_command();
+Command tolerance_command();
 Command fit_command();
 Command report_command();
 Command completion_command();

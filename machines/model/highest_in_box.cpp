@@ -114,12 +114,18 @@ std::vector<Point> combinations(const std::vector<std::vector<double>>& values) 
 }  // namespace
 
 std::vector<Point> places_of(const Box& box) {
-  constexpr int kSteps[] = {8, 4, 2};  // of one, two and three parameters
-  const int steps = kSteps[std::min<std::size_t>(box.size(), 3) - 1];
+  constexpr int kSteps[] = {8, 4, 2};  // of one, two and three parameters; of more the middle
+  const std::size_t known = std::min<std::size_t>(box.size(), 3);
+  const int steps = kSteps[known - 1];
+  const bool is_large = box.size() > known;
   std::vector<std::vector<double>> ends, even;
   for (const Bounds& b : box) {
     ends.push_back(is_point(b) ? Point{b.lower} : Point{b.lower, b.upper});
     even.emplace_back();
+    if (is_large) {
+      even.back() = {middle(b)};
+      continue;
+    }
     for (int i = 0; i <= (is_point(b) ? 0 : steps); ++i) {
       even.back().push_back(std::lerp(b.lower, b.upper, static_cast<double>(i) / steps));
     }
@@ -178,9 +184,12 @@ Bounds highest_within(const Box& box, const Division& division,
                       const std::function<Bounds(const Point&)>& at,
                       const std::function<OverBox(const Box&)>& over) {
   Halving search(box, division.parts, at, over);
+  constexpr std::size_t kFew = 3;  // of more parameters the corners are many
   std::vector<std::vector<double>> ends;
   for (const Bounds& b : box) ends.push_back({b.lower, b.upper});
-  for (const Point& corner : combinations(ends)) search.look_at(corner);
+  if (box.size() <= kFew) {
+    for (const Point& corner : combinations(ends)) search.look_at(corner);
+  }
   search.go_through(box, division.halvings);
   return search.found();
 }

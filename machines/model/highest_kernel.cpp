@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "machines/model/inner_numbers.h"
 
@@ -19,17 +20,32 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Bounds times(double sign, const Bounds& b) { return sign > 0 ? b : Bounds{-b.upper, -b.lower}; }
 
-Widened widened(const Binding& binding, const std::vector<ParameterRange>& ranges) {
-  Widened result{binding, design_size(binding), {}};
-  std::vector<std::pair<std::size_t, std::size_t>> varying;
+Box Widened::box_at(Design x) const {
+  Box result = box;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (!about[i]) continue;
+    result[i].lower += x[*about[i]];
+    result[i].upper += x[*about[i]];
+  }
+  return result;
+}
+
+Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges) {
+  Widened result{binding, design_size(binding), {}, {}};
+  std::map<std::size_t, std::size_t> varies;
   for (std::size_t k = 0; k < binding.parameters.size(); ++k) {
-    varying.emplace_back(binding.parameters[k], binding.variables[k]);
+    varies[binding.parameters[k]] = binding.variables[k];
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    varying.emplace_back(ranges[i].parameter, result.first + i);
-    result.box.push_back({ranges[i].lower, ranges[i].upper});
+    const TakenRange& range = ranges[i];
+    const auto own = varies.find(range.parameter);
+    const bool moves = range.is_offset && own != varies.end();
+    const double base = range.is_offset && !moves ? binding.constants[range.parameter] : 0;
+    result.about.push_back(moves ? std::optional(own->second) : std::nullopt);
+    result.box.push_back({base + range.lower, base + range.upper});
+    varies[range.parameter] = result.first + i;
   }
-  std::sort(varying.begin(), varying.end());
+  std::vector<std::pair<std::size_t, std::size_t>> varying(varies.begin(), varies.end());
   result.binding.parameters.clear();
   result.binding.variables.clear();
   for (const auto& [parameter, variable] : varying) {
@@ -39,17 +55,60 @@ Widened widened(const Binding& binding, const std::vector<ParameterRange>& range
   return result;
 }
 
-HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
-    : f_(std::move(f)), first_(wide.first), box_(wide.box), sign_(sign), places_(places_of(box_)) {
-  for (std::size_t k = 0; k < f_.inputs().size(); ++k) {
-    (f_.inputs()[k] < first_ ? own_ : moved_).push_back(k);
+OwnInputs own_inputs(const Function& f, const Widened& wide) {
+  OwnInputs result;
+  result.about.resize(wide.about.size());
+  std::map<std::size_t, std::size_t> own;
+  for (std::size_t k = 0; k < f.inputs().size(); ++k) {
+    const std::size_t input = f.inputs()[k];
+    if (input < wide.first) {
+      own[input] = k;
+      continue;
+    }
+    result.moved.push_back(k);
+    if (const auto& about = wide.about[input - wide.first]) own[*about] = k;
   }
+  for (const auto& [input, k] : own) {
+    if (f.inputs()[k] >= wide.first) {
+      result.about[f.inputs()[k] - wide.first] = result.variables.size();
+    }
+    result.variables.push_back(input);
+    result.behind.push_back(k);
+  }
+  return result;
 }
 
-std::vector<std::size_t> HighestKernel::own_inputs() const {
-  std::vector<std::size_t> inputs;
-  for (const std::size_t k : own_) inputs.push_back(f_.inputs()[k]);
-  return inputs;
+HighestKernel::HighestKernel(Function f, const Widened& wide, double sign)
+    : f_(std::move(f)),
+      first_(wide.first),
+      box_(wide.box),
+      sign_(sign),
+      own_(camlaw::problems::own_inputs(f_, wide)) {}
+
+Box HighestKernel::box_at(std::span<const double> u) const {
+  Box result = box_;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!own_.about[i]) continue;
+    result[i].lower += u[*own_.about[i]];
+    result[i].upper += u[*own_.about[i]];
+  }
+  return result;
+}
+
+Box HighestKernel::box_over(std::span<const Bounds> u) const {
+  Box result = box_;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!own_.about[i]) continue;
+    result[i].lower += u[*own_.about[i]].lower;
+    result[i].upper += u[*own_.about[i]].upper;
+  }
+  return result;
+}
+
+bool HighestKernel::moves(std::span<const Bounds> u) const {
+  return std::any_of(own_.about.begin(), own_.about.end(), [&](const auto& about) {
+    return about && u[*about].lower != u[*about].upper;
+  });
 }
 
 double HighestKernel::value(std::span<const double> u) const {
@@ -59,11 +118,12 @@ double HighestKernel::value(std::span<const double> u) const {
 
 bool HighestKernel::is_beside_pole(std::span<const double> u, const Point& p) const {
   constexpr double kBeside = 1e-7;  // of a range
+  const Box ends = box_at(u);
   Box point, near;
   for (const double value : u) point.push_back({value, value});
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double room = kBeside * (box_[i].upper - box_[i].lower);
-    near.push_back({std::max(box_[i].lower, p[i] - room), std::min(box_[i].upper, p[i] + room)});
+    const double room = kBeside * (ends[i].upper - ends[i].lower);
+    near.push_back({std::max(ends[i].lower, p[i] - room), std::min(ends[i].upper, p[i] + room)});
   }
   const Bounds value = f_.range(widened_box(point, near)).value;
   return !(std::isfinite(value.lower) && std::isfinite(value.upper));
@@ -73,7 +133,8 @@ double HighestKernel::gradient(std::span<const double> u, std::span<double> g) c
   std::vector<double> all(f_.inputs().size());
   const Point p = worst(u);
   const double value = settled(u, p, f_.gradient(design(u, p), all));
-  for (std::size_t k = 0; k < own_.size(); ++k) g[k] = std::isnan(value) ? kNaN : all[own_[k]];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k)
+    g[k] = std::isnan(value) ? kNaN : all[own_.behind[k]];
   return value;
 }
 
@@ -91,10 +152,11 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
   const auto at = [&](std::size_t i, std::size_t k) -> double& {
     return second[optim::packed(std::max(i, k), std::min(i, k))];
   };
+  const Box box = box_at(u);
   // Ranges within which the place lies are eliminated one after the other.
-  for (const std::size_t m : moved_) {
+  for (const std::size_t m : own_.moved) {
     const std::size_t range = f_.inputs()[m] - first_;
-    const bool inside = p[range] > box_[range].lower && p[range] < box_[range].upper;
+    const bool inside = p[range] > box[range].lower && p[range] < box[range].upper;
     const double bend = at(m, m);
     if (!inside || bend == 0) continue;
     const std::vector<double> column = [&] {
@@ -106,9 +168,10 @@ double HighestKernel::hessian(std::span<const double> u, std::span<double> g,
       for (std::size_t k = 0; k <= i; ++k) at(i, k) -= column[i] * column[k] / bend;
     }
   }
-  for (std::size_t i = 0; i < own_.size(); ++i) {
-    g[i] = all[own_[i]];
-    for (std::size_t k = 0; k <= i; ++k) h[optim::packed(i, k)] = at(own_[i], own_[k]);
+  for (std::size_t i = 0; i < own_.behind.size(); ++i) {
+    g[i] = all[own_.behind[i]];
+    for (std::size_t k = 0; k <= i; ++k)
+      h[optim::packed(i, k)] = at(own_.behind[i], own_.behind[k]);
   }
   return value;
 }
@@ -124,7 +187,7 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
   const auto over = [&](const Box& ranges) {
     const optim::BoxRange all = f_.range(widened_box(box, ranges));
     OverBox result{times(sign_, all.value), std::vector<Bounds>(ranges.size(), Bounds{0, 0})};
-    for (const std::size_t m : moved_) {
+    for (const std::size_t m : own_.moved) {
       result.slopes[f_.inputs()[m] - first_] = times(sign_, all.slopes[m]);
     }
     return result;
@@ -135,38 +198,61 @@ optim::BoxRange HighestKernel::range(std::span<const Bounds> box) const {
     return times(sign_, f_.range(widened_box(box, point)).value);
   };
   optim::BoxRange result;
-  result.value = times(sign_, highest_within(box_, kDivision, at, over));
-  const optim::BoxRange whole = f_.range(widened_box(box, box_));
-  for (const std::size_t k : own_) result.slopes.push_back(whole.slopes[k]);
+  const Box all = box_over(box);
+  Bounds highest = highest_within(all, kDivision, at, over);
+  if (moves(box)) highest.lower = largest_lower(box);
+  result.value = times(sign_, highest);
+  const optim::BoxRange whole = f_.range(widened_box(box, all));
+  for (const std::size_t k : own_.behind) result.slopes.push_back(whole.slopes[k]);
   return result;
 }
 
+/// What the highest value is above at each design of a box: that at the ends of its ranges, and in
+/// their middle.
+double HighestKernel::largest_lower(std::span<const Bounds> u) const {
+  double largest = -optim::kInfinity;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    Box part = box_;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const double off = box_[i].lower + share * (box_[i].upper - box_[i].lower);
+      part[i] = {off, off};
+      if (!own_.about[i]) continue;
+      part[i] = {u[*own_.about[i]].lower + off, u[*own_.about[i]].upper + off};
+    }
+    largest = std::max(largest, times(sign_, f_.range(widened_box(u, part)).value).lower);
+  }
+  return largest;
+}
+
 std::string HighestKernel::why_undefined(std::span<const double> u) const {
-  for (const Point& p : places_) {
+  for (const Point& p : places_of(box_at(u))) {
     if (std::string why = f_.why_undefined(design(u, p)); !why.empty()) return why;
   }
   return {};
 }
 
 Point HighestKernel::worst(std::span<const double> u) const {
-  return climb(
-      highest_place(places_, [&](const Point& p) { return sign_ * f_.value(design(u, p)); }), u);
+  return climb(highest_place(places_of(box_at(u)),
+                             [&](const Point& p) { return sign_ * f_.value(design(u, p)); }),
+               u);
 }
 
 double HighestKernel::settled(std::span<const double> u, const Point& p, double value) const {
   constexpr double kSteep = 1e6;  // times another value: what rises so far may have a pole
-  const double other = std::abs(f_.value(design(u, places_.front())));
+  Point corner;
+  for (const Bounds& b : box_at(u)) corner.push_back(b.lower);
+  const double other = std::abs(f_.value(design(u, corner)));
   if (std::abs(value) <= kSteep * other) return value;
   return is_beside_pole(u, p) ? kNaN : value;
 }
 
 Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
-  return climbed(from, box_, [&](const Point& p) {
+  return climbed(from, box_at(u), [&](const Point& p) {
     const std::size_t n = f_.inputs().size();
     std::vector<double> all(n), second(optim::packed_size(n));
     Slopes result{sign_ * f_.hessian(design(u, p), all, second), Point(box_.size()),
                   Point(optim::packed_size(box_.size()))};
-    for (const std::size_t m : moved_) {
+    for (const std::size_t m : own_.moved) {
       const std::size_t i = f_.inputs()[m] - first_;
       result.first[i] = sign_ * all[m];
       result.second[optim::packed(i, i)] = sign_ * second[optim::packed(m, m)];
@@ -177,14 +263,14 @@ Point HighestKernel::climb(const Point& from, std::span<const double> u) const {
 
 std::vector<double> HighestKernel::design(std::span<const double> u, const Point& p) const {
   std::vector<double> x(first_ + p.size());
-  for (std::size_t k = 0; k < own_.size(); ++k) x[f_.inputs()[own_[k]]] = u[k];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k) x[own_.variables[k]] = u[k];
   std::copy(p.begin(), p.end(), x.begin() + static_cast<std::ptrdiff_t>(first_));
   return x;
 }
 
 std::vector<Bounds> HighestKernel::widened_box(std::span<const Bounds> u, const Box& ranges) const {
   std::vector<Bounds> all(first_ + ranges.size(), Bounds{0, 0});
-  for (std::size_t k = 0; k < own_.size(); ++k) all[f_.inputs()[own_[k]]] = u[k];
+  for (std::size_t k = 0; k < own_.behind.size(); ++k) all[own_.variables[k]] = u[k];
   std::copy(ranges.begin(), ranges.end(), all.begin() + static_cast<std::ptrdiff_t>(first_));
   return all;
 }
@@ -199,9 +285,10 @@ Point told(const Function& f, const Widened& wide, Design x, const Point& p) {
   constexpr double kSame = 1e-12;
   const double value = f.value(wide.design(x, p));
   Point result = p;
+  const Box box = wide.box_at(x);
   for (std::size_t i = 0; i < p.size(); ++i) {
     bool is_same = true;
-    for (const double end : {wide.box[i].lower, wide.box[i].upper}) {
+    for (const double end : {box[i].lower, box[i].upper}) {
       Point other = p;
       other[i] = end;
       is_same &= std::abs(f.value(wide.design(x, other)) - value) <= kSame * std::abs(value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "machines/model/highest_in_box.h"
@@ -10,12 +11,21 @@
 /// the design (docs/theory.md, "Ranges of parameters").
 namespace camlaw::problems {
 
+/// A range as a response is taken over it.
+struct TakenRange : ParameterRange {
+  bool is_offset = false;  ///< its ends are added to the value that the parameter has
+};
+
 /// A binding in which the parameters of the ranges vary too: their variables come behind those that
 /// it has.
 struct Widened {
   Binding binding;
   std::size_t first = 0;  ///< variable of the first range
-  Box box;
+  Box box;                ///< of a range about a variable what is added to it
+  std::vector<std::optional<std::size_t>> about = {};  ///< the variable that a range moves with
+
+  /// The box at a design.
+  Box box_at(optim::Design x) const;
 
   /// A design of the widened binding.
   std::vector<double> design(optim::Design x, const Point& p) const {
@@ -25,7 +35,17 @@ struct Widened {
   }
 };
 
-Widened widened(const Binding& binding, const std::vector<ParameterRange>& ranges);
+Widened widened(const Binding& binding, const std::vector<TakenRange>& ranges);
+
+/// Which variables of a design a function over a widened one depends on.
+struct OwnInputs {
+  std::vector<std::size_t>
+      variables;                    ///< those of the function, and those that its ranges move with
+  std::vector<std::size_t> behind;  ///< the function's input behind each of these
+  std::vector<std::size_t> moved;   ///< its inputs that are ranges
+  std::vector<std::optional<std::size_t>> about;  ///< of each range which of the variables it is
+};
+OwnInputs own_inputs(const optim::Function& f, const Widened& wide);
 
 /// The bounds of sign * f, from those of f.
 optim::Bounds times(double sign, const optim::Bounds& bounds);
@@ -37,8 +57,8 @@ class HighestKernel final : public optim::Kernel {
  public:
   HighestKernel(optim::Function f, const Widened& wide, double sign);
 
-  /// The design's own inputs of f.
-  std::vector<std::size_t> own_inputs() const;
+  /// The design's own inputs of f, and the variables that ranges of f move with.
+  const std::vector<std::size_t>& own_inputs() const { return own_.variables; }
 
   double value(std::span<const double> u) const override;
   double gradient(std::span<const double> u, std::span<double> g) const override;
@@ -59,6 +79,12 @@ class HighestKernel final : public optim::Kernel {
 
  private:
   std::vector<double> design(std::span<const double> u, const Point& p) const;
+  Box box_at(std::span<const double> u) const;
+  /// That of all designs of a box.
+  Box box_over(std::span<const optim::Bounds> u) const;
+  /// Whether the ranges move within a box of designs.
+  bool moves(std::span<const optim::Bounds> u) const;
+  double largest_lower(std::span<const optim::Bounds> u) const;
   std::vector<optim::Bounds> widened_box(std::span<const optim::Bounds> u, const Box& ranges) const;
   /// Whether the function has no bound close to a place in the ranges: then what was found there is
   /// no highest value, however large, but the flank of a pole.
@@ -68,8 +94,7 @@ class HighestKernel final : public optim::Kernel {
   std::size_t first_;
   Box box_;
   double sign_;
-  std::vector<Point> places_;
-  std::vector<std::size_t> own_, moved_;  ///< which of f's inputs are the design's, and the ranges'
+  OwnInputs own_;
 };
 
 /// That of a function over a widened design, as a function of the design.

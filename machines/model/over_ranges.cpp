@@ -12,18 +12,19 @@ using optim::Design, optim::Place;
 
 namespace {
 
-/// The binding with what the ranges hold as constants.
-Binding without_ranges(const Binding& binding, const std::vector<ParameterRange>& ranges) {
+/// The binding with what the ranges hold as constants; what a range moves with still varies.
+Binding without_ranges(const Binding& binding, const std::vector<TakenRange>& ranges) {
   return keeping(binding, [&](std::size_t parameter) {
-    return std::none_of(ranges.begin(), ranges.end(),
-                        [&](const ParameterRange& range) { return range.parameter == parameter; });
+    return std::none_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
+      return range.parameter == parameter && !range.is_offset;
+    });
   });
 }
 
 }  // namespace
 
-bool depends_on(const MechanismResponse& response, const std::vector<ParameterRange>& ranges) {
-  return std::any_of(ranges.begin(), ranges.end(), [&](const ParameterRange& range) {
+bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const TakenRange& range) {
     const auto holds = [&](const std::vector<std::size_t>& increasing) {
       return std::binary_search(increasing.begin(), increasing.end(), range.parameter);
     };
@@ -32,10 +33,8 @@ bool depends_on(const MechanismResponse& response, const std::vector<ParameterRa
 }
 
 std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& response,
-                                                     std::vector<ParameterRange> ranges,
-                                                     bool highest) {
-  std::erase_if(ranges,
-                [&](const ParameterRange& range) { return !depends_on(response, {range}); });
+                                                     std::vector<TakenRange> ranges, bool highest) {
+  std::erase_if(ranges, [&](const TakenRange& range) { return !depends_on(response, {range}); });
   const double sign = highest ? 1 : -1;
   auto result = std::make_shared<MechanismResponse>(response);
   result->write = {};
@@ -44,6 +43,7 @@ std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& re
   result->shapes = {};
   auto over = std::make_shared<OverRanges>();
   over->ranges = ranges;
+  over->of = std::make_shared<MechanismResponse>(response);
   if (response.curve) {
     result->curve = [response, ranges, sign](const Binding& binding, optim::Shape) {
       return range_curve(response, ranges, sign, without_ranges(binding, ranges));

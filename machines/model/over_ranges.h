@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "machines/model/mechanism.h"
+#include "machines/model/highest_kernel.h"
 
 /// Parameters that take any value within a range, a speed from 100 to 400 rpm: the highest, or the
 /// lowest, of a response over all of them, as a response of the mechanism like any other
@@ -15,19 +15,19 @@ namespace camlaw::problems {
 
 /// What is known of a response over ranges.
 struct OverRanges {
-  std::vector<ParameterRange> ranges;
+  std::vector<TakenRange> ranges;
+  std::shared_ptr<const MechanismResponse> of;  ///< the response at one value of each
   /// Where in the ranges the worst value is, at a design and a place of it (of a number none). Not
   /// a number for a range in which it is the same everywhere.
   std::function<std::vector<double>(const Binding&, optim::Design, const optim::Place*)> worst;
 };
 
 /// Whether any of the ranges matters to a response.
-bool depends_on(const MechanismResponse& response, const std::vector<ParameterRange>& ranges);
+bool depends_on(const MechanismResponse& response, const std::vector<TakenRange>& ranges);
 
 /// The highest value of a response over all values of the ranges, at each place of a curve; or the
 /// lowest. Its name is that of the response.
 std::shared_ptr<const MechanismResponse> over_ranges(const MechanismResponse& response,
-                                                     std::vector<ParameterRange> ranges,
-                                                     bool highest);
+                                                     std::vector<TakenRange> ranges, bool highest);
 
 }  // namespace camlaw::problems

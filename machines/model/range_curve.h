@@ -35,7 +35,7 @@ class RangeCurve final : public optim::Curve {
 /// lowest value. Nothing is proved of a curve that is not recorded, nor where the ranges decide
 /// whether there is such a machine.
 std::shared_ptr<const RangeCurve> range_curve(const MechanismResponse& response,
-                                              const std::vector<ParameterRange>& ranges,
-                                              double sign, const Binding& binding);
+                                              const std::vector<TakenRange>& ranges, double sign,
+                                              const Binding& binding);
 
 }  // namespace camlaw::problems

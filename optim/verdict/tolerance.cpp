@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 
+#include "numerics/sampling/sobol_points.h"
 #include "optim/cycle/sizes.h"
 #include "optim/verdict/limits.h"
 
@@ -14,6 +14,7 @@ namespace camlaw::optim {
 namespace {
 
 using Numbers = std::vector<double>;
+using Variations = std::vector<Variation>;
 
 /// Objectives and margins of designs.
 class Measured {
@@ -99,14 +100,14 @@ std::vector<double> moved(Design x, std::size_t variable, double by) {
 }
 
 /// Each variable alone, both ways; the changes, with the sign of the way that raises the number.
-std::vector<Numbers> single_changes(const Measured& measured, Design x, const Numbers& tolerances,
-                                    std::vector<Spread>& spreads) {
+std::vector<Numbers> single_changes(const Measured& measured, Design x,
+                                    const Variations& variations, std::vector<Spread>& spreads) {
   std::vector<Numbers> rises(spreads.size(), Numbers(x.size(), 0.0));
   for (Spread& spread : spreads) spread.by_variable.assign(x.size(), 0.0);
   for (std::size_t v = 0; v < x.size(); ++v) {
-    if (tolerances[v] == 0) continue;
-    const Numbers up = measured.at(moved(x, v, tolerances[v]));
-    const Numbers down = measured.at(moved(x, v, -tolerances[v]));
+    if (!variations[v].varies()) continue;
+    const Numbers up = measured.at(moved(x, v, variations[v].upper));
+    const Numbers down = measured.at(moved(x, v, variations[v].lower));
     look_at_edge(spreads, up);
     look_at_edge(spreads, down);
     for (std::size_t i = 0; i < spreads.size(); ++i) {
@@ -118,25 +119,27 @@ std::vector<Numbers> single_changes(const Measured& measured, Design x, const Nu
   return rises;
 }
 
-std::vector<double> corner(Design x, const Numbers& tolerances, const Numbers& signs) {
+std::vector<double> corner(Design x, const Variations& variations, const Numbers& signs) {
   std::vector<double> result(x.begin(), x.end());
-  for (std::size_t v = 0; v < x.size(); ++v) result[v] += signs[v] * tolerances[v];
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    if (signs[v] != 0) result[v] += signs[v] > 0 ? variations[v].upper : variations[v].lower;
+  }
   return result;
 }
 
 /// All corners; of the variables without a tolerance there is one side. Returns how many are not
 /// possible.
-std::size_t look_at_corners(const Measured& measured, Design x, const Numbers& tolerances,
+std::size_t look_at_corners(const Measured& measured, Design x, const Variations& variations,
                             std::vector<Spread>& spreads) {
   std::vector<std::size_t> off;
   for (std::size_t v = 0; v < x.size(); ++v) {
-    if (tolerances[v] > 0) off.push_back(v);
+    if (variations[v].varies()) off.push_back(v);
   }
   std::size_t impossible = 0;
   for (std::size_t bits = 0; bits < (std::size_t{1} << off.size()); ++bits) {
     Numbers signs(x.size(), 0.0);
     for (std::size_t k = 0; k < off.size(); ++k) signs[off[k]] = (bits >> k) & 1U ? 1 : -1;
-    const Numbers numbers = measured.at(corner(x, tolerances, signs));
+    const Numbers numbers = measured.at(corner(x, variations, signs));
     look_at_edge(spreads, numbers);
     impossible += !is_possible(spreads, numbers);
   }
@@ -144,12 +147,12 @@ std::size_t look_at_corners(const Measured& measured, Design x, const Numbers& t
 }
 
 /// The corners that the single changes point to, two for each number. Returns as above.
-std::size_t look_at_pointed(const Measured& measured, Design x, const Numbers& tolerances,
+std::size_t look_at_pointed(const Measured& measured, Design x, const Variations& variations,
                             const std::vector<Numbers>& rises, std::vector<Spread>& spreads) {
   std::size_t impossible = 0;
   for (Numbers signs : rises) {
     for (int side = 0; side < 2; ++side) {
-      const Numbers numbers = measured.at(corner(x, tolerances, signs));
+      const Numbers numbers = measured.at(corner(x, variations, signs));
       look_at_edge(spreads, numbers);
       impossible += !is_possible(spreads, numbers);
       for (double& sign : signs) sign = -sign;
@@ -184,53 +187,91 @@ void sum_up(std::vector<Spread>& spreads, const std::vector<Numbers>& samples) {
   }
 }
 
-void check(Design x, const Numbers& tolerances, std::size_t samples) {
-  const bool proper = std::all_of(tolerances.begin(), tolerances.end(),
-                                  [](double t) { return t >= 0 && std::isfinite(t); });
-  if (tolerances.size() != x.size() || !proper) {
-    throw std::invalid_argument("tolerances: one for each variable is wanted, none negative");
+void check(Design x, const Variations& variations, std::size_t samples) {
+  if (variations.size() != x.size()) {
+    throw std::invalid_argument("tolerances: one for each variable is wanted");
   }
   if (samples < 1) throw std::invalid_argument("samples: at least one is needed");
 }
 
+/// Designs as they are made, one for each of these many points.
+std::vector<Numbers> made(Design x, const Variations& variations, std::size_t count,
+                          std::uint64_t seed) {
+  SobolPoints points(x.size(), seed);
+  std::vector<Numbers> designs;
+  Numbers shares(x.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    points.next(shares);
+    Numbers design(x.begin(), x.end());
+    for (std::size_t v = 0; v < x.size(); ++v) {
+      if (variations[v].varies()) design[v] += variations[v].at_share(shares[v]);
+    }
+    designs.push_back(std::move(design));
+  }
+  return designs;
+}
+
+/// Of means of repetitions.
+double standard_error(const Numbers& means) {
+  const auto count = static_cast<double>(means.size());
+  double sum = 0, squares = 0;
+  for (const double mean : means) sum += mean;
+  for (const double mean : means) squares += (mean - sum / count) * (mean - sum / count);
+  return std::sqrt(squares / (count - 1) / count);
+}
+
 }  // namespace
 
-ToleranceReport tolerance_report(const Problem& problem, Design x,
-                                 const std::vector<double>& tolerances, std::size_t samples,
-                                 std::uint64_t seed) {
-  check(x, tolerances, samples);
+ToleranceReport tolerance_report(const Problem& problem, Design x, const Variations& variations,
+                                 std::size_t samples, std::uint64_t seed) {
+  check(x, variations, samples);
   constexpr std::ptrdiff_t kAllCorners = 10;
+  constexpr std::size_t kRepetitions = 8;
   const Measured measured(problem, x);
   ToleranceReport report;
   report.spreads = measured.names();
-  report.samples = samples;
   const Numbers nominal = measured.at(x);
   for (std::size_t i = 0; i < nominal.size(); ++i) {
     Spread& spread = report.spreads[i];
     spread.nominal = spread.lowest = spread.highest = nominal[i];
   }
-  const auto rises = single_changes(measured, x, tolerances, report.spreads);
-  report.all_corners = std::count_if(tolerances.begin(), tolerances.end(),
-                                     [](double t) { return t > 0; }) <= kAllCorners;
+  const auto rises = single_changes(measured, x, variations, report.spreads);
+  report.all_corners = std::count_if(variations.begin(), variations.end(),
+                                     [](const Variation& v) { return v.varies(); }) <= kAllCorners;
   report.impossible_corners = report.all_corners
-                                  ? look_at_corners(measured, x, tolerances, report.spreads)
-                                  : look_at_pointed(measured, x, tolerances, rises, report.spreads);
-  std::mt19937_64 generator(seed);
+                                  ? look_at_corners(measured, x, variations, report.spreads)
+                                  : look_at_pointed(measured, x, variations, rises, report.spreads);
   std::vector<Numbers> drawn;
-  std::size_t good = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    Numbers signs(x.size());
-    // In [-1, 1), the same with every library: std's distributions are not.
-    for (double& sign : signs) sign = std::ldexp(static_cast<double>(generator() >> 11U), -52) - 1;
-    drawn.push_back(measured.at(corner(x, tolerances, signs)));
-    widen(report.spreads, drawn.back());
-    const bool possible = is_possible(report.spreads, drawn.back());
-    report.impossible_samples += !possible;
-    good += possible && measured.meets_limits(drawn.back());
+  Numbers shares;
+  const std::size_t each = (samples + kRepetitions - 1) / kRepetitions;
+  for (std::size_t r = 0; r < kRepetitions && !x.empty(); ++r) {
+    std::size_t good = 0;
+    for (const Numbers& design : made(x, variations, each, mixed(seed, r))) {
+      drawn.push_back(measured.at(design));
+      widen(report.spreads, drawn.back());
+      const bool possible = is_possible(report.spreads, drawn.back());
+      report.impossible_samples += !possible;
+      good += possible && measured.meets_limits(drawn.back());
+    }
+    shares.push_back(static_cast<double>(good) / static_cast<double>(each));
   }
-  report.yield = static_cast<double>(good) / static_cast<double>(samples);
+  report.samples = drawn.size();
+  for (const double share : shares) report.yield += share / kRepetitions;
+  report.yield_error = standard_error(shares);
   sum_up(report.spreads, drawn);
   return report;
+}
+
+ToleranceReport tolerance_report(const Problem& problem, Design x, const Numbers& tolerances,
+                                 std::size_t samples, std::uint64_t seed) {
+  Variations variations;
+  for (const double tolerance : tolerances) {
+    if (!(tolerance >= 0 && std::isfinite(tolerance))) {
+      throw std::invalid_argument("tolerances: none is negative, and each is a number");
+    }
+    variations.push_back({-tolerance, tolerance});
+  }
+  return tolerance_report(problem, x, variations, samples, seed);
 }
 
 }  // namespace camlaw::optim

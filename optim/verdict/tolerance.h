@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "optim/problem/problem.h"
+#include "optim/verdict/variation.h"
 
 /// What becomes of a design that is not made as it was meant (docs/optimisation.md, "Tolerances").
 namespace camlaw::optim {
@@ -19,7 +20,7 @@ struct Spread {
   double lowest = 0, highest = 0;        ///< the worst of all designs that are possible
   double mean = 0, deviation = 0;        ///< over the samples that are possible
   double low = 0, high = 0;              ///< their quantiles, 5 and 95 %; no number of none
-  std::vector<double> by_variable = {};  ///< change by each variable's tolerance, the larger side
+  std::vector<double> by_variable = {};  ///< change by each variable's variation, the larger side
 };
 
 struct ToleranceReport {
@@ -28,14 +29,20 @@ struct ToleranceReport {
   /// Where the model gives no number: such designs cannot be made, and meet no limit.
   std::size_t impossible_samples = 0, impossible_corners = 0;
   double yield = 0;          ///< share of all samples that meet every limit
+  double yield_error = 0;    ///< its standard error
   bool all_corners = false;  ///< whether the extremes are over every corner of the box
 };
 
-/// Each variable off by up to its tolerance, in its unit. Extremes: over the corners of the box,
-/// all of them for up to ten variables that have a tolerance, else those that the single changes
-/// point to, and over the samples. Samples are even over the box, from a generator with this seed.
-/// Bounds of variables do not hold here: a design at its bound may be made beyond it. Throws
-/// std::invalid_argument where tolerances are not one for each variable or are negative.
+/// Each variable off by its variation. Extremes: over the corners of the box, all of them for up to
+/// ten variables that vary, else those that the single changes point to, and over the samples.
+/// Samples are Sobol points with random shifts of this seed, eight times as many (docs/theory.md,
+/// TV2). Bounds of variables do not hold here: a design at its bound may be made beyond it. Throws
+/// std::invalid_argument where variations are not one for each variable.
+ToleranceReport tolerance_report(const Problem& problem, Design x,
+                                 const std::vector<Variation>& variations,
+                                 std::size_t samples = 1000, std::uint64_t seed = 1);
+/// The same of variables that are off by up to their tolerance to either side, in its unit. Throws
+/// likewise, and where a tolerance is negative.
 ToleranceReport tolerance_report(const Problem& problem, Design x,
                                  const std::vector<double>& tolerances, std::size_t samples = 1000,
                                  std::uint64_t seed = 1);

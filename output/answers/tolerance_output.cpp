@@ -113,13 +113,8 @@ Table spreads_table(const optim::ToleranceReport& report) {
 
 }  // namespace
 
-Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
-                            const std::vector<double>& tolerances) {
-  const optim::Problem problem = problem_of(answer, point);
-  const optim::ToleranceReport report = optim::tolerance_report(problem, point.x, tolerances);
+Document spreads_document(const optim::ToleranceReport& report) {
   Document document;
-  document.say(tolerances_text(problem.variables, tolerances));
-  document.fact("tolerances", tolerances);
   document.add(spreads_table(report));
   if (report.impossible_corners + report.impossible_samples > 0) {
     document.say(fmt::format(
@@ -128,15 +123,26 @@ Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& 
   }
   document.say(
       fmt::format("lowest and highest: over {}; the rest over {} samples, of which {:.1f} % meet "
-                  "every limit\n",
+                  "every limit (standard error {:.2g} %)\n",
                   report.all_corners ? "every corner of the tolerances"
                                      : "the corners that single changes point to",
-                  report.samples, 100 * report.yield));
+                  report.samples, 100 * report.yield, 100 * report.yield_error));
   document.fact("samples", report.samples);
   document.fact("impossible_samples", report.impossible_samples);
   document.fact("impossible_corners", report.impossible_corners);
   document.fact("yield", report.yield);
+  document.fact("yield_error", report.yield_error);
   document.fact("all_corners", report.all_corners);
+  return document;
+}
+
+Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,
+                            const std::vector<double>& tolerances) {
+  const optim::Problem problem = problem_of(answer, point);
+  Document document;
+  document.say(tolerances_text(problem.variables, tolerances));
+  document.fact("tolerances", tolerances);
+  document.add(spreads_document(optim::tolerance_report(problem, point.x, tolerances)));
   return document;
 }
 

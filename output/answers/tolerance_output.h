@@ -20,6 +20,9 @@ std::vector<double> hundredths(const std::vector<optim::Variable>& variables, op
 std::vector<double> tolerances_of(const FrontAnswer& answer, const optim::FrontPoint& point,
                                   const std::vector<std::string>& assignments);
 
+/// What a design's objectives and margins become: for people a table and how it was made.
+Document spreads_document(const optim::ToleranceReport& report);
+
 /// What becomes of a point where its variables are off by up to `tolerances`, in the variables'
 /// units.
 Document tolerance_document(const FrontAnswer& answer, const optim::FrontPoint& point,

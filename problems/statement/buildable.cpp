@@ -13,6 +13,7 @@
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
 #include "problems/statement/ranges.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -127,6 +128,15 @@ std::string missing(const BuildableCheck& check, const ProblemStatement& problem
     if (bound_moves(check, problem, range)) {
       return fmt::format("what it is held to changes over the range of {}",
                          problem.mechanism->parameters[range.parameter].name);
+    }
+  }
+  for (const VariationStatement& v : variations_of(problem)) {
+    if (v.parameter.of_law) continue;
+    const double meant = meant_value(problem, v);
+    const optim::Variation off = v.at(meant);
+    const ParameterRange made{v.parameter.parameter, meant + off.lower, meant + off.upper};
+    if (bound_moves(check, problem, made)) {
+      return fmt::format("what it is held to changes with the variation of {}", v.name());
     }
   }
   return "";

@@ -7,8 +7,9 @@
 
 #include "machines/model/law_binding.h"
 #include "machines/model/load_case.h"
-#include "machines/model/over_ranges.h"
+#include "machines/model/robust_number.h"
 #include "problems/statement/parameters.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -18,12 +19,65 @@ using optim::Part;
 /// Whether a response is to be taken over the ranges: that of several cases has them in each.
 bool matters(const ProblemStatement& problem, const ResponseName& name) {
   return name.response != nullptr && !name.response->over_ranges &&
-         name.response->over_cases.empty() && depends_on(*name.response, problem.ranges);
+         name.response->over_cases.empty() && depends_on(*name.response, taken_ranges(problem));
 }
 
 std::shared_ptr<const MechanismResponse> spread(const ProblemStatement& problem,
                                                 const ResponseName& name, bool highest) {
-  return over_ranges(*name.response, problem.ranges, highest);
+  return over_ranges(*name.response, taken_ranges(problem), highest);
+}
+
+/// What manufacture does to parameters that a response depends on.
+std::vector<VaryingParameter> varying_of(const ProblemStatement& problem,
+                                         const MechanismResponse& response) {
+  std::vector<VaryingParameter> varying;
+  for (const VariationStatement& v : variations_of(problem)) {
+    if (v.parameter.of_law) continue;
+    const std::size_t parameter = v.parameter.parameter;
+    if (!depends_on(response, {{{parameter, 0, 0}, true}})) continue;
+    varying.push_back({parameter, v.at(meant_value(problem, v))});
+  }
+  return varying;
+}
+
+/// A limit that need not hold for every part: each of its sides on the quantile of its worst value.
+std::vector<ConstraintStatement> with_reliability(const ProblemStatement& problem,
+                                                  const ConstraintStatement& limit,
+                                                  const std::vector<VaryingParameter>& varying) {
+  std::vector<ConstraintStatement> sides;
+  const bool is_curve = static_cast<bool>(limit.response.response->curve);
+  const auto add = [&](bool is_upper, double bound) {
+    ConstraintStatement side = limit;
+    side.lower.reset();
+    side.upper.reset();
+    (is_upper ? side.upper : side.lower) = bound;
+    side.is_size = limit.is_size || limit.response.part == Part::Magnitude;
+    ResponseName of = limit.response;
+    if (is_curve) of.part = is_upper ? Part::Highest : Part::Lowest;
+    const double share = is_upper ? *limit.reliability : 1 - *limit.reliability;
+    side.of_range = robust_number(problem.mechanism, of, varying, {true, 0, share});
+    side.response.response = side.of_range.get();
+    side.response.part = Part::Value;
+    sides.push_back(std::move(side));
+  };
+  if (limit.upper) add(true, *limit.upper);
+  if (limit.lower) add(false, *limit.lower);
+  if (limit.response.part == Part::Magnitude && limit.upper) add(false, -*limit.upper);
+  return sides;
+}
+
+/// What is sought of a response that manufacture spreads.
+ObjectiveStatement as_robust(const ProblemStatement& problem, ObjectiveStatement objective) {
+  const auto varying = varying_of(problem, *objective.response.response);
+  if (varying.empty()) return objective;
+  objective.one_value = objective.response;
+  objective.of_ranges =
+      robust_number(problem.mechanism, objective.response, varying, *objective.robust);
+  objective.response.response = objective.of_ranges.get();
+  objective.response.part = Part::Value;
+  objective.response.window.reset();
+  objective.response.name += fmt::format(" ({})", objective.robust->text());
+  return objective;
 }
 
 /// The largest size of a curve over the ranges: that of the highest values and the lowest ones, one
@@ -47,6 +101,17 @@ ObjectiveStatement size_over_ranges(const ProblemStatement& problem, ObjectiveSt
 
 }  // namespace
 
+std::vector<TakenRange> taken_ranges(const ProblemStatement& problem) {
+  std::vector<TakenRange> taken;
+  for (const ParameterRange& range : problem.ranges) taken.push_back({range, false});
+  for (const VariationStatement& v : variations_of(problem)) {
+    if (v.parameter.of_law) continue;
+    const optim::Variation off = v.at(meant_value(problem, v));
+    taken.push_back({{v.parameter.parameter, off.lower, off.upper}, true});
+  }
+  return taken;
+}
+
 std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatement& problem,
                                                              const ResponseName& name,
                                                              bool highest) {
@@ -56,6 +121,10 @@ std::shared_ptr<const MechanismResponse> highest_over_ranges(const ProblemStatem
 std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
                                              const ConstraintStatement& limit) {
   if (!matters(problem, limit.response)) return {limit};
+  if (limit.reliability) {
+    const auto varying = varying_of(problem, *limit.response.response);
+    if (!varying.empty()) return with_reliability(problem, limit, varying);
+  }
   std::vector<ConstraintStatement> sides;
   const auto add = [&](bool is_upper, double bound) {
     ConstraintStatement side = limit;
@@ -77,6 +146,7 @@ std::vector<ConstraintStatement> over_ranges(const ProblemStatement& problem,
 
 ObjectiveStatement over_ranges(const ProblemStatement& problem, ObjectiveStatement objective) {
   if (!matters(problem, objective.response)) return objective;
+  if (objective.robust) return as_robust(problem, std::move(objective));
   const bool highest = objective.sense == optim::Sense::Minimize;
   objective.one_value = objective.response;
   if (objective.response.part == Part::Magnitude) {

@@ -4,10 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "machines/model/over_ranges.h"
 #include "problems/statement/statement.h"
 
 /// Limits and objectives over ranges of parameters.
 namespace camlaw::problems {
+
+/// What responses are taken over: the problem's ranges, and what manufacture does to parameters of
+/// the mechanism.
+std::vector<TakenRange> taken_ranges(const ProblemStatement& problem);
 
 /// A limit as it must hold over all values of the problem's ranges: a limit for each of its sides,
 /// the upper one on the highest value and the lower one on the lowest. As it is where no range

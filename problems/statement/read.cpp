@@ -33,7 +33,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   }
   check_keys(file, {"format", "title", "mechanism", "machine", "cams", "responses", "constants",
                     "law", "free", "program", "parts", "variables", "objective", "objectives",
-                    "constraints", "cases", "ranges", "buildable", "solver"});
+                    "constraints", "cases", "ranges", "variation", "buildable", "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });
@@ -52,6 +52,7 @@ ProblemStatement read_problem(std::string_view toml, const std::string& source, 
   }
   read_cases(file, problem);
   read_ranges(file, problem);
+  read_variation(file, problem);
   read_objectives(file, problem);
   read_constraints(file, problem);
   read_buildable(file, problem);

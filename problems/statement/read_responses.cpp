@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "machines/model/over_ranges.h"
+#include "machines/model/robust_number.h"
 #include "problems/statement/cases.h"
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
@@ -12,6 +13,7 @@
 #include "problems/statement/ranges.h"
 #include "problems/statement/reading.h"
 #include "problems/statement/toml_reader.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -162,10 +164,45 @@ void check_order(const Entry& table, const Limits& limits, const ConstraintState
   }
 }
 
+/// The probability with which a limit must hold; none where the table does not say.
+std::optional<double> read_reliability(const Entry& table, const ProblemStatement& problem) {
+  const Entry* entry = find(table, "reliability");
+  if (entry == nullptr) return {};
+  const double share = quantity_of(*entry, "1");
+  if (!(share >= 0.5 && share <= kLargestShare)) {
+    refuse(*entry, fmt::format("{:.6g} is not between 0.5 and {:g}; a limit that holds for every "
+                               "part has no reliability",
+                               share, kLargestShare));
+  }
+  if (variations_of(problem).empty()) {
+    refuse(*entry, "nothing says what manufacture does; state [variation.NAME]");
+  }
+  if (!problem.ranges.empty()) {
+    refuse(*entry,
+           "a limit over ranges holds for every value of them; drop the ranges, or the "
+           "reliability");
+  }
+  return share;
+}
+
+/// What is taken of an objective's values; null where the table does not say.
+std::shared_ptr<const Robust> read_robust(const Entry& table, const ProblemStatement& problem) {
+  const Entry* entry = find(table, "robust");
+  if (entry == nullptr) return nullptr;
+  const Robust robust = located(*entry, [&] { return parse_robust(text_of(*entry)); });
+  if (variations_of(problem).empty()) {
+    refuse(*entry, "nothing says what manufacture does; state [variation.NAME]");
+  }
+  if (!problem.ranges.empty() || !problem.cases.empty()) {
+    refuse(*entry, "a robust objective is of one machine; drop the ranges and the cases, or it");
+  }
+  return std::make_shared<const Robust>(robust);
+}
+
 ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[constraints]]");
-  check_keys(table,
-             {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance", "cases"});
+  check_keys(table, {"response", "over", "from", "to", "lower", "upper", "equals", "tolerance",
+                     "cases", "reliability"});
   const Entry* response = find(table, "response");
   if (response == nullptr) refuse(table, "response is missing; name what is to hold");
   ConstraintStatement constraint;
@@ -182,11 +219,12 @@ ConstraintStatement read_constraint(const Entry& table, const ProblemStatement& 
   check_possible(limits.lower, constraint.lower, constraint.response);
   check_possible(above, constraint.upper, constraint.response);
   constraint.tolerance = find_positive(table, "tolerance", unit);
+  constraint.reliability = read_reliability(table, problem);
   const bool over_range = constraint.response.response != nullptr &&
-                          depends_on(*constraint.response.response, problem.ranges);
+                          depends_on(*constraint.response.response, taken_ranges(problem));
   if (limits.equals != nullptr && over_range) {
-    refuse(*limits.equals, fmt::format("{} changes over the ranges of this file, and cannot be "
-                                       "held at one value; give lower or upper",
+    refuse(*limits.equals, fmt::format("{} changes over the ranges or variations of this file, and "
+                                       "cannot be held at one value; give lower or upper",
                                        constraint.response.name));
   }
   return constraint;
@@ -236,13 +274,17 @@ ObjectiveStatement read_wanted(const Entry& table, const ProblemStatement& probl
   check_varies(wanted, objective.response, problem);
   read_window(table, problem, objective.response);
   objective.tolerance = find_positive(table, "tolerance", objective.response.unit);
+  objective.robust = read_robust(table, problem);
+  if (objective.robust && objective.response.response == nullptr) {
+    refuse(*find(table, "robust"), "it is of a response, not of a parameter itself");
+  }
   return read_over_cases(table, problem, std::move(objective));
 }
 
 ObjectiveStatement read_one_of_several(const Entry& table, const ProblemStatement& problem) {
   expect(table, Kind::Table, "a table, [[objectives]] with minimize or maximize");
-  check_keys(table,
-             {"minimize", "maximize", "over", "from", "to", "tolerance", "reference", "cases"});
+  check_keys(table, {"minimize", "maximize", "over", "from", "to", "tolerance", "reference",
+                     "cases", "robust"});
   ObjectiveStatement objective = read_wanted(table, problem);
   if (const Entry* reference = find(table, "reference")) {
     objective.reference = quantity_of(*reference, objective.response.unit);
@@ -271,7 +313,8 @@ void read_objectives(const Entry& file, ProblemStatement& problem) {
   }
   if (one != nullptr) {
     expect(*one, Kind::Table, "a table, [objective] with minimize or maximize");
-    check_keys(*one, {"minimize", "maximize", "over", "from", "to", "tolerance", "cases"});
+    check_keys(*one,
+               {"minimize", "maximize", "over", "from", "to", "tolerance", "cases", "robust"});
     problem.objectives = {read_wanted(*one, problem)};
   }
   if (several == nullptr) return;

@@ -76,6 +76,8 @@ void read_variables(const Entry& file, ProblemStatement& problem, const FixedNam
 void read_cases(const Entry& file, ProblemStatement& problem);
 /// Ranges of parameters, [ranges.speed].
 void read_ranges(const Entry& file, ProblemStatement& problem);
+/// What manufacture does, [variation.base_radius].
+void read_variation(const Entry& file, ProblemStatement& problem);
 /// The cases that a limit's table names; without the key all.
 std::vector<std::string> read_case_names(const Entry& table, const ProblemStatement& problem);
 /// What an objective's table takes of the cases: the worst, where it does not say.

@@ -64,6 +64,9 @@ struct PartStatement {
 /// What is taken of a response that differs between load cases.
 enum class OverCases : char { Worst, Mean };
 
+struct Robust;      // robust.h
+struct Variations;  // variation.h
+
 struct ObjectiveStatement {
   ResponseName response;
   optim::Sense sense = optim::Sense::Minimize;
@@ -75,6 +78,8 @@ struct ObjectiveStatement {
   ResponseName one_case = {};                               ///< what the file names
   std::shared_ptr<const MechanismResponse> of_ranges = {};  ///< of one over ranges
   ResponseName one_value = {};                              ///< what it is of
+  /// What is taken of the values that manufacture makes of it; none: the worst.
+  std::shared_ptr<const Robust> robust = {};
 };
 
 struct ConstraintStatement {
@@ -85,6 +90,8 @@ struct ConstraintStatement {
   std::shared_ptr<const MechanismResponse> of_law = {};
   std::shared_ptr<const MechanismResponse> of_range = {};  ///< of one over ranges of parameters
   bool is_size = false;   ///< of one over ranges: a side of a limit on the largest size of a curve
+  /// The probability with which it must hold, whatever manufacture does; none: always.
+  std::optional<double> reliability = {};
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold
 };
 
@@ -159,6 +166,7 @@ struct ProblemStatement {
   std::vector<LoadCase> cases = {};
   std::shared_ptr<const Mechanism> without_cases = {};  ///< the mechanism, where there are cases
   std::vector<ParameterRange> ranges = {};              ///< parameters that take any value within
+  std::shared_ptr<const Variations> variation = {};     ///< what manufacture does; none: nothing
   BuildableStatement buildable = {};
   std::string source = {};  ///< the file, for what is found out about the problem as a whole
   std::string text = {};    ///< as it was read

@@ -7,6 +7,7 @@
 
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
+#include "problems/statement/variation.h"
 
 namespace camlaw::problems {
 namespace {
@@ -228,6 +229,15 @@ std::string ranges_sentence(const ProblemStatement& problem) {
   return parts.empty() ? "" : fmt::format("It may have {}.\n", listed(parts));
 }
 
+/// "Manufacture makes base_radius +-0.02 mm."
+std::string variation_sentence(const ProblemStatement& problem) {
+  std::vector<std::string> parts;
+  for (const VariationStatement& v : variations_of(problem)) {
+    parts.push_back(v.name() + " " + variation_text(v, meant_value(problem, v)));
+  }
+  return parts.empty() ? "" : fmt::format("Manufacture makes {}.\n", listed(parts));
+}
+
 std::string objectives_sentence(const std::vector<ObjectiveStatement>& objectives) {
   if (objectives.empty()) return "There is no objective.\n";
   std::vector<std::string> wanted;
@@ -261,8 +271,10 @@ std::string buildable_sentence(const ProblemStatement& problem) {
 std::string constraint_sentence(const ConstraintStatement& c) {
   const bool curve = c.response.response != nullptr && c.response.response->curve;
   const bool everywhere = curve && c.response.part == optim::Part::Value && !c.response.window;
-  return fmt::format("Such that {} is {}{}{}.\n", c.response.name, limits_text(c),
-                     everywhere ? " over the whole cycle" : "",
+  const std::string share =
+      c.reliability ? fmt::format(" for {:.6g} % of all parts", 100 * *c.reliability) : "";
+  return fmt::format("Such that {} is {}{}{}{}.\n", c.response.name, limits_text(c),
+                     everywhere ? " over the whole cycle" : "", share,
                      tolerance_note(c.tolerance, c.response.unit));
 }
 
@@ -297,7 +309,7 @@ std::string in_words(const ProblemStatement& problem) {
   words +=
       fmt::format("The mechanism is {}: {}.\n", problem.mechanism->name, problem.mechanism->title);
   words += constants_sentence(problem) + cases_sentence(problem) + ranges_sentence(problem) +
-           laws_sentence(problem) + timing_sentence(problem);
+           variation_sentence(problem) + laws_sentence(problem) + timing_sentence(problem);
   words += parts_sentences(problem);
   for (std::size_t i = 0; i < problem.variables.size();) {
     const std::size_t next = end_of_list(problem.variables, i);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/inputs.h"
+#include "cli/interrupt.h"
+#include "cli/run_limits.h"
+#include "optim/study/record.h"
+#include "output/answers/variation_output.h"
+#include "output/document/printing.h"
+#include "problems/fronts/stored_front.h"
+#include "problems/results/recorded_design.h"
+#include "problems/statement/solver_settings.h"
+#include "problems/tolerance/tolerance.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ProblemStatement;
+
+struct ToleranceCommand {
+  std::string file;
+  std::optional<std::string> point, samples, seed;
+  std::vector<std::string> settings, tolerances;
+  RunLimits limits;
+  bool json = false;
+};
+
+/// The design of a point of a study's front.
+ProblemStatement point_design(const ToleranceCommand& options) {
+  optim::StudyRecord record = optim::StudyRecord::read(options.file);
+  const problems::FrontStudy study = problems::FrontStudy::of(record);
+  keep_inputs(study.bound().statement());
+  const problems::StoredFront stored = problems::stored_front(study, record);
+  const auto& points = stored.front.points;
+  if (points.empty()) throw std::invalid_argument(options.file + ": its front has no points");
+  const auto number = problems::parse_integer(*options.point, 1,
+                                              static_cast<std::int64_t>(points.size()), "--point");
+  const optim::FrontPoint& point = points[static_cast<std::size_t>(number - 1)];
+  return study.bound().at(study.space().options(point.part), point.x);
+}
+
+ProblemStatement design_of(const ToleranceCommand& options) {
+  keep_input(options.file);
+  if (options.point) return point_design(options);
+  const problems::ReadDesign read = problems::read_design_file(options.file);
+  keep_inputs(read);
+  return read.statement;
+}
+
+int run_tolerance(const ToleranceCommand& options) {
+  constexpr std::int64_t kMostSamples = 100'000'000;
+  problems::ToleranceOptions wanted;
+  if (options.samples) {
+    wanted.samples = static_cast<std::size_t>(
+        problems::parse_integer(*options.samples, 32, kMostSamples, "--samples"));
+  }
+  if (options.seed) {
+    wanted.seed = static_cast<std::uint64_t>(
+        problems::parse_integer(*options.seed, 0, std::int64_t{1} << 53, "--seed"));
+  }
+  const std::optional<double> limit = time_limit_of(options.limits);
+  ProblemStatement design = design_of(options);
+  problems::set_values(design, options.settings);
+  const Interruptible interruptible;
+  const optim::Deadline deadline(limit, interruptible.flag());
+  const auto variations = options.tolerances.empty()
+                              ? problems::variations_of(design)
+                              : stated_variations(design, options.tolerances);
+  const problems::VariedDesign varied = problems::varied_design(design, variations, deadline);
+  const problems::ToleranceAnswer answer = problems::tolerance_of(varied, wanted);
+  print(variation_document(varied, answer), options.json);
+  return answer.cut_short.empty() ? kDone : kNotSolved;
+}
+
+}  // namespace
+
+Command tolerance_command() {
+  const auto options = std::make_shared<ToleranceCommand>();
+  return {
+      .name = "tolerance",
+      .help = "Say what manufacture makes of a design: worst case, yield, what may grow",
+      .options =
+          {{.names = "FILE",
+            .target = &options->file,
+            .takes = takes::kFile,
+            .help =
+                "a problem file, a result, or with --point a study; its tables [variation.NAME] "
+                "say what manufacture does",
+            .required = true},
+           {"--point", &options->point, takes::kNumber,
+            "of a study's front the point of this number"},
+           {"--tolerance", &options->tolerances, takes::kSetting,
+            "name=value, as much to either side, in place of the file's variations"},
+           set_option(options->settings),
+           {"--samples", &options->samples, takes::kNumber,
+            "parts that the yield is estimated from; unless stated 100000"},
+           {"--seed", &options->seed, takes::kNumber, "of the samples; unless stated 1"},
+           time_limit_option(options->limits),
+           json_switch(options->json)},
+      .examples = {{"camlaw tolerance problems/cams/tolerances.toml",
+                    "the worst case with its proof, and the yield"},
+                   {"camlaw tolerance problems/cams/roller_least_base.toml --tolerance "
+                    "base_radius='0.1 mm' --tolerance roller_radius='0.02 mm' --samples 10000",
+                    "the same of a file that states no variations"}},
+      .run = [options] { return run_tolerance(*options); }};
+}
+
+}  // namespace camlaw::cli

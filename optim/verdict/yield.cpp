@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/yield.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "numerics/sampling/sobol_points.h"
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/limits.h"
+
+namespace camlaw::optim {
+namespace {
+
+using Numbers = std::vector<double>;
+
+constexpr int kRepetitions = 32;
+constexpr std::size_t kBlock = 512;
+
+class SearchedRooms final : public RoomRows {
+ public:
+  SearchedRooms(const Problem& problem, Design x) : problem_(problem) {
+    problem_.objectives = {no_objective()};
+    sizes_ = sizes(problem_, x);
+  }
+
+  std::size_t limits() const override { return problem_.constraints.size(); }
+  std::vector<double> slack() const override { return Numbers(limits(), 0.0); }
+  void room(std::span<const double> designs, std::size_t count,
+            std::span<double> room) const override {
+    const std::size_t n = problem_.variables.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto reports = limit_reports(problem_, sizes_, designs.subspan(k * n, n), false);
+      for (std::size_t i = 0; i < reports.size(); ++i) {
+        room[i * count + k] = reports[i].margin + reports[i].tolerance;
+      }
+    }
+  }
+
+ private:
+  Problem problem_;
+  Sizes sizes_;
+};
+
+/// Where samples are drawn: about some points in normal numbers, with these shares.
+struct Mixture {
+  std::vector<Numbers> centres;
+  Numbers shares;
+
+  /// The normal density over that of the mixture.
+  double weight(std::span<const double> u) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < centres.size(); ++j) {
+      double exponent = 0;
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        exponent += centres[j][i] * (u[i] - centres[j][i] / 2);
+      }
+      sum += shares[j] * std::exp(exponent);
+    }
+    return 1 / sum;
+  }
+};
+
+/// What was counted, weighted.
+struct Counts {
+  double failing = 0, doubtful = 0;
+  Numbers by_limit;
+  std::size_t failures = 0, impossible = 0, samples = 0;
+};
+
+class Sampler {
+ public:
+  Sampler(const RoomRows& rows, Design x, const std::vector<Variation>& variations)
+      : rows_(rows), slack_(rows.slack()), x_(x.begin(), x.end()), variations_(variations) {
+    for (std::size_t i = 0; i < variations.size(); ++i) {
+      if (variations[i].varies()) {
+        varying_.push_back(i);
+      } else {
+        x_[i] += variations[i].lower;
+      }
+    }
+  }
+
+  std::size_t dimensions() const { return varying_.size(); }
+
+  /// The sums over `count` points about one of the mixture's centres.
+  void draw(const Mixture& mixture, std::size_t about, std::size_t count, std::uint64_t seed,
+            Counts& counts) const {
+    const std::size_t m = dimensions(), n = x_.size();
+    SobolPoints points(m, seed);
+    const bool is_plain = mixture.centres.size() == 1;
+    Numbers shares(kBlock * m), us(kBlock * m), designs(kBlock * n);
+    for (std::size_t done = 0; done < count; done += kBlock) {
+      const std::size_t block = std::min(kBlock, count - done);
+      points.next(std::span(shares).first(block * m));
+      for (std::size_t k = 0; k < block; ++k) {
+        std::copy(x_.begin(), x_.end(), designs.begin() + static_cast<std::ptrdiff_t>(k * n));
+        for (std::size_t i = 0; i < m; ++i) {
+          const Variation& v = variations_[varying_[i]];
+          double off = 0;
+          if (is_plain) {
+            off = v.at_share(shares[k * m + i]);
+          } else {
+            us[k * m + i] = mixture.centres[about][i] + normal_quantile(shares[k * m + i]);
+            off = v.at(us[k * m + i]);
+          }
+          designs[k * n + varying_[i]] += off;
+        }
+      }
+      count_block(mixture, is_plain, designs, us, block, counts);
+    }
+  }
+
+ private:
+  void count_block(const Mixture& mixture, bool is_plain, const Numbers& designs, const Numbers& us,
+                   std::size_t block, Counts& counts) const {
+    const std::size_t limits = rows_.limits(), m = dimensions();
+    Numbers room(limits * block);
+    rows_.room(std::span(designs).first(block * x_.size()), block, room);
+    for (std::size_t k = 0; k < block; ++k) {
+      bool fails = false, may_fail = false, is_possible = true;
+      for (std::size_t i = 0; i < limits; ++i) {
+        const double left = room[i * block + k];
+        fails |= !(left >= 0);
+        may_fail |= !(left - slack_[i] >= 0);
+        is_possible &= !std::isnan(left);
+      }
+      ++counts.samples;
+      if (!may_fail) continue;
+      const double weight = is_plain ? 1 : mixture.weight(std::span(us).subspan(k * m, m));
+      counts.doubtful += weight;
+      if (!fails) continue;
+      counts.failing += weight;
+      ++counts.failures;
+      counts.impossible += !is_possible;
+      for (std::size_t i = 0; i < limits; ++i) {
+        if (!(room[i * block + k] >= 0)) counts.by_limit[i] += weight;
+      }
+    }
+  }
+
+  const RoomRows& rows_;
+  Numbers slack_;
+  Numbers x_;
+  const std::vector<Variation>& variations_;
+  std::vector<std::size_t> varying_;
+};
+
+Mixture plain(std::size_t dimensions) { return {{Numbers(dimensions, 0.0)}, {1.0}}; }
+
+/// About what is meant a fifth of the samples, so that no weight is above five.
+Mixture about(const std::vector<DesignPoint>& points, std::size_t dimensions) {
+  constexpr double kMeant = 0.2;
+  Mixture mixture = plain(dimensions);
+  mixture.shares = {kMeant};
+  for (const DesignPoint& point : points) {
+    mixture.centres.push_back(point.u);
+    mixture.shares.push_back((1 - kMeant) / static_cast<double>(points.size()));
+  }
+  return mixture;
+}
+
+/// Repetitions of one estimate, each with shifts of its own.
+void repeat(const Sampler& sampler, const Mixture& mixture, const YieldOptions& options,
+            Yield& result) {
+  const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
+  Numbers failing;
+  double doubtful = 0;
+  Numbers by_limit(result.by_limit.size(), 0.0);
+  for (int r = 0; r < kRepetitions; ++r) {
+    if (r > 1 && options.stopped()) {
+      result.stopped = true;
+      break;
+    }
+    Counts counts;
+    counts.by_limit.resize(by_limit.size());
+    for (std::size_t j = 0; j < mixture.centres.size(); ++j) {
+      const auto count = std::max<std::size_t>(
+          1, static_cast<std::size_t>(std::llround(mixture.shares[j] * static_cast<double>(each))));
+      sampler.draw(mixture, j, count, mixed(options.seed, static_cast<std::uint64_t>(r) * 1024 + j),
+                   counts);
+    }
+    const auto drawn = static_cast<double>(counts.samples);
+    failing.push_back(counts.failing / drawn);
+    doubtful += counts.doubtful / drawn;
+    for (std::size_t i = 0; i < by_limit.size(); ++i) by_limit[i] += counts.by_limit[i] / drawn;
+    result.samples += counts.samples;
+    result.failures += counts.failures;
+    result.impossible += counts.impossible;
+  }
+  const auto count = static_cast<double>(failing.size());
+  double sum = 0, squares = 0;
+  for (const double f : failing) sum += f;
+  result.failing = sum / count;
+  for (const double f : failing) squares += (f - result.failing) * (f - result.failing);
+  result.error = std::sqrt(squares / (count - 1) / count);
+  result.failing_at_most = doubtful / count;
+  for (std::size_t i = 0; i < by_limit.size(); ++i) result.by_limit[i] = by_limit[i] / count;
+}
+
+/// The points of different limits; those of equations that cannot break are none.
+std::vector<DesignPoint> points_of(const std::vector<RoomSlopes>& slopes, Design x,
+                                   const std::vector<Variation>& variations, Yield& result) {
+  constexpr double kFarthest = 8;  // beyond that no share is left that counts
+  std::vector<DesignPoint> points;
+  for (const RoomSlopes& room : slopes) {
+    const auto found = design_point(room, x, variations);
+    result.indices.push_back(found ? std::optional(found->index) : std::nullopt);
+    if (found && std::abs(found->index) < kFarthest) points.push_back(*found);
+  }
+  return points;
+}
+
+/// The point in the numbers that vary.
+DesignPoint varying_part(const DesignPoint& point, const std::vector<Variation>& variations) {
+  DesignPoint part{{}, point.index};
+  for (std::size_t i = 0; i < variations.size(); ++i) {
+    if (variations[i].varies()) part.u.push_back(point.u[i]);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::unique_ptr<RoomRows> searched_rooms(const Problem& problem, Design x) {
+  return std::make_unique<SearchedRooms>(problem, x);
+}
+
+Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design x,
+            const std::vector<Variation>& variations, const YieldOptions& options) {
+  if (variations.size() != x.size()) {
+    throw std::invalid_argument("yield: one variation for each variable is wanted");
+  }
+  const Sampler sampler(rows, x, variations);
+  if (sampler.dimensions() == 0) throw std::invalid_argument("yield: nothing varies");
+  if (options.samples < 1) throw std::invalid_argument("samples: at least one is needed");
+  Yield result;
+  result.by_limit.assign(rows.limits(), 0.0);
+  std::vector<DesignPoint> points = points_of(slopes, x, variations, result);
+  for (DesignPoint& point : points) point = varying_part(point, variations);
+  constexpr std::size_t kFirst = 4096;
+  constexpr double kRare = 0.01;
+  const std::size_t tried = std::min(kFirst, options.samples);
+  Counts first;
+  first.by_limit.resize(rows.limits());
+  const Mixture as_meant = plain(sampler.dimensions());
+  sampler.draw(as_meant, 0, tried, mixed(options.seed, ~std::uint64_t{0}), first);
+  const bool is_rare = first.failing < kRare * static_cast<double>(tried);
+  result.by_importance = is_rare && !points.empty();
+  repeat(sampler, result.by_importance ? about(points, sampler.dimensions()) : as_meant, options,
+         result);
+  return result;
+}
+
+}  // namespace camlaw::optim

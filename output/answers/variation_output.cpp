@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/variation_output.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "numerics/text/units.h"
+#include "output/answers/limit_text.h"
+#include "output/answers/tolerance_output.h"
+#include "output/document/formatting.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::ToleranceAnswer, problems::VariedDesign, problems::WorstPart;
+
+std::string digits(double value) { return in_digits(value, 6); }
+
+/// The names of limits by their numbers.
+std::string limit_names(const VariedDesign& varied, const std::vector<std::size_t>& limits) {
+  std::vector<std::string> parts;
+  for (const std::size_t i : limits) parts.push_back(varied.problem.constraints[i].response.name);
+  return parts.empty() ? "none" : problems::listed(parts);
+}
+
+Table variations_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
+  Table table{
+      .key = "variations",
+      .columns = {words("varies", "name"), numbers("as meant", "meant"), words("unit", "unit"),
+                  words("by", "text"), words("breaks by itself", "breaks"), data("lower"),
+                  data("upper"), data("distribution"), data("deviation")}};
+  for (std::size_t i = 0; i < varied.statements.size(); ++i) {
+    const problems::VariationStatement& v = varied.statements[i];
+    const optim::Variation& off = varied.variations[i];
+    std::vector<std::string> names;
+    const bool is_known = i < answer.broken_alone.size();
+    if (is_known) {
+      for (const std::size_t k : answer.broken_alone[i]) {
+        names.push_back(varied.problem.constraints[k].response.name);
+      }
+    }
+    table.add({v.name(),
+               {digits(varied.meant[i]), varied.meant[i]},
+               v.parameter.unit,
+               variation_text(v, varied.meant[i]),
+               {is_known ? limit_names(varied, answer.broken_alone[i]) : "not worked out", names},
+               datum(off.lower),
+               datum(off.upper),
+               datum(off.is_normal ? "normal" : "uniform"),
+               datum(off.deviation())});
+  }
+  return table;
+}
+
+/// "deg/mm".
+std::string slope_unit(const std::string& of, const std::string& by) {
+  if (by == "1") return of;
+  return of + "/" + (by.find('/') == std::string::npos ? by : "(" + by + ")");
+}
+
+/// How each limit's value changes with what varies.
+Table slopes_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
+  Table table{
+      .key = "limits",
+      .columns = {names("limit", "name"), numbers("as meant", "value"), numbers("bound", "bound"),
+                  numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
+                  data("at_angle"), data("slopes")}};
+  for (const auto& v : varied.problem.variables) {
+    table.columns.push_back(numbers("by " + v.name));
+    table.columns.push_back(words("in"));
+  }
+  for (std::size_t i = 0; i < answer.limits.size(); ++i) {
+    const optim::LimitReport& r = answer.limits[i].report;
+    const auto& stated = varied.design.constraints[i];
+    Json slopes = Json::object();
+    for (std::size_t k = 0; k < varied.problem.variables.size(); ++k) {
+      slopes[varied.problem.variables[k].name] = to_json(answer.limits[i].slopes[k]);
+    }
+    std::vector<Cell> cells{
+        r.name,
+        {significant(r.value, std::max(std::abs(r.value), std::abs(r.bound))), r.value},
+        {(r.is_upper ? "<= " : ">= ") + digits(r.bound), r.bound},
+        {significant(r.margin, std::max(std::abs(r.bound), std::abs(r.margin))), r.margin},
+        r.unit,
+        r.worst_angle ? place_text(*r.worst_angle, stated.response) : "",
+        datum(r.worst_angle),
+        datum(slopes)};
+    for (std::size_t k = 0; k < varied.problem.variables.size(); ++k) {
+      cells.emplace_back(in_digits(answer.limits[i].slopes[k], 5));
+      cells.emplace_back(slope_unit(r.unit, varied.problem.variables[k].unit));
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+/// "base_radius = 39.95 mm, speed = 205 rpm".
+std::string part_text(const VariedDesign& varied, const WorstPart& worst) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < worst.part.size(); ++i) {
+    if (std::isnan(worst.part[i])) continue;
+    parts.push_back(varied.problem.variables[i].name + " = " +
+                    with_unit(digits(worst.part[i]), varied.problem.variables[i].unit));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string factor_text(const problems::BreakFactor& factor) {
+  if (std::isinf(factor.factor)) return fmt::format("> {:.4g}", factor.tried);
+  return fmt::format("{:.4g}{}", factor.factor, factor.proved ? "" : " (not proved)");
+}
+
+Table worst_table(const VariedDesign& varied, const ToleranceAnswer& answer) {
+  Table table{
+      .key = "worst_cases",
+      .columns = {names("worst of", "name"), numbers("value", "value"), numbers("bound", "bound"),
+                  numbers("margin", "margin"), words("unit", "unit"), words("at", "place"),
+                  words("of the part with", "part_text"), words("it", "holds"),
+                  numbers("breaks at times", "factor"), data("at_angle"), data("part"),
+                  data("side"), data("proved_within"), data("why_not"), data("factor_proved")}};
+  for (std::size_t i = 0; i < answer.worst.size(); ++i) {
+    const WorstPart& w = answer.worst[i];
+    const auto& stated = varied.design.constraints[w.limit];
+    Json part = Json::object();
+    for (std::size_t k = 0; k < w.part.size(); ++k) {
+      if (!std::isnan(w.part[k])) part[varied.problem.variables[k].name] = w.part[k];
+    }
+    const bool has_factor = i < answer.factors.size();
+    const double size = std::max(std::abs(w.value), std::abs(w.bound));
+    table.add({w.name,
+               {significant(w.value, size), w.value},
+               {(w.is_upper ? "<= " : ">= ") + digits(w.bound), w.bound},
+               {significant(w.margin, size), w.margin},
+               w.unit,
+               w.angle ? place_text(*w.angle, stated.response) : "",
+               part_text(varied, w),
+               std::string(to_string(w.holds)),
+               has_factor ? Cell(factor_text(answer.factors[i]), answer.factors[i].factor)
+                          : Cell("not worked out", nullptr),
+               datum(w.angle),
+               datum(part),
+               datum(w.is_upper ? "upper" : "lower"),
+               datum(w.slack),
+               datum(w.why_not),
+               datum(has_factor && answer.factors[i].proved)});
+  }
+  return table;
+}
+
+/// "99.87 %"; of shares near one as many digits as tell it from one.
+std::string share_text(double share) {
+  const double left = 1 - share;
+  const int decimals = left > 0 && left < 0.01
+                           ? std::min(12, 1 - static_cast<int>(std::floor(std::log10(left))))
+                           : 2;
+  return fmt::format("{:.{}f} %", 100 * share, decimals);
+}
+
+void say_yield(const VariedDesign& varied, const ToleranceAnswer& answer, Document& document) {
+  if (!answer.yield) return;
+  const optim::Yield& y = *answer.yield;
+  const bool nothing_fails = answer.nothing_fails(varied.variations);
+  document.fact("yield", 1 - y.failing);
+  document.fact("yield_at_least", 1 - y.failing_at_most);
+  document.fact("standard_error", y.error);
+  document.fact("failing", y.failing);
+  document.fact("yield_samples", y.samples);
+  document.fact("failures", y.failures);
+  document.fact("not_possible", y.impossible);
+  document.fact("by_importance", y.by_importance);
+  document.fact("nothing_fails_proved", nothing_fails);
+  Json by_limit = Json::object(), indices = Json::object();
+  for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
+    const std::string& name = varied.problem.constraints[i].response.name;
+    by_limit[name] = y.by_limit[i];
+    indices[name] = i < y.indices.size() && y.indices[i] ? Json(*y.indices[i]) : Json(nullptr);
+  }
+  document.fact("failing_by_limit", by_limit);
+  document.fact("reliability_indices", indices);
+  document.fact("grid_places", answer.grid.places);
+  document.fact("searched_limits", answer.grid.without_grid);
+  document.fact("cycle_left", answer.grid.left);
+  if (nothing_fails) {
+    document.say("\nyield: every part meets every limit, proved\n");
+    return;
+  }
+  document.say(
+      fmt::format("\nyield: {} of all parts meet every limit, an estimate (standard error {:.2g} "
+                  "%; {} {}samples, "
+                  "of which {} fail)\n",
+                  share_text(1 - y.failing), 100 * y.error, y.samples,
+                  y.by_importance ? "weighted " : "", y.failures));
+  if (y.failing_at_most > y.failing) {
+    document.say(fmt::format("  on the grid of angles no less than {} of these samples\n",
+                             share_text(1 - y.failing_at_most)));
+  }
+  if (y.failures == 0) {
+    document.say(fmt::format(
+        "  no sample fails: fewer than {:.2g} % of all parts do, at a confidence of 95 %, if the "
+        "samples were independent\n",
+        300.0 / static_cast<double>(y.samples)));
+  }
+  for (std::size_t i = 0; i < y.by_limit.size(); ++i) {
+    if (y.by_limit[i] == 0) continue;
+    const bool has_index = i < y.indices.size() && y.indices[i];
+    document.say(
+        fmt::format("  {} is broken by {:.3g} %{}\n", varied.problem.constraints[i].response.name,
+                    100 * y.by_limit[i],
+                    has_index ? fmt::format(" (reliability index {:.4g})", *y.indices[i]) : ""));
+  }
+}
+
+/// The factor of the limit that breaks first.
+void say_first_to_break(const ToleranceAnswer& answer, Document& document) {
+  if (answer.factors.empty()) return;
+  const auto first =
+      std::min_element(answer.factors.begin(), answer.factors.end(),
+                       [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  const WorstPart& worst = answer.worst[static_cast<std::size_t>(first - answer.factors.begin())];
+  document.fact("scale_factor", first->factor);
+  document.fact("first_to_break", worst.name);
+  if (std::isinf(first->factor)) {
+    document.say(
+        fmt::format("no limit breaks up to {:.4g} times these variations\n", first->tried));
+    return;
+  }
+  document.say(fmt::format("the first limit to break is {}, at {:.4g} times these variations\n",
+                           worst.name, first->factor));
+}
+
+}  // namespace
+
+std::vector<problems::VariationStatement> stated_variations(
+    const problems::ProblemStatement& design, const std::vector<std::string>& assignments) {
+  std::vector<problems::VariationStatement> result;
+  for (const std::string& assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(fmt::format(
+          "--tolerance: '{}' is not of the form name=value, such as base_radius='0.05 mm'",
+          assignment));
+    }
+    problems::VariationStatement v;
+    v.parameter = problems::find_parameter(design, assignment.substr(0, equals));
+    const std::string what = "--tolerance " + v.parameter.name;
+    if (v.parameter.list && !v.parameter.element) {
+      throw std::invalid_argument(what + ": it is a list; name one number of it, such as " +
+                                  v.parameter.name + "[1]");
+    }
+    v.index = v.parameter.element.value_or(0);
+    const std::string& unit = v.parameter.unit;
+    const double value = parse_quantity(assignment.substr(equals + 1), unit, unit, what);
+    if (!(value > 0 && std::isfinite(value))) {
+      throw std::invalid_argument(what + ": a number above 0 is wanted");
+    }
+    v.plus = v.minus = value;
+    result.push_back(std::move(v));
+  }
+  return result;
+}
+
+Document variation_document(const VariedDesign& varied, const ToleranceAnswer& answer) {
+  Document document;
+  if (!varied.design.title.empty()) document.say(varied.design.title + "\n\n");
+  document.fact("title", varied.design.title);
+  document.add(variations_table(varied, answer));
+  if (!answer.limits.empty()) {
+    document.say("\n");
+    document.add(slopes_table(varied, answer));
+    document.say("\n");
+    document.add(worst_table(varied, answer));
+    say_first_to_break(answer, document);
+  }
+  say_yield(varied, answer, document);
+  document.say("\n");
+  if (!answer.spreads.spreads.empty()) {
+    document.add("spread", spreads_document(answer.spreads));
+  }
+  document.fact("cut_short", answer.cut_short);
+  if (!answer.cut_short.empty()) {
+    document.say(fmt::format("not all was worked out: {}\n", answer.cut_short));
+  }
+  return document;
+}
+
+}  // namespace camlaw::cli

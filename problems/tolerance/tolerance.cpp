@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/tolerance.h"
+
+#include <algorithm>
+
+#include "optim/cycle/sizes.h"
+#include "optim/verdict/design_point.h"
+#include "optim/verdict/limits.h"
+
+namespace camlaw::problems {
+namespace {
+
+optim::Problem limits_alone(const VariedDesign& varied) {
+  optim::Problem problem = varied.problem;
+  problem.objectives = {optim::no_objective()};
+  return problem;
+}
+
+std::vector<LimitSlopes> slopes_of(const VariedDesign& varied) {
+  const optim::Problem problem = limits_alone(varied);
+  const optim::Sizes sizes = optim::sizes(problem, varied.meant);
+  std::vector<LimitSlopes> result;
+  for (optim::LimitReport& report : optim::limit_reports(problem, sizes, varied.meant, false)) {
+    LimitSlopes limit{std::move(report), std::vector<double>(varied.meant.size(), 0.0)};
+    optim::room_slopes(problem, result.size(), varied.meant)(varied.meant, limit.slopes);
+    if (limit.report.is_upper) {
+      for (double& slope : limit.slopes) slope = -slope;
+    }
+    result.push_back(std::move(limit));
+  }
+  return result;
+}
+
+std::vector<std::vector<std::size_t>> alone(const VariedDesign& varied) {
+  const optim::Problem problem = limits_alone(varied);
+  const optim::Sizes sizes = optim::sizes(problem, varied.meant);
+  const auto as_meant = optim::limit_reports(problem, sizes, varied.meant, false);
+  std::vector<std::vector<std::size_t>> result(varied.meant.size());
+  for (std::size_t i = 0; i < varied.meant.size(); ++i) {
+    for (const double off : {varied.variations[i].lower, varied.variations[i].upper}) {
+      std::vector<double> part = varied.meant;
+      part[i] += off;
+      const auto reports = optim::limit_reports(problem, sizes, part, false);
+      for (std::size_t k = 0; k < reports.size(); ++k) {
+        const bool is_known = std::find(result[i].begin(), result[i].end(), k) != result[i].end();
+        if (as_meant[k].met && !reports[k].met && !is_known) result[i].push_back(k);
+      }
+    }
+    std::sort(result[i].begin(), result[i].end());
+  }
+  return result;
+}
+
+optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& options,
+                      GridReport& grid) {
+  const GridRooms rooms = grid_rooms(varied);
+  grid = rooms.report;
+  const optim::Problem problem = limits_alone(varied);
+  std::vector<optim::RoomSlopes> slopes;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    slopes.push_back(optim::room_slopes(problem, i, varied.meant));
+  }
+  optim::YieldOptions own{options.samples, options.seed, [&] { return varied.deadline.passed(); }};
+  return optim::yield(*rooms.rows, slopes, varied.meant, varied.variations, own);
+}
+
+}  // namespace
+
+bool ToleranceAnswer::nothing_fails(const std::vector<optim::Variation>& variations) const {
+  const bool is_bounded = std::none_of(variations.begin(), variations.end(),
+                                       [](const optim::Variation& v) { return v.is_normal; });
+  return is_bounded && cut_short.empty() &&
+         std::all_of(worst.begin(), worst.end(),
+                     [](const WorstPart& part) { return part.holds == Holds::Proved; });
+}
+
+ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions& options) {
+  constexpr std::size_t kSpreadSamples = 1000;
+  ToleranceAnswer answer;
+  try {
+    answer.limits = slopes_of(varied);
+    answer.broken_alone = alone(varied);
+    answer.worst = worst_parts(varied);
+    if (!varied.problem.constraints.empty()) {
+      answer.yield = yield_of(varied, options, answer.grid);
+    }
+    const std::size_t samples = std::min(kSpreadSamples, options.samples);
+    optim::Problem problem = varied.problem;
+    if (problem.objectives.empty()) problem.objectives = {optim::no_objective()};
+    answer.spreads =
+        optim::tolerance_report(problem, varied.meant, varied.variations, samples, options.seed);
+    if (varied.problem.objectives.empty())
+      answer.spreads.spreads.erase(answer.spreads.spreads.begin());
+    for (const WorstPart& worst : answer.worst) {
+      if (options.factors) answer.factors.push_back(break_factor(varied, worst));
+    }
+    if (answer.yield && answer.yield->stopped) answer.cut_short = varied.deadline.reason();
+  } catch (const optim::Interrupted&) {
+    answer.cut_short = varied.deadline.reason();
+  }
+  return answer;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/verdict/tolerance.h"
+#include "optim/verdict/yield.h"
+#include "problems/tolerance/grid_rooms.h"
+#include "problems/tolerance/worst_parts.h"
+
+/// What becomes of a design that manufacture makes other than it is meant.
+namespace camlaw::problems {
+
+/// A limit at the design as it is meant.
+struct LimitSlopes {
+  optim::LimitReport report;
+  std::vector<double> slopes;  ///< of its value by each number that varies, exact
+};
+
+struct ToleranceAnswer {
+  std::vector<LimitSlopes> limits;
+  /// Of each number that varies the limits that hold as meant and that it breaks by itself, at one
+  /// of its ends.
+  std::vector<std::vector<std::size_t>> broken_alone;
+  std::vector<WorstPart> worst;       ///< of each side of each limit
+  std::vector<BreakFactor> factors;   ///< of each of these
+  std::optional<optim::Yield> yield;  ///< none where there are no limits
+  GridReport grid;
+  optim::ToleranceReport spreads;
+  std::string cut_short = {};  ///< why the work ended before its end; empty: it did not
+
+  /// Whether it is proved that every part meets every limit, so that nothing fails.
+  bool nothing_fails(const std::vector<optim::Variation>& variations) const;
+};
+
+struct ToleranceOptions {
+  std::size_t samples = 100000;
+  std::uint64_t seed = 1;
+  bool factors = true;
+};
+
+/// All of it, as far as the design's deadline lets it get.
+ToleranceAnswer tolerance_of(const VariedDesign& varied, const ToleranceOptions& options = {});
+
+}  // namespace camlaw::problems

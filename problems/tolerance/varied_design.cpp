@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "problems/tolerance/varied_design.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "machines/model/law_binding.h"
+#include "optim/search/interruptible.h"
+#include "problems/statement/bind.h"
+#include "problems/statement/cases.h"
+#include "problems/statement/ranges.h"
+
+namespace camlaw::problems {
+namespace {
+
+Binding varied_binding(const ProblemStatement& design,
+                       const std::vector<VariationStatement>& variations) {
+  Binding binding;
+  binding.constants = design.constants;
+  std::vector<std::pair<std::size_t, std::size_t>> varying;
+  std::vector<LawVariable> of_law;
+  for (std::size_t i = 0; i < variations.size(); ++i) {
+    const NamedParameter& p = variations[i].parameter;
+    if (p.of_law) {
+      const auto own = index_in(*design.laws.front().family, p.law_parameter);
+      if (!own) {
+        throw std::invalid_argument("the law that was chosen has no " + p.name +
+                                    ", which has a variation");
+      }
+      of_law.push_back({*own, variations[i].index, i});
+    } else {
+      varying.emplace_back(p.parameter, i);
+    }
+  }
+  std::sort(varying.begin(), varying.end());
+  for (const auto& [parameter, variable] : varying) {
+    binding.parameters.push_back(parameter);
+    binding.variables.push_back(variable);
+  }
+  binding.law = std::make_shared<LawBinding>(design.laws.front(), std::move(of_law));
+  return binding;
+}
+
+/// The design with limits and objectives of one part: over its ranges, but not over what
+/// manufacture does.
+ProblemStatement of_one_part(const ProblemStatement& problem) {
+  ProblemStatement result = problem;
+  result.variation = nullptr;
+  for (ConstraintStatement& limit : result.constraints) {
+    if (limit.reliability && limit.of_range && !limit.of_range->over_ranges) {
+      limit.response.response = find_response(*result.mechanism, limit.of_range->name).response;
+      limit.of_range = nullptr;
+    }
+    if (limit.response.response == nullptr || !limit.response.response->over_ranges) continue;
+    limit.of_range = limit.response.response->over_ranges->of;
+    limit.response.response = limit.of_range.get();
+    limit = over_ranges(result, limit).front();  // it has one side
+  }
+  for (ObjectiveStatement& objective : result.objectives) {
+    if (objective.over) {
+      objective.response = objective.one_case;
+      objective = over_cases(result, objective, *objective.over);
+    } else if (objective.of_ranges) {
+      objective.response = objective.one_value;
+      objective = over_ranges(result, objective);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool VariedDesign::varies_law() const {
+  return std::any_of(statements.begin(), statements.end(),
+                     [](const VariationStatement& v) { return v.parameter.of_law; });
+}
+
+VariedDesign varied_design(const ProblemStatement& design,
+                           std::vector<VariationStatement> variations,
+                           const optim::Deadline& deadline) {
+  if (variations.empty()) {
+    throw std::invalid_argument(
+        "nothing says what manufacture does; state [variation.base_radius] with plus and minus, or "
+        "give --tolerance base_radius='0.05 mm'");
+  }
+  VariedDesign result;
+  result.design = of_one_part(design);
+  result.statements = std::move(variations);
+  result.deadline = deadline;
+  for (const VariationStatement& v : result.statements) {
+    check_variation(design, v);
+    const double value = meant_value(design, v);
+    result.meant.push_back(value);
+    result.variations.push_back(v.at(value));
+    result.problem.variables.push_back(
+        {.name = v.name(), .unit = v.parameter.unit, .start = value});
+  }
+  result.binding = varied_binding(design, result.statements);
+  result.problem.name = design.title;
+  for (const ObjectiveStatement& o : result.design.objectives) {
+    result.problem.objectives.push_back({response_of(result.design, o.response, result.binding),
+                                         o.sense, o.response.part, o.tolerance});
+  }
+  result.problem.constraints = constraints_of(result.design, result.binding);
+  result.problem = optim::interruptible(std::move(result.problem), deadline);
+  return result;
+}
+
+}  // namespace camlaw::problems

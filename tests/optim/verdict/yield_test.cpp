@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "optim/verdict/yield.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "numerics/sampling/sobol_points.h"
+#include "optim/problem/automatic.h"
+
+// Yields and reliability indices against closed forms, quadrature and printed values.
+namespace camlaw::optim::yield_test {
+namespace {
+
+/// x + 2 y <= bound, and x >= -4 where `both`.
+Problem linear(double bound, bool both) {
+  Problem problem;
+  problem.variables = {{.name = "x"}, {.name = "y"}};
+  problem.objectives = {no_objective()};
+  problem.constraints = {
+      {.response = {"sum", "mm", function({0, 1}, [](const auto& u) { return u[0] + 2.0 * u[1]; })},
+       .upper = bound,
+       .tolerance = 1e-9}};
+  if (both) {
+    problem.constraints.push_back(
+        {.response = {"x", "mm", variable_function(0)}, .lower = -4, .tolerance = 1e-9});
+  }
+  return problem;
+}
+
+Yield yield_of(const Problem& problem, const std::vector<double>& x,
+               const std::vector<Variation>& variations, const YieldOptions& options) {
+  std::vector<RoomSlopes> slopes;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+    slopes.push_back(room_slopes(problem, i, x));
+  }
+  return yield(*searched_rooms(problem, x), slopes, x, variations, options);
+}
+
+/// Of the point nearest to the origin on a curve of the plane, by looking along every direction.
+template <class F>
+double nearest_by_search(const F& g) {
+  double nearest = 1e9;
+  for (int i = 0; i < 200000; ++i) {
+    const double angle = 2 * M_PI * i / 200000;
+    double low = 0, high = 0;
+    const auto at = [&](double r) { return g(r * std::cos(angle), r * std::sin(angle)); };
+    for (double r = 0.01; r < 6; r += 0.01) {
+      if (at(r) < 0) {
+        low = r - 0.01, high = r;
+        break;
+      }
+    }
+    if (high == 0) continue;
+    for (int k = 0; k < 50; ++k) (at((low + high) / 2) < 0 ? high : low) = (low + high) / 2;
+    nearest = std::min(nearest, high);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("The yield of a linear limit with normal values is the closed form", "[variation]") {
+  // Deviations 1 and 0.5: x + 2 y is normal with the deviation sqrt(2).
+  const std::vector<Variation> variations{{-3, 3, true}, {-1.5, 1.5, true}};
+  for (const double bound : {-1.0, 0.5, 2.0, 4.0, 6.0, 8.0}) {
+    const Yield found = yield_of(linear(bound, false), {0, 0}, variations, {.samples = 40000});
+    const double exact = normal_share(-bound / std::sqrt(2.0));
+    INFO("bound " << bound << ": " << found.failing << " +- " << found.error << ", exactly "
+                  << exact);
+    CHECK(std::abs(found.failing - exact) <= 5 * found.error + 1e-12);
+    CHECK(found.error <= 0.02 * exact + 2e-4);
+    CHECK(found.by_importance == (exact < 0.01));
+    if (found.by_importance) CHECK(found.error <= 0.05 * exact);
+    REQUIRE(found.indices[0]);
+    CHECK(*found.indices[0] == Approx(bound / std::sqrt(2.0)).margin(1e-6));
+  }
+}
+
+TEST_CASE("A limit that breaks one part in a thousand million is found to", "[variation]") {
+  const std::vector<Variation> variations{{-3, 3, true}, {-1.5, 1.5, true}};
+  const Yield found =
+      yield_of(linear(6 * std::sqrt(2.0), false), {0, 0}, variations, {.samples = 40000});
+  const double exact = normal_share(-6);
+  CHECK(found.by_importance);
+  CHECK(std::abs(found.failing - exact) <= 5 * found.error);
+  CHECK(found.error < 0.05 * exact);
+}
+
+TEST_CASE("The yield of two limits with even and with normal values is that of quadrature",
+          "[variation]") {
+  // x even over 0.5 +- 5, y normal with deviation 0.5.
+  const std::vector<Variation> variations{{-4.5, 5.5, false}, {-1.5, 1.5, true}};
+  const Yield found = yield_of(linear(3, true), {0, 0}, variations, {.samples = 200000});
+  double good = 0;
+  constexpr int kSteps = 200000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double x = -4.5 + 10 * (i + 0.5) / kSteps;
+    if (x >= -4) good += normal_share((3 - x) / 2 / 0.5) / kSteps;
+  }
+  INFO(found.failing << " +- " << found.error << ", by quadrature " << 1 - good);
+  CHECK(std::abs(found.failing - (1 - good)) <= 5 * found.error + 1e-9);
+  CHECK(found.error < 2e-4);
+  CHECK(found.by_limit[1] == Approx(0.05).margin(1e-3));
+  CHECK(found.by_limit[0] + found.by_limit[1] >= found.failing - 1e-12);
+}
+
+TEST_CASE("Equal seeds give equal yields, others differ by their error", "[variation]") {
+  const std::vector<Variation> variations{{-3, 3, true}, {-1.5, 1.5, true}};
+  const auto run = [&](std::uint64_t seed) {
+    return yield_of(linear(1, false), {0, 0}, variations, {.samples = 20000, .seed = seed});
+  };
+  const Yield first = run(1), again = run(1), other = run(2);
+  CHECK(first.failing == again.failing);
+  CHECK(first.error == again.error);
+  CHECK(first.failing != other.failing);
+  CHECK(std::abs(first.failing - other.failing) < 5 * (first.error + other.error));
+}
+
+TEST_CASE("Reliability indices are those that are printed", "[variation]") {
+  // g = 20 - (x - y)^2 - 8 (x + y - 4)^3 with normal x and y, means 0.25, deviations 1: 3.434565,
+  // in the documentation of the R package TesiproV 0.9.2 (UQLab's hat function).
+  const auto hat = [](const auto& u) {
+    const auto& x = u[0];
+    const auto& y = u[1];
+    const auto sum = x + y - 4.0;
+    return 20.0 - (x - y) * (x - y) - 8.0 * sum * sum * sum;
+  };
+  Problem problem;
+  problem.variables = {{.name = "x"}, {.name = "y"}};
+  problem.objectives = {no_objective()};
+  problem.constraints = {
+      {.response = {"g", "1", function({0, 1}, hat)}, .lower = 0, .tolerance = 1e-9}};
+  const std::vector<double> x{0.25, 0.25};
+  const std::vector<Variation> variations{{-3, 3, true}, {-3, 3, true}};
+  const auto found = design_point(room_slopes(problem, 0, x), x, variations);
+  REQUIRE(found);
+  CHECK(found->index == Approx(3.434565).margin(1e-6));
+  const double searched = nearest_by_search([&](double u, double v) {
+    return hat(std::vector<double>{0.25 + u, 0.25 + v});
+  });
+  CHECK(found->index == Approx(searched).margin(1e-5));
+  // R - S, R 200 +- 10 and S 100 +- 20: 4.472136, failing 3.872108e-6 (R package LimitState).
+  problem.constraints = {
+      {.response = {"g", "1", function({0, 1}, [](const auto& u) { return u[0] - u[1]; })},
+       .lower = 0,
+       .tolerance = 1e-9}};
+  const std::vector<double> meant{200, 100};
+  const std::vector<Variation> loads{{-30, 30, true}, {-60, 60, true}};
+  const auto linear_point = design_point(room_slopes(problem, 0, meant), meant, loads);
+  REQUIRE(linear_point);
+  CHECK(linear_point->index == Approx(4.472136).margin(1e-6));
+  const Yield share = yield_of(problem, meant, loads, {.samples = 50000});
+  CHECK(std::abs(share.failing - 3.872108e-6) <= 5 * share.error);
+  CHECK(share.error < 0.05 * 3.872108e-6);
+}
+
+TEST_CASE("Designs of which the model gives no number fail", "[variation]") {
+  using std::sqrt;
+  Problem problem;
+  problem.variables = {{.name = "x"}};
+  problem.objectives = {no_objective()};
+  problem.constraints = {
+      {.response = {"root", "1", function({0}, [](const auto& u) { return sqrt(u[0]); })},
+       .upper = 3}};
+  const Yield found = yield_of(problem, {1}, {{-2, 2, false}}, {.samples = 8000});
+  CHECK(found.failing == Approx(0.25).margin(1e-3));
+  CHECK(found.impossible == found.failures);
+}
+
+TEST_CASE("Sobol points are even, and means over them close quickly", "[variation]") {
+  SobolPoints points(3, 7);
+  std::vector<double> rows(3 * 4096);
+  points.next(rows);
+  std::array<std::array<int, 16>, 3> counts{};
+  double product = 0;
+  for (std::size_t k = 0; k < 4096; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double u = rows[3 * k + i];
+      REQUIRE((u > 0 && u < 1));
+      ++counts[i][static_cast<std::size_t>(16 * u)];
+    }
+    product += rows[3 * k] * rows[3 * k + 1] * rows[3 * k + 2] / 4096;
+  }
+  for (const auto& own : counts) {
+    for (const int count : own) CHECK(std::abs(count - 256) <= 1);
+  }
+  CHECK(product == Approx(0.125).margin(2e-4));
+  CHECK_THROWS_AS(SobolPoints(0, 1), std::invalid_argument);
+  for (const double share : {1e-12, 1e-3, 0.3, 0.5, 0.99}) {
+    CHECK(normal_share(normal_quantile(share)) == Approx(share).epsilon(1e-12));
+  }
+}
+
+}  // namespace camlaw::optim::yield_test

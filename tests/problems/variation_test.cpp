@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/variation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "numerics/sampling/sobol_points.h"
+#include "optim/search/optimise.h"
+#include "problems/results/recorded_design.h"
+#include "problems/statement/bind.h"
+#include "problems/tolerance/tolerance.h"
+#include "tests/problems/complaint.h"
+#include "tests/random_numbers.h"
+
+// What manufacture does to designs, against closed forms and against many parts one by one.
+namespace camlaw::problems::variation_test {
+
+using Catch::Contains;
+
+namespace {
+
+ProblemStatement read(const std::string& text) { return read_problem(text, "f.toml"); }
+
+VariedDesign varied(const std::string& text) {
+  const ProblemStatement problem = read(text);
+  return varied_design(problem, variations_of(problem));
+}
+
+/// A machine of formulas in b and c, with a law where `moved`.
+std::string machine(const std::string& formulas, bool moved = false) {
+  return std::string("[machine]\n") + (moved ? "moved_by = 'law'\n" : "") +
+         "[machine.parameters.b]\ndefault = 1\nlower = -20\nupper = 20\n"
+         "[machine.parameters.c]\ndefault = 2\nlower = -20\nupper = 20\n" +
+         formulas + (moved ? "[law]\nname = 'cosine'\n" : "");
+}
+
+std::string cam(const std::string& more) {
+  return R"(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+mass = "1.5 kg"
+spring_rate = "8 N/mm"
+speed = "300 rpm"
+)" + more +
+         R"(
+[program]
+segments = [{name = "rise", angle = 90, law = "modified-sine"}, {name = "high", angle = 70},
+            {name = "back", angle = 110, law = "cycloidal"}, {name = "low"}]
+)";
+}
+
+const std::string kLimits =
+    "[[constraints]]\nresponse = 'pressure_angle'\nupper = '{} deg'\nlower = '-40 deg'\n"
+    "[[constraints]]\nresponse = 'undercut'\nupper = {}\n"
+    "[[constraints]]\nresponse = 'follower_force'\nlower = '{} N'\n";
+
+}  // namespace
+
+TEST_CASE("A variation is read as it is stated", "[variation]") {
+  const ProblemStatement problem = read(cam(
+      "base_radius = '40 mm'\nroller_radius = '10 mm'\nspring_preload = '200 N'\noffset = '5 mm'\n"
+      "[variation.base_radius]\nplus = '0.05 mm'\nminus = 0.02\n"
+      "[variation.roller_radius]\nfit = 'h7'\nof_diameter = true\n"
+      "[variation.spring_preload]\nstandard_deviation = '5 N'\n"
+      "[variation.offset]\nplus = '30 um'\ndistribution = 'normal'\n"));
+  const auto& all = variations_of(problem);
+  REQUIRE(all.size() == 4);
+  const auto off = [&](std::size_t i) { return all[i].at(meant_value(problem, all[i])); };
+  CHECK(off(0).lower == -0.02);
+  CHECK(off(0).upper == 0.05);
+  CHECK_FALSE(off(0).is_normal);
+  CHECK(off(0).deviation() == Approx(0.035 / std::sqrt(3.0)));
+  CHECK(off(1).lower == Approx(-0.0105));  // of a diameter of 20 mm -0.021
+  CHECK(off(1).upper == 0);
+  CHECK(off(2).lower == Approx(-15));
+  CHECK(off(2).deviation() == Approx(5));
+  CHECK(off(2).is_normal);
+  CHECK(off(3).middle() == Approx(0.015));
+  CHECK(off(3).deviation() == Approx(0.005));
+  CHECK_THAT(in_words(problem), Contains("Manufacture makes base_radius +0.05/-0.02 mm") &&
+                                    Contains("diameter h7") && Contains("deviation 5 N"));
+}
+
+TEST_CASE("A variation that says nothing sensible is refused with its place", "[variation]") {
+  const auto said = [](const std::string& tables) {
+    return testing::complaint(cam("base_radius = '40 mm'\n" + tables));
+  };
+  CHECK_THAT(said("[variation.base_radius]\n"),
+             Contains("variation.base_radius") && Contains("plus, minus or both"));
+  CHECK_THAT(said("[variation.base_radios]\nplus = 1\n"), Contains("base_radius"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = -1\n"), Contains("below 0"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = 0\n"), Contains("both 0"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = '1 s'\n"), Contains("base_radius.plus"));
+  CHECK_THAT(said("[variation.base_radius]\nminus = '50 mm'\n"), Contains("-10 mm"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = 1\nfit = 'h7'\n"), Contains("drop one"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = 1\nstandard_deviation = 1\n"),
+             Contains("drop one"));
+  CHECK_THAT(said("[variation.base_radius]\nfit = 'h77'\n"), Contains("such as h7"));
+  CHECK_THAT(said("[variation.speed]\nfit = 'h7'\n"), Contains("a length in mm"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = 1\ndistribution = 'even'\n"),
+             Contains("normal, uniform"));
+  CHECK_THAT(said("[variation.base_radius]\nplus = 1\nof_diameter = true\n"),
+             Contains("belongs to a fit"));
+  CHECK_THAT(said("[ranges.speed]\nlower = 100\nupper = 200\n[variation.speed]\nplus = 1\n"),
+             Contains("has a range"));
+  CHECK_THAT(said("[[cases]]\nname = 'a'\nspeed = 100\n[variation.speed]\nplus = 1\n"),
+             Contains("load cases set"));
+  CHECK_THROWS_WITH(varied(cam("")), Contains("[variation.base_radius]"));
+}
+
+TEST_CASE("Where a resonance lies inside, the worst part is found and proved there",
+          "[variation]") {
+  // 1 / sqrt((1 - b^2)^2 + (0.2 b)^2) is highest at b = sqrt(0.98): 1 / (0.2 sqrt(0.99)).
+  const double highest = 1 / (0.2 * std::sqrt(0.99));
+  const std::string formula =
+      "[responses.gain]\nformula = '1 / sqrt((1 - b^2)^2 + 0.04 * b^2)'\n"
+      "[variation.b]\nplus = 0.2\nminus = 0.2\n";
+  const auto limit = [](double upper) {
+    return fmt::format("[[constraints]]\nresponse = 'gain'\nupper = {}\n", upper);
+  };
+  const auto held = worst_parts(varied(machine(formula + limit(5.1))));
+  REQUIRE(held.size() == 1);
+  CHECK(held[0].value == Approx(highest).epsilon(1e-9));
+  CHECK(held[0].holds == Holds::Proved);
+  CHECK(held[0].slack < 1e-3);
+  CHECK(held[0].part[0] == Approx(std::sqrt(0.98)).epsilon(1e-5));
+  const auto broken = worst_parts(varied(machine(formula + limit(5))));
+  CHECK(broken[0].holds == Holds::Broken);
+  CHECK(broken[0].part[0] == Approx(std::sqrt(0.98)).epsilon(1e-5));
+}
+
+TEST_CASE("The yield of linear limits with normal variation is the closed form", "[variation]") {
+  // b + 2 c is normal about 5 with the deviation sqrt(0.3^2 + 0.2^2).
+  const VariedDesign design = varied(
+      machine("[responses.total]\nformula = 'b + 2 * c'\n[variation.b]\nstandard_deviation = 0.3\n"
+              "[variation.c]\nstandard_deviation = 0.1\n"
+              "[[constraints]]\nresponse = 'total'\nupper = 5.5\n"));
+  const ToleranceAnswer answer = tolerance_of(design, {.samples = 100000});
+  const double deviation = std::sqrt(0.09 + 0.04), exact = normal_share(-0.5 / deviation);
+  REQUIRE(answer.yield);
+  CHECK(std::abs(answer.yield->failing - exact) <= 5 * answer.yield->error + 1e-6);
+  CHECK(answer.yield->error < 1e-3);
+  CHECK(*answer.yield->indices[0] == Approx(0.5 / deviation).epsilon(1e-4));
+  REQUIRE(answer.limits.size() == 1);
+  CHECK(answer.limits[0].slopes[0] == Approx(1).epsilon(1e-12));
+  CHECK(answer.limits[0].slopes[1] == Approx(2).epsilon(1e-12));
+  // b from 0.1 to 1.9, c from 1.7 to 2.3: 1.9 + 4.6; c alone reaches 5.6, b alone 5.9.
+  CHECK(answer.worst[0].value == Approx(6.5).epsilon(1e-12));
+  CHECK(answer.worst[0].holds == Holds::Broken);
+  CHECK(answer.factors[0].factor == Approx(0.5 / 1.5).epsilon(2e-3));
+  CHECK(answer.factors[0].proved);
+  CHECK(answer.broken_alone == std::vector<std::vector<std::size_t>>{{0}, {0}});
+}
+
+TEST_CASE("A limit is held for all parts in a search", "[variation]") {
+  // p - b v >= 0 with v up to pi / 2 and b from 0.8 to 1.3, p made 0.05 less: the least p.
+  const std::string text =
+      "[machine]\nmoved_by = 'law'\n[machine.parameters.b]\ndefault = 1\nlower = -5\nupper = 5\n"
+      "[machine.parameters.p]\ndefault = 0\nlower = -9\nupper = 9\n"
+      "[responses.f]\nformula = 'p - b * v'\n[responses.least]\nformula = 'p'\n"
+      "[law]\nname = 'cosine'\n[variation.b]\nplus = 0.3\nminus = 0.2\n"
+      "[variation.p]\nplus = 0.01\nminus = 0.05\n"
+      "[variables.p]\nlower = -9\nupper = 9\nstart = 5\n[objective]\nminimize = 'least'\n"
+      "[[constraints]]\nresponse = 'f'\nlower = 0\n";
+  const BoundProblem bound(read(text));
+  const auto found = optim::optimise(bound.space(), {});
+  INFO(found.found.assessment.reason);
+  CHECK(found.found.assessment.verdict == optim::Verdict::Certified);
+  CHECK(found.found.x[0] == Approx(1.3 * std::acos(-1.0) / 2 + 0.05).epsilon(1e-7));
+  // The worst of the objective is sought too: p made greatest.
+  CHECK(found.found.assessment.objective.value == Approx(found.found.x[0] + 0.01).epsilon(1e-9));
+  const ProblemStatement design = bound.at(found.options, found.found.x);
+  const auto worst = worst_parts(varied_design(design, variations_of(design)));
+  REQUIRE(worst.size() == 1);
+  CHECK(worst[0].holds == Holds::Proved);
+  CHECK(worst[0].margin == Approx(0).margin(1e-5));
+}
+
+TEST_CASE("Derivatives of a highest value about a variable are those at the worst part",
+          "[variation]") {
+  const std::string text =
+      "[machine]\n[machine.parameters.b]\ndefault = 1\nlower = -9\nupper = 9\n"
+      "[machine.parameters.c]\ndefault = 2\nlower = -9\nupper = 9\n"
+      "[responses.g]\nformula = 'c^2 - (b - 0.5 * c)^2 + 0.3 * b'\n"
+      "[variables.b]\nlower = -5\nupper = 5\n[variables.c]\nlower = 0\nupper = 9\n"
+      "[variation.b]\nplus = 0.5\nminus = 0.25\n[objective]\nminimize = 'g'\n";
+  const optim::Problem problem = BoundProblem(read(text)).problem({});
+  const optim::Function& f = problem.objectives.front().response.function();
+  const auto closed = [](double b, double c) {  // highest at c / 2 + 0.15, within the offsets
+    const double at = std::clamp(0.5 * c + 0.15, b - 0.25, b + 0.5);
+    return c * c - (at - 0.5 * c) * (at - 0.5 * c) + 0.3 * at;
+  };
+  for (const auto& x :
+       std::vector<std::vector<double>>{{1, 2}, {1, 4}, {3, 2}, {-1, 7}, {2, 3.9}}) {
+    std::vector<double> g(2), h(3);
+    INFO(x[0] << ", " << x[1]);
+    CHECK(f.hessian(x, g, h) == Approx(closed(x[0], x[1])).epsilon(1e-12));
+    const double d = 1e-5, e = 1e-3;
+    CHECK(g[0] == Approx((closed(x[0] + d, x[1]) - closed(x[0] - d, x[1])) / (2 * d)).margin(1e-6));
+    CHECK(g[1] == Approx((closed(x[0], x[1] + d) - closed(x[0], x[1] - d)) / (2 * d)).margin(1e-6));
+    const double cross = (closed(x[0] + e, x[1] + e) - closed(x[0] + e, x[1] - e) -
+                          closed(x[0] - e, x[1] + e) + closed(x[0] - e, x[1] - e)) /
+                         (4 * e * e);
+    CHECK(h[1] == Approx(cross).margin(1e-5));
+    const optim::Bounds bounds = f.enclose(x);
+    CHECK(bounds.lower <= closed(x[0], x[1]) + 1e-12);
+    CHECK(bounds.upper >= closed(x[0], x[1]) - 1e-12);
+    CHECK(bounds.upper - bounds.lower < 1e-5);
+    // Over a box of designs the bounds hold each of them.
+    const std::vector<optim::Bounds> box{{x[0] - 0.1, x[0] + 0.1}, {x[1] - 0.1, x[1] + 0.1}};
+    const optim::BoxRange range = f.range(box);
+    for (const double p : {-0.1, 0.0, 0.07, 0.1}) {
+      for (const double q : {-0.1, 0.03, 0.1}) {
+        CHECK(range.value.lower <= closed(x[0] + p, x[1] + q) + 1e-12);
+        CHECK(range.value.upper >= closed(x[0] + p, x[1] + q) - 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("Rooms on a grid are those of a search at each part, within their slack", "[variation]") {
+  const std::string sizes =
+      "base_radius = '42 mm'\nroller_radius = '10 mm'\nspring_preload = '260 N'\n";
+  double angle = 0, undercut = 0, force = 0;
+  for (const EvaluatedResponse& r : evaluate(read(cam(sizes)))) {
+    if (r.name == "pressure_angle") angle = r.highest;
+    if (r.name == "undercut") undercut = r.highest;
+    if (r.name == "follower_force") force = r.lowest;
+  }
+  const VariedDesign design =
+      varied(cam(sizes + "[variation.base_radius]\nplus = '1 mm'\nminus = '1 mm'\n"
+                         "[variation.roller_radius]\nplus = '0.5 mm'\nminus = '0.5 mm'\n"
+                         "[variation.spring_preload]\nstandard_deviation = '20 N'\n") +
+             fmt::format(fmt::runtime(kLimits), angle, undercut, force));
+  const GridRooms rooms = grid_rooms(design);
+  CHECK(rooms.report.without_grid == 0);
+  CHECK(rooms.report.places > 0);
+  CHECK(rooms.report.left < 0.9);
+  const auto searched = optim::searched_rooms(design.problem, design.meant);
+  const std::size_t limits = rooms.rows->limits();
+  REQUIRE(searched->limits() == limits);
+  camlaw::testing::Random random(5);
+  constexpr std::size_t kParts = 61;
+  std::vector<double> parts;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    parts.insert(parts.end(), {42 + random(-1, 1), 10 + random(-0.5, 0.5), 260 + random(-90, 90)});
+  }
+  std::vector<double> fast(limits * kParts), slow(limits * kParts);
+  rooms.rows->room(parts, kParts, fast);
+  searched->room(parts, kParts, slow);
+  const std::vector<double> slack = rooms.rows->slack();
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < limits; ++i) {
+    for (std::size_t k = 0; k < kParts; ++k) {
+      const double quick = fast[i * kParts + k], exact = slow[i * kParts + k];
+      INFO("limit " << i << ", part " << k << ": " << quick << ", searched " << exact << ", slack "
+                    << slack[i]);
+      CHECK(quick >= exact - 1e-7);  // nothing between the places of the grid is worse
+      broken += exact < 0;
+      // Where no part of the box breaks a limit its room may be anything above 0.
+      if (exact < 0) CHECK(quick <= exact + slack[i] + 1e-9);
+      if (exact >= slack[i]) CHECK(quick >= 0);
+    }
+  }
+  CHECK(broken > limits * kParts / 10);
+  CHECK(broken < limits * kParts * 9 / 10);
+}
+
+TEST_CASE("Proof and sampling never contradict each other", "[variation][heavy]") {
+  camlaw::testing::Random random(11);
+  int proved = 0, broken = 0, estimated = 0;
+  for (int trial = 0; trial < 16; ++trial) {
+    const double base = random(30, 60), roller = random(6, 14), preload = random(100, 500);
+    const VariedDesign design = varied(cam(
+        fmt::format("base_radius = {}\nroller_radius = {}\nspring_preload = {}\n"
+                    "[variation.base_radius]\nplus = {}\nminus = {}\n"
+                    "[variation.roller_radius]\nplus = {}\nminus = {}\n"
+                    "[variation.spring_preload]\nplus = {}\nminus = {}\n",
+                    base, roller, preload, random(0, 2), random(0.01, 2), random(0, 1),
+                    random(0.01, 1), random(0, 50), random(1, 50)) +
+        fmt::format(fmt::runtime(kLimits), random(20, 35), random(0.3, 0.95), random(-100, 100))));
+    ToleranceOptions options;
+    options.samples = 512;
+    options.factors = false;
+    const ToleranceAnswer answer = tolerance_of(design, options);
+    REQUIRE(answer.yield);
+    for (const WorstPart& worst : answer.worst) {
+      const double share = answer.yield->by_limit[worst.limit];
+      INFO("trial " << trial << ", " << worst.name << ": " << to_string(worst.holds) << ", "
+                    << share << " fail");
+      if (worst.holds != Holds::Broken) continue;
+      ++broken;
+      // The part that is named breaks it.
+      std::vector<double> part = worst.part, room(answer.limits.size());
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        if (std::isnan(part[i])) part[i] = design.meant[i];
+      }
+      optim::searched_rooms(design.problem, design.meant)->room(part, 1, room);
+      CHECK(!(room[worst.limit] >= 0));
+    }
+    for (std::size_t i = 0; i < answer.limits.size(); ++i) {
+      const bool holds =
+          std::all_of(answer.worst.begin(), answer.worst.end(),
+                      [&](const WorstPart& w) { return w.limit != i || w.holds == Holds::Proved; });
+      if (!holds) {
+        estimated += answer.yield->by_limit[i] > 0;
+        continue;
+      }
+      ++proved;
+      CHECK(answer.yield->by_limit[i] == 0);
+    }
+    // No sample is worse than the worst.
+    for (const optim::Spread& s : answer.spreads.spreads) {
+      if (!s.is_margin || !s.possible) continue;
+      double least = 1e300;
+      for (const WorstPart& w : answer.worst) {
+        if (w.name == s.name) least = std::min(least, w.margin);
+      }
+      CHECK(s.lowest >= least - 1e-6 * (1 + std::abs(least)));
+    }
+  }
+  CHECK(proved > 3);
+  CHECK(broken > 3);
+  CHECK(estimated > 3);
+}
+
+TEST_CASE("A law that varies is searched, and nothing is said to be proved of it", "[variation]") {
+  const VariedDesign design = varied(R"(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+base_radius = "40 mm"
+[program]
+segments = [{name = "rise", angle = 90, law = "modified-sine"}, {name = "high", angle = 70},
+            {name = "back", angle = 110, law = "cycloidal"}, {name = "low"}]
+[variation.rise_angle]
+plus = "2 deg"
+minus = "2 deg"
+[[constraints]]
+response = "pressure_angle"
+upper = "45 deg"
+)");
+  const auto worst = worst_parts(design);
+  REQUIRE(worst.size() == 1);
+  CHECK(worst[0].holds == Holds::NotProved);
+  CHECK_THAT(worst[0].why_not, Contains("the law"));
+  CHECK(worst[0].part[0] == Approx(88));
+}
+
+}  // namespace camlaw::problems::variation_test
