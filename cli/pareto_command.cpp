@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct ParetoCommand {
   std::string file;
-  std::optional<std::string> method, points, workers, db, out;
+  std::optional<std::string> method, points, workers, db, out, start;
   RunLimits limits;
   std::vector<std::string> settings;
   bool resume = false, json = false;
@@ -55,6 +55,20 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
     settings.points = static_cast<std::size_t>(
         problems::parse_integer(*options.points, 2, problems::kMostPoints, "--points"));
   }
+  return settings;
+}
+
+/// With the settings that begin the study at the design of --start.
+/// One that is gone on with has them already.
+problems::FrontSettings begun(const ParetoCommand& options, const std::optional<std::string>& study,
+                              problems::FrontSettings settings) {
+  const bool has_them = options.resume && study && fs::exists(*study) && options.settings.empty();
+  if (!options.start || has_them) return settings;
+  problems::ProblemStatement statement =
+      problems::read_problem(problems::problem_text(options.file), options.file);
+  problems::set_values(statement, settings.set);
+  begin_with(statement, *options.start);
+  settings.set = statement.settings;
   return settings;
 }
 
@@ -143,7 +157,7 @@ int run_pareto(const ParetoCommand& options) {
   const auto path = study_file(options);
   keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
-                             settings_of(options, path));
+                             begun(options, path, settings_of(options, path)));
   keep_inputs(study.bound().statement());
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
@@ -189,6 +203,7 @@ Command pareto_command() {
       .help = "Find the front of a problem file with two objectives or more",
       .options = {problem_file(options->file),
                   set_option(options->settings),
+                  start_option(options->start),
                   {"--points", &options->points, takes::kNumber,
                    "how many designs, 50 unless stated"},
                   {"--method", &options->method, "{auto,sweep,nsga2}",

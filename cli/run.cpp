@@ -54,7 +54,7 @@ Program camlaw_program() {
       "camlaw: cam motion laws and mechanisms",
       {laws_command(), mechanisms_command(), law_command(), study_command(), reproduce_command(),
        check_command(), evaluate_command(), verify_command(), export_command(), optimize_command(),
-       pareto_command(), front_command(), synthesize_command(), fit_command(), report_command(),
+       pareto_command(), front_command(), sweep_command(), synthesize_command(), fit_command(), report_command(),
        completion_command(), man_command()},
       {{"camlaw laws", "every motion law with its constants"},
        {"camlaw law modified-sine", "one law: its peaks, proved"},

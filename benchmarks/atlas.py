@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The law atlas: benchmarks/atlas.py [--camlaw PROGRAM] [--out FOLDER] [--only PAIR] [--quick]
+
+Works out, by `camlaw sweep`, how little one characteristic value of a law may be where another one is
+bounded: the front of every family with parameters, of the free law, and the points of the laws without
+any. Writes FOLDER/atlas.csv and FOLDER/atlas.svg, docs/atlas unless told. With --quick two bounds of
+each front.
+
+A row of the CSV is a search: the pair, the family, the bound, the least value, the verdict, the law's
+parameters. Rows of laws without parameters have what the law has.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# What varies of each family, as a problem file states it. The ranges are those in which the front lies.
+FAMILIES = {
+    "polynomial-5": {"alpha": (-20, 20)},
+    "polynomial-7": {"A": (-60, 160)},
+    "legendre": {"c": ([-30] * 3, [30] * 3)},
+    "fourier": {"a": ([-2] * 3, [2] * 3)},
+    "trapezoidal-velocity": {"t1": (0.02, 0.5), "t2": (0.02, 0.5)},
+    "trapezoidal-acceleration": {"ramp": (0.01, 0.25), "constant": (0, 0.49)},
+    "scca": {"a": (0.01, 0.9), "b": (0, 0.9), "c": (0.01, 0.9)},
+    "elliptic": {"n": (0.4, 3)},
+    "inclined-sinusoid": {"angle": (55, 125)},
+}
+
+# The value that is sought, the one that is bounded, its bounds, and the free law's degree and knots.
+PAIRS = {
+    "C_a over C_v": ("C_a", "C_v", "1.2:0.1:2", 2, 98),
+    "C_Mdyn over C_v": ("C_Mdyn", "C_v", "1.2:0.1:2", 2, 60),
+    "C_j over C_a": ("C_j", "C_a", "4.4:0.2:6", 3, 60),
+    "mean_square_acceleration over C_v": ("mean_square_acceleration", "C_v", "1.2:0.1:2", 3, 40),
+    "residual_amplitude over C_a": ("residual_amplitude", "C_a", "4.4:0.2:6", 3, 40),
+}
+
+FIXED = ["C_v", "C_a", "C_j", "C_Mdyn", "mean_square_acceleration", "residual_amplitude"]
+
+
+def number_or_list(value):
+    return json.dumps(value)
+
+
+def family_problem(pair, law):
+    sought, bounded, _, degree, knots = PAIRS[pair]
+    text = f'mechanism = "law"\n[law]\nname = "{law}"\n'
+    if law == "free":
+        text += f"[free]\ndegree = {degree}\nknots = {knots}\n"
+    for name, (low, high) in FAMILIES.get(law, {}).items():
+        text += f"[variables.{name}]\nlower = {number_or_list(low)}\nupper = {number_or_list(high)}\n"
+    return text + (f'[objective]\nminimize = "{sought}"\n'
+                   f'[[constraints]]\nresponse = "{bounded}"\nupper = 100\n')
+
+
+def sweep(program, text, more):
+    done = subprocess.run([program, "sweep", "-", "--json", *more], input=text, text=True,
+                          capture_output=True, check=False)
+    if not done.stdout:
+        raise SystemExit(f"camlaw sweep failed: {done.stderr}")
+    return json.loads(done.stdout)
+
+
+def rows_of_front(program, pair, law, quick):
+    sought, bounded, bounds, _, _ = PAIRS[pair]
+    if quick:
+        low, step, high = (float(part) for part in bounds.split(":"))
+        bounds = f"{low + 2 * step:g},{high:g}"
+    answer = sweep(program, family_problem(pair, law), ["--set", f"{bounded}.upper={bounds}"])
+    known = {"verdict", "global", "active", "reason", "start", "evaluations"}
+    for row in answer["combinations"]:
+        parameters = {name: value for name, value in row.items()
+                      if name not in known and name not in (sought, f"{bounded}.upper")
+                      and not name.startswith("margin of ")}
+        if law == "free":
+            parameters = {}
+        yield {"pair": pair, "law": law, "bound": row[f"{bounded}.upper"],
+               "value": row[sought], "verdict": row["verdict"],
+               "parameters": " ".join(f"{n}={v:.6g}" for n, v in parameters.items()
+                                      if isinstance(v, (int, float)))}
+
+
+def rows_of_fixed(program):
+    """The laws of the catalogue from rest to rest as they are."""
+    text = 'mechanism = "law"\nlaw.name = "cycloidal"\n'
+    text += "".join(f'[[objectives]]\nminimize = "{name}"\n' for name in FIXED)
+    answer = sweep(program, text, ["--evaluate", "--set", "law=ends R-R"])
+    for row in answer["combinations"]:
+        for pair, (sought, bounded, _, _, _) in PAIRS.items():
+            value, bound = row[sought], row[bounded]
+            if isinstance(value, (int, float)) and isinstance(bound, (int, float)):
+                yield {"pair": pair, "law": row["law"], "bound": bound, "value": value,
+                       "verdict": "as it is", "parameters": ""}
+
+
+def panel(pair, rows, x0, width, height):
+    """One chart: fronts as lines, laws as they are as dots, the free law as the limit."""
+    sought, bounded, bounds, _, _ = PAIRS[pair]
+    low, _, high = (float(part) for part in bounds.split(":"))
+    own = [r for r in rows if r["pair"] == pair and r["value"] is not None
+           and low - 1e-9 <= r["bound"] <= high + 1e-9]
+    certified = [r for r in own if r["verdict"] != "as it is"]
+    least = min(r["value"] for r in own)
+    most = max(2.2 * least, sorted(r["value"] for r in certified)[len(certified) * 3 // 4])
+    if least <= 0:
+        most = max(r["value"] for r in certified)
+    left, top, bottom = 56, 26, 40
+    px = lambda b: x0 + left + (b - low) / (high - low) * (width - left - 16)
+    py = lambda v: height - bottom - (v - least) / (most - least) * (height - top - bottom)
+    colours = ["#0b63b0", "#b35309", "#1a7f37", "#8250df", "#57606a", "#bf3989", "#9a6700", "#0a7d91",
+               "#cf222e"]
+    parts = [f'<text x="{x0 + width / 2:.0f}" y="15" text-anchor="middle" font-weight="600">{pair}</text>']
+    for k in range(5):
+        b, v = low + k * (high - low) / 4, least + k * (most - least) / 4
+        parts.append(f'<text x="{px(b):.1f}" y="{height - bottom + 16}" text-anchor="middle">{b:.3g}</text>')
+        parts.append(f'<text x="{x0 + left - 6}" y="{py(v) + 4:.1f}" text-anchor="end">{v:.3g}</text>')
+        parts.append(f'<line x1="{x0 + left}" x2="{x0 + width - 16}" y1="{py(v):.1f}" y2="{py(v):.1f}" '
+                     'stroke="#d8dee4"/>')
+    parts.append(f'<text x="{x0 + width / 2:.0f}" y="{height - 6}" text-anchor="middle">{bounded}, at most</text>')
+    for law in ["free", *FAMILIES]:
+        line = [r for r in certified if r["law"] == law and r["value"] <= most]
+        if not line:
+            continue
+        colour = "#000" if law == "free" else colours[list(FAMILIES).index(law)]
+        points = " ".join(f'{px(r["bound"]):.1f},{py(r["value"]):.1f}' for r in line)
+        parts.append(f'<polyline points="{points}" fill="none" stroke="{colour}" '
+                     f'stroke-width="{2.4 if law == "free" else 1.4}"/>')
+    for row in own:
+        if row["verdict"] == "as it is" and row["value"] <= most:
+            parts.append(f'<circle cx="{px(row["bound"]):.1f}" cy="{py(row["value"]):.1f}" r="2.4" '
+                         f'fill="#57606a"><title>{row["law"]}</title></circle>')
+    return parts
+
+
+def figure(rows):
+    width, height = 430, 320
+    pairs = [p for p in PAIRS if any(r["pair"] == p and r["value"] is not None for r in rows)]
+    colours = ["#0b63b0", "#b35309", "#1a7f37", "#8250df", "#57606a", "#bf3989", "#9a6700", "#0a7d91",
+               "#cf222e"]
+    columns = 2
+    lines = -(-(len(pairs) + 1) // columns)
+    text = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {columns * width} {lines * height}" '
+            'font-family="sans-serif" font-size="11" fill="#1b1f24">\n'
+            f'<rect width="100%" height="100%" fill="#fff"/>\n')
+    for k, pair in enumerate(pairs):
+        text += f'<g transform="translate({k % columns * width} {k // columns * height})">\n'
+        text += "\n".join(panel(pair, rows, 0, width, height)) + "\n</g>\n"
+    k = len(pairs)
+    text += f'<g transform="translate({k % columns * width + 60} {k // columns * height + 40})">\n'
+    for i, law in enumerate(["free", *FAMILIES]):
+        colour = "#000" if law == "free" else colours[i - 1]
+        text += (f'<line x1="0" x2="26" y1="{i * 20}" y2="{i * 20}" stroke="{colour}" stroke-width="2"/>'
+                 f'<text x="34" y="{i * 20 + 4}">{law}</text>\n')
+    n = len(FAMILIES) + 1
+    text += (f'<circle cx="13" cy="{n * 20}" r="2.4" fill="#57606a"/><text x="34" y="{n * 20 + 4}">'
+             'a law of the catalogue as it is</text>\n</g>\n')
+    return text + "</svg>\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--camlaw", default=str(ROOT / "build/release/cli/camlaw"))
+    parser.add_argument("--out", default=str(ROOT / "docs/atlas"))
+    parser.add_argument("--only", choices=list(PAIRS), help="one pair of values")
+    parser.add_argument("--quick", action="store_true", help="two bounds of each front")
+    options = parser.parse_args()
+    rows = list(rows_of_fixed(options.camlaw))
+    for pair in [options.only] if options.only else PAIRS:
+        for law in ["free", *FAMILIES]:
+            print(f"{pair}: {law}", file=sys.stderr)
+            rows += rows_of_front(options.camlaw, pair, law, options.quick)
+    out = pathlib.Path(options.out)
+    out.mkdir(parents=True, exist_ok=True)
+    with (out / "atlas.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({key: f"{value:.9g}" if isinstance(value, float) else value
+                             for key, value in row.items()})
+    if not options.quick and not options.only:
+        (out / "atlas.svg").write_text(figure(rows))
+
+
+if __name__ == "__main__":
+    main()
