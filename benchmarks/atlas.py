@@ -73,11 +73,9 @@ def rows_of_front(program, pair, law, quick):
         low, step, high = (float(part) for part in bounds.split(":"))
         bounds = f"{low + 2 * step:g},{high:g}"
     answer = sweep(program, family_problem(pair, law), ["--set", f"{bounded}.upper={bounds}"])
-    known = {"verdict", "global", "active", "reason", "start", "evaluations"}
     for row in answer["combinations"]:
-        parameters = {name: value for name, value in row.items()
-                      if name not in known and name not in (sought, f"{bounded}.upper")
-                      and not name.startswith("margin of ")}
+        parameters = {name.removeprefix("design "): value for name, value in row.items()
+                      if name.startswith("design ")}
         if law == "free":
             parameters = {}
         yield {"pair": pair, "law": law, "bound": row[f"{bounded}.upper"],

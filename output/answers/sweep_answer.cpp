@@ -67,7 +67,9 @@ std::size_t SweepAnswer::count(SweepState state) const {
 }
 
 bool SweepAnswer::is_better(double a, double b) const {
+  constexpr double kEqual = 1e-9;  // of their size: else rounding would choose between equal laws
   if (std::isnan(a) || std::isnan(b)) return std::isnan(b) && !std::isnan(a);
+  if (std::abs(a - b) <= kEqual * std::max(std::abs(a), std::abs(b))) return false;
   return study.statement().objectives.front().sense == optim::Sense::Minimize ? a < b : a > b;
 }
 

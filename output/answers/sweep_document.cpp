@@ -29,9 +29,14 @@ std::vector<std::string> union_of(const SweepAnswer& answer, NamesOf names_of) {
   return all;
 }
 
+/// Of variables: an objective, and the start that is swept, may have the same name.
+std::string design_column(const problems::SweptVariable& v) {
+  return named("design " + v.name, v.unit);
+}
+
 std::vector<std::string> variables_of(const SweepRow& row) {
   std::vector<std::string> names;
-  for (const auto& v : row.variables) names.push_back(named(v.name, v.unit));
+  for (const auto& v : row.variables) names.push_back(design_column(v));
   return names;
 }
 
@@ -45,7 +50,7 @@ std::vector<std::string> margins_of(const SweepRow& row) {
 
 Cell variable_cell(const SweepRow& row, const std::string& name) {
   for (const auto& v : row.variables) {
-    if (named(v.name, v.unit) != name) continue;
+    if (design_column(v) != name) continue;
     return std::isnan(v.number) ? Cell(v.words, v.words) : datum(v.number);
   }
   return {};
@@ -95,9 +100,12 @@ Table best_table(const SweepAnswer& answer, std::size_t axis) {
   const auto objective = [&](const Line& line) {
     return line.best ? answer.rows[*line.best].objectives.front() : std::nan("");
   };
-  std::stable_sort(lines.begin(), lines.end(), [&](const Line& a, const Line& b) {
-    return answer.is_better(objective(a), objective(b));
-  });
+  const bool is_least = answer.study.statement().objectives.front().sense == optim::Sense::Minimize;
+  const auto cost = [&](const Line& line) {
+    return line.best ? (is_least ? objective(line) : -objective(line)) : optim::kInfinity;
+  };
+  std::stable_sort(lines.begin(), lines.end(),
+                   [&](const Line& a, const Line& b) { return cost(a) < cost(b); });
   Table table{
       .key = "best_by_" + swept.name,
       .columns = {names(swept.name, "value"), numbers(named(o.name, o.unit), "objective"),
@@ -153,7 +161,9 @@ Table combinations_table(const SweepAnswer& answer) {
   }
   for (std::size_t i = 0; i < objectives.size(); ++i) {
     const std::string title = answer.objective_title(i);
-    table.columns.push_back(numbers(title, title));
+    const bool is_swept = std::any_of(table.columns.begin(), table.columns.end(),
+                                      [&](const Column& column) { return column.key == title; });
+    table.columns.push_back(numbers(title, is_swept ? "objective " + title : title));
   }
   table.columns.insert(table.columns.end(),
                        {words("verdict", "verdict"), data("global"), words("held by", ""),

@@ -42,6 +42,7 @@ TEST_CASE("a sweep gives every combination in JSON and CSV", "[program][sweep]")
   };
   const std::size_t stroke = column("stroke [mm]"), law = column("law"),
                     radius = column("base_radius [mm]");
+  column("design base_radius [mm]");
   column("margin of pressure_angle [deg]");
   for (std::size_t i = 0; i < 22; ++i) {
     const ParsedJson& row = json.at("combinations")[i];

@@ -17,7 +17,9 @@ report.sweepTitle = (name) => [name.name.replaceAll('_', ' '), name.unit].filter
 report.min = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
 report.max = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
 
-report.isBetter = (a, b) => (report.data.sweep.maximize ? a > b : a < b);
+// What differs by less than 1e-9 of its size is equal: the first of the list counts.
+report.isBetter = (a, b) => Math.abs(a - b) > 1e-9 * Math.max(Math.abs(a), Math.abs(b)) &&
+  (report.data.sweep.maximize ? a > b : a < b);
 
 // The number of a row along a name, the same that its axis has.
 report.along = (row, k) => {
