@@ -4,7 +4,7 @@
 
 Works out, by `camlaw sweep`, how little one characteristic value of a law may be where another one is
 bounded: the front of every family with parameters, of the free law, and the points of the laws without
-any. Writes FOLDER/atlas.csv and FOLDER/atlas.svg, docs/atlas unless told. With --quick two bounds of
+any. Writes FOLDER/atlas.csv, FOLDER/atlas.svg and FOLDER/nearest.md, docs/atlas unless told. With --quick two bounds of
 each front.
 
 A row of the CSV is a search: the pair, the family, the bound, the least value, the verdict, the law's
@@ -23,8 +23,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAMILIES = {
     "polynomial-5": {"alpha": (-20, 20)},
     "polynomial-7": {"A": (-60, 160)},
-    "legendre": {"c": ([-30] * 3, [30] * 3)},
-    "fourier": {"a": ([-2] * 3, [2] * 3)},
+    "legendre": {"c": (-30, 30, [-3, 0, 0])},
+    "fourier": {"a": (-2, 2, [0, 0.1, 0])},
     "trapezoidal-velocity": {"t1": (0.02, 0.5), "t2": (0.02, 0.5)},
     "trapezoidal-acceleration": {"ramp": (0.01, 0.25), "constant": (0, 0.49)},
     "scca": {"a": (0.01, 0.9), "b": (0, 0.9), "c": (0.01, 0.9)},
@@ -44,17 +44,14 @@ PAIRS = {
 FIXED = ["C_v", "C_a", "C_j", "C_Mdyn", "mean_square_acceleration", "residual_amplitude"]
 
 
-def number_or_list(value):
-    return json.dumps(value)
-
-
 def family_problem(pair, law):
     sought, bounded, _, degree, knots = PAIRS[pair]
     text = f'mechanism = "law"\n[law]\nname = "{law}"\n'
     if law == "free":
         text += f"[free]\ndegree = {degree}\nknots = {knots}\n"
-    for name, (low, high) in FAMILIES.get(law, {}).items():
-        text += f"[variables.{name}]\nlower = {number_or_list(low)}\nupper = {number_or_list(high)}\n"
+    for name, (low, high, *start) in FAMILIES.get(law, {}).items():
+        text += f"[variables.{name}]\nlower = {low}\nupper = {high}\n"
+        text += "".join(f"start = {values}\n" for values in start)  # a list's gives its length
     return text + (f'[objective]\nminimize = "{sought}"\n'
                    f'[[constraints]]\nresponse = "{bounded}"\nupper = 100\n')
 
@@ -72,7 +69,7 @@ def rows_of_front(program, pair, law, quick):
     if quick:
         low, step, high = (float(part) for part in bounds.split(":"))
         bounds = f"{low + 2 * step:g},{high:g}"
-    answer = sweep(program, family_problem(pair, law), ["--set", f"{bounded}.upper={bounds}"])
+    answer = sweep(program, family_problem(pair, law), ["--set", f"{bounded}.upper={bounds}", "--time-limit", "150 s"])
     for row in answer["combinations"]:
         parameters = {name.removeprefix("design "): value for name, value in row.items()
                       if name.startswith("design ")}
@@ -136,6 +133,22 @@ def panel(pair, rows, x0, width, height):
     return parts
 
 
+def nearest_table(rows):
+    """For each pair and bound the free law's least value, and the family nearest to it."""
+    lines = ["| pair | bound | free law | nearest family | its value | more |", "|---|--:|--:|---|--:|--:|"]
+    for pair in PAIRS:
+        of_pair = [r for r in rows if r["pair"] == pair and isinstance(r["value"], (int, float))]
+        free = {r["bound"]: r["value"] for r in of_pair if r["law"] == "free"}
+        for bound, limit in sorted(free.items()):
+            others = [r for r in of_pair if r["law"] != "free" and r["bound"] <= bound + 1e-9]
+            if not others:
+                continue
+            best = min(others, key=lambda r: r["value"])
+            more = f"{100 * (best['value'] / limit - 1):.2f} %" if limit > 1e-9 else "-"
+            lines.append(f"| {pair} | {bound:g} | {limit:.5g} | {best['law']} | {best['value']:.5g} | {more} |")
+    return "\n".join(lines) + "\n"
+
+
 def figure(rows):
     width, height = 430, 320
     pairs = [p for p in PAIRS if any(r["pair"] == p and r["value"] is not None for r in rows)]
@@ -181,8 +194,10 @@ def main():
         for row in rows:
             writer.writerow({key: f"{value:.9g}" if isinstance(value, float) else value
                              for key, value in row.items()})
-    if not options.quick and not options.only:
-        (out / "atlas.svg").write_text(figure(rows))
+    if options.quick or options.only:
+        return
+    (out / "atlas.svg").write_text(figure(rows))
+    (out / "nearest.md").write_text("# Which family comes nearest to the limit\n\n" + nearest_table(rows))
 
 
 if __name__ == "__main__":

@@ -117,7 +117,7 @@ Entry* find_entry(Entry& table, std::string_view key) {
 }
 
 Entry laws_entry(const Entry& table, std::string_view key, std::string_view text,
-                const std::string& place) {
+                 const std::string& place) {
   const std::vector<std::string> names = law_list(text);
   if (names.size() == 1) return text_entry(table, key, names.front(), place);
   Entry list = made_entry(Kind::List, table, key, place);
@@ -264,8 +264,10 @@ std::vector<std::string> law_list(std::string_view text) {
   }
 }
 
+bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }
+
 bool is_of_file(const ProblemStatement& problem, std::string_view name) {
-  if (name == kLaw || name.ends_with(".law")) return true;
+  if (is_law_setting(name)) return true;
   if (const auto response = bounded(name)) {
     if (has_range(problem, *response)) return false;
     if (variable_named(problem, *response) != nullptr) return true;
@@ -280,7 +282,7 @@ void restate(Entry& file, const ProblemStatement& problem, std::string_view name
   if (text.empty()) {
     throw std::invalid_argument(fmt::format("'{}' sets nothing; a value is wanted", assignment));
   }
-  if (name == kLaw || name.ends_with(".law")) return put_laws(file, name, text, assignment);
+  if (is_law_setting(name)) return put_laws(file, name, text, assignment);
   if (const auto response = bounded(name)) {
     if (const VariableStatement* variable = variable_named(problem, *response)) {
       return put_variable_bound(file, *variable, name, text, assignment);

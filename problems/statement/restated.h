@@ -17,6 +17,9 @@ namespace camlaw::problems {
 /// yet, "fast.load" that no case sets.
 bool is_of_file(const ProblemStatement& problem, std::string_view name);
 
+/// Whether a name is of laws: "law", "rise.law".
+bool is_law_setting(std::string_view name);
+
 /// Puts it there. `assignment`, "law=cycloidal", is where errors place what is put. Throws
 /// std::invalid_argument where the file has no place for it.
 void restate(Entry& file, const ProblemStatement& problem, std::string_view name,

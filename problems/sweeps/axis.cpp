@@ -187,7 +187,7 @@ std::string swept_value(double number, const std::string& unit) {
 std::optional<SweepAxis> parse_axis(const std::string& assignment) {
   const auto [name, text] = taken_apart(assignment);
   if (text.empty()) throw std::invalid_argument(fmt::format("{}: a value is wanted", name));
-  const bool is_law = name == "law" || name.ends_with(".law");
+  const bool is_law = is_law_setting(name);
   SweepAxis axis = is_law                                ? laws_of(name, text)
                    : text.find(':') != std::string::npos ? stepped(name, text)
                                                          : listed(name, text);

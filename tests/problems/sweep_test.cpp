@@ -7,6 +7,7 @@
 
 #include "optim/search/optimise.h"
 #include "optim/study/recorded_executor.h"
+#include "problems/law_files/json_text.h"
 #include "problems/sweeps/stored_sweep.h"
 #include "problems/sweeps/sweep_worker.h"
 #include "tests/problems/complaint.h"
@@ -116,8 +117,8 @@ TEST_CASE("samples fill their ranges evenly", "[sweep]") {
     for (std::size_t k = 0; k < 2; ++k) {
       std::vector<int> count(8);
       for (const auto& sample : samples) {
-        const double part = (sample[k] - sampling.over[k].low) /
-                            (sampling.over[k].high - sampling.over[k].low);
+        const double part =
+            (sample[k] - sampling.over[k].low) / (sampling.over[k].high - sampling.over[k].low);
         REQUIRE((part >= 0 && part < 1));
         ++count[static_cast<std::size_t>(8 * part)];
       }
@@ -147,7 +148,10 @@ TEST_CASE("each combination is in one chain, beside one that differs by a step",
   CHECK(to_json(sweep_settings(to_json(settings), {})) == to_json(settings));
   CHECK_THAT(complaint([] { SweepPlan(swept({"a=1,2", "a=3,4"})); }), Contains("swept twice"));
   CHECK_THAT(complaint([] { SweepPlan(swept({"a=1"})); }), Contains("nothing is swept"));
-  CHECK_THAT(complaint([] { SweepPlan(swept({"a=1:1:400", "b=1:1:400"})); }), Contains("more than"));
+  CHECK_THAT(complaint([] {
+               SweepPlan(swept({"a=1:1:400", "b=1:1:400"}));
+             }),
+             Contains("more than"));
 }
 
 TEST_CASE("the ranking of laws by a sweep is that of single runs, bit for bit", "[sweep]") {
