@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The law atlas: benchmarks/atlas.py [--camlaw PROGRAM] [--out FOLDER] [--only PAIR] [--quick]
+"""The law atlas: benchmarks/atlas.py [--camlaw PROGRAM] [--out FOLDER] [--only PAIR] [--resume] [--quick]
 
 Works out, by `camlaw sweep`, how little one characteristic value of a law may be where another one is
 bounded: the front of every family with parameters, of the free law, and the points of the laws without
@@ -32,28 +32,46 @@ FAMILIES = {
     "inclined-sinusoid": {"angle": (55, 125)},
 }
 
-# The value that is sought, the one that is bounded, its bounds, and the free law's degree and knots.
+# Families and laws whose acceleration begins and ends at zero, and does not jump inside.
+SMOOTH = ["free", "polynomial-7", "fourier", "trapezoidal-acceleration", "scca", "inclined-sinusoid"]
+ALL = ["free", *FAMILIES]
+
+
+class Pair:
+    """The value that is sought, the one that is bounded, its bounds, what the free law is (none: it is
+    not searched), and the families that are compared with it."""
+
+    def __init__(self, sought, bounded, bounds, free, laws=None, smooth=False, constants=""):
+        self.sought, self.bounded, self.bounds = sought, bounded, bounds
+        self.free, self.smooth, self.constants = free, smooth, constants
+        self.laws = laws or (SMOOTH if smooth else ALL)
+
+
+# The free law may begin and end with an acceleration unless the families may not.
 PAIRS = {
-    "C_a over C_v": ("C_a", "C_v", "1.2:0.1:2", 2, 98),
-    "C_Mdyn over C_v": ("C_Mdyn", "C_v", "1.2:0.1:2", 2, 60),
-    "C_j over C_a": ("C_j", "C_a", "4.4:0.2:6", 3, 60),
-    "mean_square_acceleration over C_v": ("mean_square_acceleration", "C_v", "1.2:0.1:2", 3, 40),
-    "residual_amplitude over C_a": ("residual_amplitude", "C_a", "4.4:0.2:6", 3, 40),
+    "C_a over C_v": Pair("C_a", "C_v", "1.2:0.2:2", "degree = 2\nknots = 98"),
+    "C_Mdyn over C_v": Pair("C_Mdyn", "C_v", "1.2:0.2:2", "degree = 2\nknots = 60"),
+    "C_j over C_a": Pair("C_j", "C_a", "4.4:0.4:6", "degree = 3\nknots = 60", smooth=True),
+    "mean_square_acceleration over C_v": Pair(
+        "mean_square_acceleration", "C_v", "1.2:0.2:2",
+        'degree = 3\nknots = 40\nbegin = "U"\nend = "U"'),
+    "residual_amplitude over C_a": Pair(
+        "residual_amplitude", "C_a", "4.4:0.4:6", None, laws=list(FAMILIES),
+        constants="[constants]\nperiod_ratio = 1.25\n"),
 }
 
-FIXED = ["C_v", "C_a", "C_j", "C_Mdyn", "mean_square_acceleration", "residual_amplitude"]
-
+AS_IT_IS = "as it is"  # the verdict of a law that is not searched
 
 def family_problem(pair, law):
-    sought, bounded, _, degree, knots = PAIRS[pair]
-    text = f'mechanism = "law"\n[law]\nname = "{law}"\n'
+    asked = PAIRS[pair]
+    text = f'mechanism = "law"\n{asked.constants}[law]\nname = "{law}"\n'
     if law == "free":
-        text += f"[free]\ndegree = {degree}\nknots = {knots}\n"
+        text += f"[free]\n{asked.free}\n"
     for name, (low, high, *start) in FAMILIES.get(law, {}).items():
         text += f"[variables.{name}]\nlower = {low}\nupper = {high}\n"
         text += "".join(f"start = {values}\n" for values in start)  # a list's gives its length
-    return text + (f'[objective]\nminimize = "{sought}"\n'
-                   f'[[constraints]]\nresponse = "{bounded}"\nupper = 100\n')
+    return text + (f'[objective]\nminimize = "{asked.sought}"\n'
+                   f'[[constraints]]\nresponse = "{asked.bounded}"\nupper = 100\n')
 
 
 def sweep(program, text, more):
@@ -65,7 +83,7 @@ def sweep(program, text, more):
 
 
 def rows_of_front(program, pair, law, quick):
-    sought, bounded, bounds, _, _ = PAIRS[pair]
+    sought, bounded, bounds = PAIRS[pair].sought, PAIRS[pair].bounded, PAIRS[pair].bounds
     if quick:
         low, step, high = (float(part) for part in bounds.split(":"))
         bounds = f"{low + 2 * step:g},{high:g}"
@@ -81,26 +99,27 @@ def rows_of_front(program, pair, law, quick):
                                       if isinstance(v, (int, float)))}
 
 
-def rows_of_fixed(program):
+def rows_of_fixed(program, pair):
     """The laws of the catalogue from rest to rest as they are."""
-    text = 'mechanism = "law"\nlaw.name = "cycloidal"\n'
-    text += "".join(f'[[objectives]]\nminimize = "{name}"\n' for name in FIXED)
-    answer = sweep(program, text, ["--evaluate", "--set", "law=ends R-R"])
+    asked = PAIRS[pair]
+    text = f'mechanism = "law"\nlaw.name = "cycloidal"\n{asked.constants}'
+    text += "".join(f'[[objectives]]\nminimize = "{name}"\n' for name in (asked.sought, asked.bounded))
+    laws = "ends R-R, continuity >= 2" if asked.smooth else "ends R-R"
+    answer = sweep(program, text, ["--evaluate", "--set", f"law={laws}"])
     for row in answer["combinations"]:
-        for pair, (sought, bounded, _, _, _) in PAIRS.items():
-            value, bound = row[sought], row[bounded]
-            if isinstance(value, (int, float)) and isinstance(bound, (int, float)):
-                yield {"pair": pair, "law": row["law"], "bound": bound, "value": value,
-                       "verdict": "as it is", "parameters": ""}
+        value, bound = row[asked.sought], row[asked.bounded]
+        if isinstance(value, (int, float)) and isinstance(bound, (int, float)):
+            yield {"pair": pair, "law": row["law"], "bound": bound, "value": value,
+                   "verdict": AS_IT_IS, "parameters": ""}
 
 
 def panel(pair, rows, x0, width, height):
     """One chart: fronts as lines, laws as they are as dots, the free law as the limit."""
-    sought, bounded, bounds, _, _ = PAIRS[pair]
+    bounded, bounds = PAIRS[pair].bounded, PAIRS[pair].bounds
     low, _, high = (float(part) for part in bounds.split(":"))
     own = [r for r in rows if r["pair"] == pair and r["value"] is not None
            and low - 1e-9 <= r["bound"] <= high + 1e-9]
-    certified = [r for r in own if r["verdict"] != "as it is"]
+    certified = [r for r in own if r["verdict"] != AS_IT_IS]
     least = min(r["value"] for r in own)
     most = max(2.2 * least, sorted(r["value"] for r in certified)[len(certified) * 3 // 4])
     if least <= 0:
@@ -118,7 +137,7 @@ def panel(pair, rows, x0, width, height):
         parts.append(f'<line x1="{x0 + left}" x2="{x0 + width - 16}" y1="{py(v):.1f}" y2="{py(v):.1f}" '
                      'stroke="#d8dee4"/>')
     parts.append(f'<text x="{x0 + width / 2:.0f}" y="{height - 6}" text-anchor="middle">{bounded}, at most</text>')
-    for law in ["free", *FAMILIES]:
+    for law in ALL:
         line = [r for r in certified if r["law"] == law and r["value"] <= most]
         if not line:
             continue
@@ -127,7 +146,7 @@ def panel(pair, rows, x0, width, height):
         parts.append(f'<polyline points="{points}" fill="none" stroke="{colour}" '
                      f'stroke-width="{2.4 if law == "free" else 1.4}"/>')
     for row in own:
-        if row["verdict"] == "as it is" and row["value"] <= most:
+        if row["verdict"] == AS_IT_IS and row["value"] <= most:
             parts.append(f'<circle cx="{px(row["bound"]):.1f}" cy="{py(row["value"]):.1f}" r="2.4" '
                          f'fill="#57606a"><title>{row["law"]}</title></circle>')
     return parts
@@ -164,7 +183,7 @@ def figure(rows):
         text += "\n".join(panel(pair, rows, 0, width, height)) + "\n</g>\n"
     k = len(pairs)
     text += f'<g transform="translate({k % columns * width + 60} {k // columns * height + 40})">\n'
-    for i, law in enumerate(["free", *FAMILIES]):
+    for i, law in enumerate(ALL):
         colour = "#000" if law == "free" else colours[i - 1]
         text += (f'<line x1="0" x2="26" y1="{i * 20}" y2="{i * 20}" stroke="{colour}" stroke-width="2"/>'
                  f'<text x="34" y="{i * 20 + 4}">{law}</text>\n')
@@ -174,26 +193,53 @@ def figure(rows):
     return text + "</svg>\n"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--camlaw", default=str(ROOT / "build/release/cli/camlaw"))
-    parser.add_argument("--out", default=str(ROOT / "docs/atlas"))
-    parser.add_argument("--only", choices=list(PAIRS), help="one pair of values")
-    parser.add_argument("--quick", action="store_true", help="two bounds of each front")
-    options = parser.parse_args()
-    rows = list(rows_of_fixed(options.camlaw))
-    for pair in [options.only] if options.only else PAIRS:
-        for law in ["free", *FAMILIES]:
-            print(f"{pair}: {law}", file=sys.stderr)
-            rows += rows_of_front(options.camlaw, pair, law, options.quick)
-    out = pathlib.Path(options.out)
-    out.mkdir(parents=True, exist_ok=True)
-    with (out / "atlas.csv").open("w", newline="") as file:
+def read_rows(path):
+    if not path.exists():
+        return []
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row["bound"] = float(row["bound"])
+        row["value"] = float(row["value"]) if row["value"] else None
+    cut_short = {(r["pair"], r["law"]) for r in rows if r["verdict"] == "not done"}
+    return [r for r in rows if (r["pair"], r["law"]) not in cut_short]
+
+
+def write_rows(path, rows):
+    """Whole or not at all, by pair, law and bound."""
+    order = {pair: i for i, pair in enumerate(PAIRS)}
+    rows = sorted(rows, key=lambda r: (order[r["pair"]], r["verdict"] == AS_IT_IS))
+    beside = path.with_suffix(".new")
+    with beside.open("w", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
         writer.writeheader()
         for row in rows:
             writer.writerow({key: f"{value:.9g}" if isinstance(value, float) else value
                              for key, value in row.items()})
+    beside.rename(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--camlaw", default=str(ROOT / "build/release/cli/camlaw"))
+    parser.add_argument("--out", default=str(ROOT / "docs/atlas"))
+    parser.add_argument("--only", choices=list(PAIRS), help="one pair of values")
+    parser.add_argument("--resume", action="store_true", help="keep the fronts that the CSV has")
+    parser.add_argument("--quick", action="store_true", help="two bounds of each front")
+    options = parser.parse_args()
+    out = pathlib.Path(options.out)
+    out.mkdir(parents=True, exist_ok=True)
+    table = out / "atlas.csv"
+    rows = read_rows(table) if options.resume else []
+    for pair in [options.only] if options.only else PAIRS:
+        if not any(r["pair"] == pair and r["verdict"] == AS_IT_IS for r in rows):
+            rows += rows_of_fixed(options.camlaw, pair)
+        for law in PAIRS[pair].laws:
+            if any(r["pair"] == pair and r["law"] == law and r["verdict"] != AS_IT_IS for r in rows):
+                continue
+            print(f"{pair}: {law}", file=sys.stderr, flush=True)
+            rows += rows_of_front(options.camlaw, pair, law, options.quick)
+            write_rows(table, rows)
     if options.quick or options.only:
         return
     (out / "atlas.svg").write_text(figure(rows))

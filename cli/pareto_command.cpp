@@ -12,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/run_limits.h"
+#include "cli/study_file.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
 #include "optim/study/workers.h"
@@ -72,17 +73,6 @@ problems::FrontSettings begun(const ParetoCommand& options, const std::optional<
   return settings;
 }
 
-/// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
-std::optional<std::string> study_file(const ParetoCommand& options) {
-  if (options.db && options.db->empty()) {
-    throw std::invalid_argument("--db: a file's name is wanted");
-  }
-  if (options.db) return options.db;
-  if (options.out) return (fs::path(*options.out) / "study.db").string();
-  if (options.resume) throw std::invalid_argument("--resume: name the study, --db FILE");
-  return {};
-}
-
 std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& path,
                                             const problems::FrontStudy& study, bool resume) {
   if (!path) return {};
@@ -93,10 +83,7 @@ std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& pa
     if (record->settings() != mine) record->put(mine);
     return record;
   }
-  if (const fs::path folder = fs::path(*path).parent_path(); !folder.empty()) {
-    std::error_code ignored;  // the record says what is wrong with the place
-    fs::create_directories(folder, ignored);
-  }
+  make_folder_of(*path);
   return optim::StudyRecord::create(*path, study.settings());
 }
 
@@ -108,16 +95,6 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
   line.show(fmt::format("{} of {} points, {} searches, hypervolume {:.6g}", progress.points,
                         progress.wanted, progress.tasks, progress.hypervolume),
             done);
-}
-
-/// A study that is also one of the files of --out would be written over when it is done.
-void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
-  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
-  for (const fs::path& output : outputs) {
-    if (place(output) != place(study)) continue;
-    throw std::invalid_argument(
-        fmt::format("--db and --out both write '{}'; the study needs another name", study));
-  }
 }
 
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& document,
@@ -154,7 +131,7 @@ int run_pareto(const ParetoCommand& options) {
   const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
-  const auto path = study_file(options);
+  const auto path = study_file(options.db, options.out, options.resume);
   keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
                              begun(options, path, settings_of(options, path)));

@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/run_limits.h"
+#include "cli/study_file.h"
 #include "cli/workers.h"
 #include "optim/study/recorded_executor.h"
 #include "optim/study/workers.h"
@@ -34,7 +35,17 @@ struct SweepCommand {
   bool evaluates = false, cold = false, resume = false, json = false;
 };
 
-problems::SweepSettings settings_of(const SweepCommand& options) {
+/// As asked for; where nothing is, as the study that is gone on with has it.
+problems::SweepSettings settings_of(const SweepCommand& options,
+                                    const std::optional<std::string>& study) {
+  const bool asks =
+      !options.settings.empty() || options.sample || options.evaluates || options.cold;
+  if (!asks && options.resume && study && fs::exists(*study)) {
+    const optim::StudySettings record = optim::StudyRecord::read(*study).settings();
+    if (problems::SweepStudy::is_sweep(record)) {
+      return problems::SweepStudy::of(record).plan().settings();
+    }
+  }
   problems::SweepSettings settings{.evaluates = options.evaluates, .is_cold = options.cold};
   for (const std::string& setting : options.settings) {
     if (auto axis = problems::parse_axis(setting)) {
@@ -64,17 +75,6 @@ problems::SweepSettings settings_of(const SweepCommand& options) {
   return settings;
 }
 
-/// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
-std::optional<std::string> sweep_file(const SweepCommand& options) {
-  if (options.db && options.db->empty()) {
-    throw std::invalid_argument("--db: a file's name is wanted");
-  }
-  if (options.db) return options.db;
-  if (options.out) return (fs::path(*options.out) / "study.db").string();
-  if (options.resume) throw std::invalid_argument("--resume: name the study, --db FILE");
-  return {};
-}
-
 std::optional<optim::StudyRecord> sweep_record(const std::optional<std::string>& path,
                                                const problems::SweepStudy& study, bool resume) {
   if (!path) return {};
@@ -82,10 +82,7 @@ std::optional<optim::StudyRecord> sweep_record(const std::optional<std::string>&
     study.check_same(optim::StudyRecord::read(*path));  // first without a hand on it
     return optim::StudyRecord::open(*path);
   }
-  if (const fs::path folder = fs::path(*path).parent_path(); !folder.empty()) {
-    std::error_code ignored;  // the record says what is wrong with the place
-    fs::create_directories(folder, ignored);
-  }
+  make_folder_of(*path);
   return optim::StudyRecord::create(*path, study.settings());
 }
 
@@ -143,14 +140,15 @@ int run_sweep(const SweepCommand& options) {
   const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
-  const auto path = sweep_file(options);
+  const auto path = study_file(options.db, options.out, options.resume);
   keep_input(options.file);
   problems::SweepStudy study(problems::problem_text(options.file), options.file,
-                             settings_of(options));
+                             settings_of(options, path));
   keep_inputs(study.statement());
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
   const std::vector<fs::path> possible{out / "sweep.json", out / "sweep.csv"};
+  if (path && options.out) keep_apart(*path, possible);
   if (options.out) check_writable(possible);
   study.options().memory = memory_of(options.limits);
   const Interruptible interruptible;

@@ -71,6 +71,7 @@ TEST_CASE("a sweep that is killed goes on where it stood, with any number of wor
   }
   CHECK(told(json_of(sweep({"--json", "--workers", "2", "--db", study, "--resume"}))) == whole);
   CHECK(told(json_of(sweep({"--json", "--db", study, "--resume"}))) == whole);
+  CHECK(told(json_of({"sweep", kProblem, "--json", "--db", study, "--resume"})) == whole);
   CHECK_THAT(
       failed({"sweep", kProblem, "--set", "stroke=20:2:30 mm", "--db", study, "--resume"}, 2),
       Contains("another sweep"));

@@ -48,7 +48,8 @@ report.groupOfRow = (row) => {
   if (row.s === 'open') return 'not done';
   if (row.s === 'passes') return 'passes ' + row.held.join(', ');
   if (row.s !== 'design') return 'no design: ' + (row.why || 'none was found');
-  if (view.tells === 'held') return row.held.length ? 'held by ' + row.held.join(', ') : 'free';
+  if (view.tells === 'held' && sweep.evaluated) return 'meets every limit';
+  if (view.tells === 'held') return row.held.length ? 'held by ' + row.held.join(', ') : 'held by no limit';
   if (view.tells === 'objective') return 'design';
   const name = sweep.names[view.tells];
   return name.values[row.v[view.tells]];
