@@ -153,18 +153,21 @@ def panel(pair, rows, x0, width, height):
 
 
 def nearest_table(rows):
-    """For each pair and bound the free law's least value, and the family nearest to it."""
-    lines = ["| pair | bound | free law | nearest family | its value | more |", "|---|--:|--:|---|--:|--:|"]
+    """For each pair and bound the free spline's least value, and the family nearest to it."""
+    lines = ["| pair | bound | free spline | nearest family | its value | more |",
+             "|---|--:|--:|---|--:|--:|"]
     for pair in PAIRS:
         of_pair = [r for r in rows if r["pair"] == pair and isinstance(r["value"], (int, float))]
         free = {r["bound"]: r["value"] for r in of_pair if r["law"] == "free"}
-        for bound, limit in sorted(free.items()):
+        for bound in sorted({r["bound"] for r in of_pair if r["verdict"] != AS_IT_IS}):
+            limit = free.get(bound)
             others = [r for r in of_pair if r["law"] != "free" and r["bound"] <= bound + 1e-9]
             if not others:
                 continue
             best = min(others, key=lambda r: r["value"])
-            more = f"{100 * (best['value'] / limit - 1):.2f} %" if limit > 1e-9 else "-"
-            lines.append(f"| {pair} | {bound:g} | {limit:.5g} | {best['law']} | {best['value']:.5g} | {more} |")
+            more = f"{100 * (best['value'] / limit - 1):.2f} %" if limit else "-"
+            least = f"{limit:.5g}" if limit else "-"
+            lines.append(f"| {pair} | {bound:g} | {least} | {best['law']} | {best['value']:.5g} | {more} |")
     return "\n".join(lines) + "\n"
 
 
