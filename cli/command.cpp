@@ -10,6 +10,11 @@ Option set_option(std::vector<std::string>& settings) {
           "set a variable or constant: name=value, such as --set 'stroke=30 mm'"};
 }
 
+Option start_option(std::optional<std::string>& result) {
+  return {"--start", &result, takes::kFile,
+          "begin at the design of this result of 'camlaw optimize'"};
+}
+
 Option problem_file(std::string& file) {
   return {.names = "FILE",
           .target = &file,

@@ -18,7 +18,8 @@ namespace camlaw::cli {
 namespace takes {
 inline constexpr const char *kFile = "FILE", *kFolder = "FOLDER", *kLaw = "LAW",
                             *kMechanism = "MECHANISM", *kSolver = "SOLVER", *kSystem = "SYSTEM",
-                            *kNumber = "N", *kSetting = "NAME=VALUE", *kNothing = "";
+                            *kNumber = "N", *kSampling = "METHOD N", *kSetting = "NAME=VALUE",
+                            *kNothing = "";
 }
 
 /// An option or a positional argument.
@@ -60,6 +61,8 @@ struct Command {
 Option json_switch(bool& on);
 /// --set NAME=VALUE, as often as wanted: what problems::set_values takes.
 Option set_option(std::vector<std::string>& settings);
+/// --start RESULT, the design that a search begins with.
+Option start_option(std::optional<std::string>& result);
 /// FILE, the problem file.
 Option problem_file(std::string& file);
 

@@ -19,6 +19,7 @@ Command export_command();
 Command optimize_command();
 Command pareto_command();
 Command front_command();
+Command sweep_command();
 Command synthesize_command();
 Command tolerance_command();
 Command fit_command();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/law_files/law_file.h"
+#include "problems/results/start_settings.h"
 
 namespace camlaw::cli {
 namespace {
@@ -41,6 +42,11 @@ void keep_inputs(const problems::ProblemStatement& statement) {
 
 void keep_inputs(const problems::ReadDesign& read) {
   if (!read.verdict) keep_inputs(read.problem);
+}
+
+void begin_with(problems::ProblemStatement& statement, const std::string& result) {
+  keep_input(result);
+  problems::set_values(statement, problems::start_settings(statement, result));
 }
 
 bool is_input(const fs::path& path) {

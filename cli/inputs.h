@@ -21,6 +21,9 @@ void keep_inputs(const problems::ProblemStatement& statement);
 /// The same of a design's problem, unless the design is of a result, which stands alone.
 void keep_inputs(const problems::ReadDesign& read);
 
+/// Begins a problem at the design of a result, which is an input then.
+void begin_with(problems::ProblemStatement& statement, const std::string& result);
+
 /// Whether a path leads to an input, by whatever name or link.
 bool is_input(const std::filesystem::path& path);
 

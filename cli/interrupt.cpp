@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/interrupt.h"
 
+#include <sys/time.h>
+
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 
 namespace camlaw::cli {
@@ -25,7 +29,20 @@ Interruptible::Interruptible() {
   for (const int number : {SIGINT, SIGTERM}) std::signal(number, ask_to_stop);
 }
 
+void Interruptible::ask_after(double seconds) const {
+  std::signal(SIGALRM, ask_again);
+  const double whole = std::floor(seconds);
+  constexpr double kMicroseconds = 1e6;
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec =
+      std::max<suseconds_t>(1, static_cast<suseconds_t>((seconds - whole) * kMicroseconds));
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
 Interruptible::~Interruptible() {
+  const itimerval none{};
+  setitimer(ITIMER_REAL, &none, nullptr);
   for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
 }
 

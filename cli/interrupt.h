@@ -14,6 +14,8 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
   ~Interruptible();
   const std::atomic<bool>* flag() const;
+  /// Asks by itself once so many seconds have passed, by SIGALRM.
+  void ask_after(double seconds) const;
 };
 
 /// From now on a request to end sets the flag, however often it comes: of a process whose parent

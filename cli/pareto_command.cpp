@@ -11,10 +11,11 @@
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/ranks.h"
 #include "cli/run_limits.h"
+#include "cli/study_file.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
-#include "optim/crew/mpi_ranks.h"
 #include "optim/study/workers.h"
 #include "output/answers/front_output.h"
 #include "output/answers/next_step.h"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 
 struct ParetoCommand {
   std::string file;
-  std::optional<std::string> method, points, workers, executor, db, out;
+  std::optional<std::string> method, points, workers, executor, db, out, start;
   RunLimits limits;
   std::vector<std::string> settings;
   bool resume = false, json = false;
@@ -59,15 +60,18 @@ problems::FrontSettings settings_of(const ParetoCommand& options,
   return settings;
 }
 
-/// The study's file: as asked for, else in the folder of --out; none: nothing is recorded.
-std::optional<std::string> study_file(const ParetoCommand& options) {
-  if (options.db && options.db->empty()) {
-    throw std::invalid_argument("--db: a file's name is wanted");
-  }
-  if (options.db) return options.db;
-  if (options.out) return (fs::path(*options.out) / "study.db").string();
-  if (options.resume) throw std::invalid_argument("--resume: name the study, --db FILE");
-  return {};
+/// With the settings that begin the study at the design of --start.
+/// One that is gone on with has them already.
+problems::FrontSettings begun(const ParetoCommand& options, const std::optional<std::string>& study,
+                              problems::FrontSettings settings) {
+  const bool has_them = options.resume && study && fs::exists(*study) && options.settings.empty();
+  if (!options.start || has_them) return settings;
+  problems::ProblemStatement statement =
+      problems::read_problem(problems::problem_text(options.file), options.file);
+  problems::set_values(statement, settings.set);
+  begin_with(statement, *options.start);
+  settings.set = statement.settings;
+  return settings;
 }
 
 std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& path,
@@ -80,10 +84,7 @@ std::optional<optim::StudyRecord> record_of(const std::optional<std::string>& pa
     if (record->settings() != mine) record->put(mine);
     return record;
   }
-  if (const fs::path folder = fs::path(*path).parent_path(); !folder.empty()) {
-    std::error_code ignored;  // the record says what is wrong with the place
-    fs::create_directories(folder, ignored);
-  }
+  make_folder_of(*path);
   return optim::StudyRecord::create(*path, study.settings());
 }
 
@@ -97,16 +98,6 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
             done);
 }
 
-/// A study that is also one of the files of --out would be written over when it is done.
-void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
-  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
-  for (const fs::path& output : outputs) {
-    if (place(output) != place(study)) continue;
-    throw std::invalid_argument(
-        fmt::format("--db and --out both write '{}'; the study needs another name", study));
-  }
-}
-
 std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& document,
                                     const fs::path& out) {
   std::vector<OutputFile> files{{out / "front.json", json_text(document)}};
@@ -117,50 +108,12 @@ std::vector<OutputFile> front_files(const FrontAnswer& answer, const Document& d
   return files;
 }
 
-/// The ranks that mpirun has started, where the searches are theirs; null: they are of processes of
-/// this machine.
-std::unique_ptr<optim::MpiRanks> ranks_of(const ParetoCommand& options) {
-  const std::string executor = options.executor.value_or("processes");
-  if (executor == "processes") return nullptr;
-  if (executor != "mpi") {
-    throw std::invalid_argument(
-        fmt::format("--executor: '{}' is neither processes nor mpi", executor));
-  }
-  if (options.workers) {
-    throw std::invalid_argument("--workers: with --executor mpi, mpirun says how many there are");
-  }
-  if (options.limits.time_limit) {
-    throw std::invalid_argument(
-        "--time-limit: not with --executor mpi; interrupt mpirun in its place, and what is "
-        "recorded "
-        "stays (--db, --resume)");
-  }
-  return std::make_unique<optim::MpiRanks>();
-}
-
-/// Searches by the ranks of MPI.
-class RankExecutor final : public optim::Executor {
- public:
-  RankExecutor(const problems::FrontStudy& study, optim::MpiRanks& ranks)
-      : force_(ranks), tasks_(study.space(), study.options().solve, force_) {
-    ranks.give(problems::worker_program(study).problem);
-  }
-  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
-                                  const optim::OnOutcome& on_outcome) override {
-    return tasks_.run(tasks, on_outcome);
-  }
-  std::string remark() const override { return force_.remark(); }
-
- private:
-  optim::ParcelForce force_;
-  optim::WorkforceExecutor tasks_;
-};
-
 std::unique_ptr<optim::Executor> executor_of(const problems::FrontStudy& study, int count,
                                              optim::MpiRanks* ranks) {
-  if (ranks != nullptr) return std::make_unique<RankExecutor>(study, *ranks);
-  return std::make_unique<optim::ProcessExecutor>(study.space(), study.options().solve, count,
-                                                  problems::worker_program(study));
+  const optim::WorkerProgram program = problems::worker_program(study);
+  const optim::OptimiseOptions& solve = study.options().solve;
+  if (ranks != nullptr) return std::make_unique<RankExecutor>(program.problem, solve, *ranks);
+  return std::make_unique<optim::ProcessExecutor>(study.space(), solve, count, program);
 }
 
 /// The front, and what of the record was not believed and has been solved again.
@@ -183,18 +136,15 @@ problems::StoredFront look(problems::FrontStudy& study, std::optional<optim::Stu
 
 int run_pareto(const ParetoCommand& options) {
   const auto began = std::chrono::steady_clock::now();
-  const auto ranks = ranks_of(options);
-  if (ranks && ranks->rank() > 0) {
-    ranks->serve(problems::service_of_worker);
-    return 0;
-  }
+  const auto ranks = ranks_of(options.executor, options.workers);
+  if (has_served(ranks.get())) return kDone;
   const auto limit = time_limit_of(options.limits);
   check_folder(options.out);
   const int wanted = workers_of(options.workers);  // refused before anything is written
-  const auto path = study_file(options);
+  const auto path = study_file(options.db, options.out, options.resume);
   keep_input(options.file);
   problems::FrontStudy study(problems::problem_text(options.file), options.file,
-                             settings_of(options, path));
+                             begun(options, path, settings_of(options, path)));
   keep_inputs(study.bound().statement());
   if (path && options.resume) keep_input(*path);
   const fs::path out = options.out.value_or("");
@@ -222,8 +172,12 @@ int run_pareto(const ParetoCommand& options) {
     return status_of(front);
   };
   if (!limit) return work(nullptr);
-  // The searches of a study end where its process is asked to; what is recorded stays.
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began;
+  if (ranks) {  // no copy of this process could speak to the others
+    interruptible.ask_after(std::max(0.0, *limit - spent.count()));
+    return work(nullptr);
+  }
+  // The searches of a study end where its process is asked to; what is recorded stays.
   const Watch watch{limit, spent.count(), interruptible.flag()};
   const auto ended = watched(watch, [&](const Teller& teller) { return work(&teller); });
   if (const int* status = std::get_if<int>(&ended)) return *status;
@@ -240,13 +194,13 @@ Command pareto_command() {
       .help = "Find the front of a problem file with two objectives or more",
       .options = {problem_file(options->file),
                   set_option(options->settings),
+                  start_option(options->start),
                   {"--points", &options->points, takes::kNumber,
                    "how many designs, 50 unless stated"},
                   {"--method", &options->method, "{auto,sweep,nsga2}",
                    "auto, sweep (searches by gradients) or nsga2, polished by gradients"},
                   workers_option(options->workers),
-                  {"--executor", &options->executor, "{processes,mpi}",
-                   "who searches: processes of this machine, or the ranks that mpirun has started"},
+                  executor_option(options->executor),
                   {"--db", &options->db, takes::kFile, "record the study in this file"},
                   {"--resume", &options->resume, takes::kNothing,
                    "go on with the study of --db; what is damaged or wrong in it is solved again"},

@@ -16,6 +16,7 @@
 #include "output/report/report.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/results/recorded_design.h"
+#include "problems/sweeps/stored_sweep.h"
 
 namespace camlaw::cli {
 namespace {
@@ -57,8 +58,19 @@ JudgedPage design_page(const std::string& input, const std::vector<std::string>&
       status_of(review)};
 }
 
+JudgedPage sweep_page(optim::StudyRecord& record, const std::string& file) {
+  const problems::SweepStudy study = problems::SweepStudy::of(record.settings());
+  keep_inputs(study.statement());
+  const problems::StoredSweep stored = problems::stored_sweep(study, record);
+  SweepAnswer answer(study, stored.sweep);
+  answer.notes = stored.notes;
+  for (const std::string& note : stored.notes) warn(fmt::format("{}: {}", file, note));
+  return {sweep_report(answer, file), stored.faults.empty() ? kDone : kNotSolved};
+}
+
 JudgedPage study_page(const std::string& file) {
   optim::StudyRecord record = optim::StudyRecord::read(file);
+  if (problems::SweepStudy::is_sweep(record.settings())) return sweep_page(record, file);
   const problems::FrontStudy study = problems::FrontStudy::of(record);
   keep_inputs(study.bound().statement());
   const problems::StoredFront stored = problems::stored_front(study, record);
@@ -115,22 +127,24 @@ int run_report(const ReportOptions& options) {
 
 Command report_command() {
   const auto options = std::make_shared<ReportOptions>();
-  return {.name = "report",
-          .help = "Write a page for the browser about a design or a front: one HTML file",
-          .options = {{.names = "INPUT",
-                       .target = &options->input,
-                       .takes = takes::kFile,
-                       .help = "a problem file (.toml), at its own values, a result of 'camlaw "
-                               "optimize' (.json) or a study of 'camlaw pareto' (.db)",
-                       .required = true},
-                      set_option(options->settings),
-                      {"-o,--out", &options->output, takes::kFile,
-                       "the HTML file; else beside the input, under its name"}},
-          .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
-                        "the design at the file's own values, on one page"},
-                       {"camlaw report results/front/study.db -o front.html",
-                        "the front of a study, after 'camlaw pareto'"}},
-          .run = [options] { return run_report(*options); }};
+  return {
+      .name = "report",
+      .help = "Write a page for the browser about a design, a front or a sweep: one HTML file",
+      .options = {{.names = "INPUT",
+                   .target = &options->input,
+                   .takes = takes::kFile,
+                   .help =
+                       "a problem file (.toml), at its own values, a result of 'camlaw "
+                       "optimize' (.json) or a study of 'camlaw pareto' or 'camlaw sweep' (.db)",
+                   .required = true},
+                  set_option(options->settings),
+                  {"-o,--out", &options->output, takes::kFile,
+                   "the HTML file; else beside the input, under its name"}},
+      .examples = {{"camlaw report problems/cams/roller_least_base.toml -o cam.html",
+                    "the design at the file's own values, on one page"},
+                   {"camlaw report results/front/study.db -o front.html",
+                    "the front of a study, after 'camlaw pareto'"}},
+      .run = [options] { return run_report(*options); }};
 }
 
 }  // namespace camlaw::cli

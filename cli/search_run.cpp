@@ -185,6 +185,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
   problems::ProblemStatement statement = problems::read_problem_file(options.file);
   keep_inputs(statement);
   problems::set_values(statement, options.settings);
+  if (options.start) begin_with(statement, *options.start);
   command.check(statement);
   const problems::BoundProblem bound(std::move(statement));
   const optim::ProblemSpace space = bound.space();
@@ -249,6 +250,7 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
 std::vector<Option> search_options(SearchOptions& options, const std::string& files) {
   return {problem_file(options.file),
           set_option(options.settings),
+          start_option(options.start),
           {"--solver", &options.solver, takes::kSolver,
            fmt::format("auto, {}", fmt::join(optim::solver_names(), ", "))},
           {"--starts", &options.starts, takes::kNumber,

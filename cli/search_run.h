@@ -18,7 +18,7 @@ namespace camlaw::cli {
 
 struct SearchOptions {
   std::string file;
-  std::optional<std::string> solver, out, starts, seed, workers;
+  std::optional<std::string> solver, out, starts, seed, workers, start;
   RunLimits limits;
   std::vector<std::string> settings;
   bool json = false;

@@ -10,6 +10,7 @@
 #include "optim/crew/bytes.h"
 #include "problems/fronts/problem_settings.h"
 #include "problems/fronts/study_worker.h"
+#include "problems/sweeps/sweep_worker.h"
 
 namespace camlaw::optim {
 
@@ -167,7 +168,9 @@ std::string fits_of(const std::string& versions) {
 optim::WorkerProgram law_fit_program() { return {worker_path(), fits_of(problem_versions())}; }
 
 optim::Service service_of_worker_or_fits(const std::string& problem) {
-  return problem == fits_of(problem_versions()) ? law_fit_service({}) : service_of_worker(problem);
+  if (problem == fits_of(problem_versions())) return law_fit_service({});
+  if (auto sweep = service_of_sweep(problem)) return *sweep;
+  return service_of_worker(problem);
 }
 
 }  // namespace camlaw::problems

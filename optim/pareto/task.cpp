@@ -298,17 +298,21 @@ Outcome carry_out(const Task& task, const ProblemSpace& space, const OptimiseOpt
   return search(task, multi, own);
 }
 
-Outcome carry_out_safely(const Task& task, const ProblemSpace& space,
-                         const OptimiseOptions& options) {
+Outcome safely(const std::function<Outcome()>& work) {
   Outcome failed;
   try {
-    return plain(carry_out(task, space, options));
+    return plain(work());
   } catch (const std::exception& error) {
     failed.failure = error.what();
   } catch (...) {
     failed.failure = "the model threw something that is not a std::exception";
   }
   return failed;
+}
+
+Outcome carry_out_safely(const Task& task, const ProblemSpace& space,
+                         const OptimiseOptions& options) {
+  return safely([&] { return carry_out(task, space, options); });
 }
 
 std::vector<Outcome> DirectExecutor::run(const std::vector<Task>& tasks,

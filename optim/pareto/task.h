@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 #include "optim/problem/problem.h"
@@ -111,6 +112,10 @@ class DirectExecutor final : public Executor {
   const ProblemSpace& space_;
   const OptimiseOptions& options_;
 };
+
+/// What is thrown on the way becomes the outcome's failure. Numbers are as a record keeps them: zero
+/// has no sign, and there is one NaN.
+Outcome safely(const std::function<Outcome()>& work);
 
 /// A task carried out; what is thrown on the way becomes the outcome's failure. Numbers are as a
 /// record keeps them: zero has no sign, and there is one NaN.

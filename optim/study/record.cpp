@@ -279,6 +279,10 @@ std::optional<Outcome> StudyRecord::find(const Task& task, const Problem& proble
   });
 }
 
+std::optional<Outcome> StudyRecord::find(const Task& task) const {
+  return reading([&](StudyTables& tables) { return tables.find(task.text(), task.part); });
+}
+
 std::optional<std::int64_t> StudyRecord::number(const Task& task) const {
   return file_->tables().number(task.text());
 }

@@ -49,6 +49,8 @@ class StudyRecord {
   /// `problem` is that of the task's part. Throws std::invalid_argument where the file cannot be
   /// read.
   std::optional<Outcome> find(const Task& task, const Problem& problem) const;
+  /// The same, whatever problem its designs are of.
+  std::optional<Outcome> find(const Task& task) const;
   /// The number of the task's row, by which it is named.
   std::optional<std::int64_t> number(const Task& task) const;
   /// Tasks whose rows are not as they were written, as far as was looked, by number.

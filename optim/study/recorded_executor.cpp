@@ -4,26 +4,42 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
+#include <utility>
+
 #include "optim/pareto/judged_again.h"
 
 namespace camlaw::optim {
 
 RecordedExecutor::RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others)
-    : space_(space), record_(record), others_(others) {
-  const std::vector<std::int64_t> damaged = record.damaged();
-  for (const std::int64_t task : damaged) faults_[task] = {task, true, ""};
-  if (others != nullptr) record.forget(damaged);
+    : space_(&space), record_(record), others_(others) {
+  forget_damaged();
 }
 
-const Problem& RecordedExecutor::problem(std::size_t part) {
+RecordedExecutor::RecordedExecutor(ProblemOf problem, StudyRecord& record, Executor* others)
+    : problem_of_(std::move(problem)), record_(record), others_(others) {
+  forget_damaged();
+}
+
+void RecordedExecutor::forget_damaged() {
+  const std::vector<std::int64_t> damaged = record_.damaged();
+  for (const std::int64_t task : damaged) faults_[task] = {task, true, ""};
+  if (others_ != nullptr) record_.forget(damaged);
+}
+
+const Problem& RecordedExecutor::problem(std::size_t part, const Outcome& outcome) {
+  if (space_ == nullptr) {
+    last_ = outcome.points.empty() ? Problem{} : problem_of_(part, outcome.points.front().x);
+    return last_;
+  }
   const auto known = problems_.find(part);
   if (known != problems_.end()) return known->second;
-  return problems_.emplace(part, space_.problem(space_.options(part))).first->second;
+  return problems_.emplace(part, space_->problem(space_->options(part))).first->second;
 }
 
 std::string RecordedExecutor::why_wrong(const Outcome& outcome, std::size_t part) {
   for (const FrontPoint& point : outcome.points) {
-    const std::vector<std::string> all = differences(problem(part), point);
+    const std::vector<std::string> all = differences(problem(part, outcome), point);
     if (!all.empty()) return fmt::format("{}", fmt::join(all, "; "));
   }
   return {};
@@ -31,7 +47,8 @@ std::string RecordedExecutor::why_wrong(const Outcome& outcome, std::size_t part
 
 /// What a scout found is where to look, not an answer: it is taken as it is.
 std::optional<Outcome> RecordedExecutor::find(const Task& task) {
-  std::optional<Outcome> outcome = record_.find(task, problem(task.part));
+  std::optional<Outcome> outcome =
+      space_ == nullptr ? record_.find(task) : record_.find(task, problem(task.part, {}));
   if (!outcome) {
     for (const std::int64_t number : record_.damaged()) {
       faults_.try_emplace(number, RecordFault{number, true, ""});
@@ -64,7 +81,7 @@ std::vector<Outcome> RecordedExecutor::run(const std::vector<Task>& tasks,
   std::vector<Outcome> fresh;
   if (others_ != nullptr && !missing.empty()) {
     fresh = others_->run(missing, [&](const Task& task, const Outcome& outcome) {
-      record_.add(task, outcome, problem(task.part));
+      record_.add(task, outcome, problem(task.part, outcome));
       if (on_outcome) on_outcome(task, outcome);
     });
   }
@@ -85,7 +102,7 @@ std::vector<RecordFault> RecordedExecutor::faults() const {
 
 std::vector<Outcome> RecordedExecutor::believed() {
   std::vector<Outcome> result;
-  const std::size_t parts = space_.parts();
+  const std::size_t parts = space_ == nullptr ? SIZE_MAX : space_->parts();
   for (RecordedTask& task : record_.whole()) {
     if (is_scout(task.text) || faults_.contains(task.number)) continue;
     const std::string why = task.part < parts ? why_wrong(task.outcome, task.part)

@@ -20,6 +20,10 @@ struct RecordFault {
 class RecordedExecutor final : public Executor {
  public:
   RecordedExecutor(const ProblemSpace& space, StudyRecord& record, Executor* others);
+  /// The same of tasks whose problem each design tells: that of a part and a design as they are
+  /// recorded.
+  using ProblemOf = std::function<Problem(std::size_t part, Design x)>;
+  RecordedExecutor(ProblemOf problem, StudyRecord& record, Executor* others);
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return others_ == nullptr ? "" : others_->remark(); }
 
@@ -29,15 +33,19 @@ class RecordedExecutor final : public Executor {
   std::vector<Outcome> believed();
 
  private:
-  const Problem& problem(std::size_t part);
+  void forget_damaged();
+  /// Of the designs of a task.
+  const Problem& problem(std::size_t part, const Outcome& outcome);
   /// Why an outcome is not believed; empty where it is.
   std::string why_wrong(const Outcome& outcome, std::size_t part);
   std::optional<Outcome> find(const Task& task);
 
-  const ProblemSpace& space_;
+  const ProblemSpace* space_ = nullptr;  ///< null: problem_of_ tells
+  ProblemOf problem_of_ = {};
   StudyRecord& record_;
   Executor* others_;
-  std::map<std::size_t, Problem> problems_;  ///< of each part that was met
+  std::map<std::size_t, Problem> problems_;  ///< of each part of the space that was met
+  Problem last_ = {};                        ///< that problem_of_ told
   std::map<std::int64_t, RecordFault> faults_;
 };
 

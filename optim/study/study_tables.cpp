@@ -150,9 +150,11 @@ void StudyTables::add(const Task& task, const Outcome& outcome, const Problem& p
   }
   Entry entry{write_rows(base_, task, outcome, problem), text};
   all.commit();
-  std::erase_if(entries_, [&](const Entry& other) { return other.text == text; });
+  const auto replaced =
+      std::erase_if(entries_, [&](const Entry& other) { return other.text == text; });
   entries_.push_back(std::move(entry));
-  place();
+  if (replaced > 0) return place();
+  places_[text] = entries_.size() - 1;  // of a study of 10^4 tasks the others stay as they are
 }
 
 void StudyTables::place() {

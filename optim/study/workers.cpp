@@ -64,32 +64,44 @@ class Tasks final : public Errands {
 
 }  // namespace
 
-Service study_service(ProblemSpace space) {
-  return [space = std::move(space)](const std::string& bytes,
-                                    const Bench& bench) -> std::optional<std::string> {
+Service task_service(CarryOut carry_out) {
+  return [carry_out = std::move(carry_out)](const std::string& bytes,
+                                            const Bench& bench) -> std::optional<std::string> {
     auto order = decoded_order(bytes);
     if (!order) return "";
     order->options.stop = bench.stop;
-    return encoded(carry_out_safely(order->task, space, order->options));
+    return encoded(carry_out(order->task, order->options));
   };
+}
+
+Service study_service(ProblemSpace space) {
+  return task_service([space = std::move(space)](const Task& task, const OptimiseOptions& options) {
+    return carry_out_safely(task, space, options);
+  });
 }
 
 std::vector<Outcome> WorkforceExecutor::run(const std::vector<Task>& tasks,
                                             const OnOutcome& on_outcome) {
   Tasks errands(tasks, options_, on_outcome);
-  force_.run(errands, study_service(space_));
+  force_.run(errands, {});
   return errands.in_order();
 }
 
 ProcessExecutor::ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options,
                                  int workers, std::optional<WorkerProgram> program)
-    : space_(space),
+    : ProcessExecutor(study_service(space), options, workers, std::move(program)) {}
+
+ProcessExecutor::ProcessExecutor(Service service, const OptimiseOptions& options, int workers,
+                                 std::optional<WorkerProgram> program)
+    : service_(std::move(service)),
       options_(options),
       crew_({.workers = workers, .program = std::move(program), .at_once = true}) {}
 
 std::vector<Outcome> ProcessExecutor::run(const std::vector<Task>& tasks,
                                           const OnOutcome& on_outcome) {
-  return WorkforceExecutor(space_, options_, crew_).run(tasks, on_outcome);
+  Tasks errands(tasks, options_, on_outcome);
+  crew_.run(errands, service_);
+  return errands.in_order();
 }
 
 }  // namespace camlaw::optim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,18 +12,18 @@
 /// Searches of a front in processes side by side.
 namespace camlaw::optim {
 
-/// Hands tasks to a workforce. The outcomes are those of DirectExecutor to the last bit.
+/// Hands tasks to workers that know by themselves how one is carried out (parcels.h). The outcomes
+/// are those of DirectExecutor to the last bit.
 class WorkforceExecutor final : public Executor {
  public:
   /// All are referred to.
-  WorkforceExecutor(const ProblemSpace& space, const OptimiseOptions& options, Workforce& force)
-      : space_(space), options_(options), force_(force) {}
+  WorkforceExecutor(const OptimiseOptions& options, Workforce& force)
+      : options_(options), force_(force) {}
 
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return force_.remark(); }
 
  private:
-  const ProblemSpace& space_;
   const OptimiseOptions& options_;
   Workforce& force_;
 };
@@ -36,17 +37,25 @@ class ProcessExecutor final : public Executor {
   /// Throws std::invalid_argument for no workers at all.
   ProcessExecutor(const ProblemSpace& space, const OptimiseOptions& options, int workers,
                   std::optional<WorkerProgram> program = {});
+  /// The same of tasks that `service` carries out (task_service).
+  ProcessExecutor(Service service, const OptimiseOptions& options, int workers,
+                  std::optional<WorkerProgram> program = {});
 
   std::vector<Outcome> run(const std::vector<Task>& tasks, const OnOutcome& on_outcome) override;
   std::string remark() const override { return crew_.remark(); }
 
  private:
-  const ProblemSpace& space_;
+  Service service_;
   const OptimiseOptions& options_;
   Crew crew_;
 };
 
-/// What a worker does for a study: orders are tasks (encoding.h). Holds the space.
+/// What becomes of a task.
+using CarryOut = std::function<Outcome(const Task&, const OptimiseOptions&)>;
+
+/// What a worker does for a study: orders are tasks (encoding.h).
+Service task_service(CarryOut carry_out);
+/// The same of the tasks of a space, which it holds.
 Service study_service(ProblemSpace space);
 
 }  // namespace camlaw::optim

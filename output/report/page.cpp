@@ -10,6 +10,7 @@
 #include "output/report/assets/page.js.h"
 #include "output/report/assets/plots.js.h"
 #include "output/report/assets/report.css.h"
+#include "output/report/assets/sweep.js.h"
 
 namespace camlaw::cli {
 namespace {
@@ -52,7 +53,7 @@ std::string scripts(const ReportPage& page) {
   std::string text =
       fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n", island(page.data));
   for (const std::string_view script :
-       {data::chart_js, data::plots_js, data::motion_js, data::front_js, data::page_js}) {
+       {data::chart_js, data::plots_js, data::motion_js, data::front_js, data::sweep_js, data::page_js}) {
     text += fmt::format("<script>\n{}</script>\n", script);
   }
   return text;

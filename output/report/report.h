@@ -6,6 +6,7 @@
 #include "output/answers/claim_output.h"
 #include "output/answers/front_answer.h"
 #include "output/answers/search_facts.h"
+#include "output/answers/sweep_answer.h"
 #include "output/report/page.h"
 #include "problems/published/table/reproduction.h"
 #include "problems/results/recorded_design.h"
@@ -27,6 +28,9 @@ ReportPage design_report(const ReportedDesign& reported);
 
 /// A front with the curves of its designs, of which two can be compared.
 ReportPage front_report(const FrontAnswer& answer, const std::string& file);
+
+/// A sweep with its map: which choice is best where, contours, what holds the designs.
+ReportPage sweep_report(const SweepAnswer& answer, const std::string& file);
 
 /// Published tables beside what the program computes.
 ReportPage reproduction_report(const std::vector<problems::SystemReproduction>& results);

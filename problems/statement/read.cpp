@@ -27,7 +27,11 @@ void read_motion(const Entry& file, ProblemStatement& problem, FixedNames& fixed
 }
 
 ProblemStatement read_problem(std::string_view toml, const std::string& source, HeldFiles known) {
-  const Entry file = parse_toml(toml, source);
+  return read_entries(parse_toml(toml, source), toml, source, std::move(known));
+}
+
+ProblemStatement read_entries(const Entry& file, std::string_view toml, const std::string& source,
+                              HeldFiles known) {
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }

@@ -35,6 +35,9 @@ struct StatedParameter {
 };
 StatedParameter stated_parameter(const Entry& file, const MechanismParameter& parameter);
 
+/// The problem of a file's entries, which were read from `toml`.
+ProblemStatement read_entries(const Entry& file, std::string_view toml, const std::string& source,
+                              HeldFiles known);
 void read_title(const Entry& file, ProblemStatement& problem);
 /// Its mechanism, with the responses that the file states.
 void read_mechanism(const Entry& file, ProblemStatement& problem);

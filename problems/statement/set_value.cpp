@@ -16,6 +16,8 @@
 #include "problems/statement/law_rooms.h"
 #include "problems/statement/parameters.h"
 #include "problems/statement/parts.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/restated.h"
 
 namespace camlaw::problems {
 namespace {
@@ -213,15 +215,23 @@ void set_bound(ProblemStatement& problem, const Bound& bound, std::string_view n
   if (!is_set) refuse_name("no limit is called", name, known);
 }
 
-/// "blades=21", without a look at whether the laws are possible.
-void assign(ProblemStatement& problem, std::string_view assignment) {
+struct Assignment {
+  std::string_view name, text;
+};
+
+Assignment taken_apart(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string_view name = trimmed(assignment.substr(0, equals));
   if (equals == std::string_view::npos || name.empty()) {
     throw std::invalid_argument(
         fmt::format("'{}' sets nothing; write name=value, such as stroke=30 mm", assignment));
   }
-  const std::string_view text = trimmed(assignment.substr(equals + 1));
+  return {name, trimmed(assignment.substr(equals + 1))};
+}
+
+/// "blades=21", without a look at whether the laws are possible.
+void assign(ProblemStatement& problem, std::string_view assignment) {
+  const auto [name, text] = taken_apart(assignment);
   if (const BuildableInput* input = find_input(*problem.mechanism, name)) {
     const std::string& stated = input->name;
     problem.buildable.inputs[stated] =
@@ -249,11 +259,71 @@ void assign(ProblemStatement& problem, std::string_view assignment) {
   }
 }
 
+/// Begins at the design of another statement of the same file, as far as it has what varies; where
+/// that has chosen among the laws of the file, at its law.
+void begin_at(ProblemStatement& problem, const ProblemStatement& design,
+              const ProblemStatement& plain) {
+  for (const PartStatement& part : design.parts) {
+    const PartStatement* own = find_part(problem, part.name);
+    if (own == nullptr || part.is_chosen() || !own->is_chosen()) continue;
+    keep_item(problem, part.name, item_named(*own, part.items.front().name));
+  }
+  const bool is_chosen = plain.chooses_law() && !design.chooses_law() && problem.chooses_law();
+  const auto same = std::find_if(problem.laws.begin(), problem.laws.end(), [&](const Member& law) {
+    return is_chosen && law.family->name == design.laws.front().family->name;
+  });
+  if (same != problem.laws.end()) problem.laws = std::vector<Member>{*same};
+  for (VariableStatement& variable : problem.variables) {
+    for (const VariableStatement& other : design.variables) {
+      if (other.name != variable.name || why_not(variable, other.start)) continue;
+      const NamedParameter parameter =
+          find_parameter(problem, variable.of_law ? variable.law_parameter : variable.name,
+                         variable.of_law ? Owner::Law : Owner::Machine);
+      variable.start = other.start;
+      put_value(problem, parameter, variable.element, variable.start);
+    }
+  }
+}
+
+/// Reads the problem anew with what only its file can say, of what was set before and now, and sets
+/// the rest of both.
+void read_anew(ProblemStatement& problem, std::span<const std::string> assignments) {
+  Entry file = parse_toml(problem.text, problem.source);
+  const ProblemStatement plain = read_entries(file, problem.text, problem.source, problem.files);
+  const auto restated = [&](std::span<const std::string> all) {
+    std::vector<std::string> left;
+    for (const std::string& assignment : all) {
+      const auto [name, text] = taken_apart(assignment);
+      if (is_of_file(plain, name)) {
+        restate(file, plain, name, text, assignment);
+      } else {
+        left.push_back(assignment);
+      }
+    }
+    return left;
+  };
+  const std::vector<std::string> before = restated(problem.settings), now = restated(assignments);
+  ProblemStatement fresh = read_entries(file, problem.text, problem.source, problem.files);
+  fresh.stop = problem.stop;
+  for (const std::string& assignment : before) assign(fresh, assignment);
+  begin_at(fresh, problem, plain);
+  for (const std::string& assignment : now) assign(fresh, assignment);
+  fresh.settings = std::move(problem.settings);
+  problem = std::move(fresh);
+}
+
 }  // namespace
 
 void set_values(ProblemStatement& problem, std::span<const std::string> assignments) {
   ProblemStatement changed = problem;  // which stays as it is where a value is refused
-  for (const std::string& assignment : assignments) assign(changed, assignment);
+  const bool is_restated = std::any_of(
+      assignments.begin(), assignments.end(),
+      [&](const std::string& one) { return is_of_file(problem, taken_apart(one).name); });
+  if (is_restated) {
+    read_anew(changed, assignments);
+  } else {
+    for (const std::string& assignment : assignments) assign(changed, assignment);
+  }
   check_laws(changed);  // values that are possible together only come together
   check_advancing_cycle(changed);
   limit_to_checks(changed);

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "problems/fronts/study_worker.h"
+#include "fitting/motions/law_fit_service.h"
 #include "python/bindings/module.h"
 
 namespace camlaw::python {
@@ -19,7 +19,7 @@ namespace {
 class Desk {
  public:
   explicit Desk(const nb::bytes& problem)
-      : service_(problems::service_of_worker({problem.c_str(), problem.size()})) {}
+      : service_(problems::service_of_worker_or_fits({problem.c_str(), problem.size()})) {}
 
   /// The answers, one for each order. Other threads of Python go on meanwhile.
   nb::list carry_out(const nb::list& orders) const {

@@ -87,7 +87,7 @@ class CarriedExecutor final : public optim::Executor {
   CarriedExecutor(const FrontStudy& study, nb::handle carrier)
       : transport_(carrier),
         force_(transport_),
-        tasks_(study.space(), study.options().solve, force_) {}
+        tasks_(study.options().solve, force_) {}
   std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
                                   const optim::OnOutcome& on_outcome) override {
     return tasks_.run(tasks, on_outcome);

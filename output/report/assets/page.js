@@ -11,6 +11,7 @@ report.recolour = () => {
   document.querySelectorAll('.cursor').forEach((cursor) => cursor.remove());
   document.querySelectorAll('figure.plot').forEach(report.plot);
   document.querySelectorAll('figure.front').forEach(report.drawFront);
+  report.drawSweep();
   report.goTo(report.place);
 };
 
@@ -33,6 +34,7 @@ report.start = () => {
   document.querySelectorAll('figure.plot').forEach(report.plot);
   report.startMotion();
   report.startFront();
+  report.startSweep();
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', report.recolour);
   window.addEventListener('beforeprint', () => report.print(true));
   window.addEventListener('afterprint', () => report.print(false));

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "cli/study_file.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <system_error>
+
+namespace camlaw::cli {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> study_file(const std::optional<std::string>& db,
+                                      const std::optional<std::string>& out, bool resume) {
+  if (db && db->empty()) throw std::invalid_argument("--db: a file's name is wanted");
+  if (db) return db;
+  if (out) return (fs::path(*out) / "study.db").string();
+  if (resume) throw std::invalid_argument("--resume: name the study, --db FILE");
+  return {};
+}
+
+void keep_apart(const std::string& study, const std::vector<fs::path>& outputs) {
+  const auto place = [](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  for (const fs::path& output : outputs) {
+    if (place(output) != place(study)) continue;
+    throw std::invalid_argument(
+        fmt::format("--db and --out both write '{}'; the study needs another name", study));
+  }
+}
+
+void make_folder_of(const std::string& study) {
+  const fs::path folder = fs::path(study).parent_path();
+  if (folder.empty()) return;
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/results/recorded_design.h"
+
+namespace camlaw::problems {
+
+/// What set_values takes so that a search for `problem` begins at a design that was found for this
+/// or another problem: the numbers of the variables and the parts that both know, each moved onto
+/// what this problem accepts. What the design does not know stays as it is. Throws
+/// std::invalid_argument where the two have nothing in common.
+std::vector<std::string> start_settings(const ProblemStatement& problem, const ReadDesign& design);
+
+/// The same with the result of a file.
+std::vector<std::string> start_settings(const ProblemStatement& problem, const std::string& path);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "problems/statement/restated.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "numerics/text/names.h"
+#include "numerics/text/units.h"
+#include "problems/statement/cases.h"
+#include "problems/statement/parameters.h"
+#include "problems/statement/program_units.h"
+#include "problems/statement/reading.h"
+#include "problems/statement/toml_reader.h"
+
+namespace camlaw::problems {
+namespace {
+
+using Kind = Entry::Kind;
+
+constexpr std::string_view kLaw = "law", kLower = ".lower", kUpper = ".upper";
+
+/// A name before its last dot and behind it; before it nothing where there is none.
+std::pair<std::string_view, std::string_view> at_last_dot(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return {{}, name};
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+/// What "base_radius.upper" bounds; none where the name is of no bound.
+std::optional<std::string_view> bounded(std::string_view name) {
+  for (const std::string_view end : {kLower, kUpper}) {
+    if (name.ends_with(end)) return name.substr(0, name.size() - end.size());
+  }
+  return {};
+}
+
+bool has_range(const ProblemStatement& problem, std::string_view name) {
+  return std::any_of(problem.ranges.begin(), problem.ranges.end(), [&](const auto& range) {
+    const MechanismParameter& p = problem.mechanism->parameters[range.parameter];
+    return p.name == name || p.symbol == name;
+  });
+}
+
+const VariableStatement* variable_named(const ProblemStatement& problem, std::string_view name) {
+  const auto found = std::find_if(problem.variables.begin(), problem.variables.end(),
+                                  [&](const VariableStatement& v) {
+                                    return v.name == name || v.name == "law." + std::string(name);
+                                  });
+  return found == problem.variables.end() ? nullptr : &*found;
+}
+
+/// Whether a response is one of the mechanism's, as limits name them: "peak contact_stress".
+bool has_response(const ProblemStatement& problem, std::string_view name) {
+  const std::string_view bare = name.substr(name.rfind(' ') + 1);  // npos + 1 is 0
+  const auto& responses =
+      (problem.without_cases ? *problem.without_cases : *problem.mechanism).responses;
+  return std::any_of(responses.begin(), responses.end(),
+                     [&](const MechanismResponse& r) { return r.name == bare; });
+}
+
+/// Whether the file limits a response on this side.
+bool is_limited(const ProblemStatement& problem, std::string_view name, bool from_above) {
+  return std::any_of(problem.constraints.begin(), problem.constraints.end(),
+                     [&](const ConstraintStatement& limit) {
+                       if (limit.of_law || limit.of_check) return false;
+                       if (!(from_above ? limit.upper : limit.lower)) return false;
+                       const std::string& own = limit.response.name;
+                       return own == name || own.ends_with("." + std::string(name));
+                     });
+}
+
+/// The case of "fast.load" whose parameter no case sets.
+const LoadCase* case_without(const ProblemStatement& problem, std::string_view name) {
+  const auto [owner, parameter] = at_last_dot(name);
+  const LoadCase* load = find_case(problem, owner);
+  if (load == nullptr || parameter == "weight") return nullptr;
+  for (const auto& [set, value] : load->parameters) {
+    const MechanismParameter& p = problem.mechanism->parameters[set];
+    if (p.name == parameter || p.symbol == parameter) return nullptr;
+  }
+  return load;
+}
+
+Entry made_entry(Kind kind, const Entry& within, std::string_view key, const std::string& place) {
+  Entry entry;
+  entry.kind = kind;
+  entry.place = place;
+  entry.key = key;
+  entry.path = within.path.empty() ? std::string(key) : fmt::format("{}.{}", within.path, key);
+  return entry;
+}
+
+Entry text_entry(const Entry& within, std::string_view key, std::string_view text,
+                 const std::string& place) {
+  Entry entry = made_entry(Kind::Text, within, key, place);
+  entry.text = text;
+  return entry;
+}
+
+/// Puts an entry into a table, in the place of one of the same key.
+void put_entry(Entry& table, Entry entry) {
+  for (Entry& there : table.items) {
+    if (there.key != entry.key) continue;
+    there = std::move(entry);
+    return;
+  }
+  table.items.push_back(std::move(entry));
+}
+
+Entry* find_entry(Entry& table, std::string_view key) {
+  return const_cast<Entry*>(find(table, key));
+}
+
+Entry laws_entry(const Entry& table, std::string_view key, std::string_view text,
+                 const std::string& place) {
+  const std::vector<std::string> names = law_list(text);
+  if (names.size() == 1) return text_entry(table, key, names.front(), place);
+  Entry list = made_entry(Kind::List, table, key, place);
+  for (const std::string& name : names) list.items.push_back(text_entry(list, key, name, place));
+  return list;
+}
+
+/// Gives the segments of a program that have a law another; of `segment` that one, be it without a
+/// law so far. Whether there is such a segment.
+bool put_segment_law(Entry& program, std::optional<std::string_view> segment, std::string_view text,
+                     const std::string& place) {
+  Entry* list = find_entry(program, "segments");
+  if (list == nullptr) return false;
+  bool is_put = false;
+  for (std::size_t i = 0; i < list->items.size(); ++i) {
+    Entry& table = list->items[i];
+    if (table.kind != Kind::Table) continue;
+    const Entry* law = find(table, kLaw);
+    const bool moves = law != nullptr && law->text != "joining";
+    if (segment ? segment_name(table, i) != *segment : !moves) continue;
+    put_entry(table, laws_entry(table, kLaw, text, place));
+    is_put = true;
+  }
+  return is_put;
+}
+
+/// Of a file, or of the table of one of its cams.
+bool put_law(Entry& motion, std::optional<std::string_view> segment, std::string_view text,
+             const std::string& place) {
+  if (Entry* program = find_entry(motion, "program")) {
+    return program->kind == Kind::Table && put_segment_law(*program, segment, text, place);
+  }
+  Entry* law = find_entry(motion, kLaw);
+  if (segment || law == nullptr || law->kind != Kind::Table) return false;
+  put_entry(*law, laws_entry(*law, "name", text, place));
+  return true;
+}
+
+void put_laws(Entry& file, std::string_view name, std::string_view text, const std::string& place) {
+  const std::string_view owner = at_last_dot(name).first;
+  Entry* cams = find_entry(file, "cams");
+  if (owner.empty() && cams == nullptr) {
+    if (put_law(file, {}, text, place)) return;
+    throw std::invalid_argument(
+        fmt::format("{}: the file names no law that this could take the place of", name));
+  }
+  if (!owner.empty() && cams == nullptr) {
+    if (put_law(file, owner, text, place)) return;
+    throw std::invalid_argument(
+        fmt::format("{}: no segment of the program is called '{}'", name, owner));
+  }
+  bool is_put = false;
+  for (Entry& cam : cams->items) {
+    if (owner.empty() || cam.key == owner) {
+      is_put = put_law(cam, {}, text, place) || is_put;
+    } else if (owner.starts_with(cam.key + ".")) {
+      is_put = put_law(cam, owner.substr(cam.key.size() + 1), text, place) || is_put;
+    }
+  }
+  if (!is_put) {
+    throw std::invalid_argument(
+        fmt::format("{}: neither a cam nor a segment of one is called '{}'; write infeed.law or "
+                    "infeed.rise.law",
+                    name, owner));
+  }
+}
+
+/// The entry of a variable, by its own name or as one of the law's.
+Entry* variable_entry(Entry& file, std::string_view name) {
+  Entry* variables = find_entry(file, "variables");
+  if (variables == nullptr) return nullptr;
+  for (const char* owner : {"", "law", "machine"}) {
+    Entry* table = *owner == '\0' ? variables : find_entry(*variables, owner);
+    Entry* found = table == nullptr ? nullptr : find_entry(*table, name);
+    if (found != nullptr && found->kind == Kind::Table) return found;
+  }
+  return nullptr;
+}
+
+void put_variable_bound(Entry& file, const VariableStatement& variable, std::string_view name,
+                        std::string_view text, const std::string& place) {
+  const auto [owner, side] = at_last_dot(name);
+  Entry* entry = variable_entry(file, owner);
+  if (entry == nullptr) {
+    throw std::invalid_argument(fmt::format(
+        "{}: the bounds of {} do not stand in a table of its own; change them in the file", name,
+        variable.name));
+  }
+  put_entry(*entry, text_entry(*entry, side, text, place));
+  // A start that the file states for other bounds may lie outside of these.
+  const double bound = parse_quantity(text, variable.unit, variable.unit, std::string(name));
+  const bool leaves = side == "upper" ? variable.start > bound : variable.start < bound;
+  if (leaves) std::erase_if(entry->items, [](const Entry& item) { return item.key == "start"; });
+}
+
+void put_limit(Entry& file, std::string_view name, std::string_view text,
+               const std::string& place) {
+  const auto [response, side] = at_last_dot(name);
+  Entry* list = find_entry(file, "constraints");
+  if (list == nullptr) {
+    file.items.push_back(made_entry(Kind::List, file, "constraints", place));
+    list = &file.items.back();
+  }
+  for (Entry& table : list->items) {
+    if (table.place != place && !table.place.starts_with(std::string(response) + ".")) continue;
+    put_entry(table, text_entry(table, side, text, place));
+    return;
+  }
+  Entry table = made_entry(Kind::Table, *list, "constraints", place);
+  table.items = {text_entry(table, "response", response, place),
+                 text_entry(table, side, text, place)};
+  list->items.push_back(std::move(table));
+}
+
+void put_in_case(Entry& file, const LoadCase& load, std::string_view name, std::string_view text,
+                 const std::string& place) {
+  for (Entry& table : find_entry(file, "cases")->items) {
+    const Entry* own = find(table, "name");
+    if (own == nullptr || own->text != load.name) continue;
+    put_entry(table, text_entry(table, at_last_dot(name).second, text, place));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> law_list(std::string_view text) {
+  for (const std::string_view word : {"all", "ends ", "continuity"}) {
+    if (text.starts_with(word)) return {std::string(text)};
+  }
+  std::vector<std::string> names;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string_view part = trimmed(text.substr(0, comma));
+    // "legendre c=1,2": what begins with a number goes on with the law before it.
+    const bool goes_on =
+        !part.empty() && part.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
+    if (goes_on && !names.empty()) {
+      names.back() += fmt::format(",{}", part);
+    } else {
+      names.emplace_back(part);
+    }
+    if (comma == std::string_view::npos) return names;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+bool is_law_setting(std::string_view name) { return name == kLaw || name.ends_with(".law"); }
+
+bool is_of_file(const ProblemStatement& problem, std::string_view name) {
+  if (is_law_setting(name)) return true;
+  if (const auto response = bounded(name)) {
+    if (has_range(problem, *response)) return false;
+    if (variable_named(problem, *response) != nullptr) return true;
+    return has_response(problem, *response) &&
+           !is_limited(problem, *response, name.ends_with(kUpper));
+  }
+  return case_without(problem, name) != nullptr;
+}
+
+void restate(Entry& file, const ProblemStatement& problem, std::string_view name,
+             std::string_view text, const std::string& assignment) {
+  if (text.empty()) {
+    throw std::invalid_argument(fmt::format("'{}' sets nothing; a value is wanted", assignment));
+  }
+  if (is_law_setting(name)) return put_laws(file, name, text, assignment);
+  if (const auto response = bounded(name)) {
+    if (const VariableStatement* variable = variable_named(problem, *response)) {
+      return put_variable_bound(file, *variable, name, text, assignment);
+    }
+    return put_limit(file, name, text, assignment);
+  }
+  put_in_case(file, *case_without(problem, name), name, text, assignment);
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sweeps/axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+
+#include "numerics/text/names.h"
+#include "problems/statement/law_names.h"
+#include "problems/statement/restated.h"
+#include "problems/statement/solver_settings.h"
+
+namespace camlaw::problems {
+namespace {
+
+struct Assignment {
+  std::string name, text;
+};
+
+Assignment taken_apart(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string name(trimmed(std::string_view(assignment).substr(0, equals)));
+  if (equals == std::string::npos || name.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "'{}' sets nothing; write name=value, such as speed=60:15:120 rpm", assignment));
+  }
+  return {name, std::string(trimmed(std::string_view(assignment).substr(equals + 1)))};
+}
+
+std::vector<std::string> parted(std::string_view text, char mark) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t end = text.find(mark);
+    parts.emplace_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+struct Quantity {
+  double number;
+  std::string unit;
+};
+
+/// A number and what stands behind it; none where no number begins the text.
+std::optional<Quantity> quantity(std::string_view text) {
+  double number = 0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || !std::isfinite(number)) return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return Quantity{number, std::string(trimmed(text))};
+}
+
+/// The numbers of texts whose unit the last one says for all; none where they are no such numbers.
+std::optional<std::vector<Quantity>> in_one_unit(const std::vector<std::string>& texts) {
+  std::vector<Quantity> all;
+  for (const std::string& text : texts) {
+    const auto one = quantity(text);
+    if (!one) return {};
+    all.push_back(*one);
+  }
+  const std::string unit = all.back().unit;
+  for (Quantity& one : all) {
+    if (one.unit.empty()) one.unit = unit;
+    if (one.unit != unit) return {};
+  }
+  return all;
+}
+
+/// As many digits as people write: 0.1 + 0.2 is 0.3.
+double rounded(double number, int digits) {
+  double result = number;
+  const std::string text = fmt::format("{:.{}g}", number, digits);
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+SweepAxis stepped(const std::string& name, const std::string& text) {
+  const auto parts = in_one_unit(parted(text, ':'));
+  if (!parts || parts->size() != 3) {
+    throw std::invalid_argument(fmt::format(
+        "{}: '{}' is not a range; write from:step:to with one unit, such as 60:15:120 rpm", name,
+        text));
+  }
+  constexpr double kRounding = 1e-9;  // of a step: 0:0.1:0.3 has four values
+  constexpr int kDigits = 12;
+  const double from = (*parts)[0].number, step = (*parts)[1].number, to = (*parts)[2].number;
+  const double steps = (to - from) / step;
+  if (!(steps >= 0) || !std::isfinite(steps)) {
+    throw std::invalid_argument(
+        fmt::format("{}: a step of {:g} does not lead from {:g} to {:g}", name, step, from, to));
+  }
+  if (steps >= kMostSwept) {
+    throw std::invalid_argument(fmt::format("{}: {:.0f} values; at most {} combinations are swept",
+                                            name, steps + 1, kMostSwept));
+  }
+  SweepAxis axis{.name = name, .unit = parts->back().unit, .values = {}};
+  const auto count = static_cast<std::size_t>(std::floor(steps + kRounding)) + 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    axis.numbers.push_back(rounded(from + static_cast<double>(i) * step, kDigits));
+    axis.values.push_back(swept_value(axis.numbers.back(), axis.unit));
+  }
+  return axis;
+}
+
+/// The laws of a list of names, classes among them.
+SweepAxis laws_of(const std::string& name, const std::string& text) {
+  SweepAxis axis{.name = name, .values = {}};
+  for (const std::string& one : law_list(text)) {
+    Entry entry;
+    entry.kind = Entry::Kind::Text;
+    entry.place = name;
+    entry.path = name;
+    entry.text = one;
+    const auto all = read_law_class(entry);
+    if (!all) {
+      axis.values.push_back(one);
+      continue;
+    }
+    axis.is_class = true;
+    for (const Member& law : *all) axis.values.push_back(law.name());
+  }
+  return axis;
+}
+
+SweepAxis listed(const std::string& name, const std::string& text) {
+  SweepAxis axis{.name = name, .values = parted(text, ',')};
+  const auto numbers = in_one_unit(axis.values);
+  if (!numbers) return axis;
+  axis.unit = numbers->back().unit;
+  for (std::size_t i = 0; i < numbers->size(); ++i) {
+    axis.numbers.push_back((*numbers)[i].number);
+    axis.values[i] = swept_value(axis.numbers.back(), axis.unit);
+  }
+  return axis;
+}
+
+void check_different(const SweepAxis& axis) {
+  std::vector<std::string> sorted = axis.values;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice == sorted.end()) return;
+  throw std::invalid_argument(fmt::format("{}: '{}' is among the values twice", axis.name, *twice));
+}
+
+std::vector<std::vector<double>> sobol(const Sampling& sampling) {
+  boost::random::sobol sequence(sampling.over.size());
+  sequence.discard(sampling.over.size());  // the corner of the box, which the sequence begins with
+  constexpr double kAll = 18446744073709551616.0;  // 2^64
+  std::vector<std::vector<double>> parts(sampling.count, std::vector<double>(sampling.over.size()));
+  for (auto& sample : parts) {
+    for (double& part : sample) part = static_cast<double>(sequence()) / kAll;
+  }
+  return parts;
+}
+
+/// Each range is cut into `count` slices, which are shuffled (Fisher and Yates); a sample is in the
+/// middle of its slice.
+std::vector<std::vector<double>> latin_hypercube(const Sampling& sampling) {
+  std::mt19937_64 engine(sampling.seed);
+  const std::size_t n = sampling.count;
+  std::vector<std::vector<double>> parts(n, std::vector<double>(sampling.over.size()));
+  for (std::size_t k = 0; k < sampling.over.size(); ++k) {
+    std::vector<std::size_t> slices(n);
+    std::iota(slices.begin(), slices.end(), std::size_t{0});
+    for (std::size_t i = n; i > 1; --i) std::swap(slices[i - 1], slices[engine() % i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      parts[i][k] = (static_cast<double>(slices[i]) + 0.5) / static_cast<double>(n);
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string swept_value(double number, const std::string& unit) {
+  return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
+}
+
+std::optional<SweepAxis> parse_axis(const std::string& assignment) {
+  const auto [name, text] = taken_apart(assignment);
+  if (text.empty()) throw std::invalid_argument(fmt::format("{}: a value is wanted", name));
+  const bool is_law = is_law_setting(name);
+  SweepAxis axis = is_law                                ? laws_of(name, text)
+                   : text.find(':') != std::string::npos ? stepped(name, text)
+                                                         : listed(name, text);
+  check_different(axis);
+  const bool is_single = axis.values.size() == 1 && !axis.is_class;
+  return is_single ? std::nullopt : std::optional(std::move(axis));
+}
+
+SampledRange parse_sampled_range(const std::string& assignment) {
+  const auto [name, text] = taken_apart(assignment);
+  const auto parts = in_one_unit(parted(text, ':'));
+  if (!parts || parts->size() != 2) {
+    throw std::invalid_argument(
+        fmt::format("--over: '{}' is not a range; write name=low:high with one unit, such as "
+                    "base_radius=30:60 mm",
+                    assignment));
+  }
+  const SampledRange range{name, parts->back().unit, parts->front().number, parts->back().number};
+  if (!(range.low < range.high)) {
+    throw std::invalid_argument(
+        fmt::format("--over: {}: {:g} is not below {:g}", name, range.low, range.high));
+  }
+  return range;
+}
+
+Sampling parse_sampling(const std::string& text, std::uint64_t seed) {
+  const std::string_view all = trimmed(text);
+  const std::size_t space = all.find_first_of(" :");
+  const std::string_view method = all.substr(0, space);
+  if ((method != "sobol" && method != "lhs") || space == std::string_view::npos) {
+    throw std::invalid_argument(
+        fmt::format("--sample: '{}' is not known; write \"sobol 64\" or \"lhs 64\", the method and "
+                    "how many samples",
+                    text));
+  }
+  Sampling sampling;
+  sampling.method = method == "lhs" ? SampleMethod::LatinHypercube : SampleMethod::Sobol;
+  sampling.seed = seed;
+  sampling.count = static_cast<std::size_t>(
+      parse_integer(trimmed(all.substr(space + 1)), 1, kMostSwept, "--sample"));
+  return sampling;
+}
+
+std::string to_string(SampleMethod method) {
+  return method == SampleMethod::Sobol ? "sobol" : "lhs";
+}
+
+std::vector<std::vector<double>> samples_of(const Sampling& sampling) {
+  constexpr int kDigits = 8;
+  if (sampling.over.empty()) return {};
+  auto samples =
+      sampling.method == SampleMethod::Sobol ? sobol(sampling) : latin_hypercube(sampling);
+  for (auto& sample : samples) {
+    for (std::size_t k = 0; k < sample.size(); ++k) {
+      const SampledRange& range = sampling.over[k];
+      const double value = range.low + sample[k] * (range.high - range.low);
+      sample[k] = std::clamp(rounded(value, kDigits), range.low, range.high);
+    }
+  }
+  return samples;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sweeps/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "optim/problem/problem.h"
+#include "problems/law_files/json_text.h"
+
+namespace camlaw::problems {
+namespace {
+
+/// From the first sample on always the nearest that is left, distances in parts of the ranges.
+std::vector<std::size_t> nearest_next(const std::vector<std::vector<double>>& samples,
+                                      const std::vector<SampledRange>& over) {
+  const auto distance = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < over.size(); ++k) {
+      const double part = (a[k] - b[k]) / (over[k].high - over[k].low);
+      sum += part * part;
+    }
+    return sum;
+  };
+  std::vector<std::size_t> order(samples.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    std::size_t best = i;
+    double least = optim::kInfinity;
+    for (std::size_t j = i; j < order.size(); ++j) {
+      const double d = distance(samples[order[i - 1]], samples[order[j]]);
+      if (d < least || (d == least && order[j] < order[best])) best = j, least = d;
+    }
+    std::swap(order[i], order[best]);
+  }
+  return order;
+}
+
+template <class Value>
+Value get(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) {
+    throw std::invalid_argument(fmt::format("the study's setting 'sweep' lacks '{}'", key));
+  }
+  try {
+    return found->get<Value>();
+  } catch (const Json::exception&) {
+    throw std::invalid_argument(fmt::format("the study's setting 'sweep' has a damaged '{}'", key));
+  }
+}
+
+}  // namespace
+
+SweepPlan::SweepPlan(SweepSettings settings) : settings_(std::move(settings)) {
+  for (const SweepAxis& axis : settings_.axes) {
+    names_.push_back({axis.name, axis.unit, axis.is_numeric()});
+    size_ *= axis.values.size();
+    if (size_ > kMostSwept) break;
+  }
+  if (settings_.sampling) {
+    if (settings_.sampling->over.empty()) {
+      throw std::invalid_argument(
+          "--sample: no range is given to draw from; write --over 'base_radius=30:60 mm'");
+    }
+    for (const SampledRange& range : settings_.sampling->over) {
+      names_.push_back({range.name, range.unit, true});
+    }
+    size_ *= settings_.sampling->count;
+  }
+  if (size_ > kMostSwept) {
+    throw std::invalid_argument(fmt::format("the sweep has more than {} combinations", kMostSwept));
+  }
+  if (names_.empty()) {
+    throw std::invalid_argument(
+        "nothing is swept; write --set 'speed=60:15:120 rpm' or --set 'law=cycloidal,"
+        "modified-sine', or --sample with --over");
+  }
+  std::set<std::string> seen;
+  for (const SweptName& name : names_) {
+    if (seen.insert(name.name).second) continue;
+    throw std::invalid_argument(fmt::format("{} is swept twice", name.name));
+  }
+  if (settings_.sampling) samples_ = samples_of(*settings_.sampling);
+}
+
+std::vector<SweptValue> SweepPlan::values(std::size_t combination) const {
+  std::vector<SweptValue> result(settings_.axes.size());
+  const std::size_t sample = combination % samples();
+  combination /= samples();
+  for (std::size_t k = settings_.axes.size(); k-- > 0;) {
+    const SweepAxis& axis = settings_.axes[k];
+    const std::size_t i = combination % axis.values.size();
+    combination /= axis.values.size();
+    result[k] = {axis.values[i], axis.is_numeric() ? axis.numbers[i] : 0, i};
+  }
+  for (std::size_t k = settings_.axes.size(); k < names_.size(); ++k) {
+    const double number = samples_[sample][k - settings_.axes.size()];
+    result.push_back({swept_value(number, names_[k].unit), number, sample});
+  }
+  return result;
+}
+
+std::vector<std::string> SweepPlan::assignments(std::size_t combination) const {
+  std::vector<std::string> all;
+  const std::vector<SweptValue> own = values(combination);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    all.push_back(fmt::format("{}={}", names_[k].name, own[k].text));
+  }
+  return all;
+}
+
+std::optional<std::size_t> SweepPlan::chained_axis() const {
+  std::optional<std::size_t> longest;
+  for (std::size_t k = 0; k < settings_.axes.size(); ++k) {
+    const SweepAxis& axis = settings_.axes[k];
+    if (!axis.is_numeric() || axis.values.size() < 2) continue;
+    if (!longest || axis.values.size() >= settings_.axes[*longest].values.size()) longest = k;
+  }
+  return longest;
+}
+
+/// All combinations, those that differ in the chained number alone side by side.
+std::vector<std::size_t> SweepPlan::in_sequence() const {
+  std::vector<std::size_t> all;
+  all.reserve(size_);
+  if (settings_.sampling) {
+    const std::vector<std::size_t> order = nearest_next(samples_, settings_.sampling->over);
+    for (std::size_t first = 0; first < size_; first += samples()) {
+      for (const std::size_t sample : order) all.push_back(first + sample);
+    }
+    return all;
+  }
+  std::size_t step = 1;
+  const std::size_t axis = *chained_axis(), count = settings_.axes[axis].values.size();
+  for (std::size_t k = axis + 1; k < settings_.axes.size(); ++k) {
+    step *= settings_.axes[k].values.size();
+  }
+  for (std::size_t outer = 0; outer < size_; outer += step * count) {
+    for (std::size_t inner = 0; inner < step; ++inner) {
+      for (std::size_t i = 0; i < count; ++i) all.push_back(outer + inner + i * step);
+    }
+  }
+  return all;
+}
+
+std::vector<std::vector<std::size_t>> SweepPlan::chains() const {
+  std::vector<std::vector<std::size_t>> result;
+  const bool joins = !settings_.is_cold && !settings_.evaluates;
+  if (!joins || (!settings_.sampling && !chained_axis())) {
+    for (std::size_t i = 0; i < size_; ++i) result.push_back({i});
+    return result;
+  }
+  const std::vector<std::size_t> all = in_sequence();
+  const std::size_t row =
+      settings_.sampling ? samples() : settings_.axes[*chained_axis()].values.size();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % row % kChain == 0) result.emplace_back();
+    result.back().push_back(all[i]);
+  }
+  return result;
+}
+
+Json to_json(const SweepSettings& settings) {
+  Json axes = Json::array();
+  for (const SweepAxis& axis : settings.axes) {
+    axes.push_back({{"name", axis.name},
+                    {"unit", axis.unit},
+                    {"values", axis.values},
+                    {"numbers", axis.numbers},
+                    {"class", axis.is_class}});
+  }
+  Json result{{"axes", axes}, {"evaluate", settings.evaluates}, {"cold", settings.is_cold}};
+  if (const auto& sampling = settings.sampling) {
+    Json over = Json::array();
+    for (const SampledRange& range : sampling->over) {
+      over.push_back(
+          {{"name", range.name}, {"unit", range.unit}, {"low", range.low}, {"high", range.high}});
+    }
+    result["sample"] = {{"method", to_string(sampling->method)},
+                        {"count", sampling->count},
+                        {"seed", sampling->seed},
+                        {"over", over}};
+  }
+  return result;
+}
+
+SweepSettings sweep_settings(const Json& record, std::vector<std::string> set) {
+  SweepSettings result{.set = std::move(set)};
+  for (const Json& axis : get<Json>(record, "axes")) {
+    result.axes.push_back({get<std::string>(axis, "name"), get<std::string>(axis, "unit"),
+                           get<std::vector<std::string>>(axis, "values"),
+                           get<std::vector<double>>(axis, "numbers"), get<bool>(axis, "class")});
+    const SweepAxis& read = result.axes.back();
+    const bool fits = read.numbers.empty() || read.numbers.size() == read.values.size();
+    if (read.values.empty() || !fits) {
+      throw std::invalid_argument("the study's setting 'sweep' has a damaged axis");
+    }
+  }
+  result.evaluates = get<bool>(record, "evaluate");
+  result.is_cold = get<bool>(record, "cold");
+  if (!record.contains("sample")) return result;
+  const Json sample = record["sample"];
+  Sampling sampling = parse_sampling(
+      fmt::format("{} {}", get<std::string>(sample, "method"), get<std::size_t>(sample, "count")),
+      get<std::uint64_t>(sample, "seed"));
+  for (const Json& range : get<Json>(sample, "over")) {
+    sampling.over.push_back({get<std::string>(range, "name"), get<std::string>(range, "unit"),
+                             get<double>(range, "low"), get<double>(range, "high")});
+  }
+  result.sampling = std::move(sampling);
+  return result;
+}
+
+}  // namespace camlaw::problems

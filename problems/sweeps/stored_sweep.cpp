@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sweeps/stored_sweep.h"
+
+#include <fmt/format.h>
+
+#include "problems/fronts/problem_settings.h"
+#include "problems/fronts/stored_front.h"
+
+namespace camlaw::problems {
+
+StoredSweep stored_sweep(const SweepStudy& study, optim::StudyRecord& record) {
+  optim::RecordedExecutor recorded(
+      [&](std::size_t part, optim::Design x) { return study.problem(part, x); }, record, nullptr);
+  StoredSweep stored{.sweep = study.run(recorded)};
+  stored.faults = recorded.faults();
+  const optim::StudySettings settings = record.settings();
+  const std::string& versions = find_setting(settings, "versions");
+  const bool is_same = versions == problem_versions();
+  if (!is_same) {
+    stored.notes.push_back(
+        fmt::format("the study was made with {}; its verdicts are that program's", versions));
+  }
+  for (const optim::RecordFault& fault : stored.faults) {
+    stored.notes.push_back(
+        fault_words(fault, is_same ? "--resume solves it again" : "it does not count"));
+  }
+  return stored;
+}
+
+}  // namespace camlaw::problems

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sweeps/sweep_study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "optim/search/optimise.h"
+#include "optim/verdict/verdict.h"
+#include "problems/fronts/problem_settings.h"
+#include "problems/law_files/json_text.h"
+#include "problems/sweeps/optimum_point.h"
+
+namespace camlaw::problems {
+namespace {
+
+constexpr const char* kSweep = "sweep";
+
+ProblemStatement read_and_set(const std::string& text, const std::string& source,
+                              const std::vector<std::string>& set, HeldFiles files) {
+  ProblemStatement statement = read_problem(text, source, std::move(files));
+  set_values(statement, set);
+  return statement;
+}
+
+void check_objectives(const ProblemStatement& statement, bool evaluates) {
+  if (statement.objectives.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: a sweep compares designs by an objective; the file states none", statement.source));
+  }
+  if (statement.objectives.size() > 1 && !evaluates) {
+    throw std::invalid_argument(
+        fmt::format("{}: it has {} objectives; 'camlaw pareto' searches for its front, and "
+                    "'camlaw sweep --evaluate' evaluates designs of it",
+                    statement.source, statement.objectives.size()));
+  }
+}
+
+/// As `camlaw optimize` searches where the command line says nothing.
+optim::OptimiseOptions options_of(const SolverStatement& solver) {
+  optim::OptimiseOptions options;
+  options.solver = solver.name.value_or("auto");
+  options.starts = solver.starts;
+  options.seed = solver.seed.value_or(options.seed);
+  options.time_limit = solver.time_limit;
+  options.native = solver.native;
+  return options;
+}
+
+/// Those that try every value of an axis or, of very many, some.
+std::vector<std::size_t> tried(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> all;
+  const std::size_t tries = std::min(count, most);
+  for (std::size_t i = 0; i < tries; ++i)
+    all.push_back(tries < 2 ? 0 : i * (count - 1) / (tries - 1));
+  return all;
+}
+
+}  // namespace
+
+std::size_t Sweep::done() const {
+  return static_cast<std::size_t>(
+      std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.has_value(); }));
+}
+
+SweepStudy::SweepStudy(const std::string& text, const std::string& source,
+                       const SweepSettings& settings, HeldFiles files)
+    : plan_(settings),
+      statement_(read_and_set(text, source, settings.set, std::move(files))),
+      options_(options_of(statement_.solver)) {
+  check_objectives(statement_, settings.evaluates);
+  check_values();
+}
+
+bool SweepStudy::is_sweep(const optim::StudySettings& settings) {
+  return settings.contains(kSweep);
+}
+
+SweepStudy SweepStudy::of(const optim::StudySettings& settings) {
+  SweepStudy study(find_setting(settings, "problem"), find_setting(settings, "source"),
+                   sweep_settings(parse_json(find_setting(settings, kSweep)), set_of(settings)),
+                   files_of(settings));
+  check_laws(find_setting(settings, "laws"), study.settings().at("laws"));
+  return study;
+}
+
+optim::StudySettings SweepStudy::settings() const {
+  optim::StudySettings result = problem_settings(statement_);
+  result[kSweep] = to_json(plan_.settings()).dump();
+  result["seed"] = fmt::format("{}", options_.seed);
+  result["solver"] = options_.solver;
+  return result;
+}
+
+void SweepStudy::check_same(const optim::StudyRecord& record) const {
+  const optim::StudySettings mine = settings(), its = record.settings();
+  const auto refuse = [](const std::string& why) {
+    throw std::invalid_argument("the study cannot be resumed: " + why);
+  };
+  if (!is_sweep(its)) refuse("it is of a front, not of a sweep");
+  if (find_setting(its, "problem") != statement_.text) {
+    refuse("the problem file is not the one that it was made with");
+  }
+  if (find_setting(its, "set") != mine.at("set") || find_setting(its, kSweep) != mine.at(kSweep)) {
+    refuse("it is of another sweep: what is set or swept differs");
+  }
+  check_laws(find_setting(its, "laws"), mine.at("laws"));
+  for (const char* name : {"versions", "seed", "solver"}) {
+    if (find_setting(its, name) == mine.at(name)) continue;
+    refuse(fmt::format("it was made with {} {}, now it is {}", name, find_setting(its, name),
+                       mine.at(name)));
+  }
+}
+
+Possible<ProblemStatement> SweepStudy::stated(std::size_t combination) const {
+  try {
+    ProblemStatement statement = statement_;
+    set_values(statement, plan_.assignments(combination));
+    return statement;
+  } catch (const std::invalid_argument& refused) {  // values that are not possible together
+    return Impossible{refused.what()};
+  }
+}
+
+Possible<BoundProblem> SweepStudy::bound(std::size_t combination) const {
+  Possible<ProblemStatement> statement = stated(combination);
+  if (!statement) return statement.reason();
+  try {
+    return BoundProblem(std::move(*statement), plan_.settings().evaluates);
+  } catch (const std::invalid_argument& refused) {
+    return Impossible{refused.what()};
+  }
+}
+
+/// A misspelt value is refused before anything is worked out: some combination must take it.
+void SweepStudy::check_values() const {
+  constexpr std::size_t kValues = 100, kTries = 64;
+  std::size_t step = plan_.size();
+  for (const SweepAxis& axis : plan_.settings().axes) {
+    const std::size_t count = axis.values.size(), block = step;
+    step /= count;
+    if (axis.is_class) continue;
+    for (const std::size_t value : tried(count, axis.is_numeric() ? kValues : count)) {
+      std::optional<std::string> why;
+      for (const std::size_t k : tried(plan_.size() / count, kTries)) {
+        // The k-th of the combinations with this value.
+        const std::size_t combination = k / step * block + value * step + k % step;
+        const auto possible = stated(combination);
+        if (possible) {
+          why.reset();
+          break;
+        }
+        if (!why) why = possible.why();
+      }
+      if (why) throw std::invalid_argument(*why);
+    }
+  }
+  if (!plan_.settings().sampling) return;
+  std::optional<std::string> why;
+  for (const std::size_t k : tried(plan_.size(), kTries)) {
+    const auto possible = stated(k);
+    if (possible) return;
+    if (!why) why = possible.why();
+  }
+  throw std::invalid_argument(*why);
+}
+
+optim::Problem SweepStudy::problem(std::size_t combination, optim::Design recorded) const {
+  const auto problem = bound(combination);
+  if (!problem) return {};
+  const auto split = split_of(*problem, recorded);
+  if (!split) return {};
+  return as_recorded(problem->problem(split->options), problem->choices());
+}
+
+std::vector<SweptVariable> SweepStudy::variables(std::size_t combination,
+                                                 optim::Design recorded) const {
+  constexpr double kAtBound = 1e-9;  // of the bounds' distance
+  std::vector<SweptVariable> result;
+  const auto problem = bound(combination);
+  if (!problem) return result;
+  const auto split = split_of(*problem, recorded);
+  if (!split) return result;
+  const optim::Problem own = problem->problem(split->options);
+  for (std::size_t i = 0; i < std::min(own.variables.size(), split->x.size()); ++i) {
+    const optim::Variable& v = own.variables[i];
+    const double x = split->x[i], near = kAtBound * (v.upper - v.lower);
+    result.push_back({v.name, v.unit, x, "", x - v.lower <= near, v.upper - x <= near});
+  }
+  for (std::size_t i = 0; i < split->options.size(); ++i) {
+    const optim::Choice& choice = problem->choices()[i];
+    const std::size_t option = split->options[i];
+    const double number = choice.values.empty() ? std::nan("") : choice.values[option];
+    result.push_back({choice.name, choice.unit, number, choice.options[option]});
+  }
+  return result;
+}
+
+ProblemStatement SweepStudy::design(std::size_t combination, optim::Design recorded) const {
+  const auto problem = bound(combination);
+  const auto split = split_of(problem.value(), recorded);
+  if (!split) throw std::invalid_argument("the design is not one of its combination");
+  return problem->at(split->options, split->x);
+}
+
+optim::Outcome SweepStudy::searched(const optim::Task& task, const BoundProblem& bound,
+                                    const optim::OptimiseOptions& options) const {
+  const optim::ProblemSpace space = bound.space();
+  optim::OptimiseOptions own = options;
+  own.seed = task.seed;
+  long evaluations = 0;
+  std::optional<optim::Optimum> found;
+  if (!task.starts.empty()) {
+    if (const auto warm = beginning_at(bound, task.starts.front())) {
+      optim::OptimiseOptions once = own;
+      once.starts = 1;
+      found = optim::optimise(optim::ProblemSpace::of(*warm), once);
+      found->options = options_at_start(bound);
+      evaluations += found->found.evaluations;
+    }
+  }
+  if (!found || found->found.assessment.verdict != optim::Verdict::Certified) {
+    optim::Optimum cold = optim::optimise(space, own);
+    evaluations += cold.found.evaluations;
+    const bool is_better =
+        !found || optim::better(cold.problem, cold.found.assessment, found->found.assessment);
+    if (is_better) found = std::move(cold);
+  }
+  return outcome_of(*found, task.part, evaluations);
+}
+
+optim::Outcome SweepStudy::carry_out(const optim::Task& task,
+                                     const optim::OptimiseOptions& options) const {
+  return optim::safely([&] {
+    const auto problem = bound(task.part);
+    optim::Outcome outcome;
+    if (!problem) {
+      outcome.failure = problem.why();
+    } else if (plan_.settings().evaluates) {
+      outcome = evaluated(*problem, task.part);
+    } else {
+      outcome = searched(task, *problem, options);
+    }
+    return outcome;
+  });
+}
+
+namespace {
+
+/// The chains of a run: what each comes to next, and where it begins.
+struct Chain {
+  std::vector<std::size_t> combinations;
+  std::size_t next = 0;
+  std::optional<std::vector<double>> start = {};
+};
+
+}  // namespace
+
+Sweep SweepStudy::run(optim::Executor& executor,
+                      const std::function<void(const SweepProgress&)>& progress) const {
+  Sweep sweep{.outcomes = std::vector<std::optional<optim::Outcome>>(plan_.size()),
+              .is_warm = std::vector<bool>(plan_.size(), false)};
+  SweepProgress told{.all = plan_.size()};
+  const optim::Sense sense = statement_.objectives.front().sense;
+  const auto take = [&](const optim::Task& task, const optim::Outcome& outcome) {
+    sweep.outcomes[task.part] = outcome;
+    sweep.is_warm[task.part] = !task.starts.empty();
+    ++told.done;
+    for (const optim::FrontPoint& point : outcome.points) {
+      const double value = point.objectives.front();
+      const bool is_least = sense == optim::Sense::Minimize;
+      const bool is_good = point.verdict != optim::Verdict::Failed && std::isfinite(value);
+      if (!is_good || (told.best && (is_least ? value >= *told.best : value <= *told.best)))
+        continue;
+      told.best = value;
+    }
+    if (progress) progress(told);
+  };
+  std::vector<Chain> chains;
+  for (auto& chain : plan_.chains()) chains.push_back({std::move(chain)});
+  while (!chains.empty() && !(options_.stop != nullptr && *options_.stop)) {
+    std::vector<optim::Task> tasks;
+    for (const Chain& chain : chains) {
+      optim::Task task;
+      task.part = chain.combinations[chain.next];
+      task.bounds = std::vector<double>(statement_.objectives.size(), optim::kInfinity);
+      task.seed = options_.seed;
+      if (chain.start) task.starts = {*chain.start};
+      tasks.push_back(std::move(task));
+    }
+    executor.run(tasks, take);
+    for (Chain& chain : chains) {
+      const auto& outcome = sweep.outcomes[chain.combinations[chain.next]];
+      const bool has_design = outcome && !outcome->points.empty();
+      chain.start = has_design ? std::optional(outcome->points.front().x) : std::nullopt;
+      chain.next = outcome ? chain.next + 1 : chain.combinations.size();
+    }
+    std::erase_if(chains, [](const Chain& c) { return c.next >= c.combinations.size(); });
+  }
+  sweep.remark = executor.remark();
+  return sweep;
+}
+
+}  // namespace camlaw::problems

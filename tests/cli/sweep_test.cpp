@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// sweep, as a user runs it.
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli::sweep_test {
+namespace {
+
+const std::string kProblem =
+    std::string(CAMLAW_SOURCE_DIR) + "/problems/cams/roller_least_base.toml";
+
+Words sweep(Words more) {
+  Words words{
+      "sweep", kProblem, "--set", "stroke=20:2:40 mm", "--set", "law=cycloidal,modified-sine"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// What a sweep says, without the name of its study.
+std::string told(const ParsedJson& json) { return json.at("combinations").dump(); }
+
+}  // namespace
+
+TEST_CASE("a sweep gives every combination in JSON and CSV", "[program][sweep]") {
+  const Folder folder;
+  const ParsedJson json = json_of(sweep({"--json", "--out", folder / "out"}));
+  REQUIRE(json.at("combinations").size() == 22);
+  CHECK(json.at("count") == 22);
+  CHECK(json.at("finished") == true);
+  CHECK(json.at("best_by_law").size() == 2);
+  const CsvRows rows = csv_of(read(folder / "out/sweep.csv"));
+  REQUIRE(rows.size() == 23);
+  const auto& header = rows.front();
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    REQUIRE(found != header.end());
+    return static_cast<std::size_t>(found - header.begin());
+  };
+  const std::size_t stroke = column("stroke [mm]"), law = column("law"),
+                    radius = column("base_radius [mm]");
+  column("design base_radius [mm]");
+  column("margin of pressure_angle [deg]");
+  for (std::size_t i = 0; i < 22; ++i) {
+    const ParsedJson& row = json.at("combinations")[i];
+    CHECK(row.at("verdict") == "certified optimum");
+    CHECK(std::stod(rows[i + 1][stroke]) == row.at("stroke [mm]").get<double>());
+    CHECK(rows[i + 1][law] == row.at("law"));
+    CHECK(std::stod(rows[i + 1][radius]) == row.at("base_radius [mm]").get<double>());
+  }
+  // The same as a single run, where the search began as one does.
+  const ParsedJson single =
+      json_of({"optimize", kProblem, "--set", "stroke=20 mm", "--set", "law=cycloidal", "--json"});
+  CHECK(single.at("objective") == json.at("combinations")[0].at("base_radius [mm]"));
+}
+
+TEST_CASE("a sweep that is killed goes on where it stood, with any number of workers",
+          "[program][sweep]") {
+  const Folder folder;
+  const std::string whole = told(json_of(sweep({"--json", "--workers", "1"})));
+  const std::string study = folder / "study.db";
+  {
+    const Running running(sweep({"--json", "--workers", "2", "--db", study}));
+    while (!fs::exists(study)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    kill(running.id(), SIGKILL);
+    running.wait();
+  }
+  CHECK(told(json_of(sweep({"--json", "--workers", "2", "--db", study, "--resume"}))) == whole);
+  CHECK(told(json_of(sweep({"--json", "--db", study, "--resume"}))) == whole);
+  CHECK(told(json_of({"sweep", kProblem, "--json", "--db", study, "--resume"})) == whole);
+  CHECK_THAT(
+      failed({"sweep", kProblem, "--set", "stroke=20:2:30 mm", "--db", study, "--resume"}, 2),
+      Contains("another sweep"));
+  CHECK_THAT(failed({"front", study}, 2), Contains("camlaw report"));
+  const std::string page = folder / "map.html";
+  done({"report", study, "-o", page});
+  CHECK_THAT(read(page), Contains("sweep-map") && Contains("\"law\""));
+}
+
+TEST_CASE("a sweep ends in time with what it has", "[program][sweep]") {
+  const Folder folder;
+  const Outcome outcome =
+      run({"sweep", kProblem, "--set", "stroke=20:0.01:40 mm", "--cold", "--time-limit", "5 s",
+           "--workers", "1", "--json", "--db", folder / "study.db"});
+  CHECK(outcome.status == 4);
+  const ParsedJson json = ParsedJson::parse(outcome.out);
+  CHECK(json.at("finished") == false);
+  CHECK(json.at("designs") > 0);
+  CHECK(json.at("combinations").back().at("verdict") == "not done");
+}
+
+TEST_CASE("what a sweep cannot run through is refused in a line", "[program][sweep]") {
+  CHECK_THAT(failed({"sweep", kProblem}, 2), Contains("nothing is swept"));
+  CHECK_THAT(failed({"sweep", kProblem, "--over", "base_radius=30:60 mm"}, 2),
+             Contains("--sample"));
+  CHECK_THAT(failed({"sweep", kProblem, "--sample", "sobol 8"}, 2), Contains("--over"));
+  CHECK_THAT(failed({"sweep", kProblem, "--set", "stroke=20:2:40 mm", "--resume"}, 2),
+             Contains("--db"));
+}
+
+}  // namespace camlaw::cli::sweep_test

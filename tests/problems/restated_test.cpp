@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// What --set changes that only the file can say, against the same file with that written into it.
+#include "problems/statement/restated.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "optim/search/optimise.h"
+#include "problems/law_files/json_text.h"
+#include "problems/results/design_json.h"
+#include "problems/results/recorded_design.h"
+#include "problems/results/start_settings.h"
+#include "problems/statement/bind.h"
+#include "tests/problems/complaint.h"
+
+namespace camlaw::problems::restated_test {
+namespace {
+
+using Catch::Contains;
+using testing::complaint;
+
+std::string cam(const std::string& rise, const std::string& fall, const std::string& more = "",
+                const std::string& upper = "90 mm") {
+  return R"(
+mechanism = "disc-cam-roller"
+[constants]
+stroke = "25 mm"
+mass = "1.5 kg"
+spring_preload = "300 N"
+[program]
+segments = [{name = "rise", angle = 90, law = ")" +
+         rise + R"("}, {name = "high", angle = 70}, {name = "back", angle = 110, law = ")" + fall +
+         R"("}, {name = "low"}]
+[variables.base_radius]
+lower = "20 mm"
+upper = ")" +
+         upper + R"("
+start = "70 mm"
+[objective]
+minimize = "base_radius"
+[[constraints]]
+response = "pressure_angle"
+lower = "-30 deg"
+upper = "30 deg"
+)" + more;
+}
+
+ProblemStatement read(const std::string& text) { return read_problem(text, "f.toml"); }
+
+/// The design of the optimum, every bit of it.
+std::vector<double> solved(const ProblemStatement& problem) {
+  const optim::Optimum found = optim::optimise(BoundProblem(problem).space());
+  std::vector<double> numbers = found.found.x;
+  numbers.push_back(found.found.assessment.objective.value);
+  return numbers;
+}
+
+ProblemStatement set(ProblemStatement problem, const std::vector<std::string>& settings) {
+  set_values(problem, settings);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("a law that is set is the law that a file states", "[statement][restated]") {
+  const ProblemStatement plain = read(cam("modified-sine", "cycloidal"));
+  CHECK(solved(set(plain, {"law=poly-3-4-5"})) == solved(read(cam("poly-3-4-5", "poly-3-4-5"))));
+  CHECK(solved(set(plain, {"back.law=poly-3-4-5"})) ==
+        solved(read(cam("modified-sine", "poly-3-4-5"))));
+  // What is set before and after keeps its place.
+  ProblemStatement stepwise = set(plain, {"stroke=20 mm"});
+  set_values(stepwise, std::vector<std::string>{"rise.law=cycloidal"});
+  set_values(stepwise, std::vector<std::string>{"mass=2 kg"});
+  CHECK(stepwise.settings ==
+        std::vector<std::string>{"stroke=20 mm", "rise.law=cycloidal", "mass=2 kg"});
+  CHECK(solved(stepwise) ==
+        solved(set(read(cam("cycloidal", "cycloidal")), {"stroke=20 mm", "mass=2 kg"})));
+  CHECK(set(plain, {"rise.law=cycloidal, poly-3-4-5"}).laws.size() == 2);
+}
+
+TEST_CASE("a law of a problem with [law], its parameter, and a class of laws",
+          "[statement][restated]") {
+  const std::string text = R"(
+mechanism = "law"
+law.name = "cosine"
+[variables.crossover]
+lower = 0.2
+upper = 0.8
+[objective]
+minimize = "C_a"
+[[constraints]]
+response = "C_v"
+upper = 1.9
+)";
+  ProblemStatement problem = read(text);
+  set_values(problem, std::vector<std::string>{"law=cycloidal", "law.crossover=0.4"});
+  CHECK(problem.laws.front().family->name == "cycloidal");
+  CHECK(problem.variables.front().start == 0.4);
+  CHECK(set(read(text), {"law=ends R-R, continuity >= 2"}).laws.size() > 5);
+}
+
+TEST_CASE("limits, bounds and values of cases that a file does not list", "[statement][restated]") {
+  const ProblemStatement plain = read(cam("modified-sine", "cycloidal"));
+  const std::string limit = "[[constraints]]\nresponse = 'undercut'\nupper = 0.6\n";
+  CHECK(solved(set(plain, {"undercut.upper=0.6"})) ==
+        solved(read(cam("modified-sine", "cycloidal", limit))));
+  const ProblemStatement both =
+      set(plain, {"follower_force.lower=5 N", "follower_force.upper=4 kN"});
+  CHECK(both.constraints.size() == plain.constraints.size() + 1);
+  // A second value takes the place of the first.
+  const ProblemStatement twice = set(set(plain, {"undercut.upper=0.6"}), {"undercut.upper=0.5"});
+  CHECK(solved(twice) == solved(set(plain, {"undercut.upper=0.5"})));
+  CHECK(solved(set(twice, {"law=cycloidal"})) ==
+        solved(set(plain, {"undercut.upper=0.5", "law=cycloidal"})));
+
+  const ProblemStatement narrow = set(plain, {"base_radius.upper=65 mm"});
+  CHECK(narrow.variables.front().upper == 65);
+  CHECK(narrow.variables.front().start < 65);  // the file's is above
+  CHECK(set(plain, {"base_radius.upper=80 mm"}).variables.front().start == 70);
+
+  const std::string cases =
+      "[[cases]]\nname = 'slow'\nspeed = '40 rpm'\n[[cases]]\nname = 'fast'\nspeed = '300 rpm'\n";
+  const std::string stated =
+      "[[cases]]\nname = 'slow'\nspeed = '40 rpm'\n[[cases]]\nname = 'fast'\nspeed = '300 rpm'\n"
+      "load = '90 N'\n";
+  const std::string force = "[[constraints]]\nresponse = 'contact_stress'\nupper = '900 MPa'\n";
+  CHECK(solved(set(read(cam("cycloidal", "cycloidal", cases + force)), {"fast.load=90 N"})) ==
+        solved(read(cam("cycloidal", "cycloidal", stated + force))));
+}
+
+TEST_CASE("what cannot be set so is refused by name", "[statement][restated]") {
+  const ProblemStatement plain = read(cam("modified-sine", "cycloidal"));
+  const auto says = [&](const std::string& setting) {
+    ProblemStatement problem = plain;
+    return complaint([&] { set_value(problem, setting); });
+  };
+  CHECK_THAT(says("law=cycloidol"), Contains("cycloidol") && Contains("near: cycloidal"));
+  CHECK_THAT(says("rize.law=cycloidal"), Contains("no segment") && Contains("rize"));
+  CHECK_THAT(says("law="), Contains("a value is wanted"));
+  CHECK_THAT(says("undercutt.upper=0.6"), Contains("no limit is called 'undercutt"));
+  CHECK_THAT(says("undercut.upper=3 deg"), Contains("undercut"));
+  CHECK_THAT(says("base_radius.upper=10 mm"), Contains("lower 20 mm exceeds upper 10 mm"));
+}
+
+TEST_CASE("a design keeps its numbers where another law is set", "[statement][restated]") {
+  ProblemStatement design = read(cam("modified-sine", "cycloidal"));
+  set_values(design, std::vector<std::string>{"base_radius=61 mm"});
+  set_values(design, std::vector<std::string>{"rise.law=poly-3-4-5"});
+  CHECK(design.variables.front().start == 61);
+}
+
+TEST_CASE("a search begins at the design of a result", "[statement][restated]") {
+  const ProblemStatement plain = read(cam("modified-sine", "cycloidal"));
+  const BoundProblem bound(plain);
+  const optim::Optimum found = optim::optimise(bound.space());
+  Json result{{"verdict", "certified optimum"},
+              {"design", recorded_design(bound, found.options, found.found.x)}};
+  const ReadDesign design = read_result(result.dump(), "result.json");
+  const auto begun = set(plain, start_settings(plain, design));
+  CHECK(begun.variables.front().start == found.found.x.front());
+  // Of another problem what both know, within its bounds.
+  const ProblemStatement narrow = set(plain, {"base_radius.upper=25 mm"});
+  REQUIRE(found.found.x.front() > 25);
+  CHECK(set(narrow, start_settings(narrow, design)).variables.front().start == 25);
+  const ProblemStatement other = read(R"(
+mechanism = "law"
+law.name = "polynomial-5"
+[variables.alpha]
+lower = -10
+upper = 10
+[objective]
+minimize = "C_a"
+)");
+  CHECK_THAT(complaint([&] { start_settings(other, design); }), Contains("none of what varies"));
+}
+
+}  // namespace camlaw::problems::restated_test
