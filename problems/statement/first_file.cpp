@@ -114,7 +114,8 @@ std::string head_part(const Mechanism& mechanism) {
              "#   camlaw check my.toml        the problem in words\n"
              "#   camlaw evaluate my.toml     the machine with these numbers\n"
              "#   camlaw optimize my.toml     the best design within the limits\n"
-             "# A number may have any unit of its kind: \"20 mm\", \"2 cm\", \"0.8 in\".\n"
+             "# A number with a unit is written in quotes, in any unit of its kind: \"20 mm\", \"2 "
+             "cm\".\n"
              "# A line with '#' and no blank behind it is optional: remove the '#' to use it.\n\n"
              "title = \"My first {0}\"\nmechanism = \"{0}\"\n",
              mechanism.name);
