@@ -9,6 +9,8 @@ namespace camlaw::cli {
 
 Command laws_command();
 Command mechanisms_command();
+Command new_command();
+Command examples_command();
 Command law_command();
 Command study_command();
 Command reproduce_command();

@@ -128,6 +128,16 @@ void write_files(const std::vector<OutputFile>& files) {
   }
 }
 
+void refuse_existing(const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files) {
+    std::error_code ignored;
+    if (file.path == kStandardStream || is_written_in_place(file.path)) continue;
+    if (!fs::exists(fs::symlink_status(file.path, ignored))) continue;
+    throw std::invalid_argument(fmt::format(
+        "'{}' exists and is left as it is; choose another name or folder", file.path.string()));
+  }
+}
+
 void check_writable(const std::vector<fs::path>& paths) {
   std::vector<OutputFile> files;
   for (const fs::path& path : paths) files.push_back({path, ""});

@@ -30,6 +30,10 @@ void keep_standard_output(const std::vector<std::optional<std::string>>& outputs
 /// cannot be written; no temporary file and no new folder is left behind then.
 void write_files(const std::vector<OutputFile>& files);
 
+/// Throws std::invalid_argument where there is one of these files: what is written to begin with
+/// does not replace what somebody has made of it since.
+void refuse_existing(const std::vector<OutputFile>& files);
+
 /// That write_files can begin to write these files, before long work is done for them: throws as it
 /// does, and leaves nothing behind.
 void check_writable(const std::vector<std::filesystem::path>& paths);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -70,7 +71,9 @@ problems::LawFitOptions how_of(const FitCommand& options, ProgressLine& line, op
   how.crew = &crew;
   how.loss = loss_of(options);
   how.deadline = options.deadline;
-  how.progress = [&line](double share) { line.show("fitting laws", share); };
+  how.progress = [&line](double share) {
+    line.show(fmt::format("{:.0f} % of the laws tried", std::floor(100 * share)), share);
+  };
   return how;
 }
 

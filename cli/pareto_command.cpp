@@ -93,8 +93,8 @@ void show(ProgressLine& line, const optim::StudyProgress& progress) {
   const double done = progress.points > kEnds ? static_cast<double>(progress.points) /
                                                     static_cast<double>(progress.wanted)
                                               : 0;
-  line.show(fmt::format("{} of {} points, {} searches, hypervolume {:.6g}", progress.points,
-                        progress.wanted, progress.tasks, progress.hypervolume),
+  line.show(fmt::format("{} of {} points of the front after {} searches", progress.points,
+                        progress.wanted, progress.tasks),
             done);
 }
 

@@ -18,6 +18,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
+  bool is_shown() const { return shown_; }
   void show(const std::string& text);
   /// And the time left, where the share `done`, 0 .. 1, of the whole is done.
   void show(const std::string& text, double done);

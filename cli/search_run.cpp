@@ -12,6 +12,7 @@
 #include "cli/inputs.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "cli/search_progress.h"
 #include "cli/watched_run.h"
 #include "cli/workers.h"
 #include "optim/crew/crew.h"
@@ -54,11 +55,6 @@ optim::OptimiseOptions search_options(const problems::SolverStatement& line,
   result.time_limit = line.time_limit ? line.time_limit : file.time_limit;
   result.native = file.native;
   return result;
-}
-
-std::string progress_text(const optim::Progress& progress) {
-  return fmt::format("iteration {:6}   objective {:14.8g}   violation {:9.2e}", progress.iteration,
-                     progress.objective, progress.violation);
 }
 
 int exit_status(optim::Verdict verdict) {
@@ -222,9 +218,21 @@ int run_search(const SearchOptions& options, const SearchCommand& command) {
     }
     return exit_status(optimum.found.assessment.verdict);
   };
+  SearchState begun;
+  for (const optim::Choice& choice : space.choices) begun.combinations *= choice.options.size();
+  if (!bound.statement().objectives.empty()) {
+    begun.unit = bound.statement().objectives.front().response.unit;
+  }
   const auto look = [&](optim::OptimiseOptions how) {
     ProgressLine line(!options.json);
-    how.progress = [&line](const optim::Progress& p) { line.show(progress_text(p), p.done); };
+    SearchProgress shown(line, begun);
+    if (line.is_shown()) {
+      how.progress = [&shown](const optim::Progress& p) { shown.heard(p); };
+      how.candidate = [&shown, tell = how.candidate](const optim::Candidate& c) {
+        shown.heard(c);
+        if (tell) tell(c);
+      };
+    }
     optim::Crew crew({.workers = workers, .program = problems::worker_program(bound.statement())});
     optim::Optimum optimum = optim::optimise(space, how, crew);
     if (!crew.remark().empty()) warn(crew.remark());

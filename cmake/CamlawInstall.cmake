@@ -58,3 +58,14 @@ install(FILES ${pages}/camlaw.zsh RENAME _camlaw COMPONENT program
   DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${pages}/camlaw.fish COMPONENT program
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# The problem files with their tables, for `camlaw examples`; the program of the build folder finds
+# those of the source folder by a link.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/problems DESTINATION ${CMAKE_INSTALL_DATADIR}/camlaw
+  COMPONENT program
+  FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv"
+  PATTERN baseline.csv EXCLUDE PATTERN fronts EXCLUDE PATTERN law_files EXCLUDE
+  PATTERN published EXCLUDE PATTERN results EXCLUDE PATTERN statement EXCLUDE
+  PATTERN cam_shape EXCLUDE PATTERN laws EXCLUDE)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/camlaw)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/problems ${PROJECT_BINARY_DIR}/share/camlaw/problems SYMBOLIC)

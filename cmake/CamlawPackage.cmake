@@ -3,7 +3,14 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR camlaw)
-set(CPACK_PACKAGE_CONTACT "camlaw maintainers <camlaw@localhost>")
+# A package names who answers for it, or nobody: where this is empty, the field is taken out.
+set(CAMLAW_MAINTAINER "" CACHE STRING "who answers for the Debian packages: Name <address>")
+if(CAMLAW_MAINTAINER)
+  set(CPACK_PACKAGE_CONTACT "${CAMLAW_MAINTAINER}")
+else()
+  set(CPACK_PACKAGE_CONTACT "nobody")  # CPack asks for one
+  set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/without_maintainer.cmake)
+endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -23,22 +23,15 @@
 namespace camlaw::problems {
 namespace {
 
-/// Mechanisms by name, in the order of the listing. Each is made when it is first asked for: to
-/// find out what their responses depend on takes time.
+/// Mechanisms by name, in the order of the listing: cams, what indexes, axes and followers,
+/// springs, published machines. Each is made when it is first asked for: to find out what their
+/// responses depend on takes time.
 struct Listed {
   const char* name;
   Mechanism (*make)();
   const char* earlier = "";  ///< its name in earlier programs, which files may have
 };
 constexpr Listed kListed[] = {
-    {"spine-cutter", spine_cutter_mechanism},
-    {"balancing-cam", planar_balancing_cam_mechanism},
-    {"balancing-cam-spherical", spherical_balancing_cam_mechanism},
-    {"geneva", planar_geneva_mechanism},
-    {"geneva-spherical", spherical_geneva_mechanism},
-    {"die-press", die_press_mechanism},
-    {"sheet-delivery", sheet_delivery_mechanism},
-    {"signature-feeder", signature_feeder_mechanism},
     {"disc-cam-roller", roller_cam_mechanism},
     {"disc-cam-flat", flat_cam_mechanism},
     {"disc-cam-knife-edge", knife_edge_cam_mechanism, "disc-cam-knife"},
@@ -52,12 +45,20 @@ constexpr Listed kListed[] = {
     {"parallel-index-cam", parallel_index_cam_mechanism},
     {"indexing-barrel", barrel_index_cam_mechanism},
     {"globoidal-cam", globoidal_cam_mechanism},
-    {"disc-springs", disc_springs_mechanism},
-    {"helical-spring", helical_spring_mechanism},
-    {"follower-train", follower_train_mechanism},
+    {"geneva", planar_geneva_mechanism},
+    {"geneva-spherical", spherical_geneva_mechanism},
     {"servo-axis", servo_axis_mechanism},
     {"linear-servo-axis", linear_servo_axis_mechanism},
-    {"law", normalised_law_mechanism}};
+    {"follower-train", follower_train_mechanism},
+    {"law", normalised_law_mechanism},
+    {"helical-spring", helical_spring_mechanism},
+    {"disc-springs", disc_springs_mechanism},
+    {"spine-cutter", spine_cutter_mechanism},
+    {"die-press", die_press_mechanism},
+    {"sheet-delivery", sheet_delivery_mechanism},
+    {"signature-feeder", signature_feeder_mechanism},
+    {"balancing-cam", planar_balancing_cam_mechanism},
+    {"balancing-cam-spherical", spherical_balancing_cam_mechanism}};
 constexpr std::size_t kMechanisms = std::size(kListed);
 
 std::vector<Mechanism>& storage() {

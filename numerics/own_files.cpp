@@ -58,7 +58,28 @@ std::optional<std::string> found(const std::string& name, int access_mode) {
   return std::nullopt;
 }
 
+/// The folders of data that people read too.
+std::vector<fs::path> data_folders() {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error && program.is_absolute()) {
+    folders.push_back(program.parent_path().parent_path() / "share/camlaw");
+  }
+  folders.insert(folders.end(), {CAMLAW_DATA, CAMLAW_PACKAGE_DATA});
+  return folders;
+}
+
 }  // namespace
+
+std::optional<std::string> own_data(const std::string& name) {
+  std::error_code ignored;
+  for (const fs::path& folder : data_folders()) {
+    const fs::path path = folder / name;
+    if (fs::is_directory(path, ignored)) return path.string();
+  }
+  return std::nullopt;
+}
 
 std::optional<std::string> own_file(const std::string& name) { return found(name, R_OK); }
 

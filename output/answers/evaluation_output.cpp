@@ -25,9 +25,7 @@ Table response_table(const std::vector<EvaluatedResponse>& responses) {
                           numbers("highest"), numbers("at"), words("unit"), words("meaning")}};
   for (const EvaluatedResponse& r : responses) {
     const double size = std::max(std::abs(r.lowest), std::abs(r.highest));
-    const auto place = [&](double value) {
-      return with_unit(fmt::format("{:.4g}", value + 0.0), r.along);
-    };
+    const auto place = [&](double value) { return place_text(value, r.along); };
     if (r.is_curve) {
       table.add({r.name, "", significant(r.lowest, size), place(r.lowest_at),
                  significant(r.highest, size), place(r.highest_at), r.unit, r.meaning});

@@ -5,11 +5,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "output/answers/warnings.h"
 #include "problems/statement/parameters.h"
 
 namespace camlaw::cli {
+namespace {
+
+using Parts = std::vector<std::string>;
+
+/// "rise=cycloidal", "return=cosine": what moves, of "program rise=cycloidal return=cosine".
+Parts parts_of(const Member& program) {
+  Parts parts;
+  std::istringstream names(program.family->name);
+  for (std::string part; names >> part;) parts.push_back(part);
+  return parts;
+}
+
+bool is_among(const Parts& parts, const std::string& part) {
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+/// "rise cycloidal, return cosine": the parts that not all the programs have.
+std::string differing(const Member& program, const Parts& common) {
+  std::string result;
+  for (const std::string& part : parts_of(program)) {
+    if (!is_among(common, part)) result += (result.empty() ? "" : ", ") + part;
+  }
+  std::replace(result.begin(), result.end(), '=', ' ');
+  return result;
+}
+
+/// What a program is called among those to choose from: by what differs, else by its number too.
+std::string program_name(const std::vector<Member>& all, std::size_t i) {
+  Parts common = parts_of(all[i]);
+  for (const Member& other : all) {
+    std::erase_if(common, [theirs = parts_of(other)](const std::string& part) {
+      return !is_among(theirs, part);
+    });
+  }
+  const std::string mine = differing(all[i], common);
+  const auto as_mine = std::count_if(all.begin(), all.end(), [&](const Member& other) {
+    return differing(other, common) == mine;
+  });
+  if (as_mine == 1) return mine;
+  return fmt::format("{}{}program {}", mine, mine.empty() ? "" : ", ", i + 1);
+}
+
+}  // namespace
 
 using optim::FrontPoint;
 
@@ -75,7 +119,7 @@ std::string FrontAnswer::family(const FrontPoint& point) const {
   const auto& statement = study.bound().statement();
   if (statement.mechanism->moved_by == problems::MovedBy::Program) {
     if (statement.laws.size() == 1) return "program";
-    return fmt::format("program {}", study.space().options(point.part).front() + 1);
+    return program_name(statement.laws, study.space().options(point.part).front());
   }
   const std::string its_law = law(point);
   return its_law.substr(0, its_law.find(' '));

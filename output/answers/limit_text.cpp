@@ -13,10 +13,13 @@
 
 namespace camlaw::cli {
 
-std::string place_text(double place, const problems::ResponseName& curve) {
+std::string place_text(double place, const std::string& unit) {
   constexpr double kNone = 1e-6;  // what rounding leaves of the cycle's beginning
-  const std::string unit = curve.response != nullptr ? curve.response->along : "";
   return with_unit(fmt::format("{:.4g}", std::abs(place) < kNone ? 0 : place), unit);
+}
+
+std::string place_text(double place, const problems::ResponseName& curve) {
+  return place_text(place, curve.response != nullptr ? curve.response->along : "");
 }
 
 std::string at_place(double place, const problems::ResponseName& curve) {

@@ -41,6 +41,8 @@ Document limits_document(const std::vector<optim::LimitReport>& limits,
 
 /// A place of a curve over the cycle: "342.2 deg", along a normalised law "0.8912".
 std::string place_text(double place, const problems::ResponseName& curve);
+/// The same of a curve along places in this unit.
+std::string place_text(double place, const std::string& unit);
 /// "at 12 deg"; of the worst of load cases "at 12 deg in case fast", of numbers "in case fast".
 std::string at_place(double place, const problems::ResponseName& curve);
 

@@ -174,6 +174,20 @@ Document mechanisms_document() {
   return document;
 }
 
+Document first_files_document() {
+  Document document;
+  Table table{.columns = {words("mechanism"), words("what it is")}};
+  Json list = Json::array();
+  for (const Mechanism& m : problems::mechanisms()) {
+    table.add({m.name, m.title});
+    list.push_back({{"name", m.name}, {"title", m.title}});
+  }
+  document.add(std::move(table));
+  document.take_list(std::move(list));
+  document.say("\n'camlaw new NAME > my.toml' writes a problem file about one of them.\n");
+  return document;
+}
+
 Document mechanisms_page() {
   Document page;
   page.add(Heading{"Mechanisms of problem files", 1});
@@ -182,6 +196,12 @@ Document mechanisms_page() {
       "its\nparameters and asks about its responses ([problem-files.md](problem-files.md)). A "
       "curve is asked about as\n`peak`, `highest` or `lowest` of it. The formulas of each are in "
       "[machine-formulas](machine-formulas).\n");
+  std::string contents;
+  for (const Mechanism& m : problems::mechanisms()) {
+    contents +=
+        fmt::format("{}[{}](#{})", contents.empty() ? "\n**Contents:** " : " ·\n", m.name, m.name);
+  }
+  page.say(contents + "\n");
   for (const Mechanism& m : problems::mechanisms()) page.add(mechanism_document(m));
   return page;
 }

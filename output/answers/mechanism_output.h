@@ -11,6 +11,8 @@ namespace camlaw::cli {
 
 /// All of them, a line each; programs read a list of what mechanism_document has of each.
 Document mechanisms_document();
+/// All of them with what they are, for who begins a problem file.
+Document first_files_document();
 /// The page docs/mechanisms.md.
 Document mechanisms_page();
 /// A page of docs/machine-formulas: every formula of a mechanism.

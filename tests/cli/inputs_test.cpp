@@ -95,6 +95,8 @@ const std::vector<Run> kRuns = {
      {"torque.csv", "spring.toml", "law.json"}},
     {{"fit", "cam.csv", "--mechanism", "one.toml", "--law", "cycloidal"},
      {"cam.csv", "one.toml", "law.json"}},
+    {{"new", "geneva"}, {}},
+    {{"examples", "roller_least_base"}, {}},
     {{"study"}, {}},
     {{"reproduce"}, {}},
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/progress_line.h"
 
+#include "cli/search_progress.h"
+
 #include <catch2/catch.hpp>
 
 namespace camlaw::cli::progress_line_test {
@@ -16,6 +18,14 @@ TEST_CASE("nothing is said of the time left where it is not known or soon over",
   CHECK(time_left(10, 0).empty());
   CHECK(time_left(10, 1).empty());
   CHECK(time_left(1, 0.5).empty());
+}
+
+TEST_CASE("a search says how far it is and how good its best design", "[program]") {
+  CHECK(state_text({.combinations = 100, .done = 0.279, .best = 49.2, .unit = "mm"}) ==
+        "27 of 100 combinations, best 49.2 mm");
+  CHECK(state_text({.done = 0.5}) == "50 % searched, no design within the limits yet");
+  CHECK(state_text({.iteration = 12, .best = 0.123456789, .unit = "1"}) ==
+        "iteration 12, best 0.12346");
 }
 
 }  // namespace camlaw::cli::progress_line_test

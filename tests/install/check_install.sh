@@ -29,6 +29,13 @@ for file in bin/camlaw share/man/man1/camlaw.1 share/bash-completion/completions
 done
 (cd / && "$prefix/bin/camlaw" law cubic | grep '^cubic') >/dev/null || fail "the installed program fails"
 
+# The problem files come along, and a copy of one needs nothing else.
+(cd / && "$prefix/bin/camlaw" examples --json | grep "\"file\": \"$prefix/share/camlaw/problems/cams/") >/dev/null ||
+  fail "the installed program does not find its problem files"
+step "$prefix/bin/camlaw" examples cams/roller_from_catalogue --out "$folder/copy"
+step "$prefix/bin/camlaw" check "$folder/copy/roller_from_catalogue.toml"
+[ -z "$(find "$prefix/share/camlaw" -name '*.cpp')" ] || fail "sources among the problem files"
+
 # find_package: kinematics alone, then all, with every header that is installed.
 step cmake -S "$source/tests/install/project" -B "$folder/project" -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLE="$example" -DOWN_SOLVER="$own_solver" -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}"

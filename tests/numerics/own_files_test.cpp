@@ -45,5 +45,12 @@ TEST_CASE("in the build folder the plug-ins are found", "[own files]") {
   CHECK(fs::path(*plugin).parent_path().filename() == "plugins");
 }
 
+TEST_CASE("in the build folder the problem files are found", "[own files]") {
+  const auto problems = own_data("problems");
+  REQUIRE(problems);
+  CHECK(fs::exists(fs::path(*problems) / "cams/roller_least_base.toml"));
+  CHECK_FALSE(own_data("no-such-folder"));
+}
+
 }  // namespace
 }  // namespace camlaw::own_files_test
