@@ -12,24 +12,27 @@ namespace {
 struct Chord {
   double from, to;
   Eigen::Vector2d begin, end;
-  double deviation;
+  CurveDeviation deviation;
 };
 
-double departure(const PlaneCurve& curve, const CurveSpan& span, const Eigen::Vector2d& a,
-                 const Eigen::Vector2d& b) {
-  return worst_over(curve, span, [&](optim::Place, const Eigen::Vector2d& p) {
-    return distance_to_line(p, a, b);
-  });
+CurveDeviation departure(const PlaneCurve& curve, const CurveSpan& span, double tolerance,
+                         const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return deviation_over(
+      curve, span, tolerance,
+      [&](optim::Place, const Eigen::Vector2d& p) { return distance_to_line(p, a, b); },
+      [&](const CurveStretch& stretch, double, double) { return line_bound(stretch, a, b); });
 }
 
 /// Of a step that may reach over breaks.
-double departure_over(const PlaneCurve& curve, double from, double to, const Eigen::Vector2d& a,
-                      const Eigen::Vector2d& b) {
-  double worst = 0, begin = from;
+CurveDeviation departure_over(const PlaneCurve& curve, double from, double to,
+                              const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  CurveDeviation worst;
+  double begin = from;
   for (const double place : curve.breaks()) {
     if (place <= begin || begin >= to) continue;
     const double end = std::min(place, to);
-    worst = std::max(worst, departure(curve, span_of(curve, begin, end), a, b));
+    const auto here = departure(curve, span_of(curve, begin, end), optim::kInfinity, a, b);
+    worst = {std::max(worst.most, here.most), worst.proved && here.proved};
     begin = end;
   }
   return worst;
@@ -37,7 +40,9 @@ double departure_over(const PlaneCurve& curve, double from, double to, const Eig
 
 /// A closed curve ends in the very digits in which it begins.
 void close(const PlaneCurve& curve, Chords& chords) {
-  if (curve.is_closed()) chords.points.back().at = chords.points.front().at;
+  if (!curve.is_closed()) return;
+  chords.worst += (chords.points.back().at - chords.points.front().at).norm();
+  chords.points.back().at = chords.points.front().at;
 }
 
 /// How far a cycle may be from a whole number of steps, as a part of that number.
@@ -93,13 +98,13 @@ Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals) {
       curve, tolerance,
       [&](const CurveSpan& span) {
         const auto a = rounded(span.begin.at, decimals), b = rounded(span.end.at, decimals);
-        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, a, b)};
+        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, tolerance, a, b)};
       },
       [&](double angle, const CurvePoint& a, const CurvePoint& b) {
-        return Chord{angle, angle, rounded(a.at, decimals), rounded(b.at, decimals), 0};
+        return Chord{angle, angle, rounded(a.at, decimals), rounded(b.at, decimals), {}};
       });
-  Chords chords{{}, fit.worst};
-  for (const Chord& c : fit.pieces) chords.points.push_back({c.from, c.begin, c.deviation});
+  Chords chords{{}, fit.worst.most, fit.worst.proved};
+  for (const Chord& c : fit.pieces) chords.points.push_back({c.from, c.begin, c.deviation.most});
   chords.points.push_back({fit.pieces.back().to, fit.pieces.back().end, 0});
   close(curve, chords);
   return chords;
@@ -112,13 +117,15 @@ Chords chords_at_steps(const PlaneCurve& curve, double step, int decimals) {
     const auto place = optim::even_place(curve.begin(), curve.end(), count, i);
     chords.points.push_back({place.angle, rounded(curve.at(place).at, decimals), 0});
   }
-  close(curve, chords);
   for (std::size_t i = 0; i + 1 < chords.points.size(); ++i) {
     ChordPoint& a = chords.points[i];
     const ChordPoint& b = chords.points[i + 1];
-    a.deviation = departure_over(curve, a.angle, b.angle, a.at, b.at);
+    const CurveDeviation deviation = departure_over(curve, a.angle, b.angle, a.at, b.at);
+    a.deviation = deviation.most;
     chords.worst = std::max(chords.worst, a.deviation);
+    chords.proved = chords.proved && deviation.proved;
   }
+  close(curve, chords);
   return chords;
 }
 

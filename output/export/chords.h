@@ -16,7 +16,8 @@ struct ChordPoint {
 /// Points of a curve; of a closed one the last is the first again.
 struct Chords {
   std::vector<ChordPoint> points;
-  double worst = 0;  ///< the largest deviation
+  double worst = 0;    ///< the largest deviation
+  bool proved = true;  ///< that no deviation is larger, nor any of the points' than is told
 };
 
 /// As many points as it takes to stay within a tolerance, mm. Coordinates are rounded to `decimals`

@@ -67,11 +67,48 @@ double worst_over(const PlaneCurve& curve, const CurveSpan& span, const Distance
   return worst;
 }
 
+/// How far a curve is from what replaces it at most, mm.
+struct CurveDeviation {
+  double most = 0;
+  bool proved = true;  ///< by intervals over every place; else the largest that was met
+};
+
+/// The largest distance(place, point) over a span, and a proof: bound(stretch, from, to) is a
+/// number that no distance over a stretch exceeds. The span is divided until that is hardly above
+/// what worst_over met. A deviation above the tolerance is of no use and is not proved.
+template <class Distance, class Bound>
+CurveDeviation deviation_over(const PlaneCurve& curve, const CurveSpan& span, double tolerance,
+                              const Distance& distance, const Bound& bound) {
+  constexpr double kRoom = 1.005, kLeast = 2e-9;  // mm
+  constexpr int kMostStretches = 4000;
+  const double met = worst_over(curve, span, distance);
+  if (!(met <= tolerance)) return {met, false};
+  const double enough = kRoom * met + kLeast;
+  std::vector<std::pair<double, double>> open{{span.from.angle, span.to.angle}};
+  double most = met;
+  for (int count = 0; !open.empty(); ++count) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    const CurveStretch stretch = curve.stretch(from, to);
+    const double here = std::isfinite(stretch.bow) ? bound(stretch, from, to) : stretch.bow;
+    const double middle = std::midpoint(from, to);
+    const bool is_last = count >= kMostStretches || !(from < middle && middle < to);
+    if (here <= enough || is_last) {
+      if (!std::isfinite(here)) return {met, false};
+      most = std::max(most, here);
+      continue;
+    }
+    open.emplace_back(middle, to);
+    open.emplace_back(from, middle);
+  }
+  return {most, true};
+}
+
 /// Pieces that follow one another, and how far the curve is from them at most, mm.
 template <class Piece>
 struct CurveFit {
   std::vector<Piece> pieces;
-  double worst = 0;
+  CurveDeviation worst = {};
 };
 
 /// Divides a curve until each piece_of(span) has a deviation within the tolerance, mm. Where the
@@ -86,22 +123,28 @@ auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, 
   CurveFit<Piece> fit;
   const auto divide = [&](auto& self, double from, double to) -> void {
     const Piece piece = piece_of(span_of(curve, from, to));
-    if (piece.deviation <= tolerance) {
-      fit.worst = std::max(fit.worst, piece.deviation);
+    if (piece.deviation.most <= tolerance) {
+      fit.worst.most = std::max(fit.worst.most, piece.deviation.most);
+      fit.worst.proved = fit.worst.proved && piece.deviation.proved;
       fit.pieces.push_back(piece);
       return;
     }
     if (fit.pieces.size() >= kMostPieces || to - from < kLeast * cycle) {
       throw std::invalid_argument(fmt::format(
-          "the {} cannot be followed within {:.6g} mm at {:.6g} deg; a larger tolerance is wanted",
-          curve.name(), tolerance, from));
+          "the {} cannot be followed within {:.6g} {} at {:.6g} deg; a larger tolerance is wanted",
+          curve.name(), tolerance, curve.unit(), from));
     }
     const double middle = std::midpoint(from, to);
     self(self, from, middle);
     self(self, middle, to);
   };
+  double gap = 0;  // what is no jump, but moves the pieces' ends onto each other
   const auto bridge = [&](double angle, const CurvePoint& before, const CurvePoint& after) {
-    if ((after.at - before.at).norm() <= PlaneCurve::kJump) return;
+    const double jump = (after.at - before.at).norm();
+    if (jump <= PlaneCurve::kJump) {
+      gap = std::max(gap, jump);
+      return;
+    }
     fit.pieces.push_back(join(angle, before, after));
   };
   const std::vector<double>& breaks = curve.breaks();
@@ -118,6 +161,7 @@ auto fitted(const PlaneCurve& curve, double tolerance, const PieceOf& piece_of, 
   if (curve.is_closed()) {
     bridge(curve.end(), curve.at({curve.end(), true}), curve.at({curve.begin()}));
   }
+  fit.worst.most += gap;
   return fit;
 }
 
@@ -128,6 +172,13 @@ inline double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& 
   const double length = way.squaredNorm();
   const double share = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0;
   return (p - a - share * way).norm();
+}
+
+/// No point of a stretch is farther than this from a straight line: the distance is convex.
+inline double line_bound(const CurveStretch& stretch, const Eigen::Vector2d& a,
+                         const Eigen::Vector2d& b) {
+  return std::max(distance_to_line(stretch.a, a, b), distance_to_line(stretch.b, a, b)) +
+         stretch.bow;
 }
 
 }  // namespace camlaw::problems

@@ -103,14 +103,14 @@ std::string dxf_layer(const std::string& curve) {
   return layer;
 }
 
-std::string dxf_text(const std::vector<ExportedCurve>& curves,
+std::string dxf_text(const std::vector<ExportedCurve>& curves, const LengthUnit& unit,
                      const std::vector<std::string>& comments) {
   Tags entities;
   Entities writer(entities);
   for (const ExportedCurve& curve : curves) writer.add(curve);
   Tags tags;
   for (const std::string& comment : comments) tags.text(999, plain_text(comment));
-  dxf::begin(tags, curves, writer.next());
+  dxf::begin(tags, curves, unit, writer.next());
   tags.text(0, "SECTION");
   tags.text(2, "ENTITIES");
   std::string text = tags.take() + entities.take();

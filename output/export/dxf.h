@@ -3,13 +3,13 @@
 
 #include "output/export/exported_curve.h"
 
-/// Curves as a drawing: DXF of AutoCAD 2000 (AC1015; Autodesk, DXF Reference), in mm, one layer for
+/// Curves as a drawing: DXF of AutoCAD 2000 (AC1015; Autodesk, DXF Reference), one layer for
 /// each curve.
 namespace camlaw::problems {
 
 /// Lines are one LWPOLYLINE, closed where the curve is; arcs single ARC and LINE entities in their
 /// order; a spline one SPLINE of degree 3 by its control points. `comments` stand at the beginning.
-std::string dxf_text(const std::vector<ExportedCurve>& curves,
+std::string dxf_text(const std::vector<ExportedCurve>& curves, const LengthUnit& unit,
                      const std::vector<std::string>& comments);
 
 /// The layer of a curve: "PITCH_CURVE".

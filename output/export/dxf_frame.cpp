@@ -11,7 +11,8 @@ using Eigen::Vector2d;
 /// Handles of what other parts refer to.
 constexpr int kPaper = 0x1B, kRoot = 0xC, kGroups = 0xD;
 
-void header(Tags& tags, const Extent& extent, int next_handle) {
+void header(Tags& tags, const Extent& extent, const LengthUnit& unit, int next_handle) {
+  const bool metric = unit.mm == 1;
   tags.text(0, "SECTION");
   tags.text(2, "HEADER");
   tags.text(9, "$ACADVER");
@@ -19,9 +20,9 @@ void header(Tags& tags, const Extent& extent, int next_handle) {
   tags.text(9, "$HANDSEED");
   tags.handle(5, next_handle);
   tags.text(9, "$INSUNITS");
-  tags.integer(70, 4);  // millimetres
+  tags.integer(70, metric ? 4 : 1);  // millimetres, inches
   tags.text(9, "$MEASUREMENT");
-  tags.integer(70, 1);  // metric
+  tags.integer(70, metric ? 1 : 0);
   tags.text(9, "$EXTMIN");
   tags.point(10, extent.low);
   tags.text(9, "$EXTMAX");
@@ -144,8 +145,8 @@ void block(Tags& tags, int owner, const std::string& name) {
 
 }  // namespace
 
-void begin(Tags& tags, const std::vector<ExportedCurve>& curves, int next) {
-  header(tags, extent_of(curves), next);
+void begin(Tags& tags, const std::vector<ExportedCurve>& curves, const LengthUnit& unit, int next) {
+  header(tags, extent_of(curves), unit, next);
   tags.text(0, "SECTION");
   tags.text(2, "CLASSES");
   tags.text(0, "ENDSEC");

@@ -11,7 +11,7 @@ namespace camlaw::problems::dxf {
 inline constexpr int kModel = 0x17, kFirstFree = 0x30;
 
 /// Header, tables and blocks. `next` is the first handle that no entity has.
-void begin(Tags& tags, const std::vector<ExportedCurve>& curves, int next);
+void begin(Tags& tags, const std::vector<ExportedCurve>& curves, const LengthUnit& unit, int next);
 /// Objects and the end.
 void end(Tags& tags);
 

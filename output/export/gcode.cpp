@@ -59,7 +59,7 @@ std::string gcode_text(const ToolPath& path, const GcodeSettings& settings,
   }
   Program program(settings);
   for (const std::string& comment : comments) program.comment(comment);
-  program.line("G21 G17 G90 G40 G94");
+  program.line(fmt::format("{} G17 G90 G40 G94", settings.unit.mm == 1 ? "G21" : "G20"));
   program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
   program.line(fmt::format("G0 {}", program.place(curve.joints().front())));
   program.line(fmt::format("G1 Z{} F{:.6g}", program.number(-settings.depth), settings.feed));

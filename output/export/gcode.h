@@ -7,20 +7,21 @@
 namespace camlaw::problems {
 
 struct GcodeSettings {
-  double feed = 100;     ///< mm/min
-  double clearance = 5;  ///< Z at which the tool moves freely, mm
-  double depth = 0;      ///< the cut is at Z = -depth, mm
-  int decimals = 4;      ///< of coordinates in mm
+  LengthUnit unit = kMillimetre;  ///< of all lengths, the path's included
+  double feed = 100;              ///< lengths per minute
+  double clearance = 5;           ///< Z at which the tool moves freely
+  double depth = 0;               ///< the cut is at Z = -depth
+  int decimals = 4;               ///< of coordinates
 };
 
 /// Controllers take no larger radius, mm.
 inline constexpr double kMostArcRadius = 99999;
 
-/// G21 G17 G90 G40 G94; to the start at the clearance, down, along lines (G1) and arcs (G2, G3 with
-/// I and J from the start of the arc), up again; M30. A closed curve ends at its start to the last
-/// digit. Lines must be rounded to the settings' decimals already, and no arc may be larger than
-/// kMostArcRadius; rounding moves arcs by at most gcode_rounding(). Throws std::invalid_argument
-/// for splines.
+/// G21 (inches: G20) G17 G90 G40 G94; to the start at the clearance, down, along lines (G1) and
+/// arcs (G2, G3 with I and J from the start of the arc), up again; M30. A closed curve ends at its
+/// start to the last digit. Lines must be rounded to the settings' decimals already, and no arc may
+/// be larger than kMostArcRadius; rounding moves arcs by at most gcode_rounding(). Throws
+/// std::invalid_argument for splines.
 std::string gcode_text(const ToolPath& path, const GcodeSettings& settings,
                        const std::vector<std::string>& comments);
 

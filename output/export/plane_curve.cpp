@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -64,7 +65,7 @@ CurvePoint PlaneCurve::look(optim::Place place) const {
     point.at += left_ * left_of(point.slope) / speed;
     point.slope *= 1 - left_ * curvature;
   }
-  return point;
+  return {scale_ * point.at, scale_ * point.slope};
 }
 
 CurvePoint PlaneCurve::at(optim::Place place) const {
@@ -76,6 +77,13 @@ CurvePoint PlaneCurve::at(optim::Place place) const {
                     name_, place.angle));
   }
   return point;
+}
+
+PlaneCurve PlaneCurve::in(const LengthUnit& unit) const {
+  PlaneCurve result = *this;
+  result.scale_ *= unit_.mm / unit.mm;
+  result.unit_ = unit;
+  return result;
 }
 
 std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
@@ -142,6 +150,24 @@ std::optional<double> turns_back(const PlaneCurve& curve) {
   }
   if (curve.is_closed() && turns({curve.begin()})) return curve.end();
   return {};
+}
+
+Turning turning(const PlaneCurve& curve) {
+  constexpr double kFirst = 1.0 / 360, kLeast = 1e-7;  // of the cycle
+  Turning result{turns_back(curve)};
+  if (result.angle) return result;
+  const double cycle = curve.end() - curve.begin();
+  const auto keeps_on = [&](auto& self, double from, double to) -> bool {
+    if (to - from <= kFirst * cycle && curve.keeps_on(from, to)) return true;
+    if (to - from < kLeast * cycle) return false;
+    const double middle = std::midpoint(from, to);
+    return self(self, from, middle) && self(self, middle, to);
+  };
+  result.proved = true;
+  for (std::size_t k = 0; k + 1 < curve.breaks().size() && result.proved; ++k) {
+    result.proved = keeps_on(keeps_on, curve.breaks()[k], curve.breaks()[k + 1]);
+  }
+  return result;
 }
 
 PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {

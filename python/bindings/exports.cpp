@@ -14,10 +14,15 @@ namespace {
 cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
   cli::ExportOptions options;
   const std::map<std::string, cli::ExportOptions::Text*> known{
-      {"format", &options.format},       {"out", &options.out},     {"curve", &options.curve},
-      {"tolerance", &options.tolerance}, {"step", &options.step},   {"form", &options.form},
-      {"decimals", &options.decimals},   {"tool", &options.tool},   {"feed", &options.feed},
-      {"clearance", &options.clearance}, {"depth", &options.depth}, {"slave", &options.slave}};
+      {"format", &options.format},      {"out", &options.out},
+      {"curve", &options.curve},        {"tolerance", &options.tolerance},
+      {"step", &options.step},          {"form", &options.form},
+      {"decimals", &options.decimals},  {"tool", &options.tool},
+      {"feed", &options.feed},          {"clearance", &options.clearance},
+      {"depth", &options.depth},        {"slave", &options.slave},
+      {"unit", &options.unit},          {"master", &options.master},
+      {"cycle", &options.cycle},        {"columns", &options.columns},
+      {"separator", &options.separator}};
   for (const auto& [name, text] : told) *known.at(name) = text;
   return options;
 }
