@@ -39,7 +39,8 @@ std::vector<Option> export_options(ExportOptions& o) {
        .required = true},
       {"--format", &o.format, format_words(),
        "csv (points), dxf (drawing), svg (picture in real size), json (points, motion and law), "
-       "gcode (path of the tool), table (master and slave for a controller, PLC or servo drive), "
+       "gcode (path of the tool), inspection (points and normals to be measured), table (master "
+       "and slave for a controller, PLC or servo drive), "
        "or "
        "the motion as a drive's own file: beckhoff-points, beckhoff-motion, codesys, lenze, "
        "rockwell, siemens; without it the ending of --out decides"},
@@ -66,6 +67,22 @@ std::vector<Option> export_options(ExportOptions& o) {
       {"--feed", &o.feed, "SPEED", "gcode: by default '100 mm/min'"},
       {"--clearance", &o.clearance, "LENGTH", "gcode: Z of free moves, by default '5 mm'"},
       {"--depth", &o.depth, "LENGTH", "gcode: the cut is so far below Z = 0, by default '0 mm'"},
+      {"--lead", &o.lead, "LENGTH",
+       "gcode: come to the path and leave it on a quarter of a circle of this radius"},
+      {"--allowances", &o.allowances, "LENGTHS",
+       "gcode: roughing passes that leave so much, such as '0.5, 0.1 mm', before the last one"},
+      {"--compensation", &o.compensation, takes::kNumber,
+       "gcode along a profile: the controller compensates for the tool that it has under this "
+       "number (G41 or G42, and G40)"},
+      {"--drawing", &o.drawing, takes::kNothing,
+       "dxf: with bore, centre, zero mark, follower at 0 deg, sense of rotation and a title block "
+       "on layers of their own"},
+      {"--bore", &o.bore, "LENGTH", "dxf with --drawing: diameter of the bore; else the cam's own"},
+      {"--keyway", &o.keyway, "SIZE",
+       "dxf with --drawing: width x depth of the keyway from the bore's edge, such as '8 x 3.3 "
+       "mm'"},
+      {"--form-tolerance", &o.form_tolerance, "LENGTH",
+       "inspection: how far the profile may be from the nominal one; by default 0.02 mm"},
       {"--slave", &o.slave, "NAME",
        "table: the curve that the slave follows; by default displacement, else the law"},
       {"--master", &o.master, "{deg,x,ms,increments}",

@@ -12,6 +12,7 @@
 #include "optim/verdict/verdict.h"
 #include "output/answers/buildable_output.h"
 #include "output/answers/motion_export.h"
+#include "output/answers/shop_export.h"
 #include "output/export/curve_svg.h"
 #include "output/export/dxf.h"
 #include "output/export/plane_curve.h"
@@ -34,6 +35,7 @@ const std::vector<FormatRow>& export_formats() {
         {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
         {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
         {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
+        {ExportFormat::Inspection, "inspection", {}, {F::Lines}, 6},
         {ExportFormat::Table, "table", {}, {}, 6}};
     for (const problems::DriveFormat& drive : problems::drive_formats()) {
       all.push_back({ExportFormat::Drive, drive.name, {}, {}, drive.decimals, &drive});
@@ -106,6 +108,22 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
   }
   only(o.decimals, "--decimals", format.drive == nullptr, "curves and table");
   only(o.step, "--step", !quintics, "points at even steps");
+  const bool inspection = format.format == ExportFormat::Inspection;
+  only(o.lead, "--lead", gcode, "gcode");
+  only(o.compensation, "--compensation", gcode, "gcode");
+  only(o.allowances, "--allowances", gcode, "gcode");
+  only(o.form_tolerance, "--form-tolerance", inspection, "inspection");
+  only(o.bore, "--bore", o.drawing, "dxf with --drawing");
+  only(o.keyway, "--keyway", o.drawing, "dxf with --drawing");
+  if (o.drawing && format.format != ExportFormat::Dxf) {
+    throw std::invalid_argument(fmt::format("--drawing is for dxf, not for {}", format.name));
+  }
+  if (o.compensation && (!o.lead || o.curve.value_or("cutter") == "cutter")) {
+    throw std::invalid_argument(
+        "--compensation is for --curve profile or second-profile, with a --lead that is larger "
+        "than "
+        "the tool's radius");
+  }
   only(o.feed, "--feed", gcode, "gcode");
   only(o.clearance, "--clearance", gcode, "gcode");
   only(o.depth, "--depth", gcode, "gcode");
@@ -113,7 +131,9 @@ void check_options(const ExportOptions& o, const FormatRow& format) {
        {std::pair{&o.curve, "--curve"}, {&o.form, "--as"}, {&o.tool, "--tool"}}) {
     only(*option, name, !motion, "curves");
   }
-  only(o.tolerance, "--tolerance", !motion || quintics, "curves and drives that take polynomials");
+  only(o.tool, "--tool", !inspection, "drawings and gcode");
+  only(o.tolerance, "--tolerance", (!motion && !inspection) || quintics,
+       "curves and drives that take polynomials");
   if (o.step && o.tolerance) {
     throw std::invalid_argument("--step and --tolerance: give one of the two");
   }
@@ -171,6 +191,10 @@ problems::GcodeSettings gcode_settings(const ExportOptions& o,
   problems::GcodeSettings s;
   s.unit = accuracy.unit;
   s.decimals = accuracy.decimals;
+  if (o.compensation) {
+    s.compensation =
+        static_cast<int>(problems::parse_integer(*o.compensation, 1, 999, "--compensation"));
+  }
   const double per_mm = 1 / s.unit.mm;
   const std::string speed = fmt::format("{}/min", s.unit.name);
   const char* length = s.unit.name;
@@ -237,7 +261,8 @@ std::string instead(const problems::ProblemStatement& statement) {
 std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
                                                const problems::ProblemStatement& statement) {
   const bool gcode = format.format == ExportFormat::Gcode;
-  const std::string asked = o.curve.value_or(gcode ? "cutter" : "all");
+  const bool inspection = format.format == ExportFormat::Inspection;
+  const std::string asked = o.curve.value_or(gcode ? "cutter" : inspection ? "profile" : "all");
   auto curves = problems::cam_curves(statement, asked);
   add_tool_path(o, statement, asked, curves);
   const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
@@ -245,6 +270,10 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   if (curves.empty() && !without) refuse_without(statement, asked);
   if (gcode && curves.size() > 1) {
     throw std::invalid_argument("--curve all: a gcode program follows one curve");
+  }
+  if (inspection && (curves.size() > 1 || !curves.front().name().ends_with("profile"))) {
+    throw std::invalid_argument(
+        fmt::format("--curve {}: an inspection table is of profile or second-profile", asked));
   }
   return curves;
 }
@@ -258,8 +287,8 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const auto curves = curves_asked(o, format, e.design.statement);
   for (const problems::PlaneCurve& curve : curves) {
     if (format.format == ExportFormat::Gcode) {
-      e.tool_path.emplace(e.design.statement, curve, form, inner);
-      e.curves.push_back(e.tool_path->exported());
+      e.passes = tool_passes(o, e, curve, form, inner);
+      e.curves.push_back(e.passes.back().path.exported());
     } else {
       for (std::string& note : problems::obstacles(curve)) e.notes.push_back(std::move(note));
       e.curves.push_back(problems::exported(curve, form, inner));
@@ -267,7 +296,7 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
   }
   const std::vector<std::string> more =
-      e.tool_path ? e.tool_path->doubts() : problems::cuts_into_profiles(curves);
+      e.passes.empty() ? problems::cuts_into_profiles(curves) : e.passes.back().path.doubts();
   e.notes.insert(e.notes.end(), more.begin(), more.end());
 }
 
@@ -288,18 +317,21 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
   if (format.format == ExportFormat::Table || format.drive != nullptr) {
     return motion_text(o, format, e);
   }
+  if (format.format == ExportFormat::Inspection) {
+    return inspection_table(o, e, curves_asked(o, format, e.design.statement).front());
+  }
   fit_curves(o, format, e);
   std::vector<std::string> comments = comments_of(e);
   switch (format.format) {
     case ExportFormat::Csv:
       return export_csv(e);
     case ExportFormat::Dxf:
-      return problems::dxf_text(e.curves, e.accuracy.unit, comments);
+      return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
     case ExportFormat::Svg:
       return problems::svg_text(e.curves, e.accuracy.unit, e.design.statement.title, comments);
     case ExportFormat::Gcode:
       comments.push_back(tool_line(o, e.design.statement, e.accuracy.unit));
-      return problems::gcode_text(*e.tool_path, gcode_settings(o, e.accuracy), comments);
+      return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
     default:
       return export_json(e).dump(2) + "\n";
   }

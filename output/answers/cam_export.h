@@ -20,13 +20,14 @@ struct ExportOptions {
   using Text = std::optional<std::string>;
   std::string file;
   Text format, out, curve, tolerance, step, form, decimals, unit, tool, feed, clearance, depth,
-      slave, master, cycle, columns, separator, cam;
-  bool decimal_comma = false;
+      lead, compensation, allowances, bore, keyway, form_tolerance, slave, master, cycle, columns,
+      separator, cam;
+  bool decimal_comma = false, drawing = false;
   std::vector<std::string> settings;
   bool json = false;  ///< what is said is for programs
 };
 
-enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Table, Drive };
+enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Inspection, Table, Drive };
 
 struct FormatRow {
   ExportFormat format;

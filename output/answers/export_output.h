@@ -6,8 +6,8 @@
 
 #include "output/document/document.h"
 #include "output/export/drives/drive_files.h"
+#include "output/export/gcode.h"
 #include "output/export/motion_table.h"
-#include "output/export/tool_path.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
@@ -30,8 +30,8 @@ struct Exported {
   std::string file;                   ///< the problem's or result's name, without folders
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
-  std::optional<problems::ToolPath> tool_path = {};  ///< of G-code
-  std::optional<ExportedMotion> motion = {};         ///< of drives
+  std::vector<problems::ToolPass> passes = {};  ///< of G-code
+  std::optional<ExportedMotion> motion = {};    ///< of drives
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
 };

@@ -79,7 +79,7 @@ CurveStretch PlaneCurve::stretch(double from, double to) const {
     return result;
   }
   const Eigen::Vector2d at = middle_of(centre.at());
-  // By the second derivative: p(m) + p'(m) t + t^2 p''/2. By the slopes alone: p(m) + t p'.
+  // By the second derivative, (EX1); or by the slopes alone.
   const double by_bend = radius * radius * over.half_bend() + radius * radius_of(centre.slope());
   const double by_slope = radius * radius_of(over.slope());
   const Eigen::Vector2d slope =

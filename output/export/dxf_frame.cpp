@@ -66,9 +66,9 @@ void line_types(Tags& tags) {
   end_table(tags);
 }
 
-void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
+void layers(Tags& tags, const std::vector<std::string>& names) {
   constexpr int kColours[] = {7, 5, 3, 1};  // black or white, blue, green, red
-  begin_table(tags, "LAYER", 0x2, curves.size() + 1);
+  begin_table(tags, "LAYER", 0x2, names.size() + 1);
   const auto layer = [&](int handle, const std::string& name, int colour) {
     record(tags, "LAYER", handle, 0x2, "AcDbLayerTableRecord", name);
     tags.integer(70, 0);
@@ -76,8 +76,8 @@ void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
     tags.text(6, "Continuous");
   };
   layer(0x10, "0", 7);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    layer(0x20 + static_cast<int>(i), dxf_layer(curves[i].name), kColours[i % 4]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    layer(0x20 + static_cast<int>(i), names[i], kColours[i % 4]);
   }
   end_table(tags);
 }
@@ -97,13 +97,13 @@ void text_styles(Tags& tags) {
 }
 
 /// The tables that a reader of AC1015 asks for, in the order in which it does.
-void tables(Tags& tags, const std::vector<ExportedCurve>& curves) {
+void tables(Tags& tags, const std::vector<std::string>& layer_names) {
   tags.text(0, "SECTION");
   tags.text(2, "TABLES");
   begin_table(tags, "VPORT", 0x8, 0);
   end_table(tags);
   line_types(tags);
-  layers(tags, curves);
+  layers(tags, layer_names);
   text_styles(tags);
   for (const auto& [name, handle] : {std::pair{"VIEW", 0x6}, {"UCS", 0x7}}) {
     begin_table(tags, name, handle, 0);
@@ -145,12 +145,12 @@ void block(Tags& tags, int owner, const std::string& name) {
 
 }  // namespace
 
-void begin(Tags& tags, const std::vector<ExportedCurve>& curves, const LengthUnit& unit, int next) {
-  header(tags, extent_of(curves), unit, next);
+void begin(Tags& tags, const Frame& frame) {
+  header(tags, frame.extent, frame.unit, frame.next);
   tags.text(0, "SECTION");
   tags.text(2, "CLASSES");
   tags.text(0, "ENDSEC");
-  tables(tags, curves);
+  tables(tags, frame.layers);
   tags.text(0, "SECTION");
   tags.text(2, "BLOCKS");
   block(tags, kModel, "*Model_Space");

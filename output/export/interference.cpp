@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "output/export/chords.h"
 
 namespace camlaw::problems {
 namespace {
 
-constexpr double kFollow = 5e-4;  // mm: how far the lines are from the curves
+constexpr double kFollow = 5e-4;  // mm: how far the lines are from the curves, (EX2)
 constexpr int kDigits = 9;
 
 /// A line between two points, and a circle about it.
@@ -60,6 +61,16 @@ Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, d
   }
   result.depth = radius - nearest;
   return result;
+}
+
+double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Link& link : links_of(chords_within(profile, kFollow, kDigits))) {
+    for (const Eigen::Vector2d& point : points) {
+      nearest = std::min(nearest, distance_to_line(point, link.a, link.b));
+    }
+  }
+  return nearest;
 }
 
 std::optional<double> even_distance(const PlaneCurve& a, const PlaneCurve& b) {

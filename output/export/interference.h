@@ -20,6 +20,9 @@ struct Interference {
 /// A circle of a radius whose centre runs along a curve; both curves over the same angle.
 Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius);
 
+/// How near some points come to a profile, mm, to 5e-4.
+double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile);
+
 /// The distance of two curves at the same angle, mm, where that is the same all over the cycle, as
 /// between a roller's centre and the profile under it; none: it is not.
 std::optional<double> even_distance(const PlaneCurve& a, const PlaneCurve& b);

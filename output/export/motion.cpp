@@ -20,7 +20,8 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 class LawTrace final : public optim::Trace {
  public:
   LawTrace(Law<double> law, std::size_t order) : law_(std::move(law)), order_(order) {
-    for (const auto& piece : law_.as<Interval>().pieces()) expanders_.emplace_back(piece);
+    const Law<Interval> enclosing = law_.as<Interval>();
+    for (const auto& piece : enclosing.pieces()) expanders_.emplace_back(piece);
   }
 
   std::vector<double> breaks() const override {

@@ -170,14 +170,17 @@ Turning turning(const PlaneCurve& curve) {
   return result;
 }
 
-PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
+bool winds_left(const PlaneCurve& curve) { return angle_about_centre(curve) > 0; }
+
+bool outside_is_left(const PlaneCurve& profile) {
   // To the right of a path that runs counterclockwise is outside; a plate's runs to greater x, and
   // above it is to the left.
-  const bool closed = profile.is_closed();
-  const double along =
-      profile.at({profile.end(), true}).at.x() - profile.at({profile.begin()}).at.x();
-  const bool right = closed ? angle_about_centre(profile) > 0 : along < 0;
-  return profile.beside("cutter path", right ? -tool_radius : tool_radius);
+  if (profile.is_closed()) return !winds_left(profile);
+  return profile.at({profile.end(), true}).at.x() >= profile.at({profile.begin()}).at.x();
+}
+
+PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
+  return profile.beside("cutter path", outside_is_left(profile) ? tool_radius : -tool_radius);
 }
 
 }  // namespace camlaw::problems

@@ -102,6 +102,12 @@ struct Turning {
 /// turns_back, and where that finds nothing a proof.
 Turning turning(const PlaneCurve& curve);
 
+/// Whether a closed curve runs counterclockwise about the cam's centre.
+bool winds_left(const PlaneCurve& curve);
+/// Whether the outside of a profile, or of a curve that runs like it, is to the left of its
+/// direction: of a disc away from its centre, else above.
+bool outside_is_left(const PlaneCurve& profile);
+
 /// The path of the middle of a tool of a radius, mm, that cuts the profile from outside: of a disc
 /// away from its centre, else above the profile.
 PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius);

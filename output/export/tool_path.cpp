@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 #include <stdexcept>
 
 #include "output/export/interference.h"
@@ -37,7 +39,57 @@ std::vector<PlaneCurve> with_own_curves(const ProblemStatement& design, const Pl
   return curves;
 }
 
+/// Throws where a circle on the arcs of a lead cuts into a profile that it does not cut at their
+/// joint with the path.
+void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
+                const std::vector<Eigen::Vector2d>& way) {
+  constexpr double kLeast = 2e-3;  // mm
+  for (const PlaneCurve& profile : curves) {
+    if (!is_profile(profile)) continue;
+    const auto radius = even_distance(curve, profile);
+    if (!radius) continue;
+    const double clearance = clearance_of(way, profile);
+    if (clearance >= *radius - kLeast) continue;
+    throw std::invalid_argument(
+        fmt::format("--lead: on its way to the path the tool, {:.6g} mm in radius, would cut "
+                    "{:.3g} mm into the "
+                    "{}; a smaller lead is wanted",
+                    *radius, *radius - clearance, profile.name()));
+  }
+}
+
 }  // namespace
+
+void ToolPath::add_lead(const ProblemStatement& design, double radius) {
+  const PlaneCurve curve = curve_.in(unit_);
+  const bool left = outside_is_left(curve);
+  const auto frame = [&](optim::Place place) {
+    const CurvePoint point = curve.at(place);
+    const Eigen::Vector2d along = point.slope.normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    return std::array{point.at, along, Eigen::Vector2d(left ? across : Eigen::Vector2d(-across))};
+  };
+  const auto [begin, t, n] = frame({curve.begin()});
+  const auto [end, u, m] = frame({curve.end(), true});
+  const double quarter = (left ? 1 : -1) * std::numbers::pi / 2;
+  const Eigen::Vector2d first = exported_.joints().front(), last = exported_.joints().back();
+  ToolLead lead;
+  lead.outside_is_left = left;
+  lead.in = {begin + radius * (n - t), first, begin + radius * n, quarter};
+  lead.out = {last, end + radius * (m + u), end + radius * m, quarter};
+  lead.from = lead.in.from + radius * n;
+  lead.to = lead.out.to + radius * m;
+  std::vector<Eigen::Vector2d> way{unit_.mm * lead.from, unit_.mm * lead.to};
+  constexpr int kSteps = 90;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = std::numbers::pi / 2 * i / kSteps;
+    const double c = std::cos(angle), s = std::sin(angle);
+    way.push_back(unit_.mm * (begin + radius * (n - n * s - t * c)));
+    way.push_back(unit_.mm * (end + radius * (m - m * s + u * c)));
+  }
+  check_lead(with_own_curves(design, curve_), curve_, way);
+  lead_ = lead;
+}
 
 std::vector<std::string> obstacles(const PlaneCurve& curve) {
   std::vector<std::string> result;
@@ -70,7 +122,8 @@ std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curve
 }
 
 ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, CurveForm form,
-                   const ExportAccuracy& accuracy) {
+                   const ExportAccuracy& accuracy)
+    : curve_(curve), unit_(accuracy.unit) {
   std::vector<std::string> found = obstacles(curve);
   const std::vector<PlaneCurve> curves = with_own_curves(design, curve);
   const auto add = [&](const std::vector<std::string>& more) {

@@ -29,7 +29,7 @@ std::array<T, 3> taylor(const Polynomial& c, const T& t) {
   return f;
 }
 
-/// s, v and a at both ends, t from 0 to h (docs/theory.md, equation (X1)).
+/// s, v and a at both ends, t from 0 to h (docs/theory.md, equation (EX3)).
 Polynomial quintic(const MotionKnot& p, const MotionKnot& q) {
   const double h = q.master - p.master, rise = q.s - p.s - h * (p.v + h * p.a / 2);
   const double v = h * (q.v - p.v - h * p.a), a = h * h * (q.a - p.a);
@@ -163,8 +163,7 @@ PiecewiseMotion quintics_between(std::vector<MotionKnot> knots) {
 
 PiecewiseMotion cubic_spline_through(std::vector<MotionKnot> knots) {
   const std::size_t n = knots.size();
-  // h_k m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_{k-1} m_{k+1} = 3 (h_k d_{k-1} + h_{k-1} d_k), m the
-  // slopes, d the mean ones; elimination without pivots, as the diagonal dominates.
+  // (EX4), by elimination without pivots, as the diagonal dominates.
   const auto width = [&](std::size_t k) { return knots[k + 1].master - knots[k].master; };
   const auto mean = [&](std::size_t k) { return (knots[k + 1].s - knots[k].s) / width(k); };
   std::vector<double> m(n), above(n, 0);
