@@ -31,7 +31,7 @@ ArcPiece arc_of(const Vector2d& from, const Vector2d& direction, const Vector2d&
 
 struct Biarc {
   std::array<ArcPiece, 2> arcs;
-  CurveDeviation deviation = {};
+  double deviation = 0;
 
   double distance(const Vector2d& point) const {
     return std::min(arcs[0].distance(point), arcs[1].distance(point));
@@ -55,7 +55,7 @@ Biarc biarc_of(const CurveSpan& span, double most_radius) {
   ArcPiece back = arc_of(b, -t, middle, most_radius);
   std::swap(back.from, back.to);
   back.sweep = -back.sweep;
-  return {{arc_of(a, s, middle, most_radius), back}, {}};
+  return {{arc_of(a, s, middle, most_radius), back}, 0};
 }
 
 bool has_tangents(const CurveSpan& span) {
@@ -65,7 +65,7 @@ bool has_tangents(const CurveSpan& span) {
 
 Biarc line_of(const Vector2d& a, const Vector2d& b) {
   const Vector2d middle = 0.5 * (a + b);
-  return {{ArcPiece{a, middle, a, 0}, ArcPiece{middle, b, middle, 0}}, {}};
+  return {{ArcPiece{a, middle, a, 0}, ArcPiece{middle, b, middle, 0}}, 0};
 }
 
 bool continues(const ArcPiece& a, const ArcPiece& b) {
@@ -122,15 +122,16 @@ double ArcPiece::bound(const CurveStretch& stretch) const {
 
 ArcPath arcs_within(const PlaneCurve& curve, double tolerance, double most_radius) {
   const auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, {},
       [&](const CurveSpan& span) {
         Biarc biarc =
             has_tangents(span) ? biarc_of(span, most_radius) : line_of(span.begin.at, span.end.at);
-        biarc.deviation = deviation_over(
-            curve, span, tolerance,
-            [&](optim::Place, const Vector2d& p) { return biarc.distance(p); },
-            [&](const CurveStretch& stretch, double, double) { return biarc.bound(stretch); });
+        biarc.deviation = worst_over(
+            curve, span, [&](optim::Place, const Vector2d& p) { return biarc.distance(p); });
         return biarc;
+      },
+      [](const Biarc& biarc, const CurveStretch& stretch, double, double) {
+        return biarc.bound(stretch);
       },
       [](double, const CurvePoint& a, const CurvePoint& b) { return line_of(a.at, b.at); });
   ArcPath path{{}, fit.worst.most, fit.worst.proved};

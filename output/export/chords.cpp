@@ -12,30 +12,46 @@ namespace {
 struct Chord {
   double from, to;
   Eigen::Vector2d begin, end;
-  CurveDeviation deviation;
+  double deviation;
 };
 
-CurveDeviation departure(const PlaneCurve& curve, const CurveSpan& span, double tolerance,
-                         const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return deviation_over(
-      curve, span, tolerance,
-      [&](optim::Place, const Eigen::Vector2d& p) { return distance_to_line(p, a, b); },
-      [&](const CurveStretch& stretch, double, double) { return line_bound(stretch, a, b); });
+double departure(const PlaneCurve& curve, const CurveSpan& span, const Eigen::Vector2d& a,
+                 const Eigen::Vector2d& b) {
+  return worst_over(curve, span, [&](optim::Place, const Eigen::Vector2d& p) {
+    return distance_to_line(p, a, b);
+  });
 }
 
-/// Of a step that may reach over breaks.
-CurveDeviation departure_over(const PlaneCurve& curve, double from, double to,
-                              const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  CurveDeviation worst;
+/// A step that may reach over breaks, as the spans between them.
+std::vector<CurveSpan> spans_of(const PlaneCurve& curve, double from, double to) {
+  std::vector<CurveSpan> spans;
   double begin = from;
   for (const double place : curve.breaks()) {
     if (place <= begin || begin >= to) continue;
     const double end = std::min(place, to);
-    const auto here = departure(curve, span_of(curve, begin, end), optim::kInfinity, a, b);
-    worst = {std::max(worst.most, here.most), worst.proved && here.proved};
+    spans.push_back(span_of(curve, begin, end));
     begin = end;
   }
-  return worst;
+  return spans;
+}
+
+/// Proves the largest deviation of lines between points.
+void prove(const PlaneCurve& curve, Chords& chords) {
+  double met = 0;
+  for (const ChordPoint& point : chords.points) met = std::max(met, point.deviation);
+  const double limit = ProofRoom().limit(met, optim::kInfinity);
+  chords.worst = met;
+  for (std::size_t i = 0; i + 1 < chords.points.size() && chords.proved; ++i) {
+    const ChordPoint &a = chords.points[i], &b = chords.points[i + 1];
+    for (const CurveSpan& span : spans_of(curve, a.angle, b.angle)) {
+      const CurveDeviation here = proved_over(curve, span, a.deviation, limit,
+                                              [&](const CurveStretch& stretch, double, double) {
+                                                return line_bound(stretch, a.at, b.at);
+                                              });
+      chords.worst = std::max(chords.worst, here.most);
+      chords.proved = chords.proved && here.proved;
+    }
+  }
 }
 
 /// A closed curve ends in the very digits in which it begins.
@@ -93,18 +109,22 @@ int count_steps(double cycle, double step, const std::string& unit) {
   return static_cast<int>(whole);
 }
 
-Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals) {
+Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals,
+                     const ProofRoom& room) {
   const auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, room,
       [&](const CurveSpan& span) {
         const auto a = rounded(span.begin.at, decimals), b = rounded(span.end.at, decimals);
-        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, tolerance, a, b)};
+        return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, a, b)};
+      },
+      [](const Chord& chord, const CurveStretch& stretch, double, double) {
+        return line_bound(stretch, chord.begin, chord.end);
       },
       [&](double angle, const CurvePoint& a, const CurvePoint& b) {
-        return Chord{angle, angle, rounded(a.at, decimals), rounded(b.at, decimals), {}};
+        return Chord{angle, angle, rounded(a.at, decimals), rounded(b.at, decimals), 0};
       });
   Chords chords{{}, fit.worst.most, fit.worst.proved};
-  for (const Chord& c : fit.pieces) chords.points.push_back({c.from, c.begin, c.deviation.most});
+  for (const Chord& c : fit.pieces) chords.points.push_back({c.from, c.begin, c.deviation});
   chords.points.push_back({fit.pieces.back().to, fit.pieces.back().end, 0});
   close(curve, chords);
   return chords;
@@ -117,15 +137,15 @@ Chords chords_at_steps(const PlaneCurve& curve, double step, int decimals) {
     const auto place = optim::even_place(curve.begin(), curve.end(), count, i);
     chords.points.push_back({place.angle, rounded(curve.at(place).at, decimals), 0});
   }
+  close(curve, chords);
   for (std::size_t i = 0; i + 1 < chords.points.size(); ++i) {
     ChordPoint& a = chords.points[i];
     const ChordPoint& b = chords.points[i + 1];
-    const CurveDeviation deviation = departure_over(curve, a.angle, b.angle, a.at, b.at);
-    a.deviation = deviation.most;
-    chords.worst = std::max(chords.worst, a.deviation);
-    chords.proved = chords.proved && deviation.proved;
+    for (const CurveSpan& span : spans_of(curve, a.angle, b.angle)) {
+      a.deviation = std::max(a.deviation, departure(curve, span, a.at, b.at));
+    }
   }
-  close(curve, chords);
+  prove(curve, chords);
   return chords;
 }
 

@@ -21,7 +21,7 @@ CubicPiece cubic_of(const CurveSpan& span) {
   return {span.from.angle,
           span.to.angle,
           {a, a + third * span.begin.slope, b - third * span.end.slope, b},
-          {}};
+          0};
 }
 
 /// No point of the curve over a stretch is farther than this from the cubic's at the same angle.
@@ -43,23 +43,19 @@ CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
   // A jump takes no angle; a spline's knots must rise all the same.
   const double jump = 1e-9 * (curve.end() - curve.begin());
   auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, {},
       [&](const CurveSpan& span) {
         CubicPiece piece = cubic_of(span);
         const double length = span.to.angle - span.from.angle;
-        piece.deviation = deviation_over(
-            curve, span, tolerance,
-            [&](optim::Place place, const Vector2d& p) {
-              return (p - point_of(piece, (place.angle - span.from.angle) / length)).norm();
-            },
-            [&](const CurveStretch& stretch, double from, double to) {
-              return cubic_bound(piece, stretch, from, to);
-            });
+        piece.deviation = worst_over(curve, span, [&](optim::Place place, const Vector2d& p) {
+          return (p - point_of(piece, (place.angle - span.from.angle) / length)).norm();
+        });
         return piece;
       },
+      cubic_bound,
       [&](double angle, const CurvePoint& a, const CurvePoint& b) {
         const Vector2d third = (b.at - a.at) / 3;
-        return CubicPiece{angle - jump, angle, {a.at, a.at + third, b.at - third, b.at}, {}};
+        return CubicPiece{angle - jump, angle, {a.at, a.at + third, b.at - third, b.at}, 0};
       });
   if (curve.is_closed()) fit.pieces.back().control[3] = fit.pieces.front().control[0];
   return {std::move(fit.pieces), fit.worst.most, fit.worst.proved};

@@ -12,7 +12,7 @@ namespace camlaw::problems {
 struct CubicPiece {
   double from, to;
   std::array<Eigen::Vector2d, 4> control;
-  CurveDeviation deviation;
+  double deviation;
 };
 
 struct CubicPath {

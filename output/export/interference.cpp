@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFollow = 5e-4;  // mm: how far the lines are from the curves, (EX2)
 constexpr int kDigits = 9;
+constexpr ProofRoom kRough{1.5, 0.5};  // how near the polygons are need not be known closely
 
 /// A line between two points, and a circle about it.
 struct Link {
@@ -44,8 +45,8 @@ double distance_between(const Link& p, const Link& q) {
 }  // namespace
 
 Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, double radius) {
-  const Chords path = chords_within(centre, kFollow, kDigits);
-  const Chords cut = chords_within(profile, kFollow, kDigits);
+  const Chords path = chords_within(centre, kFollow, kDigits, kRough);
+  const Chords cut = chords_within(profile, kFollow, kDigits, kRough);
   const std::vector<Link> paths = links_of(path), cuts = links_of(cut);
   Interference result{
       .depth = 0, .certain = path.worst + cut.worst, .proved = path.proved && cut.proved};
@@ -65,7 +66,7 @@ Interference interference(const PlaneCurve& centre, const PlaneCurve& profile, d
 
 double clearance_of(const std::vector<Eigen::Vector2d>& points, const PlaneCurve& profile) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Link& link : links_of(chords_within(profile, kFollow, kDigits))) {
+  for (const Link& link : links_of(chords_within(profile, kFollow, kDigits, kRough))) {
     for (const Eigen::Vector2d& point : points) {
       nearest = std::min(nearest, distance_to_line(point, link.a, link.b));
     }

@@ -94,7 +94,8 @@ TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation 
     return failed(words, 2);
   };
   CHECK_THAT(refused({"--bore", "300 mm"}), Contains("reaches the profile"));
-  CHECK_THAT(refused({"--bore", "25 mm", "--keyway", "26 x 3 mm"}), Contains("too large for a bore"));
+  CHECK_THAT(refused({"--bore", "25 mm", "--keyway", "26 x 3 mm"}),
+             Contains("too large for a bore"));
   CHECK_THAT(refused({"--bore", "25 mm", "--keyway", "8 mm"}), Contains("width x depth"));
   CHECK_THAT(failed({"export", kRoller, "--format", "svg", "--drawing"}, 2), Contains("for dxf"));
   CHECK_THAT(failed({"export", kRoller, "--format", "dxf", "--bore", "25 mm"}, 2),
@@ -116,10 +117,10 @@ TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times 
     const Vector2d at(profile[0][1 + 2 * k], profile[0][2 + 2 * k]);
     CHECK((25.4 * at - exact.at({static_cast<double>(i)}).at).norm() < 3e-5);
   }
-  const std::string program =
-      done({"export", kRoller, "--format", "gcode", "--unit", "inch", "--depth", "0.5", "--feed",
-            "10", "--tolerance", "0.0005"});
-  CHECK_THAT(program, Contains("\nG20 G17 G90 G40 G94\n") && Contains(" in of the exact curve, proved"));
+  const std::string program = done({"export", kRoller, "--format", "gcode", "--unit", "inch",
+                                    "--depth", "0.5", "--feed", "10", "--tolerance", "0.0005"});
+  CHECK_THAT(program,
+             Contains("\nG20 G17 G90 G40 G94\n") && Contains(" in of the exact curve, proved"));
   const GcodeRun run = run_gcode(program);
   CHECK(run.in_inches);
   CHECK(run.cut_depth == -0.5);
@@ -141,7 +142,8 @@ TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times 
   const ParsedJson json = json_of({"export", kRoller, "--format", "json", "--unit", "inch"});
   CHECK(json["curves"][0].contains("x_in"));
   CHECK(json["motion"]["slave"] == "displacement [in]");
-  CHECK_THAT(done({"export", kRoller, "--format", "svg", "--unit", "inch"}), Contains("in\" height="));
+  CHECK_THAT(done({"export", kRoller, "--format", "svg", "--unit", "inch"}),
+             Contains("in\" height="));
   CHECK_THAT(done({"export", kRoller, "--format", "csv", "--unit", "inch"}), Contains("x [in]"));
 }
 
@@ -155,8 +157,7 @@ TEST_CASE("the tool comes to its path and leaves it outside the profile, tangent
   const double tool = (cutter.at({0}).at - profile.at({0}).at).norm();
   const double left[] = {0.5, 0.1, 0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t from = run.passes[i] + 1,
-                      to = i + 1 < 3 ? run.passes[i + 1] : run.cut.size();
+    const std::size_t from = run.passes[i] + 1, to = i + 1 < 3 ? run.passes[i + 1] : run.cut.size();
     const std::vector<Vector2d> pass(run.cut.begin() + static_cast<std::ptrdiff_t>(from),
                                      run.cut.begin() + static_cast<std::ptrdiff_t>(to));
     CHECK(nearest(pass, profile) == Approx(tool + left[i]).margin(0.012));
@@ -180,17 +181,15 @@ TEST_CASE("a controller's compensation begins before the lead and ends behind it
 }
 
 TEST_CASE("an inspection table has nominal points, normals and the tolerance", "[export][shop]") {
-  const std::string text =
-      done({"export", kRoller, "--format", "inspection", "--step", "10 deg", "--form-tolerance",
-            "0.03 mm"});
+  const std::string text = done({"export", kRoller, "--format", "inspection", "--step", "10 deg",
+                                 "--form-tolerance", "0.03 mm"});
   std::istringstream lines(text);
   std::size_t rows = 0;
   const PlaneCurve profile = exact_curve("profile");
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("#")) continue;
     if (line.starts_with("point")) {
-      CHECK(line ==
-            "point,cam_angle [deg],x [mm],y [mm],z [mm],i,j,k,lower [mm],upper [mm]");
+      CHECK(line == "point,cam_angle [deg],x [mm],y [mm],z [mm],i,j,k,lower [mm],upper [mm]");
       continue;
     }
     std::vector<double> cells;
