@@ -12,7 +12,10 @@ std::vector<std::string> judged_words(const problems::ReadDesign& read) {
   const auto held = problems::held_problem(read);
   if (!held) return {};
   const optim::Assessment found = problems::judged(*held);
-  std::vector<std::string> words{fmt::format("judged again: {}", optim::to_string(found.verdict))};
+  if (optim::is_feasible(found)) {
+    return {fmt::format("judged again: {}", optim::to_string(found.verdict))};
+  }
+  std::vector<std::string> words{"judged again: the design does not meet its limits"};
   for (const optim::LimitReport& limit : found.limits) {
     if (limit.met) continue;
     words.push_back(fmt::format("{} is {}, and its limit is {} {}", limit.name,

@@ -37,7 +37,16 @@ cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
       {"bore", &options.bore},
       {"keyway", &options.keyway},
       {"form_tolerance", &options.form_tolerance}};
-  for (const auto& [name, text] : told) *known.at(name) = text;
+  const std::map<std::string, bool*> switches{{"drawing", &options.drawing},
+                                              {"decimal_comma", &options.decimal_comma}};
+  for (const auto& [name, text] : told) {
+    const auto found = switches.find(name);
+    if (found == switches.end()) {
+      *known.at(name) = text;
+    } else {
+      *found->second = true;
+    }
+  }
   return options;
 }
 

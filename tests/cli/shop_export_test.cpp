@@ -213,11 +213,21 @@ TEST_CASE("a result that was changed by hand is judged before it is written", "[
   done({"optimize", kRoller, "--out", folder / ""});
   const std::string path = folder / "result.json";
   ParsedJson result = ParsedJson::parse(read(path));
-  const std::string sound = done({"export", path, "--format", "csv", "--curve", "profile"});
-  const Outcome before = run({"export", path, "--format", "gcode"});
-  CHECK(before.out.find("judged again") == std::string::npos);
+  const Outcome sound = run({"export", path, "--format", "gcode"});
+  CHECK(sound.status == 0);
+  CHECK(sound.out.find("judged again") == std::string::npos);
   // A smaller cam than the pressure angle allows.
-  REQUIRE(result["design"]["values"].is_object());
+  result["design"]["variables"]["base_radius"] = 45.0;
+  std::ofstream(folder / "changed.json") << result.dump(2);
+  const Outcome changed = run({"export", folder / "changed.json", "--format", "gcode"});
+  CHECK(changed.status == 4);
+  CHECK_THAT(changed.out, Contains("(judged again: the design does not meet its limits)") &&
+                              Contains("pressure_angle is 32.8") && Contains("at most 30 deg"));
+  // One that is larger meets them, and is not the least.
+  result["design"]["variables"]["base_radius"] = 60.0;
+  std::ofstream(folder / "larger.json") << result.dump(2);
+  const Outcome larger = run({"export", folder / "larger.json", "--format", "gcode"});
+  CHECK_THAT(larger.out, Contains("(judged again: feasible)"));
 }
 
 }  // namespace camlaw::cli::shop_export_test

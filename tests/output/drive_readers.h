@@ -26,10 +26,9 @@ struct Cam {
   Joined joined = Joined::ByLines;
   double start_slope = 0, end_slope = 0;
 
-  double at(double x) const;
+  mutable std::vector<double> bends = {};  ///< of the spline, once they were asked for
 
- private:
-  mutable std::vector<double> bends_ = {};  ///< of the spline
+  double at(double x) const;
 };
 
 inline std::string without_comments(const std::string& text) {
@@ -231,8 +230,8 @@ inline double Cam::at(double x) const {
   if (!(h > 0)) throw std::runtime_error("masters that do not rise");
   if (joined == Joined::ByLines) return p.y + t * (q.y - p.y) / h;
   if (joined == Joined::BySpline) {
-    if (bends_.empty()) bends_ = bends_of(*this);
-    const double m = bends_[k], n = bends_[k + 1], u = q.x - x;
+    if (bends.empty()) bends = bends_of(*this);
+    const double m = bends[k], n = bends[k + 1], u = q.x - x;
     return m * u * u * u / (6 * h) + n * t * t * t / (6 * h) + (p.y / h - m * h / 6) * u +
            (q.y / h - n * h / 6) * t;
   }

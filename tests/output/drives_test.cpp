@@ -83,7 +83,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
       const double stated = stated_deviation(text);
       const double worst = departure(drive.reader(text), motion, 1);
       CHECK(worst <= stated);
-      CHECK(worst >= 0.9 * stated - 1e-9);
+      CHECK(worst >= 0.9 * stated - 3e-7);
       CHECK_THAT(text, Contains("not tried on a drive"));
     }
   }
@@ -134,7 +134,8 @@ TEST_CASE("Quintics through a polynomial of degree 5 are that polynomial", "[exp
   const Motion motion = motion_of(statement, {}).value();
   const QuinticMotion found = quintics_within({motion}, 1e-6, 9, 50);
   CHECK(found.path.pieces.size() == 1);
-  CHECK(found.deviation.most < 1e-11);
+  CHECK(found.deviation.proved);
+  CHECK(found.deviation.most < 3e-9);
   const std::array<double, 6> law{0, 0, 0, 10, -15, 6};
   for (std::size_t i = 0; i < law.size(); ++i) {
     CHECK(found.path.pieces[0][i] == Approx(law[i]).margin(1e-9));

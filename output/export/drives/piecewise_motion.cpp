@@ -187,8 +187,8 @@ PiecewiseMotion cubic_spline_through(std::vector<MotionKnot> knots) {
 }
 
 MotionDeviation deviation_of(const WrittenMotion& exact, const PiecewiseMotion& written) {
-  constexpr double kRoom = 1.01;       // between what was met and what is proved
-  constexpr double kRounding = 1e-12;  // of the range: what the coefficients' own rounding moves
+  constexpr double kRoom = 1.01;      // between what was met and what is proved
+  constexpr double kRounding = 1e-9;  // of the range: far above what numbers and enclosures round
   constexpr int kRounds = 20;
   const DeviationTrace trace(exact, written);
   const double least = kRounding * range_of(written);
