@@ -8,6 +8,7 @@
 #include "cli/files.h"
 #include "cli/inputs.h"
 #include "output/answers/claim_output.h"
+#include "output/answers/judged_words.h"
 #include "output/document/printing.h"
 #include "output/document/terminal.h"
 #include "problems/statement/shaft_cams.h"
@@ -48,8 +49,13 @@ int run_export(const ExportOptions& options) {
   const ClaimReview review = reviewed(design);
   say_review(options.file, review);
   problems::set_values(design.statement, options.settings);
+  std::vector<std::string> words = review.words();
+  if (!review.is_believed()) {
+    // Nobody judged the design that the record has now.
+    for (std::string& sentence : judged_words(design)) words.push_back(std::move(sentence));
+  }
   take_cam(options, design.statement);
-  const ExportedText written = exported_text(options, format, std::move(design), review.words());
+  const ExportedText written = exported_text(options, format, std::move(design), words);
   if (!options.out) {
     print_data(written.text);
     return status_of(review);

@@ -11,6 +11,8 @@
 #include "numerics/text/units.h"
 #include "optim/verdict/verdict.h"
 #include "output/answers/buildable_output.h"
+#include "output/answers/motion_export.h"
+#include "output/answers/shop_export.h"
 #include "output/export/curve_svg.h"
 #include "output/export/dxf.h"
 #include "output/export/plane_curve.h"
@@ -26,13 +28,20 @@ using Text = ExportOptions::Text;
 
 const std::vector<FormatRow>& export_formats() {
   using F = CurveForm;
-  static const std::vector<FormatRow> rows{
-      {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
-      {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
-      {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
-      {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
-      {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
-      {ExportFormat::Table, "table", {}, {}, 6}};
+  static const std::vector<FormatRow> rows = [] {
+    std::vector<FormatRow> all{
+        {ExportFormat::Csv, "csv", {".csv"}, {F::Lines}, 6},
+        {ExportFormat::Dxf, "dxf", {".dxf"}, {F::Spline, F::Arcs, F::Lines}, 6},
+        {ExportFormat::Svg, "svg", {".svg"}, {F::Lines, F::Arcs, F::Spline}, 6},
+        {ExportFormat::JsonText, "json", {".json"}, {F::Lines}, 6},
+        {ExportFormat::Gcode, "gcode", {".gcode", ".nc", ".ngc"}, {F::Arcs, F::Lines}, 4},
+        {ExportFormat::Inspection, "inspection", {}, {F::Lines}, 6},
+        {ExportFormat::Table, "table", {}, {}, 6}};
+    for (const problems::DriveFormat& drive : problems::drive_formats()) {
+      all.push_back({ExportFormat::Drive, drive.name, {}, {}, drive.decimals, &drive});
+    }
+    return all;
+  }();
   return rows;
 }
 
@@ -80,21 +89,51 @@ const FormatRow& format_of(const ExportOptions& options) {
 
 void check_options(const ExportOptions& o, const FormatRow& format) {
   const bool table = format.format == ExportFormat::Table,
-             gcode = format.format == ExportFormat::Gcode;
+             gcode = format.format == ExportFormat::Gcode,
+             motion = table || format.drive != nullptr;
+  const bool quintics =
+      format.drive != nullptr && format.drive->path == problems::DrivePath::Quintics;
   const auto only = [&](const Text& option, const char* name, bool used, const char* whose) {
     if (!option || used) return;
     throw std::invalid_argument(fmt::format("{} is for {}, not for {}", name, whose, format.name));
   };
-  only(o.slave, "--slave", table, "table");
+  only(o.slave, "--slave", motion, "table and drives");
+  only(o.master, "--master", motion, "table and drives");
+  only(o.cycle, "--cycle", motion, "table and drives");
+  only(o.columns, "--columns", table, "table");
+  only(o.separator, "--separator", table, "table");
+  if (o.decimal_comma && !table) {
+    throw std::invalid_argument(
+        fmt::format("--decimal-comma is for table, not for {}", format.name));
+  }
+  only(o.decimals, "--decimals", format.drive == nullptr, "curves and table");
+  only(o.step, "--step", !quintics, "points at even steps");
+  const bool inspection = format.format == ExportFormat::Inspection;
+  only(o.lead, "--lead", gcode, "gcode");
+  only(o.compensation, "--compensation", gcode, "gcode");
+  only(o.allowances, "--allowances", gcode, "gcode");
+  only(o.form_tolerance, "--form-tolerance", inspection, "inspection");
+  only(o.bore, "--bore", o.drawing, "dxf with --drawing");
+  only(o.keyway, "--keyway", o.drawing, "dxf with --drawing");
+  if (o.drawing && format.format != ExportFormat::Dxf) {
+    throw std::invalid_argument(fmt::format("--drawing is for dxf, not for {}", format.name));
+  }
+  if (o.compensation && (!o.lead || o.curve.value_or("cutter") == "cutter")) {
+    throw std::invalid_argument(
+        "--compensation is for --curve profile or second-profile, with a --lead that is larger "
+        "than "
+        "the tool's radius");
+  }
   only(o.feed, "--feed", gcode, "gcode");
   only(o.clearance, "--clearance", gcode, "gcode");
   only(o.depth, "--depth", gcode, "gcode");
-  for (const auto& [option, name] : {std::pair{&o.curve, "--curve"},
-                                     {&o.tolerance, "--tolerance"},
-                                     {&o.form, "--as"},
-                                     {&o.tool, "--tool"}}) {
-    only(*option, name, !table, "curves");
+  for (const auto& [option, name] :
+       {std::pair{&o.curve, "--curve"}, {&o.form, "--as"}, {&o.tool, "--tool"}}) {
+    only(*option, name, !motion, "curves");
   }
+  only(o.tool, "--tool", !inspection, "drawings and gcode");
+  only(o.tolerance, "--tolerance", (!motion && !inspection) || quintics,
+       "curves and drives that take polynomials");
   if (o.step && o.tolerance) {
     throw std::invalid_argument("--step and --tolerance: give one of the two");
   }
@@ -123,31 +162,45 @@ CurveForm form_of(const ExportOptions& options, const FormatRow& format) {
 problems::ExportAccuracy accuracy_of(const ExportOptions& o, const FormatRow& format) {
   constexpr double kMostTolerance = 10;  // mm
   problems::ExportAccuracy accuracy;
+  accuracy.unit = unit_of(o);
+  const double per_mm = 1 / accuracy.unit.mm;
   accuracy.decimals =
       o.decimals ? static_cast<int>(problems::parse_integer(*o.decimals, 1, 9, "--decimals"))
-                 : format.decimals;
+                 : format.decimals + (format.format == ExportFormat::Gcode && per_mm < 1 ? 1 : 0);
+  if (format.drive != nullptr) return accuracy;
   const double digit = std::pow(10.0, -accuracy.decimals);
-  accuracy.tolerance =
-      quantity(o.tolerance, "--tolerance", "mm", accuracy.tolerance, 0, kMostTolerance);
+  const char* unit = accuracy.unit.name;
+  accuracy.tolerance = quantity(o.tolerance, "--tolerance", unit, accuracy.tolerance * per_mm, 0,
+                                kMostTolerance * per_mm);
   if (!o.step && accuracy.tolerance < 10 * digit) {
     throw std::invalid_argument(fmt::format(
-        "--tolerance: {:.6g} mm is too fine for coordinates of {} decimals; at least {:.6g} mm, "
+        "--tolerance: {:.6g} {} is too fine for coordinates of {} decimals; at least {:.6g} {}, "
         "or more --decimals",
-        accuracy.tolerance, accuracy.decimals, 10 * digit));
+        accuracy.tolerance, unit, accuracy.decimals, 10 * digit, unit));
   }
-  if (format.format == ExportFormat::Gcode) accuracy.most_radius = problems::kMostArcRadius;
+  if (format.format == ExportFormat::Gcode)
+    accuracy.most_radius = problems::kMostArcRadius * per_mm;
   if (o.step && format.format != ExportFormat::Table) {
     accuracy.step = parse_quantity(*o.step, "deg", "deg", "--step");
   }
   return accuracy;
 }
 
-problems::GcodeSettings gcode_settings(const ExportOptions& o, int decimals) {
+problems::GcodeSettings gcode_settings(const ExportOptions& o,
+                                       const problems::ExportAccuracy& accuracy) {
   problems::GcodeSettings s;
-  s.decimals = decimals;
-  s.feed = quantity(o.feed, "--feed", "mm/min", s.feed, 1e-3, 1e6);
-  s.clearance = quantity(o.clearance, "--clearance", "mm", s.clearance, 0, 1e4);
-  s.depth = quantity(o.depth, "--depth", "mm", s.depth, 0, 1e4);
+  s.unit = accuracy.unit;
+  s.decimals = accuracy.decimals;
+  if (o.compensation) {
+    s.compensation =
+        static_cast<int>(problems::parse_integer(*o.compensation, 1, 999, "--compensation"));
+  }
+  const double per_mm = 1 / s.unit.mm;
+  const std::string speed = fmt::format("{}/min", s.unit.name);
+  const char* length = s.unit.name;
+  s.feed = quantity(o.feed, "--feed", speed.c_str(), s.feed * per_mm, 1e-3 * per_mm, 1e6 * per_mm);
+  s.clearance = quantity(o.clearance, "--clearance", length, s.clearance * per_mm, 0, 1e4 * per_mm);
+  s.depth = quantity(o.depth, "--depth", length, s.depth * per_mm, 0, 1e4 * per_mm);
   return s;
 }
 
@@ -208,7 +261,8 @@ std::string instead(const problems::ProblemStatement& statement) {
 std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const FormatRow& format,
                                                const problems::ProblemStatement& statement) {
   const bool gcode = format.format == ExportFormat::Gcode;
-  const std::string asked = o.curve.value_or(gcode ? "cutter" : "all");
+  const bool inspection = format.format == ExportFormat::Inspection;
+  const std::string asked = o.curve.value_or(gcode ? "cutter" : inspection ? "profile" : "all");
   auto curves = problems::cam_curves(statement, asked);
   add_tool_path(o, statement, asked, curves);
   const bool law = statement.mechanism->moved_by != problems::MovedBy::Nothing;
@@ -216,6 +270,10 @@ std::vector<problems::PlaneCurve> curves_asked(const ExportOptions& o, const For
   if (curves.empty() && !without) refuse_without(statement, asked);
   if (gcode && curves.size() > 1) {
     throw std::invalid_argument("--curve all: a gcode program follows one curve");
+  }
+  if (inspection && (curves.size() > 1 || !curves.front().name().ends_with("profile"))) {
+    throw std::invalid_argument(
+        fmt::format("--curve {}: an inspection table is of profile or second-profile", asked));
   }
   return curves;
 }
@@ -226,34 +284,41 @@ void fit_curves(const ExportOptions& o, const FormatRow& format, Exported& e) {
   const double slack = written_rounding(format.format, form, e.accuracy.decimals);
   auto inner = e.accuracy;
   inner.tolerance -= slack;
-  for (const problems::PlaneCurve& curve : curves_asked(o, format, e.design.statement)) {
+  const auto curves = curves_asked(o, format, e.design.statement);
+  for (const problems::PlaneCurve& curve : curves) {
     if (format.format == ExportFormat::Gcode) {
-      e.tool_path.emplace(e.design.statement, curve, form, inner);
-      e.curves.push_back(e.tool_path->exported());
+      e.passes = tool_passes(o, e, curve, form, inner);
+      e.curves.push_back(e.passes.back().path.exported());
     } else {
       for (std::string& note : problems::obstacles(curve)) e.notes.push_back(std::move(note));
       e.curves.push_back(problems::exported(curve, form, inner));
     }
     std::visit([&](auto& path) { path.worst += slack; }, e.curves.back().path);
   }
+  const std::vector<std::string> more =
+      e.passes.empty() ? problems::cuts_into_profiles(curves) : e.passes.back().path.doubts();
+  e.notes.insert(e.notes.end(), more.begin(), more.end());
 }
 
 /// The radius of the tool, for who sets up the machine.
-std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement) {
+std::string tool_line(const ExportOptions& o, const problems::ProblemStatement& statement,
+                      const problems::LengthUnit& unit) {
   if (o.curve && *o.curve != "cutter" && !o.tool) return "the curve itself: compensate the tool";
   const double radius =
       o.tool ? *tool_radius(o) : problems::constant_of(statement, "cutter_radius");
   const std::string beside = o.curve && *o.curve == "second-profile" ? " beside the second profile"
                              : o.tool                                ? " beside the profile"
                                                                      : "";
-  return fmt::format("tool radius {:.6g} mm{}; start spindle and coolant before", radius, beside);
+  return fmt::format("tool radius {:.6g} {}{}; start spindle and coolant before", radius / unit.mm,
+                     unit.name, beside);
 }
 
 std::string content(const ExportOptions& o, const FormatRow& format, Exported& e) {
-  if (format.format == ExportFormat::Table) {
-    return problems::table_text(
-        problems::motion_table(e.design.statement, o.slave, o.step, e.accuracy.decimals),
-        e.accuracy.decimals);
+  if (format.format == ExportFormat::Table || format.drive != nullptr) {
+    return motion_text(o, format, e);
+  }
+  if (format.format == ExportFormat::Inspection) {
+    return inspection_table(o, e, curves_asked(o, format, e.design.statement).front());
   }
   fit_curves(o, format, e);
   std::vector<std::string> comments = comments_of(e);
@@ -261,12 +326,12 @@ std::string content(const ExportOptions& o, const FormatRow& format, Exported& e
     case ExportFormat::Csv:
       return export_csv(e);
     case ExportFormat::Dxf:
-      return problems::dxf_text(e.curves, comments);
+      return problems::dxf_text(e.curves, drawn_shapes(o, e), e.accuracy.unit, comments);
     case ExportFormat::Svg:
-      return problems::svg_text(e.curves, e.design.statement.title, comments);
+      return problems::svg_text(e.curves, e.accuracy.unit, e.design.statement.title, comments);
     case ExportFormat::Gcode:
-      comments.push_back(tool_line(o, e.design.statement));
-      return problems::gcode_text(*e.tool_path, gcode_settings(o, e.accuracy.decimals), comments);
+      comments.push_back(tool_line(o, e.design.statement, e.accuracy.unit));
+      return problems::gcode_text(e.passes, gcode_settings(o, e.accuracy), comments);
     default:
       return export_json(e).dump(2) + "\n";
   }

@@ -19,13 +19,15 @@ namespace camlaw::cli {
 struct ExportOptions {
   using Text = std::optional<std::string>;
   std::string file;
-  Text format, out, curve, tolerance, step, form, decimals, tool, feed, clearance, depth, slave,
-      cam;
+  Text format, out, curve, tolerance, step, form, decimals, unit, tool, feed, clearance, depth,
+      lead, compensation, allowances, bore, keyway, form_tolerance, slave, master, cycle, columns,
+      separator, cam;
+  bool decimal_comma = false, drawing = false;
   std::vector<std::string> settings;
   bool json = false;  ///< what is said is for programs
 };
 
-enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Table };
+enum class ExportFormat { Csv, Dxf, Svg, JsonText, Gcode, Inspection, Table, Drive };
 
 struct FormatRow {
   ExportFormat format;
@@ -33,6 +35,7 @@ struct FormatRow {
   std::vector<const char*> endings;
   std::vector<problems::CurveForm> forms;  ///< the first is the default; none: no curves
   int decimals;                            ///< the defaults
+  const problems::DriveFormat* drive = nullptr;
 };
 
 const std::vector<FormatRow>& export_formats();

@@ -10,6 +10,7 @@
 
 #include "output/answers/buildable_output.h"
 #include "output/document/formatting.h"
+#include "output/export/motion.h"
 #include "problems/law_files/pieces_json.h"
 
 namespace camlaw::cli {
@@ -45,14 +46,32 @@ const char* pieces_of(const ExportedCurve& curve) {
   return std::holds_alternative<Chords>(curve.path) ? "points" : arcs ? "arcs and lines" : "cubics";
 }
 
+const char* proof_of(bool proved) { return proved ? "proved" : "measured, not proved"; }
+
+std::string motion_line(const ExportedMotion& m) {
+  using P = problems::DrivePath;
+  const char* path = m.path == P::Lines      ? "with straight lines between them"
+                     : m.path == P::Quintics ? "with polynomials of degree 5 between them"
+                                             : "with the spline of degree 3 through them";
+  return fmt::format("{}: {} points, {} within {} {} of the exact motion, {}", m.slave, m.points,
+                     path, not_below(m.deviation.most, 0), m.unit, proof_of(m.deviation.proved));
+}
+
 /// Of each curve how many pieces it has and how far they depart from it; then the notes.
 std::vector<std::string> curve_lines(const Exported& e) {
   std::vector<std::string> lines;
   const double within = e.accuracy.step ? 0 : e.accuracy.tolerance;
   for (const ExportedCurve& curve : e.curves) {
-    lines.push_back(fmt::format("{}: {} {}, {}, within {} mm of the exact curve", curve.name,
+    lines.push_back(fmt::format("{}: {} {}, {}, within {} {} of the exact curve, {}", curve.name,
                                 curve.size(), pieces_of(curve), curve.closed ? "closed" : "open",
-                                not_below(curve.worst(), within)));
+                                not_below(curve.worst(), within), e.accuracy.unit.name,
+                                proof_of(curve.proved())));
+  }
+  if (e.motion) {
+    lines.push_back(motion_line(*e.motion));
+    if (!e.motion->description.empty()) {
+      lines.push_back("written from " + e.motion->description + "; not tried on a drive");
+    }
   }
   lines.insert(lines.end(), e.notes.begin(), e.notes.end());
   return lines;
@@ -60,12 +79,14 @@ std::vector<std::string> curve_lines(const Exported& e) {
 
 /// What is known of a curve beside its points.
 Json curve_facts(const ExportedCurve& curve, const Exported& e) {
+  const std::string unit = e.accuracy.unit.name;
   Json facts{{"name", curve.name},
              {"closed", curve.closed},
              {"pieces", pieces_of(curve)},
              {"size", curve.size()},
-             {"worst_deviation_mm", curve.worst()}};
-  if (!e.accuracy.step) facts["tolerance_mm"] = e.accuracy.tolerance;
+             {"worst_deviation_" + unit, curve.worst()},
+             {"proved", curve.proved()}};
+  if (!e.accuracy.step) facts["tolerance_" + unit] = e.accuracy.tolerance;
   return facts;
 }
 
@@ -78,15 +99,18 @@ Json curve_json(const ExportedCurve& curve, const Exported& e) {
   }
   Json result = curve_facts(curve, e);
   result["cam_angle_deg"] = std::move(angles);
-  result["x_mm"] = std::move(x);
-  result["y_mm"] = std::move(y);
+  result[fmt::format("x_{}", e.accuracy.unit.name)] = std::move(x);
+  result[fmt::format("y_{}", e.accuracy.unit.name)] = std::move(y);
   return result;
 }
 
 /// The motion that a controller would be given; null where the mechanism has none.
 Json motion_json(const Exported& e) {
+  const bool inches = e.accuracy.unit.mm != 1;
+  const auto motion = problems::motion_of(e.design.statement, {}, inches);
+  if (!motion) return nullptr;
   const auto table =
-      problems::possible_motion_table(e.design.statement, {}, {}, e.accuracy.decimals);
+      problems::possible_table_of(*motion, {}, e.accuracy.decimals, {motion->master});
   if (!table) return nullptr;
   return {{"master", table->master},
           {"slave", table->slave},
@@ -120,14 +144,26 @@ Document export_document(const Exported& e) {
   document.fact("provenance", provenance(e));
   document.fact("notes", e.notes);
   document.fact("curves", curves);
+  if (e.motion) {
+    const ExportedMotion& m = *e.motion;
+    document.fact("motion", Json{{"slave", m.slave},
+                                 {"points", m.points},
+                                 {"unit", m.unit},
+                                 {"worst_deviation", m.deviation.most},
+                                 {"proved", m.deviation.proved},
+                                 {"description", m.description}});
+  }
   document.fact("buildable", buildable_json(problems::buildability(e.design.statement)));
   return document;
 }
 
 std::string export_csv(const Exported& e) {
-  std::vector<std::vector<std::string>> rows{{"curve", "cam_angle [deg]", "x [mm]", "y [mm]",
-                                              "r [mm]", "theta [deg]",
-                                              "deviation to the next point [mm]"}};
+  const auto in_unit = [&](const char* name) {
+    return fmt::format("{} [{}]", name, e.accuracy.unit.name);
+  };
+  std::vector<std::vector<std::string>> rows{{"curve", "cam_angle [deg]", in_unit("x"),
+                                              in_unit("y"), in_unit("r"), "theta [deg]",
+                                              in_unit("deviation to the next point")}};
   const int decimals = e.accuracy.decimals;
   const auto fixed = [&](double value) {
     return fmt::format("{:.{}f}", problems::rounded(value, decimals), decimals);

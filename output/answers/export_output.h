@@ -5,13 +5,24 @@
 #include <vector>
 
 #include "output/document/document.h"
+#include "output/export/drives/drive_files.h"
+#include "output/export/gcode.h"
 #include "output/export/motion_table.h"
-#include "output/export/tool_path.h"
 #include "problems/law_files/json_text.h"
 #include "problems/results/recorded_design.h"
 
 /// What camlaw export writes as CSV and JSON, and says about it.
 namespace camlaw::cli {
+
+/// A motion as a controller has it: how far it is from the exact one.
+struct ExportedMotion {
+  std::string slave;  ///< "displacement [mm]"
+  std::size_t points = 0;
+  problems::DrivePath path = problems::DrivePath::Lines;
+  std::string unit;
+  problems::MotionDeviation deviation = {};
+  std::string description = {};  ///< what the file was written from
+};
 
 /// What is exported, and where it comes from.
 struct Exported {
@@ -19,7 +30,8 @@ struct Exported {
   std::string file;                   ///< the problem's or result's name, without folders
   std::vector<std::string> settings;  ///< those of --set
   std::vector<problems::ExportedCurve> curves = {};
-  std::optional<problems::ToolPath> tool_path = {};  ///< of G-code
+  std::vector<problems::ToolPass> passes = {};  ///< of G-code
+  std::optional<ExportedMotion> motion = {};    ///< of drives
   problems::ExportAccuracy accuracy = {};
   std::vector<std::string> notes = {};  ///< what else is to be said of the design and its curves
 };

@@ -36,6 +36,13 @@ struct Biarc {
   double distance(const Vector2d& point) const {
     return std::min(arcs[0].distance(point), arcs[1].distance(point));
   }
+
+  double bound(const CurveStretch& stretch) const {
+    // A point is no farther from the path than another one beside it, and what is between.
+    const double beside =
+        distance(0.5 * (stretch.a + stretch.b)) + (stretch.b - stretch.a).norm() / 2 + stretch.bow;
+    return std::min({arcs[0].bound(stretch), arcs[1].bound(stretch), beside});
+  }
 };
 
 Biarc biarc_of(const CurveSpan& span, double most_radius) {
@@ -95,9 +102,27 @@ double ArcPiece::distance(const Vector2d& point) const {
   return std::min((point - from).norm(), (point - to).norm());
 }
 
+double ArcPiece::bound(const CurveStretch& stretch) const {
+  if (is_line()) return line_bound(stretch, from, to);
+  // Between its ends' directions an arc is as far as its circle. Less than half a turn is convex:
+  // a straight line with both ends there stays there.
+  const auto is_beside = [&](const Vector2d& point) {
+    const Vector2d start = from - centre, here = point - centre;
+    double turn = std::atan2(cross(start, here), start.dot(here));
+    if (sweep < 0) turn = -turn;
+    return turn >= 0 && turn <= std::abs(sweep);
+  };
+  if (!(std::abs(sweep) < std::numbers::pi) || !is_beside(stretch.a) || !is_beside(stretch.b)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double farthest = std::max((stretch.a - centre).norm(), (stretch.b - centre).norm());
+  const double nearest = distance_to_line(centre, stretch.a, stretch.b);
+  return std::max(farthest - radius(), radius() - nearest) + stretch.bow;
+}
+
 ArcPath arcs_within(const PlaneCurve& curve, double tolerance, double most_radius) {
   const auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, {},
       [&](const CurveSpan& span) {
         Biarc biarc =
             has_tangents(span) ? biarc_of(span, most_radius) : line_of(span.begin.at, span.end.at);
@@ -105,8 +130,11 @@ ArcPath arcs_within(const PlaneCurve& curve, double tolerance, double most_radiu
             curve, span, [&](optim::Place, const Vector2d& p) { return biarc.distance(p); });
         return biarc;
       },
+      [](const Biarc& biarc, const CurveStretch& stretch, double, double) {
+        return biarc.bound(stretch);
+      },
       [](double, const CurvePoint& a, const CurvePoint& b) { return line_of(a.at, b.at); });
-  ArcPath path{{}, fit.worst};
+  ArcPath path{{}, fit.worst.most, fit.worst.proved};
   for (const Biarc& biarc : fit.pieces) {
     for (const ArcPiece& arc : biarc.arcs) append(arc, path.pieces);
   }

@@ -16,11 +16,14 @@ struct ArcPiece {
   bool is_line() const { return sweep == 0; }
   double radius() const { return (from - centre).norm(); }
   double distance(const Eigen::Vector2d& point) const;
+  /// No point of a stretch is farther than this; infinite where the stretch is not beside it.
+  double bound(const CurveStretch& stretch) const;
 };
 
 struct ArcPath {
   std::vector<ArcPiece> pieces;
-  double worst = 0;  ///< how far the curve departs from the path at most, mm
+  double worst = 0;    ///< how far the curve departs from the path at most, mm
+  bool proved = true;  ///< that it departs nowhere by more
 };
 
 /// Biarcs through points of the curve with the curve's tangents, as few as bisection finds within a

@@ -22,22 +22,43 @@ double departure(const PlaneCurve& curve, const CurveSpan& span, const Eigen::Ve
   });
 }
 
-/// Of a step that may reach over breaks.
-double departure_over(const PlaneCurve& curve, double from, double to, const Eigen::Vector2d& a,
-                      const Eigen::Vector2d& b) {
-  double worst = 0, begin = from;
+/// A step that may reach over breaks, as the spans between them.
+std::vector<CurveSpan> spans_of(const PlaneCurve& curve, double from, double to) {
+  std::vector<CurveSpan> spans;
+  double begin = from;
   for (const double place : curve.breaks()) {
     if (place <= begin || begin >= to) continue;
     const double end = std::min(place, to);
-    worst = std::max(worst, departure(curve, span_of(curve, begin, end), a, b));
+    spans.push_back(span_of(curve, begin, end));
     begin = end;
   }
-  return worst;
+  return spans;
+}
+
+/// Proves the largest deviation of lines between points.
+void prove(const PlaneCurve& curve, Chords& chords) {
+  double met = 0;
+  for (const ChordPoint& point : chords.points) met = std::max(met, point.deviation);
+  const double limit = ProofRoom().limit(met, optim::kInfinity);
+  chords.worst = met;
+  for (std::size_t i = 0; i + 1 < chords.points.size() && chords.proved; ++i) {
+    const ChordPoint &a = chords.points[i], &b = chords.points[i + 1];
+    for (const CurveSpan& span : spans_of(curve, a.angle, b.angle)) {
+      const CurveDeviation here = proved_over(curve, span, a.deviation, limit,
+                                              [&](const CurveStretch& stretch, double, double) {
+                                                return line_bound(stretch, a.at, b.at);
+                                              });
+      chords.worst = std::max(chords.worst, here.most);
+      chords.proved = chords.proved && here.proved;
+    }
+  }
 }
 
 /// A closed curve ends in the very digits in which it begins.
 void close(const PlaneCurve& curve, Chords& chords) {
-  if (curve.is_closed()) chords.points.back().at = chords.points.front().at;
+  if (!curve.is_closed()) return;
+  chords.worst += (chords.points.back().at - chords.points.front().at).norm();
+  chords.points.back().at = chords.points.front().at;
 }
 
 /// How far a cycle may be from a whole number of steps, as a part of that number.
@@ -88,17 +109,21 @@ int count_steps(double cycle, double step, const std::string& unit) {
   return static_cast<int>(whole);
 }
 
-Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals) {
+Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals,
+                     const ProofRoom& room) {
   const auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, room,
       [&](const CurveSpan& span) {
         const auto a = rounded(span.begin.at, decimals), b = rounded(span.end.at, decimals);
         return Chord{span.from.angle, span.to.angle, a, b, departure(curve, span, a, b)};
       },
+      [](const Chord& chord, const CurveStretch& stretch, double, double) {
+        return line_bound(stretch, chord.begin, chord.end);
+      },
       [&](double angle, const CurvePoint& a, const CurvePoint& b) {
         return Chord{angle, angle, rounded(a.at, decimals), rounded(b.at, decimals), 0};
       });
-  Chords chords{{}, fit.worst};
+  Chords chords{{}, fit.worst.most, fit.worst.proved};
   for (const Chord& c : fit.pieces) chords.points.push_back({c.from, c.begin, c.deviation});
   chords.points.push_back({fit.pieces.back().to, fit.pieces.back().end, 0});
   close(curve, chords);
@@ -116,9 +141,11 @@ Chords chords_at_steps(const PlaneCurve& curve, double step, int decimals) {
   for (std::size_t i = 0; i + 1 < chords.points.size(); ++i) {
     ChordPoint& a = chords.points[i];
     const ChordPoint& b = chords.points[i + 1];
-    a.deviation = departure_over(curve, a.angle, b.angle, a.at, b.at);
-    chords.worst = std::max(chords.worst, a.deviation);
+    for (const CurveSpan& span : spans_of(curve, a.angle, b.angle)) {
+      a.deviation = std::max(a.deviation, departure(curve, span, a.at, b.at));
+    }
   }
+  prove(curve, chords);
   return chords;
 }
 

@@ -6,7 +6,7 @@
 /// Curves as points with straight lines between them.
 namespace camlaw::problems {
 
-/// A point and, mm, how far the curve departs from the line to the next.
+/// A point and, mm, how far the curve was met to depart from the line to the next.
 struct ChordPoint {
   double angle;
   Eigen::Vector2d at;
@@ -16,12 +16,14 @@ struct ChordPoint {
 /// Points of a curve; of a closed one the last is the first again.
 struct Chords {
   std::vector<ChordPoint> points;
-  double worst = 0;  ///< the largest deviation
+  double worst = 0;    ///< the largest deviation
+  bool proved = true;  ///< that no deviation is larger than the largest that is told
 };
 
 /// As many points as it takes to stay within a tolerance, mm. Coordinates are rounded to `decimals`
 /// places first: what is said of the deviation holds for what is written.
-Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals);
+Chords chords_within(const PlaneCurve& curve, double tolerance, int decimals,
+                     const ProofRoom& room = {});
 
 /// Points at even angles, deg.
 Chords chords_at_steps(const PlaneCurve& curve, double step, int decimals);

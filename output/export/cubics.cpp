@@ -24,13 +24,26 @@ CubicPiece cubic_of(const CurveSpan& span) {
           0};
 }
 
+/// No point of the curve over a stretch is farther than this from the cubic's at the same angle.
+/// Between two shares t apart a cubic departs from the line between them by at most t^2 / 8 of its
+/// largest second derivative, which it has at an end.
+double cubic_bound(const CubicPiece& piece, const CurveStretch& stretch, double from, double to) {
+  const auto& p = piece.control;
+  const double bend =
+      6 * std::max((p[0] - 2 * p[1] + p[2]).norm(), (p[1] - 2 * p[2] + p[3]).norm());
+  const double length = piece.to - piece.from, share = (to - from) / length;
+  const double apart = std::max((stretch.a - point_of(piece, (from - piece.from) / length)).norm(),
+                                (stretch.b - point_of(piece, (to - piece.from) / length)).norm());
+  return apart + stretch.bow + share * share / 8 * bend;
+}
+
 }  // namespace
 
 CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
   // A jump takes no angle; a spline's knots must rise all the same.
   const double jump = 1e-9 * (curve.end() - curve.begin());
   auto fit = fitted(
-      curve, tolerance,
+      curve, tolerance, {},
       [&](const CurveSpan& span) {
         CubicPiece piece = cubic_of(span);
         const double length = span.to.angle - span.from.angle;
@@ -39,12 +52,13 @@ CubicPath cubics_within(const PlaneCurve& curve, double tolerance) {
         });
         return piece;
       },
+      cubic_bound,
       [&](double angle, const CurvePoint& a, const CurvePoint& b) {
         const Vector2d third = (b.at - a.at) / 3;
         return CubicPiece{angle - jump, angle, {a.at, a.at + third, b.at - third, b.at}, 0};
       });
   if (curve.is_closed()) fit.pieces.back().control[3] = fit.pieces.front().control[0];
-  return {std::move(fit.pieces), fit.worst};
+  return {std::move(fit.pieces), fit.worst.most, fit.worst.proved};
 }
 
 bool CubicPath::is_smooth(std::size_t i) const {

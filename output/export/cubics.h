@@ -17,7 +17,8 @@ struct CubicPiece {
 
 struct CubicPath {
   std::vector<CubicPiece> pieces;
-  double worst = 0;  ///< of points at the same angle: no point is farther from the path, mm
+  double worst = 0;    ///< of points at the same angle: no point is farther from the path, mm
+  bool proved = true;  ///< that none is farther
 
   /// As one B-spline: knots (each end four times; inside twice, or three times where the curve's
   /// speed changes at once, so that it interpolates with a continuous derivative) and control

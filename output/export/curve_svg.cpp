@@ -50,20 +50,27 @@ std::string id_of(std::string name) {
 
 }  // namespace
 
-std::string svg_text(const std::vector<ExportedCurve>& curves, const std::string& title,
-                     const std::vector<std::string>& comments) {
+std::string svg_text(const std::vector<ExportedCurve>& curves, const LengthUnit& unit,
+                     const std::string& title, const std::vector<std::string>& comments) {
   constexpr const char* kColours[] = {"#000000", "#0072b2", "#009e73", "#b00020"};
   const Extent extent = extent_of(curves);
-  const Vector2d size = extent.high - extent.low + Vector2d::Constant(2 * kMargin);
+  const double margin = kMargin / unit.mm;
+  const Vector2d size = extent.high - extent.low + Vector2d::Constant(2 * margin);
   std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{1:.6f}mm\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}{5}\" height=\"{1:.6f}{5}\" "
       "viewBox=\"{2:.6f} {3:.6f} {0:.6f} {1:.6f}\">\n<title>{4}</title>\n<desc>",
-      size.x(), size.y(), extent.low.x() - kMargin, -extent.high.y() - kMargin, xml_escape(title));
+      size.x(), size.y(), extent.low.x() - margin, -extent.high.y() - margin, xml_escape(title),
+      unit.name);
   for (const std::string& comment : comments) text += xml_escape(comment) + "\n";
-  text += fmt::format("</desc>\n<g fill=\"none\" stroke-width=\"{}\">\n", kPen);
+  text += fmt::format("</desc>\n<g fill=\"none\" stroke-width=\"{:.6g}\">\n", kPen / unit.mm);
   const bool centred =
       curves.front().closed && (extent.low.array() <= 0).all() && (extent.high.array() >= 0).all();
-  if (centred) text += "<path id=\"centre\" stroke=\"#777777\" d=\"M -2 0 H 2 M 0 -2 V 2\"/>\n";
+  if (centred) {
+    text += fmt::format(
+        "<path id=\"centre\" stroke=\"#777777\" d=\"M -{0:.6g} 0 H {0:.6g} M 0 -{0:.6g} V "
+        "{0:.6g}\"/>\n",
+        2 / unit.mm);
+  }
   for (std::size_t i = 0; i < curves.size(); ++i) {
     text += fmt::format("<path id=\"{}\" stroke=\"{}\" d=\"{}\"><title>{}</title></path>\n",
                         id_of(curves[i].name), kColours[i % 4], way_of(curves[i]),

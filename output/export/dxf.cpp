@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/export/dxf.h"
 
+#include <algorithm>
 #include <cctype>
 #include <numbers>
 
@@ -26,6 +27,31 @@ class Entities {
       for (const ArcPiece& piece : arcs->pieces) piece.is_line() ? line(piece) : arc(piece);
     } else {
       spline(std::get<CubicPath>(curve.path));
+    }
+  }
+
+  void add(const DrawnShape& shape) {
+    layer_ = shape.layer;
+    if (const auto* line = std::get_if<DrawnLine>(&shape.shape)) {
+      begin("LINE", "AcDbLine");
+      tags_.point(10, line->from);
+      tags_.point(11, line->to);
+    } else if (const auto* arc = std::get_if<DrawnArc>(&shape.shape)) {
+      const bool whole = arc->to - arc->from >= 360;
+      begin(whole ? "CIRCLE" : "ARC", "AcDbCircle");
+      tags_.point(10, arc->centre);
+      tags_.real(40, arc->radius);
+      if (whole) return;
+      tags_.text(100, "AcDbArc");
+      tags_.real(50, std::fmod(arc->from, 360));
+      tags_.real(51, std::fmod(arc->to, 360));
+    } else {
+      const auto& text = std::get<DrawnText>(shape.shape);
+      begin("TEXT", "AcDbText");
+      tags_.point(10, text.at);
+      tags_.real(40, text.height);
+      tags_.text(1, plain_text(text.text));
+      tags_.text(100, "AcDbText");
     }
   }
 
@@ -104,13 +130,24 @@ std::string dxf_layer(const std::string& curve) {
 }
 
 std::string dxf_text(const std::vector<ExportedCurve>& curves,
+                     const std::vector<DrawnShape>& shapes, const LengthUnit& unit,
                      const std::vector<std::string>& comments) {
   Tags entities;
   Entities writer(entities);
-  for (const ExportedCurve& curve : curves) writer.add(curve);
+  std::vector<std::string> layers;
+  for (const ExportedCurve& curve : curves) {
+    writer.add(curve);
+    layers.push_back(dxf_layer(curve.name));
+  }
+  for (const DrawnShape& shape : shapes) {
+    writer.add(shape);
+    if (std::find(layers.begin(), layers.end(), shape.layer) == layers.end()) {
+      layers.push_back(shape.layer);
+    }
+  }
   Tags tags;
   for (const std::string& comment : comments) tags.text(999, plain_text(comment));
-  dxf::begin(tags, curves, writer.next());
+  dxf::begin(tags, {extent_of(curves), layers, unit, writer.next()});
   tags.text(0, "SECTION");
   tags.text(2, "ENTITIES");
   std::string text = tags.take() + entities.take();

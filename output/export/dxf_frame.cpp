@@ -11,7 +11,8 @@ using Eigen::Vector2d;
 /// Handles of what other parts refer to.
 constexpr int kPaper = 0x1B, kRoot = 0xC, kGroups = 0xD;
 
-void header(Tags& tags, const Extent& extent, int next_handle) {
+void header(Tags& tags, const Extent& extent, const LengthUnit& unit, int next_handle) {
+  const bool metric = unit.mm == 1;
   tags.text(0, "SECTION");
   tags.text(2, "HEADER");
   tags.text(9, "$ACADVER");
@@ -19,9 +20,9 @@ void header(Tags& tags, const Extent& extent, int next_handle) {
   tags.text(9, "$HANDSEED");
   tags.handle(5, next_handle);
   tags.text(9, "$INSUNITS");
-  tags.integer(70, 4);  // millimetres
+  tags.integer(70, metric ? 4 : 1);  // millimetres, inches
   tags.text(9, "$MEASUREMENT");
-  tags.integer(70, 1);  // metric
+  tags.integer(70, metric ? 1 : 0);
   tags.text(9, "$EXTMIN");
   tags.point(10, extent.low);
   tags.text(9, "$EXTMAX");
@@ -65,9 +66,9 @@ void line_types(Tags& tags) {
   end_table(tags);
 }
 
-void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
+void layers(Tags& tags, const std::vector<std::string>& names) {
   constexpr int kColours[] = {7, 5, 3, 1};  // black or white, blue, green, red
-  begin_table(tags, "LAYER", 0x2, curves.size() + 1);
+  begin_table(tags, "LAYER", 0x2, names.size() + 1);
   const auto layer = [&](int handle, const std::string& name, int colour) {
     record(tags, "LAYER", handle, 0x2, "AcDbLayerTableRecord", name);
     tags.integer(70, 0);
@@ -75,8 +76,8 @@ void layers(Tags& tags, const std::vector<ExportedCurve>& curves) {
     tags.text(6, "Continuous");
   };
   layer(0x10, "0", 7);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    layer(0x20 + static_cast<int>(i), dxf_layer(curves[i].name), kColours[i % 4]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    layer(0x20 + static_cast<int>(i), names[i], kColours[i % 4]);
   }
   end_table(tags);
 }
@@ -96,13 +97,13 @@ void text_styles(Tags& tags) {
 }
 
 /// The tables that a reader of AC1015 asks for, in the order in which it does.
-void tables(Tags& tags, const std::vector<ExportedCurve>& curves) {
+void tables(Tags& tags, const std::vector<std::string>& layer_names) {
   tags.text(0, "SECTION");
   tags.text(2, "TABLES");
   begin_table(tags, "VPORT", 0x8, 0);
   end_table(tags);
   line_types(tags);
-  layers(tags, curves);
+  layers(tags, layer_names);
   text_styles(tags);
   for (const auto& [name, handle] : {std::pair{"VIEW", 0x6}, {"UCS", 0x7}}) {
     begin_table(tags, name, handle, 0);
@@ -144,12 +145,12 @@ void block(Tags& tags, int owner, const std::string& name) {
 
 }  // namespace
 
-void begin(Tags& tags, const std::vector<ExportedCurve>& curves, int next) {
-  header(tags, extent_of(curves), next);
+void begin(Tags& tags, const Frame& frame) {
+  header(tags, frame.extent, frame.unit, frame.next);
   tags.text(0, "SECTION");
   tags.text(2, "CLASSES");
   tags.text(0, "ENDSEC");
-  tables(tags, curves);
+  tables(tags, frame.layers);
   tags.text(0, "SECTION");
   tags.text(2, "BLOCKS");
   block(tags, kModel, "*Model_Space");

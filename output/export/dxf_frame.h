@@ -10,8 +10,16 @@ namespace camlaw::problems::dxf {
 /// The handle that entities have as their owner, and the first that is free for them.
 inline constexpr int kModel = 0x17, kFirstFree = 0x30;
 
-/// Header, tables and blocks. `next` is the first handle that no entity has.
-void begin(Tags& tags, const std::vector<ExportedCurve>& curves, int next);
+/// What the frame must know of the drawing.
+struct Frame {
+  Extent extent;
+  std::vector<std::string> layers;  ///< beside "0", at most 16
+  LengthUnit unit;
+  int next;  ///< the first handle that no entity has
+};
+
+/// Header, tables and blocks.
+void begin(Tags& tags, const Frame& frame);
 /// Objects and the end.
 void end(Tags& tags);
 

@@ -37,6 +37,10 @@ double ExportedCurve::worst() const {
   return std::visit([](const auto& p) { return p.worst; }, path);
 }
 
+bool ExportedCurve::proved() const {
+  return std::visit([](const auto& p) { return p.proved; }, path);
+}
+
 std::size_t ExportedCurve::size() const {
   if (const auto* chords = std::get_if<Chords>(&path)) return chords->points.size();
   if (const auto* arcs = std::get_if<ArcPath>(&path)) return arcs->pieces.size();
@@ -58,7 +62,8 @@ std::vector<Vector2d> ExportedCurve::joints() const {
   return points;
 }
 
-ExportedCurve exported(const PlaneCurve& curve, CurveForm form, const ExportAccuracy& accuracy) {
+ExportedCurve exported(const PlaneCurve& mm_curve, CurveForm form, const ExportAccuracy& accuracy) {
+  const PlaneCurve curve = mm_curve.in(accuracy.unit);
   ExportedCurve result{curve.name(), curve.is_closed(), Chords{}};
   if (accuracy.step) {
     result.path = chords_at_steps(curve, *accuracy.step, accuracy.decimals);

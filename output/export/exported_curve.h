@@ -15,12 +15,13 @@ namespace camlaw::problems {
 
 enum class CurveForm { Lines, Arcs, Spline };
 
-/// How a curve is replaced: within a tolerance, mm, or by lines between even angles, deg.
+/// How a curve is replaced: within a tolerance or by lines between even angles, deg.
 struct ExportAccuracy {
+  LengthUnit unit = kMillimetre;  ///< of all lengths
   double tolerance = 0.01;
   std::optional<double> step = {};
-  int decimals = 6;                                              ///< of coordinates in mm
-  double most_radius = std::numeric_limits<double>::infinity();  ///< of arcs, mm; above are lines
+  int decimals = 6;                                              ///< of coordinates
+  double most_radius = std::numeric_limits<double>::infinity();  ///< of arcs; above are lines
 };
 
 struct ExportedCurve {
@@ -30,6 +31,8 @@ struct ExportedCurve {
 
   /// How far the curve departs from the path at most, mm.
   double worst() const;
+  /// Whether it is proved that it departs nowhere by more.
+  bool proved() const;
   /// Points, arcs and lines, or cubics.
   std::size_t size() const;
   /// The points where the pieces meet, the last included.

@@ -47,24 +47,45 @@ void follow(const ExportedCurve& curve, Program& program) {
   for (std::size_t i = 1; i < points.size(); ++i) program.straight(points[i].at);
 }
 
+/// Down beside the path, along its lead and the path, and up.
+void run_pass(const ToolPass& pass, const GcodeSettings& settings, Program& program) {
+  const ExportedCurve& curve = pass.path.exported();
+  const auto& lead = pass.path.lead();
+  if (std::holds_alternative<CubicPath>(curve.path)) {
+    throw std::invalid_argument("G-code has no splines; arcs and lines are accepted");
+  }
+  if (settings.compensation && !lead) {
+    throw std::invalid_argument(
+        "--compensation begins and ends on a straight move: give --lead too, larger than the tool");
+  }
+  if (!pass.comment.empty()) program.comment(pass.comment);
+  const Vector2d start = !lead                   ? curve.joints().front()
+                         : settings.compensation ? lead->from
+                                                 : lead->in.from;
+  program.line(fmt::format("G0 {}", program.place(start)));
+  program.line(fmt::format("G1 Z{} F{:.6g}", program.number(-settings.depth), settings.feed));
+  if (settings.compensation) {
+    program.line(fmt::format("G1 G{} D{} {}", lead->outside_is_left ? 41 : 42,
+                             *settings.compensation, program.place(lead->in.from)));
+  }
+  if (lead) program.arc(lead->in);
+  follow(curve, program);
+  if (lead) program.arc(lead->out);
+  if (settings.compensation) program.line(fmt::format("G1 G40 {}", program.place(lead->to)));
+  program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
+}
+
 }  // namespace
 
 double gcode_rounding(int decimals) { return 1.5 * std::pow(10.0, -decimals); }
 
-std::string gcode_text(const ToolPath& path, const GcodeSettings& settings,
+std::string gcode_text(const std::vector<ToolPass>& passes, const GcodeSettings& settings,
                        const std::vector<std::string>& comments) {
-  const ExportedCurve& curve = path.exported();
-  if (std::holds_alternative<CubicPath>(curve.path)) {
-    throw std::invalid_argument("G-code has no splines; arcs and lines are accepted");
-  }
   Program program(settings);
   for (const std::string& comment : comments) program.comment(comment);
-  program.line("G21 G17 G90 G40 G94");
+  program.line(fmt::format("{} G17 G90 G40 G94", settings.unit.mm == 1 ? "G21" : "G20"));
   program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
-  program.line(fmt::format("G0 {}", program.place(curve.joints().front())));
-  program.line(fmt::format("G1 Z{} F{:.6g}", program.number(-settings.depth), settings.feed));
-  follow(curve, program);
-  program.line(fmt::format("G0 Z{}", program.number(settings.clearance)));
+  for (const ToolPass& pass : passes) run_pass(pass, settings, program);
   program.line("M30");
   program.line("%");
   return program.take();

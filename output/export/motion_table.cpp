@@ -6,77 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 #include "numerics/text/units.h"
 #include "output/export/chords.h"
-#include "problems/statement/bind.h"
+#include "output/export/motion.h"
 
 namespace camlaw::problems {
 namespace {
 
-/// A motion over a cycle.
-struct Motion {
-  std::string master, master_unit, slave;
-  double begin = 0, end = 1;
-  std::function<std::vector<double>(std::span<const optim::Place>)> values;
-};
-
-Motion curve_motion(const ProblemStatement& statement, const optim::Response& response) {
-  const auto name = find_response(*statement.mechanism, response.name);
-  Motion motion;
-  motion.master_unit = name.response->along;
-  motion.master = motion.master_unit == "1" ? "x" : place_name(statement);
-  motion.slave = fmt::format("{} [{}]", response.name, response.unit);
-  const std::shared_ptr<const optim::Trace> trace = response.curve().trace({});
-  motion.begin = trace->breaks().front();
-  motion.end = trace->breaks().back();
-  motion.values = [trace](std::span<const optim::Place> places) { return trace->values(places); };
-  return motion;
-}
-
-Possible<Motion> law_motion(const ProblemStatement& statement) {
-  auto law = statement.laws.front().possible_law();
-  if (!law) return law.reason();
-  Motion motion{.master = "x", .master_unit = "1", .slave = "s [1]", .values = {}};
-  motion.values = [law = std::move(*law)](std::span<const optim::Place> places) {
-    std::vector<double> result;
-    for (const optim::Place& place : places) {
-      result.push_back(law(place.angle, place.from_left ? Side::Left : Side::Right).s);
-    }
-    return result;
-  };
-  return motion;
-}
-
-Possible<Motion> motion_of(const ProblemStatement& statement,
-                           const std::optional<std::string>& slave) {
-  std::vector<std::string> names;
-  for (const optim::Response& response : curves_of(statement)) {
-    if (response.name == slave.value_or("displacement")) return curve_motion(statement, response);
-    names.push_back(response.name);
-  }
-  if (!slave && statement.mechanism->moved_by != MovedBy::Nothing) return law_motion(statement);
-  const std::string& mechanism = statement.mechanism->name;
-  if (names.empty()) {
-    return Impossible{fmt::format("{} has no motion over a cycle", mechanism)};
-  }
-  return Impossible{fmt::format(
-      "{}; its curves are {}",
-      slave ? fmt::format("{} has no curve '{}'", mechanism, *slave)
-            : fmt::format("{} has no displacement of its own; name the slave", mechanism),
-      fmt::join(names, ", "))};
-}
-
-double step_of(const Motion& motion, const std::optional<std::string>& text) {
+double table_step_of(const Motion& motion, const std::optional<std::string>& text) {
   constexpr int kSteps = 360;
-  if (!text) return (motion.end - motion.begin) / kSteps;
-  return parse_quantity(*text, motion.master_unit, motion.master_unit, "--step");
+  if (!text) return (motion.end() - motion.begin()) / kSteps;
+  return parse_quantity(*text, motion.place_unit, motion.place_unit, "--step");
 }
 
 /// What comes back comes back in every digit; rounding is not a motion.
-void close(MotionTable& table) {
+void close_table(MotionTable& table) {
   constexpr double kRounding = 1e-9;
   const auto [least, most] = std::minmax_element(table.values.begin(), table.values.end());
   double &first = table.values.front(), &last = table.values.back();
@@ -93,6 +39,61 @@ bool keeps_places(const MotionTable& table, int decimals) {
   });
 }
 
+std::vector<optim::Place> table_places(const Motion& motion,
+                                       const std::optional<std::string>& step) {
+  const int count =
+      count_steps(motion.end() - motion.begin(), table_step_of(motion, step), motion.place_unit);
+  return optim::even_places(motion.begin(), motion.end(), count);
+}
+
+Possible<MotionTable> table_at(const Motion& motion, const std::vector<optim::Place>& places,
+                               int decimals, const MasterUnit& master) {
+  MotionTable table{master.heading, motion.slave_heading(), {}, motion.trace->values(places)};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!std::isfinite(table.values[i])) {
+      return Impossible{fmt::format("{} has no value at {} = {:.6g}", motion.slave_heading(),
+                                    motion.master, places[i].angle)};
+    }
+    table.places.push_back(master.per_place * places[i].angle);
+  }
+  close_table(table);
+  for (double& value : table.values) value = rounded(motion.slave_factor * value, decimals);
+  return table;
+}
+
+/// At a place inside the motion the derivative from its right, at the end that from its left.
+TableColumn derivative_column(const Motion& motion, const std::vector<optim::Place>& places,
+                              char letter, const MasterUnit& master) {
+  constexpr std::string_view kLetters = "svaj";
+  const int order = static_cast<int>(kLetters.find(letter));
+  const std::string& heading = master.heading;
+  const std::size_t open = heading.find('['), shut = heading.find(']');
+  const std::string by =
+      open == std::string::npos ? heading : heading.substr(open + 1, shut - open - 1);
+  TableColumn column{fmt::format("{} [{} / {}{}]", letter, motion.unit, by,
+                                 order == 1 ? "" : fmt::format("^{}", order)),
+                     order,
+                     {}};
+  for (const optim::Place& place : places) {
+    const double value = motion.at(place)[static_cast<std::size_t>(order)];
+    if (!std::isfinite(value)) {
+      throw std::invalid_argument(fmt::format(
+          "--columns {}: {} has no {} at {} = {:.6g}{}", letter, motion.slave_heading(),
+          order == 3 ? "third derivative" : "such derivative", motion.master, place.angle,
+          order == 3 && !motion.velocity ? "; s, v and a are accepted" : ""));
+    }
+    column.values.push_back(value / std::pow(master.per_place, order));
+  }
+  return column;
+}
+
+/// A number with so many decimals, and with the decimal sign that is wanted.
+std::string decimal_text(double value, int decimals, const TableStyle& style) {
+  std::string text = fmt::format("{:.{}f}", rounded(value, decimals), decimals);
+  if (style.decimal_comma) std::replace(text.begin(), text.end(), '.', ',');
+  return text;
+}
+
 }  // namespace
 
 MotionTable motion_table(const ProblemStatement& statement, const std::optional<std::string>& slave,
@@ -103,38 +104,51 @@ MotionTable motion_table(const ProblemStatement& statement, const std::optional<
 Possible<MotionTable> possible_motion_table(const ProblemStatement& statement,
                                             const std::optional<std::string>& slave,
                                             const std::optional<std::string>& step, int decimals) {
-  const auto found = motion_of(statement, slave);
-  if (!found) return found.reason();
-  const Motion& motion = *found;
-  const int count =
-      count_steps(motion.end - motion.begin, step_of(motion, step), motion.master_unit);
-  const auto places = optim::even_places(motion.begin, motion.end, count);
-  MotionTable table{motion.master, motion.slave, {}, motion.values(places)};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!std::isfinite(table.values[i])) {
-      return Impossible{fmt::format("{} has no value at {} = {:.6g}", motion.slave, motion.master,
-                                    places[i].angle)};
-    }
-    table.places.push_back(places[i].angle);
+  const auto motion = motion_of(statement, slave);
+  if (!motion) return motion.reason();
+  return possible_table_of(*motion, step, decimals, {motion->master});
+}
+
+Possible<MotionTable> possible_table_of(const Motion& motion,
+                                        const std::optional<std::string>& step, int decimals,
+                                        const MasterUnit& master) {
+  return table_at(motion, table_places(motion, step), decimals, master);
+}
+
+MotionTable table_of(const Motion& motion, const std::optional<std::string>& step, int decimals,
+                     const MasterUnit& master, const std::string& columns) {
+  const auto places = table_places(motion, step);
+  MotionTable table = table_at(motion, places, decimals, master).value();
+  for (const char letter : columns.substr(1)) {
+    table.more.push_back(derivative_column(motion, places, letter, master));
   }
-  close(table);
-  for (double& value : table.values) value = rounded(value, decimals);
   return table;
 }
 
 std::string table_text(const MotionTable& table, int decimals) {
-  if (!keeps_places(table, decimals)) {
-    int enough = decimals + 1;
+  return table_text(table, TableStyle{decimals});
+}
+
+std::string table_text(const MotionTable& table, const TableStyle& style) {
+  if (!keeps_places(table, style.decimals)) {
+    int enough = style.decimals + 1;
     while (!keeps_places(table, enough)) ++enough;
     throw std::invalid_argument(
         fmt::format("places of {} that are {:.6g} apart cannot be told with {} decimals; {} or "
                     "more are wanted",
-                    table.master, table.places[1] - table.places[0], decimals, enough));
+                    table.master, table.places[1] - table.places[0], style.decimals, enough));
   }
-  std::string text = fmt::format("{},{}\n", table.master, table.slave);
+  std::string text = fmt::format("{}{}{}", table.master, style.separator, table.slave);
+  for (const TableColumn& column : table.more) text += style.separator + column.heading;
+  text += "\n";
   for (std::size_t i = 0; i < table.places.size(); ++i) {
-    text += fmt::format("{:.{}f},{:.{}f}\n", table.places[i] + 0.0, decimals, table.values[i],
-                        decimals);
+    text += decimal_text(table.places[i], style.decimals, style) + style.separator +
+            decimal_text(table.values[i], style.decimals, style);
+    for (const TableColumn& column : table.more) {
+      text += style.separator +
+              decimal_text(column.values[i], style.decimals + 2 * column.order, style);
+    }
+    text += "\n";
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -64,7 +65,7 @@ CurvePoint PlaneCurve::look(optim::Place place) const {
     point.at += left_ * left_of(point.slope) / speed;
     point.slope *= 1 - left_ * curvature;
   }
-  return point;
+  return {scale_ * point.at, scale_ * point.slope};
 }
 
 CurvePoint PlaneCurve::at(optim::Place place) const {
@@ -76,6 +77,13 @@ CurvePoint PlaneCurve::at(optim::Place place) const {
                     name_, place.angle));
   }
   return point;
+}
+
+PlaneCurve PlaneCurve::in(const LengthUnit& unit) const {
+  PlaneCurve result = *this;
+  result.scale_ *= unit_.mm / unit.mm;
+  result.unit_ = unit;
+  return result;
 }
 
 std::vector<std::pair<double, double>> PlaneCurve::jumps() const {
@@ -144,14 +152,35 @@ std::optional<double> turns_back(const PlaneCurve& curve) {
   return {};
 }
 
-PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
+Turning turning(const PlaneCurve& curve) {
+  constexpr double kFirst = 1.0 / 360, kLeast = 1e-7;  // of the cycle
+  Turning result{turns_back(curve)};
+  if (result.angle) return result;
+  const double cycle = curve.end() - curve.begin();
+  const auto keeps_on = [&](auto& self, double from, double to) -> bool {
+    if (to - from <= kFirst * cycle && curve.keeps_on(from, to)) return true;
+    if (to - from < kLeast * cycle) return false;
+    const double middle = std::midpoint(from, to);
+    return self(self, from, middle) && self(self, middle, to);
+  };
+  result.proved = true;
+  for (std::size_t k = 0; k + 1 < curve.breaks().size() && result.proved; ++k) {
+    result.proved = keeps_on(keeps_on, curve.breaks()[k], curve.breaks()[k + 1]);
+  }
+  return result;
+}
+
+bool winds_left(const PlaneCurve& curve) { return angle_about_centre(curve) > 0; }
+
+bool outside_is_left(const PlaneCurve& profile) {
   // To the right of a path that runs counterclockwise is outside; a plate's runs to greater x, and
   // above it is to the left.
-  const bool closed = profile.is_closed();
-  const double along =
-      profile.at({profile.end(), true}).at.x() - profile.at({profile.begin()}).at.x();
-  const bool right = closed ? angle_about_centre(profile) > 0 : along < 0;
-  return profile.beside("cutter path", right ? -tool_radius : tool_radius);
+  if (profile.is_closed()) return !winds_left(profile);
+  return profile.at({profile.end(), true}).at.x() >= profile.at({profile.begin()}).at.x();
+}
+
+PlaneCurve path_of_tool(const PlaneCurve& profile, double tool_radius) {
+  return profile.beside("cutter path", outside_is_left(profile) ? tool_radius : -tool_radius);
 }
 
 }  // namespace camlaw::problems

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "optim/problem/problem.h"
+#include "output/export/length_unit.h"
 #include "problems/statement/statement.h"
 
 /// What is drawn of a cam, and cut, as curves in the plane of its own coordinates.
@@ -18,6 +19,13 @@ namespace camlaw::problems {
 /// A point of a curve, mm, and its derivative by the cam angle, mm/deg.
 struct CurvePoint {
   Eigen::Vector2d at, slope;
+};
+
+/// What is proved of a stretch of a curve: it is nowhere farther than `bow`, mm, from a point that
+/// runs evenly from a to b; infinite where nothing is proved.
+struct CurveStretch {
+  Eigen::Vector2d a, b;
+  double bow;
 };
 
 /// A curve x(phi), y(phi) over the cam angle phi, deg. Between two breaks it is smooth; at a break
@@ -44,6 +52,15 @@ class PlaneCurve {
   /// angle, deg, and distance, mm.
   std::vector<std::pair<double, double>> jumps() const;
 
+  /// Between two of its breaks (docs/theory.md, "How exact an export is").
+  CurveStretch stretch(double from, double to) const;
+  /// Whether the slope is proved to vanish nowhere from one place to the next, both between the
+  /// same breaks: the curve does not turn back there.
+  bool keeps_on(double from, double to) const;
+
+  /// The same curve in another unit of length: all that is said in mm is then in that one.
+  PlaneCurve in(const LengthUnit& unit) const;
+  const char* unit() const { return unit_.name; }
   /// The curve parallel to this one at a distance, mm, to the left of its direction: q = p + d n
   /// with q' = p' (1 - d k), n the unit normal and k the curvature.
   PlaneCurve beside(std::string name, double distance) const;
@@ -53,7 +70,11 @@ class PlaneCurve {
   std::shared_ptr<const optim::Trace> x_, y_;
   std::vector<double> breaks_;
   double left_ = 0;  ///< mm
+  LengthUnit unit_ = kMillimetre;
+  double scale_ = 1;  ///< of all coordinates
   bool closed_ = false;
+
+  friend class CurveEnclosure;
 };
 
 /// A kind of curve, as people ask for it: "profile", "second-profile", "pitch", "cutter".
@@ -72,6 +93,20 @@ std::vector<PlaneCurve> cam_curves(const ProblemStatement& statement, std::strin
 /// every break, of a closed curve from its end to its beginning too: where the acceleration jumps a
 /// whole stretch may run backwards.
 std::optional<double> turns_back(const PlaneCurve& curve);
+
+/// What is known of whether a curve turns back.
+struct Turning {
+  std::optional<double> angle;  ///< where it does, deg
+  bool proved = false;          ///< that it nowhere does, by intervals over the whole cycle
+};
+/// turns_back, and where that finds nothing a proof.
+Turning turning(const PlaneCurve& curve);
+
+/// Whether a closed curve runs counterclockwise about the cam's centre.
+bool winds_left(const PlaneCurve& curve);
+/// Whether the outside of a profile, or of a curve that runs like it, is to the left of its
+/// direction: of a disc away from its centre, else above.
+bool outside_is_left(const PlaneCurve& profile);
 
 /// The path of the middle of a tool of a radius, mm, that cuts the profile from outside: of a disc
 /// away from its centre, else above the profile.

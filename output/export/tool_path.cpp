@@ -3,22 +3,93 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <numbers>
 #include <stdexcept>
+
+#include "output/export/interference.h"
 
 namespace camlaw::problems {
 namespace {
 
-void check_path(const ProblemStatement& design, const PlaneCurve& curve) {
-  if (const auto found = obstacles(curve); !found.empty()) {
-    throw std::invalid_argument(found.front());
+bool is_profile(const PlaneCurve& curve) { return curve.name().ends_with("profile"); }
+
+/// What a circle along a curve cuts of a profile; empty: nothing, or it does not touch it.
+std::string cut_words(const char* circle, const PlaneCurve& centre, const PlaneCurve& profile) {
+  constexpr double kLeast = 1e-3;  // mm, above what is known
+  const auto radius = even_distance(centre, profile);
+  if (!radius) return "";
+  const Interference found = interference(centre, profile, *radius);
+  if (found.depth <= found.certain + kLeast) return "";
+  return fmt::format(
+      "the {}, {:.6g} mm in radius, cuts {:.3g} mm into the {} near {:.4g} deg when it is at "
+      "{:.4g} "
+      "deg: the profile is undercut there, or the {} too large",
+      circle, *radius, found.depth, profile.name(), found.profile_angle, found.circle_angle,
+      circle);
+}
+
+/// The curve and, once each, the cam's own.
+std::vector<PlaneCurve> with_own_curves(const ProblemStatement& design, const PlaneCurve& curve) {
+  std::vector<PlaneCurve> curves{curve};
+  for (PlaneCurve& own : cam_curves(design, "all")) {
+    if (own.name() != curve.name()) curves.push_back(std::move(own));
   }
-  if (curve.name() != "cutter path") return;
-  for (const PlaneCurve& profile : cam_curves(design, "profile")) {
-    if (turns_back(profile)) throw std::invalid_argument(obstacles(profile).front());
+  return curves;
+}
+
+/// Throws where a circle on the arcs of a lead cuts into a profile that it does not cut at their
+/// joint with the path.
+void check_lead(const std::vector<PlaneCurve>& curves, const PlaneCurve& curve,
+                const std::vector<Eigen::Vector2d>& way) {
+  constexpr double kLeast = 2e-3;  // mm
+  for (const PlaneCurve& profile : curves) {
+    if (!is_profile(profile)) continue;
+    const auto radius = even_distance(curve, profile);
+    if (!radius) continue;
+    const double clearance = clearance_of(way, profile);
+    if (clearance >= *radius - kLeast) continue;
+    throw std::invalid_argument(
+        fmt::format("--lead: on its way to the path the tool, {:.6g} mm in radius, would cut "
+                    "{:.3g} mm into the "
+                    "{}; a smaller lead is wanted",
+                    *radius, *radius - clearance, profile.name()));
   }
 }
 
 }  // namespace
+
+void ToolPath::add_lead(const ProblemStatement& design, double radius) {
+  const PlaneCurve curve = curve_.in(unit_);
+  const bool left = outside_is_left(curve);
+  const auto frame = [&](optim::Place place) {
+    const CurvePoint point = curve.at(place);
+    const Eigen::Vector2d along = point.slope.normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    return std::array{point.at, along, Eigen::Vector2d(left ? across : Eigen::Vector2d(-across))};
+  };
+  const auto [begin, t, n] = frame({curve.begin()});
+  const auto [end, u, m] = frame({curve.end(), true});
+  const double quarter = (left ? 1 : -1) * std::numbers::pi / 2;
+  const Eigen::Vector2d first = exported_.joints().front(), last = exported_.joints().back();
+  ToolLead lead;
+  lead.outside_is_left = left;
+  lead.in = {begin + radius * (n - t), first, begin + radius * n, quarter};
+  lead.out = {last, end + radius * (m + u), end + radius * m, quarter};
+  lead.from = lead.in.from + radius * n;
+  lead.to = lead.out.to + radius * m;
+  std::vector<Eigen::Vector2d> way{unit_.mm * lead.from, unit_.mm * lead.to};
+  constexpr int kSteps = 90;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = std::numbers::pi / 2 * i / kSteps;
+    const double c = std::cos(angle), s = std::sin(angle);
+    way.push_back(unit_.mm * (begin + radius * (n - n * s - t * c)));
+    way.push_back(unit_.mm * (end + radius * (m - m * s + u * c)));
+  }
+  check_lead(with_own_curves(design, curve_), curve_, way);
+  lead_ = lead;
+}
 
 std::vector<std::string> obstacles(const PlaneCurve& curve) {
   std::vector<std::string> result;
@@ -35,9 +106,41 @@ std::vector<std::string> obstacles(const PlaneCurve& curve) {
   return result;
 }
 
+std::vector<std::string> cuts_into_profiles(const std::vector<PlaneCurve>& curves) {
+  std::vector<std::string> result;
+  for (const PlaneCurve& profile : curves) {
+    // Of a profile that turns back the cut is known already, and the curves cross.
+    if (!is_profile(profile) || turns_back(profile) || !profile.jumps().empty()) continue;
+    for (const PlaneCurve& centre : curves) {
+      const bool roller = centre.name() == "pitch curve", tool = centre.name() == "cutter path";
+      if ((!roller && !tool) || !centre.jumps().empty()) continue;
+      std::string words = cut_words(roller ? "roller" : "tool", centre, profile);
+      if (!words.empty()) result.push_back(std::move(words));
+    }
+  }
+  return result;
+}
+
 ToolPath::ToolPath(const ProblemStatement& design, const PlaneCurve& curve, CurveForm form,
-                   const ExportAccuracy& accuracy) {
-  check_path(design, curve);
+                   const ExportAccuracy& accuracy)
+    : curve_(curve), unit_(accuracy.unit) {
+  std::vector<std::string> found = obstacles(curve);
+  const std::vector<PlaneCurve> curves = with_own_curves(design, curve);
+  const auto add = [&](const std::vector<std::string>& more) {
+    found.insert(found.end(), more.begin(), more.end());
+  };
+  for (const PlaneCurve& own : curves) {
+    if (is_profile(own) && turns_back(own)) add(obstacles(own));
+  }
+  if (found.empty()) add(cuts_into_profiles(curves));
+  if (!found.empty()) throw std::invalid_argument(found.front());
+  for (const PlaneCurve& own : curves) {
+    if ((&own == &curves.front() || is_profile(own)) && !turning(own).proved) {
+      doubts_.push_back(fmt::format(
+          "that the {} nowhere turns back was looked for every 0.1 deg; it is not proved",
+          own.name()));
+    }
+  }
   exported_ = problems::exported(curve, form, accuracy);
 }
 

@@ -14,11 +14,39 @@ namespace {
 cli::ExportOptions options_of(const std::map<std::string, std::string>& told) {
   cli::ExportOptions options;
   const std::map<std::string, cli::ExportOptions::Text*> known{
-      {"format", &options.format},       {"out", &options.out},     {"curve", &options.curve},
-      {"tolerance", &options.tolerance}, {"step", &options.step},   {"form", &options.form},
-      {"decimals", &options.decimals},   {"tool", &options.tool},   {"feed", &options.feed},
-      {"clearance", &options.clearance}, {"depth", &options.depth}, {"slave", &options.slave}};
-  for (const auto& [name, text] : told) *known.at(name) = text;
+      {"format", &options.format},
+      {"out", &options.out},
+      {"curve", &options.curve},
+      {"tolerance", &options.tolerance},
+      {"step", &options.step},
+      {"form", &options.form},
+      {"decimals", &options.decimals},
+      {"tool", &options.tool},
+      {"feed", &options.feed},
+      {"clearance", &options.clearance},
+      {"depth", &options.depth},
+      {"slave", &options.slave},
+      {"unit", &options.unit},
+      {"master", &options.master},
+      {"cycle", &options.cycle},
+      {"columns", &options.columns},
+      {"separator", &options.separator},
+      {"lead", &options.lead},
+      {"compensation", &options.compensation},
+      {"allowances", &options.allowances},
+      {"bore", &options.bore},
+      {"keyway", &options.keyway},
+      {"form_tolerance", &options.form_tolerance}};
+  const std::map<std::string, bool*> switches{{"drawing", &options.drawing},
+                                              {"decimal_comma", &options.decimal_comma}};
+  for (const auto& [name, text] : told) {
+    const auto found = switches.find(name);
+    if (found == switches.end()) {
+      *known.at(name) = text;
+    } else {
+      *found->second = true;
+    }
+  }
   return options;
 }
 

@@ -43,6 +43,19 @@ _OPTIONS = {
     "clearance",
     "depth",
     "slave",
+    "unit",
+    "master",
+    "cycle",
+    "columns",
+    "separator",
+    "lead",
+    "compensation",
+    "allowances",
+    "bore",
+    "keyway",
+    "form_tolerance",
+    "drawing",
+    "decimal_comma",
 }
 
 
@@ -53,5 +66,10 @@ def export_options(path: str | Path | None, options: Mapping[str, Any]) -> dict[
         raise InputError(
             f"no option is called '{min(unknown)}'; there are {', '.join(sorted(_OPTIONS))}"
         )
-    told = {name: units.value_text(value) for name, value in options.items() if value is not None}
+    told = {
+        name: units.value_text(value)
+        for name, value in options.items()
+        if value is not None and value is not False and value is not True
+    }
+    told |= {name: "yes" for name, value in options.items() if value is True}
     return told | ({"out": str(path)} if path is not None else {})

@@ -180,10 +180,12 @@ class Result:
         """The cam for drawing, cutting or control, as the text of a file; written to `path`, whose
         ending tells the format: .csv, .dxf, .svg, .json, .nc.
 
-        format: csv, dxf, svg, json, gcode or table. curve: profile, second-profile, pitch, cutter,
+        format: csv, dxf, svg, json, gcode, inspection, table, or a drive's: beckhoff-points, beckhoff-motion,
+        codesys, lenze, rockwell, siemens. curve: profile, second-profile, pitch, cutter,
         all. tolerance: how far the exact curve may be from what is written. step: even steps of
         the angle in place of a tolerance. form: lines, arcs, spline. decimals, tool, feed,
-        clearance, depth, slave: as docs/exports.md has them.
+        clearance, depth, slave and others: as docs/exports.md has them; drawing and decimal_comma are True or
+        False.
         """
         text = native.export_result(self._native, export_options(path, options))
         return written(text, path)

@@ -112,6 +112,8 @@ def test_a_report_is_one_page(roller, tmp_path):
         ("svg", []),
         ("json", []),
         ("nc", ["--tolerance", "2 um", "--decimals", "5"]),
+        ("nc", ["--lead", "6 mm", "--allowances", "0.5, 0.1 mm", "--unit", "mm"]),
+        ("txt", ["--format", "codesys"]),
     ],
 )
 def test_exports_are_the_programs_byte_for_byte(roller, tmp_path, ending, options):
@@ -127,7 +129,7 @@ def test_exports_are_the_programs_byte_for_byte(roller, tmp_path, ending, option
 def test_a_table_for_a_controller(roller):
     table = roller.export(format="table", step="0.5 deg")
     assert len(table.splitlines()) >= 720
-    with pytest.raises(cl.InputError, match="there are clearance"):
+    with pytest.raises(cl.InputError, match="there are allowances"):
         roller.export(format="csv", colour="red")
     with pytest.raises(cl.InputError, match="format"):
         roller.export()

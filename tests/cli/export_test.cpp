@@ -406,13 +406,16 @@ TEST_CASE("export refuses what it cannot do in one clear line", "[export]") {
 TEST_CASE("the help of export explains every option", "[export]") {
   const std::string help = done({"export", "--help"});
   for (const char* option :
-       {"--format", "--out", "--curve", "--tolerance", "--step", "--as", "--decimals", "--tool",
-        "--feed", "--clearance", "--depth", "--slave", "--set"}) {
+       {"--format",       "--out",      "--curve",     "--tolerance", "--step",
+        "--as",           "--decimals", "--tool",      "--feed",      "--clearance",
+        "--depth",        "--slave",    "--set",       "--unit",      "--master",
+        "--cycle",        "--columns",  "--separator", "--lead",      "--allowances",
+        "--compensation", "--drawing",  "--bore",      "--keyway",    "--form-tolerance"}) {
     const std::size_t at = help.find(std::string("  ") + option + " ");
     REQUIRE(at != std::string::npos);
     CHECK(help.find("\n  -", at) > at + 50);
   }
-  CHECK_THAT(help, Contains("--format {csv,dxf,svg,json,gcode,table}") &&
+  CHECK_THAT(help, Contains("--format {csv,dxf,svg,json,gcode,inspection,table,beckhoff-points") &&
                        Contains("--curve {all,profile,second-profile,pitch,cutter}") &&
                        Contains("--as {lines,arcs,spline}"));
 }

@@ -19,7 +19,10 @@ struct GcodeRun {
   /// 1e-5 mm above its chord.
   std::vector<Eigen::Vector2d> cut;
   double feed = 0, clearance = 0, cut_depth = 0;
-  double worst_radius_mismatch = 0;  ///< of an arc's end from the circle about its centre
+  bool in_inches = false;
+  std::vector<int> compensation = {};    ///< G41, G42, G40 in their order
+  std::vector<std::size_t> passes = {};  ///< where in `cut` each way down begins
+  double worst_radius_mismatch = 0;      ///< of an arc's end from the circle about its centre
 };
 
 namespace detail {
@@ -62,9 +65,16 @@ inline GcodeRun run_gcode(const std::string& program) {
       return found == block.words.end() ? standard : found->second;
     };
     if (block.words.contains('M')) ended = word('M', 0) == 30;
-    if (block.g.size() > 1) {
-      ready = block.g == std::vector{21, 17, 90, 40, 94};
+    if (block.g.size() > 2) {
+      ready =
+          block.g == std::vector{21, 17, 90, 40, 94} || block.g == std::vector{20, 17, 90, 40, 94};
+      run.in_inches = block.g.front() == 20;
       continue;
+    }
+    if (block.g.size() == 2) {
+      // Compensation begins or ends on a straight move.
+      if (block.g.front() != 1) throw std::runtime_error("compensation on no straight move");
+      run.compensation.push_back(block.g.back());
     }
     if (block.g.empty()) continue;
     const int g = block.g.front();
@@ -78,7 +88,10 @@ inline GcodeRun run_gcode(const std::string& program) {
     } else if (!(run.feed > 0)) {
       throw std::runtime_error("a cut without feed");
     } else if (g == 1) {
-      if (block.words.contains('Z')) run.cut_depth = z = word('Z', z);
+      if (block.words.contains('Z')) {
+        run.cut_depth = z = word('Z', z);
+        run.passes.push_back(run.cut.size());
+      }
       run.cut.push_back(to);
     } else if (g == 2 || g == 3) {
       const Eigen::Vector2d centre = at + Eigen::Vector2d(word('I', 0), word('J', 0));

@@ -91,7 +91,8 @@ TEST_CASE("every shipped problem file is evaluated, drawn, exported and reported
     CHECK_NOTHROW(ParsedJson::parse(json.out));
     // Of several cams on a shaft one is exported, which is to be named.
     const bool on_shaft = read(file).find("\n[cams.") != std::string::npos;
-    for (const std::string format : {"csv", "dxf", "svg", "json", "gcode", "table"}) {
+    for (const std::string format : {"csv", "dxf", "svg", "json", "gcode", "table", "inspection",
+                                     "codesys", "rockwell", "lenze"}) {
       check_done_or_refused(
           {"export", file, "--format", format, "--out", folder / ("out." + format)},
           on_shaft ? "--cam" : " has no ");

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/motion_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/text/units.h"
+#include "output/export/chords.h"
+#include "output/export/motion.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+namespace {
+
+using problems::Motion;
+
+/// In what the master is counted.
+problems::MasterUnit master_of(const ExportOptions& o, const Motion& motion) {
+  const std::string unit = o.master.value_or(motion.place_unit == "1" ? "x" : motion.place_unit);
+  const bool is_own = unit == motion.place_unit || (unit == "x" && motion.place_unit == "1");
+  if (!is_own && unit != "ms" && unit != "increments") {
+    throw std::invalid_argument(fmt::format("--master {}: accepted are {}, ms and increments", unit,
+                                            motion.place_unit == "1" ? "x" : motion.place_unit));
+  }
+  if (is_own) {
+    if (o.cycle) throw std::invalid_argument("--cycle is for --master ms and --master increments");
+    return {motion.master};
+  }
+  if (!o.cycle) {
+    throw std::invalid_argument(
+        fmt::format("--master {}: say with --cycle {}", unit,
+                    unit == "ms" ? "how long a cycle takes, such as --cycle '500 ms'"
+                                 : "how many increments a cycle has, such as --cycle 65536"));
+  }
+  const double cycle = unit == "ms" ? parse_quantity(*o.cycle, "ms", "ms", "--cycle")
+                                    : parse_quantity(*o.cycle, "1", "1", "--cycle");
+  if (!(cycle > 0) || !std::isfinite(cycle)) {
+    throw std::invalid_argument(fmt::format("--cycle {}: it must be above 0", *o.cycle));
+  }
+  const char* heading = unit == "ms" ? "time [ms]" : "master [increments]";
+  return {heading, cycle / (motion.end() - motion.begin())};
+}
+
+std::string columns_of(const ExportOptions& o) {
+  if (!o.columns) return "s";
+  std::string letters = *o.columns;
+  std::erase_if(letters, [](char c) { return c == ',' || c == ' '; });
+  constexpr std::string_view kAll = "svaj";
+  const bool known = letters.find_first_not_of(kAll) == std::string::npos;
+  auto sorted = letters;
+  std::sort(sorted.begin(), sorted.end());
+  const bool once = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  if (!known || !once || !letters.starts_with('s')) {
+    throw std::invalid_argument(fmt::format(
+        "--columns {}: it begins with s; v, a and j may follow, such as s,v,a", *o.columns));
+  }
+  return letters;
+}
+
+problems::TableStyle style_of(const ExportOptions& o, int decimals) {
+  problems::TableStyle style{decimals};
+  style.decimal_comma = o.decimal_comma;
+  const std::string separator = o.separator.value_or(o.decimal_comma ? ";" : ",");
+  if (separator == "tab") {
+    style.separator = '\t';
+  } else if (separator == "space") {
+    style.separator = ' ';
+  } else if (separator == "," || separator == ";") {
+    style.separator = separator[0];
+  } else {
+    throw std::invalid_argument(
+        fmt::format("--separator {}: accepted are ',', ';', tab and space", separator));
+  }
+  if (style.decimal_comma && style.separator == ',') {
+    throw std::invalid_argument("--separator ,: with --decimal-comma it is ';', tab or space");
+  }
+  return style;
+}
+
+/// The largest value less the least, at some places, in the unit that is written.
+double range_of(const Motion& motion) {
+  constexpr int kLooks = 720;
+  const auto values =
+      motion.trace->values(optim::even_places(motion.begin(), motion.end(), kLooks));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return motion.slave_factor * (*most - *least);
+}
+
+double tolerance_of(const ExportOptions& o, const Motion& motion, int decimals) {
+  constexpr double kShare = 1e-5;  // of the range
+  const double digit = std::pow(10.0, -decimals);
+  if (!o.tolerance) return std::max(kShare * range_of(motion), 10 * digit);
+  const double tolerance = parse_quantity(*o.tolerance, motion.unit, motion.unit, "--tolerance");
+  if (tolerance >= 10 * digit && std::isfinite(tolerance)) return tolerance;
+  throw std::invalid_argument(fmt::format("--tolerance: {:.6g} {} is outside {:.6g} .. inf {}",
+                                          tolerance, motion.unit, 10 * digit, motion.unit));
+}
+
+int steps_of(const ExportOptions& o, const Motion& motion) {
+  constexpr int kSteps = 360;
+  if (!o.step) return kSteps;
+  return problems::count_steps(
+      motion.end() - motion.begin(),
+      parse_quantity(*o.step, motion.place_unit, motion.place_unit, "--step"), motion.place_unit);
+}
+
+/// What a controller of 32 bits has of a number.
+double single(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+/// Points at even steps; of a controller of 32 bits as these have them.
+std::vector<problems::MotionKnot> points_of(const ExportOptions& o, const Motion& motion,
+                                            const problems::DriveFormat& drive,
+                                            const problems::WrittenMotion& written) {
+  constexpr int kAllDigits = 12;
+  const int steps = steps_of(o, motion);
+  if (static_cast<std::size_t>(steps) > drive.most) {
+    throw std::invalid_argument(fmt::format("--step: {} steps are more than the {} that {} takes",
+                                            steps, drive.most, drive.name));
+  }
+  auto knots =
+      problems::even_knots(written, steps, drive.decimals > 0 ? drive.decimals : kAllDigits);
+  if (drive.decimals > 0) return knots;
+  for (problems::MotionKnot& knot : knots) {
+    knot = {single(knot.master), single(knot.s), single(knot.v), single(knot.a)};
+  }
+  return knots;
+}
+
+std::string drive_text(const ExportOptions& o, const problems::DriveFormat& drive,
+                       const Motion& motion, const problems::MasterUnit& master, Exported& e) {
+  const problems::WrittenMotion written{motion, master.per_place};
+  problems::PiecewiseMotion path;
+  problems::MotionDeviation deviation;
+  if (drive.path == problems::DrivePath::Quintics) {
+    auto found = problems::quintics_within(written, tolerance_of(o, motion, drive.decimals),
+                                           drive.decimals, drive.most);
+    path = std::move(found.path), deviation = found.deviation;
+  } else {
+    auto knots = points_of(o, motion, drive, written);
+    path = drive.path == problems::DrivePath::Lines
+               ? problems::lines_between(std::move(knots))
+               : problems::cubic_spline_through(std::move(knots));
+    deviation = problems::deviation_of(written, path);
+  }
+  e.motion = {motion.slave_heading(), path.knots.size(), drive.path, motion.unit, deviation,
+              drive.description};
+  std::vector<std::string> comments = comments_of(e);
+  comments.push_back(fmt::format("master: {}; slave: {}; derivatives are by the master",
+                                 master.heading, motion.slave_heading()));
+  return drive.text(path, comments);
+}
+
+}  // namespace
+
+problems::LengthUnit unit_of(const ExportOptions& o) {
+  const std::string unit = o.unit.value_or("mm");
+  if (unit == "mm") return problems::kMillimetre;
+  if (unit == "inch") return problems::kInch;
+  throw std::invalid_argument(fmt::format("--unit {}: accepted are mm and inch", unit));
+}
+
+std::string motion_text(const ExportOptions& o, const FormatRow& format, Exported& e) {
+  const Motion motion =
+      problems::motion_of(e.design.statement, o.slave, e.accuracy.unit.mm != 1).value();
+  const problems::MasterUnit master = master_of(o, motion);
+  if (format.drive != nullptr) return drive_text(o, *format.drive, motion, master, e);
+  const int decimals = e.accuracy.decimals;
+  return problems::table_text(problems::table_of(motion, o.step, decimals, master, columns_of(o)),
+                              style_of(o, decimals));
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "output/answers/shop_export.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "numerics/text/units.h"
+#include "output/export/inspection.h"
+#include "output/export/tool_path.h"
+#include "problems/statement/parameters.h"
+
+namespace camlaw::cli {
+namespace {
+
+using Text = ExportOptions::Text;
+
+/// "8 x 3.3 mm": a width and a depth.
+std::optional<problems::Keyway> keyway_of(const Text& text, const problems::LengthUnit& unit) {
+  if (!text) return {};
+  const std::size_t by = text->find('x');
+  if (by == std::string::npos) {
+    throw std::invalid_argument(fmt::format(
+        "--keyway {}: width x depth from the bore's edge is wanted, such as '8 x 3.3 mm'", *text));
+  }
+  std::string width = text->substr(0, by), depth = text->substr(by + 1);
+  // "8 x 3.3 mm": the unit stands behind the second number and holds for both.
+  const std::size_t letters = depth.find_first_not_of("0123456789. ");
+  if (letters != std::string::npos &&
+      width.find_first_not_of("0123456789. ") == std::string::npos) {
+    width += depth.substr(letters);
+  }
+  constexpr double kMost = 1e4;
+  return problems::Keyway{length_of(width, "--keyway", unit, 0, 1e-3, kMost),
+                          length_of(depth, "--keyway", unit, 0, 1e-3, kMost)};
+}
+
+/// "0.5, 0.1 mm", in mm: what each roughing pass leaves.
+std::vector<double> allowances_of(const Text& text, const problems::LengthUnit& unit) {
+  std::vector<double> result;
+  if (!text) return result;
+  const std::size_t letters = text->find_first_not_of("0123456789., ");
+  const std::string shared = letters == std::string::npos ? "" : text->substr(letters);
+  std::string numbers = text->substr(0, letters);
+  for (std::size_t from = 0; from <= numbers.size();) {
+    const std::size_t comma = std::min(numbers.find(',', from), numbers.size());
+    const std::string one = numbers.substr(from, comma - from) + " " + shared;
+    result.push_back(length_of(one, "--allowances", unit, 0, 1e-4, 1e3));
+    from = comma + 1;
+  }
+  for (std::size_t i = 1; i < result.size(); ++i) {
+    if (result[i] < result[i - 1]) continue;
+    throw std::invalid_argument(
+        fmt::format("--allowances {}: each pass must leave less than the one before", *text));
+  }
+  return result;
+}
+
+}  // namespace
+
+double length_of(const Text& text, const char* name, const problems::LengthUnit& unit,
+                 double default_value, double low, double high) {
+  if (!text) return default_value;
+  const double value = unit.mm * parse_quantity(*text, unit.name, unit.name, name);
+  if (value >= low && value <= high) return value;
+  throw std::invalid_argument(
+      fmt::format("{}: {:.6g} mm is outside {:.6g} .. {:.6g} mm", name, value, low, high));
+}
+
+std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& o, const Exported& e) {
+  if (!o.drawing) return {};
+  problems::ShopSettings settings;
+  settings.unit = e.accuracy.unit;
+  if (o.bore) {
+    settings.bore_radius = length_of(o.bore, "--bore", settings.unit, 0, 1e-3, 1e5) / 2;
+  }
+  settings.keyway = keyway_of(o.keyway, settings.unit);
+  settings.title = comments_of(e);
+  return problems::shop_shapes(e.design.statement, settings);
+}
+
+std::vector<problems::ToolPass> tool_passes(const ExportOptions& o, const Exported& e,
+                                            const problems::PlaneCurve& curve,
+                                            problems::CurveForm form,
+                                            const problems::ExportAccuracy& accuracy) {
+  const problems::LengthUnit& unit = accuracy.unit;
+  const problems::ProblemStatement& design = e.design.statement;
+  const double side = problems::outside_is_left(curve) ? 1 : -1;
+  std::vector<problems::ToolPass> passes;
+  for (const double left : allowances_of(o.allowances, unit)) {
+    passes.push_back(
+        {problems::ToolPath(design, curve.beside(curve.name(), side * left), form, accuracy),
+         fmt::format("roughing, {:.6g} {} are left", left / unit.mm, unit.name)});
+  }
+  passes.push_back(
+      {problems::ToolPath(design, curve, form, accuracy), passes.empty() ? "" : "finishing"});
+  if (!o.lead) return passes;
+  const double radius = length_of(o.lead, "--lead", unit, 0, 1e-3, 1e4) / unit.mm;
+  for (problems::ToolPass& pass : passes) pass.path.add_lead(design, radius);
+  return passes;
+}
+
+std::string inspection_table(const ExportOptions& o, const Exported& e,
+                             const problems::PlaneCurve& profile) {
+  constexpr double kStep = 5;          // deg
+  constexpr double kTolerance = 0.02;  // mm
+  const problems::LengthUnit& unit = e.accuracy.unit;
+  const double step = o.step ? parse_quantity(*o.step, "deg", "deg", "--step") : kStep;
+  const double tolerance =
+      length_of(o.form_tolerance, "--form-tolerance", unit, kTolerance, 1e-6, 10);
+  if (const auto found = problems::obstacles(profile); !found.empty()) {
+    throw std::invalid_argument(found.front());
+  }
+  return problems::inspection_text(problems::inspection_points(profile.in(unit), step), unit.name,
+                                   tolerance / unit.mm, e.accuracy.decimals, comments_of(e));
+}
+
+}  // namespace camlaw::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/answers/cam_export.h"
+#include "output/export/shop_drawing.h"
+
+/// What camlaw export writes for the workshop, by its options. Each function throws
+/// std::invalid_argument that names the option.
+namespace camlaw::cli {
+
+/// A length of an option in mm; `default_value` where it is not there.
+double length_of(const ExportOptions::Text& text, const char* name,
+                 const problems::LengthUnit& unit, double default_value, double low, double high);
+
+/// What --drawing adds to a DXF: nothing without it.
+std::vector<problems::DrawnShape> drawn_shapes(const ExportOptions& options,
+                                               const Exported& exported);
+
+/// The runs of a tool along a curve: with --allowances the roughing ones first.
+std::vector<problems::ToolPass> tool_passes(const ExportOptions& options, const Exported& exported,
+                                            const problems::PlaneCurve& curve,
+                                            problems::CurveForm form,
+                                            const problems::ExportAccuracy& accuracy);
+
+/// The table for a coordinate measuring machine.
+std::string inspection_table(const ExportOptions& options, const Exported& exported,
+                             const problems::PlaneCurve& profile);
+
+}  // namespace camlaw::cli

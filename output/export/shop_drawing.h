@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "output/export/length_unit.h"
+#include "output/export/plane_curve.h"
+#include "problems/statement/statement.h"
+
+/// What a workshop needs beside a cam's curves: the bore with its keyway, where the follower stands
+/// at cam angle 0, which way the cam turns, and a title block.
+namespace camlaw::problems {
+
+struct DrawnLine {
+  Eigen::Vector2d from, to;
+};
+/// Counterclockwise, deg; a whole circle from 0 to 360.
+struct DrawnArc {
+  Eigen::Vector2d centre;
+  double radius, from = 0, to = 360;
+};
+struct DrawnText {
+  Eigen::Vector2d at;  ///< its lower left corner
+  double height;
+  std::string text;
+};
+struct DrawnShape {
+  std::string layer;
+  std::variant<DrawnLine, DrawnArc, DrawnText> shape;
+};
+
+/// A parallel key's groove in the hub: its width, and its depth from the bore's edge, mm.
+struct Keyway {
+  double width, depth;
+};
+
+struct ShopSettings {
+  std::optional<double> bore_radius;  ///< mm; else the machine's own, if it has one above 0
+  std::optional<Keyway> keyway;       ///< towards the follower's place at cam angle 0
+  LengthUnit unit = kMillimetre;      ///< of what is drawn
+  std::vector<std::string> title;     ///< lines of the title block, before the dimensions
+};
+
+/// Shapes in the axes and the unit of the drawing, each on one of the layers SHAFT, CENTRE,
+/// ZERO_MARK, FOLLOWER, ROTATION, TITLE. Throws std::invalid_argument for a keyway without a bore,
+/// wider than it, or reaching the profile, and for a bore that does.
+std::vector<DrawnShape> shop_shapes(const ProblemStatement& design, const ShopSettings& settings);
+
+}  // namespace camlaw::problems

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// What camlaw export writes for the workshop: drawings with their dimensions, leads, roughing
+// passes, compensation, inches, inspection tables, and results that were changed by hand.
+#include <cmath>
+#include <numbers>
+
+#include "output/export/plane_curve.h"
+#include "tests/cli/gcode_reader.h"
+#include "tests/cli/program_runner.h"
+
+namespace camlaw::cli::shop_export_test {
+namespace {
+
+using Eigen::Vector2d;
+using problems::PlaneCurve;
+
+const std::string kRoller = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+
+PlaneCurve exact_curve(const std::string& option) {
+  return problems::cam_curves(problems::read_problem_file(kRoller), option).front();
+}
+
+/// The least distance of points from a curve, mm.
+double nearest(const std::vector<Vector2d>& points, const PlaneCurve& curve) {
+  constexpr int kSteps = 3600;
+  double least = 1e9;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Vector2d q = curve.at(optim::even_place(curve.begin(), curve.end(), kSteps, i)).at;
+    for (const Vector2d& p : points) least = std::min(least, (p - q).norm());
+  }
+  return least;
+}
+
+/// Lines of ezdxf's reading that begin with some words.
+std::vector<std::vector<double>> entities(const std::string& text, const std::string& begin) {
+  std::vector<std::vector<double>> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(begin + " ")) continue;
+    std::istringstream words(line.substr(begin.size()));
+    auto& numbers = found.emplace_back();
+    for (double number; words >> number;) numbers.push_back(number);
+  }
+  return found;
+}
+
+std::string read_by_ezdxf(const std::string& path) {
+  const Folder folder;
+  const std::string command = "/usr/bin/python3 " CAMLAW_SOURCE_DIR
+                              "/tests/independent/read_dxf.py " +
+                              path + " > " + (folder / "out");
+  REQUIRE(std::system(command.c_str()) == 0);
+  return read(folder / "out");
+}
+
+}  // namespace
+
+TEST_CASE("a drawing for the shop has bore, keyway, follower, sense of rotation and title block",
+          "[export][shop]") {
+  const Folder folder;
+  done({"export", kRoller, "--drawing", "--bore", "25 mm", "--keyway", "8 x 3.3 mm", "--out",
+        folder / "cam.dxf"});
+  const std::string text = read_by_ezdxf(folder / "cam.dxf");
+  CHECK_THAT(text, Contains("errors 0\n") && Contains("units 4\n"));
+  for (const char* layer :
+       {"SHAFT", "CENTRE", "ZERO_MARK", "FOLLOWER", "ROTATION", "TITLE", "PROFILE"}) {
+    CHECK_THAT(text, Contains(std::string("layer ") + layer + " "));
+  }
+  // The bore's arc ends where the keyway begins: half its width from the middle.
+  const auto bore = entities(text, "ARC SHAFT");
+  REQUIRE(bore.size() == 1);
+  CHECK(bore[0][2] == Approx(12.5));
+  const double end = bore[0][3] * std::numbers::pi / 180;
+  CHECK(12.5 * std::cos(end) == Approx(-4).margin(1e-6));
+  const auto key = entities(text, "LINE SHAFT");
+  REQUIRE(key.size() == 3);
+  CHECK(key[1][1] == Approx(12.5 + 3.3));
+  // The roller touches the profile at cam angle 0.
+  const auto statement = problems::read_problem_file(kRoller);
+  const auto roller = entities(text, "CIRCLE FOLLOWER");
+  REQUIRE(roller.size() == 1);
+  const Vector2d centre(roller[0][0], roller[0][1]);
+  CHECK((centre - exact_curve("pitch").at({0}).at).norm() < 1e-6);
+  CHECK((centre - exact_curve("profile").at({0}).at).norm() == Approx(roller[0][2]).margin(1e-6));
+  CHECK_THAT(text, Contains("TEXT TITLE") && Contains("turns counterclockwise as drawn") &&
+                       Contains("bore 25.0000 mm in diameter") &&
+                       Contains("keyway 8.0000 mm wide, 3.3000 mm deep"));
+  // In the cam's axes the contact goes round against the cam's own turn.
+  const Vector2d early = exact_curve("pitch").at({1}).at, first = exact_curve("pitch").at({0}).at;
+  CHECK(first.x() * early.y() - first.y() * early.x() < 0);
+  const auto refused = [&](Words more) {
+    Words words{"export", kRoller, "--format", "dxf", "--drawing"};
+    words.insert(words.end(), more.begin(), more.end());
+    return failed(words, 2);
+  };
+  CHECK_THAT(refused({"--bore", "300 mm"}), Contains("reaches the profile"));
+  CHECK_THAT(refused({"--bore", "25 mm", "--keyway", "26 x 3 mm"}),
+             Contains("too large for a bore"));
+  CHECK_THAT(refused({"--bore", "25 mm", "--keyway", "8 mm"}), Contains("width x depth"));
+  CHECK_THAT(failed({"export", kRoller, "--format", "svg", "--drawing"}, 2), Contains("for dxf"));
+  CHECK_THAT(failed({"export", kRoller, "--format", "dxf", "--bore", "25 mm"}, 2),
+             Contains("dxf with --drawing"));
+}
+
+TEST_CASE("drawings and programs in inches are those in millimetres, 25.4 times as small",
+          "[export][shop]") {
+  const Folder folder;
+  done({"export", kRoller, "--unit", "inch", "--drawing", "--as", "lines", "--curve", "profile",
+        "--step", "1 deg", "--out", folder / "cam.dxf"});
+  const std::string text = read_by_ezdxf(folder / "cam.dxf");
+  CHECK_THAT(text, Contains("errors 0\n") && Contains("units 1\n"));
+  const auto profile = entities(text, "LWPOLYLINE PROFILE");
+  REQUIRE(profile.size() == 1);
+  const PlaneCurve exact = exact_curve("profile");
+  for (int i = 0; i < 360; i += 17) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vector2d at(profile[0][1 + 2 * k], profile[0][2 + 2 * k]);
+    CHECK((25.4 * at - exact.at({static_cast<double>(i)}).at).norm() < 3e-5);
+  }
+  const std::string program = done({"export", kRoller, "--format", "gcode", "--unit", "inch",
+                                    "--depth", "0.5", "--feed", "10", "--tolerance", "0.0005"});
+  CHECK_THAT(program,
+             Contains("\nG20 G17 G90 G40 G94\n") && Contains(" in of the exact curve, proved"));
+  const GcodeRun run = run_gcode(program);
+  CHECK(run.in_inches);
+  CHECK(run.cut_depth == -0.5);
+  CHECK(run.feed == 10);
+  const PlaneCurve cutter = exact_curve("cutter");
+  double worst = 0;
+  for (int i = 0; i < 360; i += 7) {
+    const Vector2d p = cutter.at({static_cast<double>(i)}).at / 25.4;
+    double least = 1e9;
+    for (std::size_t k = 1; k < run.cut.size(); ++k) {
+      const Vector2d a = run.cut[k - 1], way = run.cut[k] - a;
+      const double length = way.squaredNorm();
+      const double t = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0;
+      least = std::min(least, (p - a - t * way).norm());
+    }
+    worst = std::max(worst, least);
+  }
+  CHECK(worst <= 0.0005);
+  const ParsedJson json = json_of({"export", kRoller, "--format", "json", "--unit", "inch"});
+  CHECK(json["curves"][0].contains("x_in"));
+  CHECK(json["motion"]["slave"] == "displacement [in]");
+  CHECK_THAT(done({"export", kRoller, "--format", "svg", "--unit", "inch"}),
+             Contains("in\" height="));
+  CHECK_THAT(done({"export", kRoller, "--format", "csv", "--unit", "inch"}), Contains("x [in]"));
+}
+
+TEST_CASE("the tool comes to its path and leaves it outside the profile, tangent to the path",
+          "[export][shop]") {
+  const GcodeRun run = run_gcode(done({"export", kRoller, "--format", "gcode", "--lead", "6 mm",
+                                       "--allowances", "0.5, 0.1 mm", "--depth", "3 mm"}));
+  REQUIRE(run.passes.size() == 3);
+  const auto statement = problems::read_problem_file(kRoller);
+  const PlaneCurve cutter = exact_curve("cutter"), profile = exact_curve("profile");
+  const double tool = (cutter.at({0}).at - profile.at({0}).at).norm();
+  const double left[] = {0.5, 0.1, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t from = run.passes[i] + 1, to = i + 1 < 3 ? run.passes[i + 1] : run.cut.size();
+    const std::vector<Vector2d> pass(run.cut.begin() + static_cast<std::ptrdiff_t>(from),
+                                     run.cut.begin() + static_cast<std::ptrdiff_t>(to));
+    CHECK(nearest(pass, profile) == Approx(tool + left[i]).margin(0.012));
+  }
+  // The last pass ends 6 mm beside the path, where its lead out ends.
+  CHECK(nearest({run.cut.back()}, cutter) > 3);
+  CHECK_THAT(failed({"export", kRoller, "--format", "gcode", "--allowances", "0.1, 0.5 mm"}, 2),
+             Contains("less than the one before"));
+}
+
+TEST_CASE("a controller's compensation begins before the lead and ends behind it",
+          "[export][shop]") {
+  const std::string text = done({"export", kRoller, "--format", "gcode", "--curve", "profile",
+                                 "--lead", "12 mm", "--compensation", "3"});
+  const GcodeRun run = run_gcode(text);
+  // The profile runs clockwise, as the pitch curve does, and its outside is to the left.
+  CHECK(run.compensation == std::vector<int>{41, 40});
+  CHECK_THAT(text, Contains("G1 G41 D3 X"));
+  CHECK_THAT(failed({"export", kRoller, "--format", "gcode", "--compensation", "3"}, 2),
+             Contains("--curve profile"));
+}
+
+TEST_CASE("an inspection table has nominal points, normals and the tolerance", "[export][shop]") {
+  const std::string text = done({"export", kRoller, "--format", "inspection", "--step", "10 deg",
+                                 "--form-tolerance", "0.03 mm"});
+  std::istringstream lines(text);
+  std::size_t rows = 0;
+  const PlaneCurve profile = exact_curve("profile");
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) continue;
+    if (line.starts_with("point")) {
+      CHECK(line == "point,cam_angle [deg],x [mm],y [mm],z [mm],i,j,k,lower [mm],upper [mm]");
+      continue;
+    }
+    std::vector<double> cells;
+    std::istringstream words(line);
+    for (std::string cell; std::getline(words, cell, ',');) cells.push_back(std::stod(cell));
+    REQUIRE(cells.size() == 10);
+    CHECK((Vector2d(cells[2], cells[3]) - profile.at({cells[1]}).at).norm() < 1e-6);
+    CHECK(std::hypot(cells[5], cells[6]) == Approx(1).margin(1e-8));
+    CHECK(cells[2] * cells[5] + cells[3] * cells[6] > 0);
+    CHECK(cells[8] == -0.03);
+    CHECK(cells[9] == 0.03);
+    ++rows;
+  }
+  CHECK(rows == 36);
+  CHECK_THAT(failed({"export", kRoller, "--format", "inspection", "--curve", "pitch"}, 2),
+             Contains("of profile or second-profile"));
+}
+
+TEST_CASE("a result that was changed by hand is judged before it is written", "[export][shop]") {
+  const Folder folder;
+  done({"optimize", kRoller, "--out", folder / ""});
+  const std::string path = folder / "result.json";
+  ParsedJson result = ParsedJson::parse(read(path));
+  const Outcome sound = run({"export", path, "--format", "gcode"});
+  CHECK(sound.status == 0);
+  CHECK(sound.out.find("judged again") == std::string::npos);
+  // A smaller cam than the pressure angle allows.
+  result["design"]["variables"]["base_radius"] = 45.0;
+  std::ofstream(folder / "changed.json") << result.dump(2);
+  const Outcome changed = run({"export", folder / "changed.json", "--format", "gcode"});
+  CHECK(changed.status == 4);
+  CHECK_THAT(changed.out, Contains("(judged again: the design does not meet its limits)") &&
+                              Contains("pressure_angle is 32.8") && Contains("at most 30 deg"));
+  // One that is larger meets them, and is not the least.
+  result["design"]["variables"]["base_radius"] = 60.0;
+  std::ofstream(folder / "larger.json") << result.dump(2);
+  const Outcome larger = run({"export", folder / "larger.json", "--format", "gcode"});
+  CHECK_THAT(larger.out, Contains("(judged again: feasible)"));
+}
+
+}  // namespace camlaw::cli::shop_export_test

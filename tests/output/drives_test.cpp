@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Motions as files for drives, read back by readers that were written from the makers'
+// descriptions, and compared with the exact motion.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "output/answers/motion_export.h"
+#include "output/export/drives/piecewise_motion.h"
+#include "tests/output/drive_readers.h"
+
+namespace camlaw::problems::drives_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Contains;
+using drive_readers::Cam;
+
+std::vector<std::string> cam_files() {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(CAMLAW_SOURCE_DIR "/problems/cams")) {
+    if (file.path().extension() == ".toml") names.push_back(file.path().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string exported_file(const std::string& file, cli::ExportOptions options) {
+  options.file = file;
+  const cli::FormatRow& format = cli::format_of(options);
+  cli::check_options(options, format);
+  return cli::exported_text(options, format, {read_problem_file(file)}, {}).text;
+}
+
+/// "within 3.1e-05 mm of the exact motion, proved"
+double stated_deviation(const std::string& text) {
+  std::smatch found;
+  REQUIRE(std::regex_search(text, found,
+                            std::regex(R"(within ([0-9.e+-]+) \S+ of the exact motion, proved)")));
+  return std::stod(found[1]);
+}
+
+/// How far a controller's motion is from the exact one at many places.
+double departure(const Cam& cam, const Motion& motion, double per_place) {
+  double worst = 0;
+  for (std::size_t k = 0; k + 1 < motion.trace->breaks().size(); ++k) {
+    constexpr int kLooks = 997;
+    const double from = motion.trace->breaks()[k], to = motion.trace->breaks()[k + 1];
+    for (int i = 0; i <= kLooks; ++i) {
+      const auto place = optim::even_place(from, to, kLooks, i);
+      worst = std::max(worst, std::abs(motion.at(place)[0] - cam.at(per_place * place.angle)));
+    }
+  }
+  return worst;
+}
+
+struct Drive {
+  const char* name;
+  Cam (*reader)(const std::string&);
+};
+const std::vector<Drive> kDrives{{"beckhoff-points", drive_readers::beckhoff_points},
+                                 {"beckhoff-motion", drive_readers::beckhoff_motion},
+                                 {"codesys", drive_readers::codesys},
+                                 {"lenze", drive_readers::lenze},
+                                 {"rockwell", drive_readers::rockwell},
+                                 {"siemens", drive_readers::siemens}};
+
+}  // namespace
+
+TEST_CASE("What a drive makes of its file is as near to the motion as the file says",
+          "[exports][drives]") {
+  for (const std::string& file : cam_files()) {
+    const ProblemStatement statement = read_problem_file(file);
+    const Motion motion = motion_of(statement, {}).value();
+    for (const Drive& drive : kDrives) {
+      INFO(file << " " << drive.name);
+      cli::ExportOptions options;
+      options.format = drive.name;
+      if (std::string(drive.name) == "siemens") options.tolerance = "0.01 " + motion.unit;
+      const std::string text = exported_file(file, options);
+      const double stated = stated_deviation(text);
+      const double worst = departure(drive.reader(text), motion, 1);
+      CHECK(worst <= stated);
+      CHECK(worst >= 0.9 * stated - 3e-7);
+      CHECK_THAT(text, Contains("not tried on a drive"));
+    }
+  }
+}
+
+TEST_CASE("Drives count the master in milliseconds or increments, and the slave in inches",
+          "[exports][drives]") {
+  const std::string file = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+  const Motion motion = motion_of(read_problem_file(file), {}, true).value();
+  CHECK(motion.unit == "in");
+  for (const Drive& drive : kDrives) {
+    INFO(drive.name);
+    cli::ExportOptions options;
+    options.format = drive.name;
+    options.unit = "inch";
+    options.master = "ms", options.cycle = "0.5 s";
+    if (std::string(drive.name) == "siemens") options.tolerance = "0.0005 in";
+    const std::string in_time = exported_file(file, options);
+    const Cam cam = drive.reader(in_time);
+    CHECK(cam.points.back().x == 500);
+    CHECK(departure(cam, motion, 500.0 / 360) <= stated_deviation(in_time));
+    options.master = "increments", options.cycle = "65536";
+    const std::string counted = exported_file(file, options);
+    CHECK(drive.reader(counted).points.back().x == 65536);
+    CHECK(departure(drive.reader(counted), motion, 65536.0 / 360) <= stated_deviation(counted));
+  }
+}
+
+TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
+  const auto statement =
+      read_problem_file(CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml");
+  const Motion motion = motion_of(statement, {}).value();
+  const WrittenMotion written{motion};
+  const QuinticMotion found = quintics_within(written, 1e-3, 9, 1000);
+  CHECK(found.deviation.proved);
+  CHECK(found.deviation.most <= 1e-3);
+  std::vector<MotionKnot> knots = found.path.knots;
+  knots[knots.size() / 2].s += 0.02;
+  const MotionDeviation wrong = deviation_of(written, quintics_between(knots));
+  CHECK(wrong.proved);
+  CHECK(wrong.most >= 0.019);
+  CHECK(wrong.most <= 0.022);
+}
+
+TEST_CASE("Quintics through a polynomial of degree 5 are that polynomial", "[exports][drives]") {
+  const auto statement =
+      read_problem("mechanism = 'follower-train'\n[law]\nname = 'polynomial-5'\n", "f.toml");
+  const Motion motion = motion_of(statement, {}).value();
+  const QuinticMotion found = quintics_within({motion}, 1e-6, 9, 50);
+  CHECK(found.path.pieces.size() == 1);
+  CHECK(found.deviation.proved);
+  CHECK(found.deviation.most < 3e-9);
+  const std::array<double, 6> law{0, 0, 0, 10, -15, 6};
+  for (std::size_t i = 0; i < law.size(); ++i) {
+    CHECK(found.path.pieces[0][i] == Approx(law[i]).margin(1e-9));
+  }
+}
+
+TEST_CASE("Where the acceleration jumps quintics still stay within the tolerance",
+          "[exports][drives]") {
+  // The parabola's acceleration jumps from 4 to -4 in the middle, and a table has one of both.
+  const auto statement =
+      read_problem("mechanism = 'follower-train'\n[law]\nname = 'parabolic'\n", "f.toml");
+  const Motion motion = motion_of(statement, {}).value();
+  const QuinticMotion found = quintics_within({motion}, 1e-5, 9, 200);
+  CHECK(found.deviation.proved);
+  CHECK(found.deviation.most <= 1e-5);
+  CHECK(found.path.pieces.size() > 2);
+}
+
+TEST_CASE("A motion that takes more polynomials than a drive has is refused", "[exports][drives]") {
+  cli::ExportOptions options;
+  options.format = "siemens";
+  options.tolerance = "1e-7 mm";
+  CHECK_THROWS_WITH(
+      exported_file(CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml", options),
+      Contains("a larger --tolerance is wanted"));
+}
+
+TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
+  const auto statement = read_problem(
+      "mechanism = 'disc-cam-flat'\nconstants = {base_radius = '40 mm', stroke = '10 mm'}\n"
+      "[program]\nmatched = 'displacement'\nsegments = ["
+      "{name = 'rise', angle = 180, law = 'polynomial-5'},"
+      "{name = 'return', law = 'polynomial-5'}]\n",
+      "f.toml");
+  const Motion motion = motion_of(statement, {}).value();
+  const double cycle = 720;  // ms
+  const MotionTable table = table_of(motion, "10 deg", 9, {"time [ms]", cycle / 360}, "svaj");
+  REQUIRE(table.more.size() == 3);
+  CHECK(table.more[0].heading == "v [mm / ms]");
+  CHECK(table.more[2].heading == "j [mm / ms^3]");
+  for (std::size_t i = 1; i < 18; ++i) {
+    const double x = table.places[i] / (cycle / 2), per = 2 / cycle;
+    const double s = 10 * x * x * x * (10 - 15 * x + 6 * x * x);
+    const double v = 10 * 30 * x * x * (1 - x) * (1 - x) * per;
+    const double a = 10 * 60 * x * (1 - x) * (1 - 2 * x) * per * per;
+    const double j = 10 * 60 * (1 - 6 * x + 6 * x * x) * per * per * per;
+    CHECK(table.values[i] == Approx(s).margin(1e-9));
+    CHECK(table.more[0].values[i] == Approx(v).margin(1e-12));
+    CHECK(table.more[1].values[i] == Approx(a).margin(1e-14));
+    CHECK(table.more[2].values[i] == Approx(j).margin(1e-16));
+  }
+  const std::string text = table_text(table, TableStyle{4, ';', true});
+  CHECK_THAT(text, Contains("\n20,0000;"));
+  CHECK(text.find('.') == std::string::npos);
+}
+
+TEST_CASE("Options of tables and drives that do not go together are refused", "[exports][drives]") {
+  const std::string file = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
+  const auto refusal = [&](const char* format, auto set) {
+    cli::ExportOptions options;
+    options.format = format;
+    set(options);
+    try {
+      exported_file(file, options);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using O = cli::ExportOptions;
+  CHECK_THAT(refusal("table", [](O& o) { o.master = "ms"; }), Contains("--cycle how long"));
+  CHECK_THAT(refusal("table", [](O& o) { o.master = "turns"; }), Contains("accepted are deg, ms"));
+  CHECK_THAT(refusal("table", [](O& o) { o.cycle = "3"; }), Contains("--cycle is for --master"));
+  CHECK_THAT(refusal("table", [](O& o) { o.columns = "v,a"; }), Contains("begins with s"));
+  CHECK_THAT(refusal("table", [](O& o) { o.columns = "s,s"; }), Contains("begins with s"));
+  CHECK_THAT(refusal("table", [](O& o) { o.separator = "#"; }), Contains("accepted are"));
+  CHECK_THAT(refusal("table",
+                     [](O& o) {
+                       o.separator = ",";
+                       o.decimal_comma = true;
+                     }),
+             Contains("with --decimal-comma"));
+  CHECK_THAT(refusal("codesys", [](O& o) { o.step = "1 deg"; }), Contains("--step is for"));
+  CHECK_THAT(refusal("lenze", [](O& o) { o.tolerance = "1 mm"; }), Contains("--tolerance is for"));
+  CHECK_THAT(refusal("dxf", [](O& o) { o.master = "ms"; }), Contains("--master is for"));
+  CHECK_THAT(refusal("dxf", [](O& o) { o.unit = "furlong"; }), Contains("mm and inch"));
+}
+
+}  // namespace camlaw::problems::drives_test
