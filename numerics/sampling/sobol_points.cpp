@@ -13,13 +13,14 @@ struct SobolPoints::Sequence {
   boost::random::sobol engine;
 };
 
-SobolPoints::SobolPoints(std::size_t dimensions, std::uint64_t seed) {
+SobolPoints::SobolPoints(std::size_t dimensions, std::optional<std::uint64_t> seed) {
   constexpr std::size_t kMost = 3667;  // dimensions of the table of directions
   if (dimensions < 1 || dimensions > kMost) {
     throw std::invalid_argument("Sobol points: there are 1 to 3667 dimensions");
   }
   sequence_ = std::make_unique<Sequence>(dimensions);
-  for (std::size_t i = 0; i < dimensions; ++i) shift_.push_back(mixed(seed, i));
+  for (std::size_t i = 0; i < dimensions; ++i) shift_.push_back(seed ? mixed(*seed, i) : 0);
+  if (!seed) sequence_->engine.discard(dimensions);
 }
 
 SobolPoints::~SobolPoints() = default;
@@ -29,7 +30,8 @@ void SobolPoints::next(std::span<double> points) {
   std::size_t i = 0;
   for (double& value : points) {
     const std::uint64_t bits = sequence_->engine() ^ shift_[i];
-    value = std::ldexp(static_cast<double>(bits >> 11U) + 0.5, -53);
+    // The middle of one of 2^52 cells, which a double holds exactly: never 0 or 1.
+    value = std::ldexp(static_cast<double>(bits >> 12U) + 0.5, -52);
     if (++i == shift_.size()) i = 0;
   }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,12 +13,13 @@ namespace camlaw {
 
 /// Sobol's sequence with a random digital shift: each point by itself is even over the open cube,
 /// and means over 2^m of them come nearer to the integral than those of independent points do.
-/// Equal seeds, equal bits. Sequence: Boost.Random, with the directions of Joe and Kuo 2008; shift:
-/// Cranley and Patterson 1976 in base 2 (Owen 1998, "Latin supercube sampling").
+/// Equal seeds, equal bits. Without a seed there is no shift, and the sequence begins after its
+/// first point, a corner of the cube. Sequence: Boost.Random, with the directions of Joe and Kuo
+/// 2008; shift: Cranley and Patterson 1976 in base 2 (Owen 1998, "Latin supercube sampling").
 class SobolPoints {
  public:
   /// Of at least one dimension and at most 3667. Throws std::invalid_argument for others.
-  SobolPoints(std::size_t dimensions, std::uint64_t seed);
+  SobolPoints(std::size_t dimensions, std::optional<std::uint64_t> seed);
   ~SobolPoints();
   SobolPoints(SobolPoints&&) noexcept;
 

@@ -5,39 +5,19 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <tuple>
 
+#include "numerics/sampling/sobol_points.h"
+
 namespace camlaw::optim {
 namespace {
 
 constexpr std::size_t kMostInputs = 1000, kMostSamples = std::size_t{1} << 22;
 constexpr double kUndefinedIndex = std::numeric_limits<double>::quiet_NaN();
-
-/// Points of a unit cube, in the middle of the cells that the shifted sequence counts.
-class ShiftedSobol {
- public:
-  ShiftedSobol(std::size_t dimensions, std::uint64_t seed) : sequence_(dimensions) {
-    std::mt19937_64 random(seed);
-    for (std::size_t d = 0; d < dimensions; ++d) shift_.push_back(random());
-  }
-  std::vector<double> next() {
-    std::vector<double> point;
-    for (const std::uint64_t shift : shift_) {
-      const std::uint64_t cell = (static_cast<std::uint64_t>(sequence_()) ^ shift) >> 12;
-      point.push_back((static_cast<double>(cell) + 0.5) * 0x1p-52);
-    }
-    return point;
-  }
-
- private:
-  boost::random::sobol sequence_;
-  std::vector<std::uint64_t> shift_;
-};
 
 /// The values of a sample: of its point A, of B, and of A with each input from B.
 struct SampleValues {
@@ -168,16 +148,16 @@ std::vector<SobolIndices> sobol_indices(std::span<const Quantile> inputs, std::s
                                             options.samples, kMostSamples));
   }
   const std::size_t count = std::bit_ceil(options.samples);
-  ShiftedSobol sequence(2 * k, options.seed);
+  SobolPoints sequence(2 * k, options.seed);
   std::vector<std::vector<SampleValues>> all(outputs);
-  std::vector<double> values(outputs), x(k), a(k), b(k);
+  std::vector<double> values(outputs), x(k), a(k), b(k), point(2 * k);
   const auto ask = [&] {
     std::fill(values.begin(), values.end(), kUndefinedIndex);
     model(x, values);
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(count));
-    const std::vector<double> point = sequence.next();
+    sequence.next(point);
     for (std::size_t j = 0; j < k; ++j) a[j] = inputs[j](point[j]), b[j] = inputs[j](point[k + j]);
     x = a;
     ask();

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/random/sobol.hpp>
 #include <charconv>
 #include <cmath>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 
+#include "numerics/sampling/sobol_points.h"
 #include "numerics/text/names.h"
 #include "problems/statement/law_names.h"
 #include "problems/statement/restated.h"
@@ -151,13 +151,9 @@ void check_different(const SweepAxis& axis) {
 }
 
 std::vector<std::vector<double>> sobol(const Sampling& sampling) {
-  boost::random::sobol sequence(sampling.over.size());
-  sequence.discard(sampling.over.size());  // the corner of the box, which the sequence begins with
-  constexpr double kAll = 18446744073709551616.0;  // 2^64
+  SobolPoints sequence(sampling.over.size(), std::nullopt);
   std::vector<std::vector<double>> parts(sampling.count, std::vector<double>(sampling.over.size()));
-  for (auto& sample : parts) {
-    for (double& part : sample) part = static_cast<double>(sequence()) / kAll;
-  }
+  for (auto& sample : parts) sequence.next(sample);
   return parts;
 }
 
