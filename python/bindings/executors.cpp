@@ -105,6 +105,11 @@ double PythonTransport::now() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+void Labour::tell_about(const optim::WorkerProgram& program) const {
+  if (carrier.is_none()) return;
+  carrier.attr("about")(nb::bytes(program.problem.data(), program.problem.size()));
+}
+
 void add_executors(nb::module_& module) {
   nb::class_<Arrivals>(module, "Arrivals")
       .def("put", &put, nb::arg("parcel"), nb::arg("answers") = nb::list(),

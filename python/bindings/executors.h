@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "optim/crew/parcels.h"
+#include "optim/study/workers.h"
 
 /// Work of a study sent through an executor of Python, such as Dask's.
 namespace camlaw::python {
@@ -45,6 +46,31 @@ class PythonTransport final : public optim::Transport {
  private:
   nb::handle carrier_;
   std::shared_ptr<Arrivals> arrivals_;
+};
+
+/// Who carries a study's searches out: processes of this machine, or what `carrier` reaches.
+struct Labour {
+  int workers = 1;
+  nb::handle carrier = nb::none();
+
+  /// Tells a carrier what the orders are about. The interpreter's lock is held.
+  void tell_about(const optim::WorkerProgram& program) const;
+};
+
+/// Searches through a carrier.
+class CarriedExecutor final : public optim::Executor {
+ public:
+  CarriedExecutor(const optim::OptimiseOptions& options, nb::handle carrier)
+      : transport_(carrier), force_(transport_), tasks_(options, force_) {}
+  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
+                                  const optim::OnOutcome& on_outcome) override {
+    return tasks_.run(tasks, on_outcome);
+  }
+
+ private:
+  PythonTransport transport_;
+  optim::ParcelForce force_;
+  optim::WorkforceExecutor tasks_;
 };
 
 }  // namespace camlaw::python

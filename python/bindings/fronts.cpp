@@ -75,33 +75,10 @@ std::optional<optim::StudyRecord> record_of(const std::string& path, const Front
   return optim::StudyRecord::create(path, study.settings());
 }
 
-/// Who carries a study's searches out: processes of this machine, or what `carrier` reaches.
-struct Labour {
-  int workers = 1;
-  nb::handle carrier = nb::none();
-};
-
-/// Searches through an executor of Python.
-class CarriedExecutor final : public optim::Executor {
- public:
-  CarriedExecutor(const FrontStudy& study, nb::handle carrier)
-      : transport_(carrier),
-        force_(transport_),
-        tasks_(study.options().solve, force_) {}
-  std::vector<optim::Outcome> run(const std::vector<optim::Task>& tasks,
-                                  const optim::OnOutcome& on_outcome) override {
-    return tasks_.run(tasks, on_outcome);
-  }
-  std::string remark() const override { return force_.remark(); }
-
- private:
-  PythonTransport transport_;
-  optim::ParcelForce force_;
-  optim::WorkforceExecutor tasks_;
-};
-
 std::unique_ptr<optim::Executor> executor_of(const FrontStudy& study, const Labour& labour) {
-  if (!labour.carrier.is_none()) return std::make_unique<CarriedExecutor>(study, labour.carrier);
+  if (!labour.carrier.is_none()) {
+    return std::make_unique<CarriedExecutor>(study.options().solve, labour.carrier);
+  }
   return std::make_unique<optim::ProcessExecutor>(study.space(), study.options().solve,
                                                   labour.workers, problems::worker_program(study));
 }
@@ -149,10 +126,7 @@ nb::tuple pareto(const StatedProblem& problem, std::size_t points, const std::st
   }
   FrontOwner front(
       new FoundFront{FrontStudy(statement.text, statement.source, settings), {}, record});
-  if (!carrier.is_none()) {
-    const std::string about = problems::worker_program(front->study).problem;
-    carrier.attr("about")(nb::bytes(about.data(), about.size()));
-  }
+  labour.tell_about(problems::worker_program(front->study));
   const bool interrupted = run_beside(
       [&](Work& work) {
         search(*front, labour, resume, work);

@@ -29,5 +29,7 @@ NB_MODULE(_camlaw, module) {
   add_fronts(module);
   add_fits(module);
   add_published(module);
+  add_sensitivity(module);
+  add_sweeps(module);
   add_exports(module);
 }

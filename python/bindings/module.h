@@ -18,6 +18,8 @@ void add_executors(nb::module_& module);
 void add_fronts(nb::module_& module);
 void add_fits(nb::module_& module);
 void add_published(nb::module_& module);
+void add_sensitivity(nb::module_& module);
+void add_sweeps(nb::module_& module);
 void add_exports(nb::module_& module);
 
 }  // namespace camlaw::python

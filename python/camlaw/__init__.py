@@ -18,7 +18,7 @@ from .errors import Error, InputError, Interrupted, MissingPackage
 
 if TYPE_CHECKING:
     from . import formulas
-    from .evaluations import Check, Evaluation
+    from .evaluations import Check, Evaluation, Sensitivity, Tolerance
     from .fits import Fit, fit, fit_constants
     from .formulas import Expression, Machine, Response
     from .fronts import Front
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from .problems import Problem
     from .published import Reproduction, Study, cam_shape, reproduce, reproducible, study
     from .results import Result, Verification
+    from .sweeps import Sweep
 
 # Where each name is; what is not asked for is not read.
 _HOMES = {
@@ -48,6 +49,8 @@ _HOMES = {
     "mechanisms": "machines",
     "Check": "evaluations",
     "Evaluation": "evaluations",
+    "Sensitivity": "evaluations",
+    "Tolerance": "evaluations",
     "Problem": "problems",
     "cam_shape": "published",
     "Reproduction": "published",
@@ -57,6 +60,7 @@ _HOMES = {
     "study": "published",
     "Result": "results",
     "Verification": "results",
+    "Sweep": "sweeps",
 }
 
 __all__ = ["Error", "InputError", "Interrupted", "MissingPackage", *sorted(_HOMES)]

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import socket
 import threading
 import time
+from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, CancelledError
 from typing import Any
 
@@ -35,6 +37,18 @@ def carry_out(problem: bytes, parcel: int, orders: list[bytes]) -> tuple[Any, ..
 
 def _is_dask(executor: Any) -> bool:
     return type(executor).__module__.split(".")[0] == "distributed"
+
+
+@contextlib.contextmanager
+def labour(executor: Any, workers: int | None) -> Iterator[Carrier | None]:
+    """A carrier for an executor; None where processes of this machine do the work."""
+    if executor is None:
+        yield None
+        return
+    if workers is not None:
+        raise InputError("workers: an executor has its own; state one of the two")
+    with contextlib.closing(Carrier(executor)) as carrier:
+        yield carrier
 
 
 class Carrier:

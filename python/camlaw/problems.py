@@ -6,7 +6,6 @@ How one is stated is in stating, what is said of it without a search in evaluati
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
@@ -16,7 +15,7 @@ import numpy as np
 
 from . import plots, tables, units
 from .errors import InputError, Interrupted
-from .evaluations import Check, Evaluation, Range
+from .evaluations import Check, Evaluation, Range, Sensitivity, Tolerance
 from .formulas import Machine
 from .motion_laws import Law
 from .native import native
@@ -28,6 +27,7 @@ from .toml_text import toml_text
 if TYPE_CHECKING:
     from .fronts import Front
     from .results import Result
+    from .sweeps import Sweep
 
 
 #: Of curves, as many as the program tabulates.
@@ -339,14 +339,10 @@ class Problem:
         it goes; with resume what is in it is not searched again. time_limit: seconds, or such as
         "1 min"; what has been found by then is the answer, which is `stopped`.
         """
-        from .executors import Carrier
+        from .executors import labour
         from .fronts import Front
 
-        if executor is not None and workers is not None:
-            raise InputError("workers: an executor has its own; state one of the two")
-        carrier = None if executor is None else Carrier(executor)
-        ended = contextlib.closing(carrier) if carrier else contextlib.nullcontext()
-        with ended, shown(progress, "pareto") as tell:
+        with labour(executor, workers) as carrier, shown(progress, "pareto") as tell:
             found, interrupted = native.pareto(
                 self._native,
                 units.whole(points, "points", 2),
@@ -362,6 +358,117 @@ class Problem:
         if interrupted:
             raise Interrupted(front)
         return front
+
+    def sweep(
+        self,
+        values: Mapping[str, Any] | None = None,
+        /,
+        *,
+        sample: str | None = None,
+        over: Mapping[str, Any] | None = None,
+        seed: int = 1,
+        evaluate: bool = False,
+        cold: bool = False,
+        workers: int | None = None,
+        executor: Any = None,
+        record: str | Path | None = None,
+        resume: bool = False,
+        time_limit: Any = None,
+        progress: Progress = None,
+        **more: Any,
+    ) -> Sweep:
+        """The best design for each combination of settings, as 'camlaw sweep' finds it.
+
+        values: what is swept, by the names that set() takes: {"speed": "60:15:120 rpm"} from, step,
+        to; {"law": ["cycloidal", "modified-sine"]} one after the other; "all" is every law; a single
+        value is the same in all. sample: "sobol 64" or "lhs 64" samples from the ranges of `over`,
+        such as {"stroke": ("18 mm", "22 mm")}; seed is that of lhs. evaluate: the design as it stands
+        in each combination, without a search. cold: each search begins as optimize() does, not at its
+        neighbour's design. workers, executor, record, resume, time_limit: as pareto() has them.
+        """
+        from .executors import labour
+        from .sweeps import Sweep, axes_of, ranges_of
+
+        with (
+            labour(executor, workers) as carrier,
+            shown(progress, "sweep") as tell,
+        ):
+            found, interrupted = native.sweep(
+                self._native,
+                axes_of({**(values or {}), **more}),
+                sample,
+                units.whole(seed, "seed"),
+                ranges_of(over),
+                evaluate,
+                cold,
+                units.whole(workers, "workers", 1),
+                carrier,
+                "" if record is None else str(record),
+                resume,
+                units.seconds(time_limit),
+                tell,
+            )
+        sweep = Sweep(found)
+        if interrupted:
+            raise Interrupted(sweep)
+        return sweep
+
+    def sensitivity(
+        self,
+        *,
+        over: Mapping[str, Any] | None = None,
+        samples: int = 512,
+        seed: int = 1,
+        progress: Progress = None,
+    ) -> Sensitivity:
+        """How objective and limits depend on the parameters at the variables' starts.
+
+        Derivatives are exact, by every parameter, with elasticities. Sobol indices are over ranges:
+        those of `over`, such as {"stroke": ("18 mm", "22 mm")}, else the problem's, else 1 % to
+        either side.
+        """
+        from .sweeps import ranges_of
+
+        with shown(progress, "sensitivity") as tell:
+            return Sensitivity(
+                native.sensitivity(
+                    self._native,
+                    ranges_of(over),
+                    units.whole(samples, "samples", 16),
+                    units.whole(seed, "seed"),
+                    tell,
+                )
+            )
+
+    def tolerance(
+        self,
+        tolerances: Mapping[str, Any] | None = None,
+        /,
+        *,
+        samples: int = 100_000,
+        seed: int = 1,
+        time_limit: Any = None,
+        progress: Progress = None,
+        **more: Any,
+    ) -> Tolerance:
+        """What manufacture makes of the design at the variables' starts: worst case and yield.
+
+        tolerances: to either side, such as {"base_radius": "0.02 mm"}; without any, the problem's
+        variations. samples: parts that the yield is estimated from. time_limit: what is known by then
+        is the answer.
+        """
+        stated = units.settings_of({**(tolerances or {}), **more})
+        with shown(progress, "tolerance") as tell:
+            return Tolerance(
+                native.tolerance(
+                    self._native,
+                    stated,
+                    units.whole(samples, "samples", 32),
+                    units.whole(seed, "seed"),
+                    units.seconds(time_limit),
+                    tell,
+                )
+            )
 
     def plot(self) -> Any:
         """Every curve over the cycle, drawn by matplotlib; returns the axes."""

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "problems/sensitivity/sensitivity.h"
+
+#include <nanobind/stl/tuple.h>
+
+#include "output/answers/sensitivity_output.h"
+#include "output/answers/variation_output.h"
+#include "output/document/printing.h"
+#include "output/report/html.h"
+#include "problems/tolerance/tolerance.h"
+#include "python/bindings/module.h"
+#include "python/bindings/problems.h"
+#include "python/bindings/running.h"
+
+/// How a design depends on its parameters, and what manufacture makes of it.
+namespace camlaw::python {
+namespace {
+
+/// An answer as facts, words and HTML.
+nb::tuple tuple_of(const cli::Document& document) {
+  return nb::make_tuple(python_of(cli::json_of(document)), cli::unshaded(cli::text_of(document)),
+                        cli::html_of(document));
+}
+
+nb::tuple sensitivity_of(const StatedProblem& problem, const std::vector<std::string>& over,
+                         std::size_t samples, std::uint64_t seed, nb::handle progress) {
+  return tuple_of(run_whole(
+      [&](Work& work) {
+        const problems::ProblemStatement design = problem.within(work);
+        auto ranges = problems::sensitivity_ranges(design, over);
+        const problems::LocalSensitivity local = problems::local_sensitivity(design);
+        if (ranges.ranges.empty()) return cli::sensitivity_document(local, nullptr);
+        optim::SobolOptions sobol{.samples = samples, .seed = seed};
+        sobol.progress = [&work](double done) { work.tell(done, "Sobol indices"); };
+        const problems::GlobalSensitivity global =
+            problems::global_sensitivity(design, std::move(ranges), sobol, work.stop());
+        return cli::sensitivity_document(local, &global);
+      },
+      progress));
+}
+
+nb::tuple tolerance_of(const StatedProblem& problem, const std::vector<std::string>& tolerances,
+                       std::size_t samples, std::uint64_t seed, std::optional<double> time_limit,
+                       nb::handle progress) {
+  return tuple_of(run_whole(
+      [&](Work& work) {
+        const problems::ProblemStatement& design = problem.statement;
+        const optim::Deadline deadline(time_limit, work.stop());
+        const auto variations = tolerances.empty() ? problems::variations_of(design)
+                                                   : cli::stated_variations(design, tolerances);
+        const problems::VariedDesign varied = problems::varied_design(design, variations, deadline);
+        return cli::variation_document(
+            varied, problems::tolerance_of(varied, {.samples = samples, .seed = seed}));
+      },
+      progress));
+}
+
+}  // namespace
+
+void add_sensitivity(nb::module_& module) {
+  module.def("sensitivity", &sensitivity_of, nb::arg("problem"), nb::arg("over"),
+             nb::arg("samples"), nb::arg("seed"), nb::arg("progress").none());
+  module.def("tolerance", &tolerance_of, nb::arg("problem"), nb::arg("tolerances"),
+             nb::arg("samples"), nb::arg("seed"), nb::arg("time_limit").none(),
+             nb::arg("progress").none());
+}
+
+}  // namespace camlaw::python
