@@ -11,6 +11,7 @@
 #include "output/answers/tolerance_output.h"
 #include "output/document/formatting.h"
 #include "output/report/html.h"
+#include "problems/statement/speed_curves.h"
 
 namespace camlaw::cli {
 namespace {
@@ -89,6 +90,20 @@ ReportSection sensitivity_section(const optim::Problem& problem, optim::Design x
   return {"sensitivity", "Tolerances", html + paragraph(notes)};
 }
 
+namespace {
+
+/// Whether objectives or limits are curves over speeds, each point of which is a search of its own.
+bool asks_over_speeds(const problems::ProblemStatement& design) {
+  const auto is_slow = [](const auto& asked) {
+    const auto* response = asked.response.response;
+    return response != nullptr && response->curve && problems::is_over_speed(*response);
+  };
+  return std::any_of(design.objectives.begin(), design.objectives.end(), is_slow) ||
+         std::any_of(design.constraints.begin(), design.constraints.end(), is_slow);
+}
+
+}  // namespace
+
 std::optional<ReportSection> derivatives_section(const problems::ProblemStatement& design) {
   constexpr std::size_t kMostRanges = 24, kSamples = 64;  // a page is to be there at once
   const auto parameters = problems::design_parameters(design);
@@ -97,7 +112,8 @@ std::optional<ReportSection> derivatives_section(const problems::ProblemStatemen
   std::string html = paragraph(local_sensitivity_words(local));
   html += html_of(local_sensitivity_table(local));
   auto ranges = problems::sensitivity_ranges(design, {});
-  if (!ranges.ranges.empty() && ranges.ranges.size() <= kMostRanges) {
+  const bool is_quick = ranges.ranges.size() <= kMostRanges && !asks_over_speeds(design);
+  if (!ranges.ranges.empty() && is_quick) {
     const auto global =
         problems::global_sensitivity(design, std::move(ranges), {.samples = kSamples});
     html += paragraph(global_sensitivity_words(global));
