@@ -17,6 +17,7 @@ using Numbers = std::vector<double>;
 
 constexpr int kRepetitions = 32;
 constexpr std::size_t kBlock = 512;
+constexpr std::size_t kMostInRound = 4096;
 
 class SearchedRooms final : public RoomRows {
  public:
@@ -84,11 +85,10 @@ class Sampler {
 
   std::size_t dimensions() const { return varying_.size(); }
 
-  /// The sums over `count` points about one of the mixture's centres.
-  void draw(const Mixture& mixture, std::size_t about, std::size_t count, std::uint64_t seed,
+  /// Adds the sums over the next `count` points about one of the mixture's centres.
+  void draw(const Mixture& mixture, std::size_t about, std::size_t count, SobolPoints& points,
             Counts& counts) const {
     const std::size_t m = dimensions(), n = x_.size();
-    SobolPoints points(m, seed);
     const bool is_plain = mixture.centres.size() == 1;
     Numbers shares(kBlock * m), us(kBlock * m), designs(kBlock * n);
     for (std::size_t done = 0; done < count; done += kBlock) {
@@ -161,42 +161,71 @@ Mixture about(const std::vector<DesignPoint>& points, std::size_t dimensions) {
   return mixture;
 }
 
-/// Repetitions of one estimate, each with shifts of its own.
-void repeat(const Sampler& sampler, const Mixture& mixture, const YieldOptions& options,
-            Yield& result) {
-  const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
-  Numbers failing;
-  double doubtful = 0;
-  Numbers by_limit(result.by_limit.size(), 0.0);
-  for (int r = 0; r < kRepetitions; ++r) {
-    if (r > 1 && options.stopped()) {
-      result.stopped = true;
-      break;
-    }
-    Counts counts;
-    counts.by_limit.resize(by_limit.size());
+/// One of the repetitions: its points about each centre, with shifts of their own.
+struct Repetition {
+  std::vector<SobolPoints> points;
+  Counts counts;
+};
+
+std::vector<Repetition> repetitions(const Sampler& sampler, const Mixture& mixture,
+                                    const YieldOptions& options, std::size_t limits) {
+  std::vector<Repetition> all(kRepetitions);
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    all[r].counts.by_limit.resize(limits);
     for (std::size_t j = 0; j < mixture.centres.size(); ++j) {
-      const auto count = std::max<std::size_t>(
-          1, static_cast<std::size_t>(std::llround(mixture.shares[j] * static_cast<double>(each))));
-      sampler.draw(mixture, j, count, mixed(options.seed, static_cast<std::uint64_t>(r) * 1024 + j),
-                   counts);
+      all[r].points.emplace_back(sampler.dimensions(), mixed(options.seed, r * 1024 + j));
     }
-    const auto drawn = static_cast<double>(counts.samples);
-    failing.push_back(counts.failing / drawn);
-    doubtful += counts.doubtful / drawn;
-    for (std::size_t i = 0; i < by_limit.size(); ++i) by_limit[i] += counts.by_limit[i] / drawn;
-    result.samples += counts.samples;
-    result.failures += counts.failures;
-    result.impossible += counts.impossible;
   }
-  const auto count = static_cast<double>(failing.size());
-  double sum = 0, squares = 0;
-  for (const double f : failing) sum += f;
-  result.failing = sum / count;
+  return all;
+}
+
+/// Draws `count` points more for each repetition; their order decides nothing.
+void draw_round(const Sampler& sampler, const Mixture& mixture, std::size_t count,
+                std::vector<Repetition>& all) {
+  for (Repetition& one : all) {
+    for (std::size_t j = 0; j < mixture.centres.size(); ++j) {
+      const double share = mixture.shares[j] * static_cast<double>(count);
+      const auto own = std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(share)));
+      sampler.draw(mixture, j, own, one.points[j], one.counts);
+    }
+  }
+}
+
+void add_up(const std::vector<Repetition>& all, Yield& result) {
+  const auto count = static_cast<double>(all.size());
+  std::vector<double> failing;
+  for (const Repetition& one : all) {
+    const auto drawn = static_cast<double>(one.counts.samples);
+    failing.push_back(one.counts.failing / drawn);
+    result.failing += failing.back() / count;
+    result.failing_at_most += one.counts.doubtful / drawn / count;
+    for (std::size_t i = 0; i < result.by_limit.size(); ++i) {
+      result.by_limit[i] += one.counts.by_limit[i] / drawn / count;
+    }
+    result.samples += one.counts.samples;
+    result.failures += one.counts.failures;
+    result.impossible += one.counts.impossible;
+  }
+  double squares = 0;
   for (const double f : failing) squares += (f - result.failing) * (f - result.failing);
   result.error = std::sqrt(squares / (count - 1) / count);
-  result.failing_at_most = doubtful / count;
-  for (std::size_t i = 0; i < by_limit.size(); ++i) result.by_limit[i] = by_limit[i] / count;
+}
+
+/// Repetitions of one estimate, in rounds that double the points, so that each stop leaves equally
+/// many in all of them.
+void repeat(const Sampler& sampler, const Mixture& mixture, const YieldOptions& options,
+            Yield& result) {
+  constexpr std::size_t kFirstRound = 32;
+  const auto each = std::max<std::size_t>(1, options.samples / kRepetitions);
+  std::vector<Repetition> all = repetitions(sampler, mixture, options, result.by_limit.size());
+  std::size_t done = 0;
+  while (done < each && !result.stopped) {
+    const std::size_t round = std::min({each - done, std::max(done, kFirstRound), kMostInRound});
+    draw_round(sampler, mixture, round, all);
+    done += round;
+    result.stopped = done < each && options.stopped();
+  }
+  add_up(all, result);
 }
 
 /// The points of different limits; those of equations that cannot break are none.
@@ -245,7 +274,8 @@ Yield yield(const RoomRows& rows, const std::vector<RoomSlopes>& slopes, Design 
   Counts first;
   first.by_limit.resize(rows.limits());
   const Mixture as_meant = plain(sampler.dimensions());
-  sampler.draw(as_meant, 0, tried, mixed(options.seed, ~std::uint64_t{0}), first);
+  SobolPoints points_as_meant(sampler.dimensions(), mixed(options.seed, ~std::uint64_t{0}));
+  sampler.draw(as_meant, 0, tried, points_as_meant, first);
   const bool is_rare = first.failing < kRare * static_cast<double>(tried);
   result.by_importance = is_rare && !points.empty();
   repeat(sampler, result.by_importance ? about(points, sampler.dimensions()) : as_meant, options,

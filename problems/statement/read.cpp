@@ -35,9 +35,10 @@ ProblemStatement read_entries(const Entry& file, std::string_view toml, const st
   if (file.items.empty()) {
     refuse(file, "it is empty; a problem names at least its mechanism and law");
   }
-  check_keys(file, {"format", "title", "mechanism", "machine", "cams", "responses", "constants",
-                    "law", "free", "program", "parts", "variables", "objective", "objectives",
-                    "constraints", "cases", "ranges", "variation", "buildable", "solver"});
+  check_keys(file, {"format",    "title",     "mechanism", "machine",    "cams",
+                    "responses", "constants", "law",       "free",       "program",
+                    "parts",     "variables", "objective", "objectives", "constraints",
+                    "cases",     "ranges",    "variation", "buildable",  "solver"});
   if (const Entry* format = find(file, "format")) {
     const std::string& stated = text_of(*format);
     located(*format, [&] { kProblemFormat.check(stated); });

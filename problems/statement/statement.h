@@ -89,7 +89,7 @@ struct ConstraintStatement {
   /// the mechanism's.
   std::shared_ptr<const MechanismResponse> of_law = {};
   std::shared_ptr<const MechanismResponse> of_range = {};  ///< of one over ranges of parameters
-  bool is_size = false;   ///< of one over ranges: a side of a limit on the largest size of a curve
+  bool is_size = false;  ///< of one over ranges: a side of a limit on the largest size of a curve
   /// The probability with which it must hold, whatever manufacture does; none: always.
   std::optional<double> reliability = {};
   bool of_check = false;  ///< of a check of the mechanism, which [buildable] requires to hold

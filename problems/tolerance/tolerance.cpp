@@ -55,7 +55,8 @@ optim::Yield yield_of(const VariedDesign& varied, const ToleranceOptions& option
                       GridReport& grid) {
   const GridRooms rooms = grid_rooms(varied);
   grid = rooms.report;
-  const optim::Problem problem = limits_alone(varied);
+  optim::Problem problem = varied.unhurried;  // samples stop between two rounds
+  problem.objectives = {optim::no_objective()};
   std::vector<optim::RoomSlopes> slopes;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     slopes.push_back(optim::room_slopes(problem, i, varied.meant));

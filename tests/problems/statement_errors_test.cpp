@@ -118,7 +118,9 @@ TEST_CASE("unknown keys are refused with near ones, else all", "[statement]") {
         ":6: constraints[1].maximum: ",
         {"unknown key"}},
        {"[solver]\nseeds = 3", ":5: solver.seeds: ", {"did you mean seed"}},
-       {"[variable.alpha]\nlower = 1", ":4: variable: ", {"did you mean variables, variation, buildable?"}}}));
+       {"[variable.alpha]\nlower = 1",
+        ":4: variable: ",
+        {"did you mean variables, variation, buildable?"}}}));
 }
 
 TEST_CASE("a table where a value is wanted is refused, and the reverse", "[statement]") {
