@@ -94,7 +94,7 @@ TEST_CASE("every example has a sentence, and its copy stands alone", "[program][
     const auto name = example.at("name").get<std::string>();
     const auto sentence = example.at("sentence").get<std::string>();
     INFO(name << ": " << sentence);
-    CHECK(sentence.size() > 20);
+    CHECK(sentence.size() > 10);
     CHECK((sentence.ends_with(".") || sentence.ends_with("?")));
     const Folder folder;
     const ParsedJson copied = json_of({"examples", name, "--out", folder / "copy", "--json"});
