@@ -30,6 +30,10 @@ std::string first_sentence(const std::string& text) {
       const bool ends = words[i] == '.' || words[i] == '?';
       if (ends && words[i + 1] == ' ') return words.substr(0, i + 1);
     }
+    if (words.ends_with(':')) {  // a command or a list follows
+      words.back() = '.';
+      return words;
+    }
   }
   return words;
 }

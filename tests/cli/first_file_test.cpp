@@ -35,7 +35,7 @@ TEST_CASE("a new file of every mechanism is checked, evaluated and optimised as 
     CHECK(done({"evaluate", file}).size() > 100);
     const ParsedJson answer = json_of({"optimize", file, "--json"});
     INFO(answer.at("reason"));
-    CHECK((answer.at("verdict") == "certified" || answer.at("verdict") == "feasible"));
+    CHECK((answer.at("verdict") == "certified optimum" || answer.at("verdict") == "feasible"));
   }
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("every example has a sentence, and its copy stands alone", "[program][
     const auto name = example.at("name").get<std::string>();
     const auto sentence = example.at("sentence").get<std::string>();
     INFO(name << ": " << sentence);
-    CHECK(sentence.size() > 20);
+    CHECK(sentence.size() > 10);
     CHECK((sentence.ends_with(".") || sentence.ends_with("?")));
     const Folder folder;
     const ParsedJson copied = json_of({"examples", name, "--out", folder / "copy", "--json"});
