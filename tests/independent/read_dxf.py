@@ -7,7 +7,9 @@
     layer NAME COLOUR
     SPLINE LAYER t x y t x y ...      even places of the parameter, by ezdxf's own evaluation
     ARC LAYER cx cy r start end       degrees, counterclockwise
+    CIRCLE LAYER cx cy r
     LINE LAYER x y x y
+    TEXT LAYER x y height text
     LWPOLYLINE LAYER closed x y x y ...
 """
 import sys
@@ -27,6 +29,10 @@ def numbers_of(entity):
     if kind == "ARC":
         d = entity.dxf
         return [d.center.x, d.center.y, d.radius, d.start_angle, d.end_angle]
+    if kind == "CIRCLE":
+        return [entity.dxf.center.x, entity.dxf.center.y, entity.dxf.radius]
+    if kind == "TEXT":
+        return [entity.dxf.insert.x, entity.dxf.insert.y, entity.dxf.height]
     if kind == "LINE":
         return [*entity.dxf.start.vec2, *entity.dxf.end.vec2]
     if kind == "LWPOLYLINE":
@@ -41,4 +47,5 @@ print("units", document.header["$INSUNITS"])
 for layer in document.layers:
     print("layer", layer.dxf.name, layer.dxf.color)
 for entity in document.modelspace():
-    print(entity.dxftype(), entity.dxf.layer, *(f"{v:.15g}" for v in numbers_of(entity)))
+    words = [entity.dxf.text] if entity.dxftype() == "TEXT" else []
+    print(entity.dxftype(), entity.dxf.layer, *(f"{v:.15g}" for v in numbers_of(entity)), *words)

@@ -79,6 +79,10 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
       cli::ExportOptions options;
       options.format = drive.name;
       if (std::string(drive.name) == "siemens") options.tolerance = "0.01 " + motion.unit;
+      if (std::string(drive.name) == "siemens" && motion.trace->breaks().size() > 51) {
+        CHECK_THROWS_WITH(exported_file(file, options), Contains("and the drive has 50"));
+        continue;
+      }
       const std::string text = exported_file(file, options);
       const double stated = stated_deviation(text);
       const double worst = departure(drive.reader(text), motion, 1);
@@ -130,7 +134,7 @@ TEST_CASE("A wrong point of a drive's file is found", "[exports][drives]") {
 
 TEST_CASE("Quintics through a polynomial of degree 5 are that polynomial", "[exports][drives]") {
   const auto statement =
-      read_problem("mechanism = 'follower-train'\n[law]\nname = 'polynomial-5'\n", "f.toml");
+      read_problem("mechanism = 'follower-train'\n[law]\nname = 'poly-3-4-5'\n", "f.toml");
   const Motion motion = motion_of(statement, {}).value();
   const QuinticMotion found = quintics_within({motion}, 1e-6, 9, 50);
   CHECK(found.path.pieces.size() == 1);
@@ -167,8 +171,8 @@ TEST_CASE("A table's derivatives are those of the law", "[exports][drives]") {
   const auto statement = read_problem(
       "mechanism = 'disc-cam-flat'\nconstants = {base_radius = '40 mm', stroke = '10 mm'}\n"
       "[program]\nmatched = 'displacement'\nsegments = ["
-      "{name = 'rise', angle = 180, law = 'polynomial-5'},"
-      "{name = 'return', law = 'polynomial-5'}]\n",
+      "{name = 'rise', angle = 180, law = 'poly-3-4-5'},"
+      "{name = 'return', law = 'poly-3-4-5'}]\n",
       "f.toml");
   const Motion motion = motion_of(statement, {}).value();
   const double cycle = 720;  // ms

@@ -196,25 +196,6 @@ TEST_CASE("Tools that do not cut into a shipped cam are not said to", "[exports]
   }
 }
 
-TEST_CASE("The second of two conjugate profiles is looked at before a path on it is cut",
-          "[exports][proofs]") {
-  auto statement = shipped("cams/conjugate_least_base.toml");
-  const PlaneCurve second = cam_curves(statement, "second-profile").front();
-  CHECK_NOTHROW(ToolPath(statement, path_of_tool(second, 5), CurveForm::Arcs, {}));
-  // Smaller and smaller cams, until the second profile alone is undercut.
-  bool found = false;
-  for (double base = 60; base > 5 && !found; base -= 0.5) {
-    set_value(statement, "base_radius = " + std::to_string(base) + " mm");
-    const auto first = cam_curves(statement, "profile"),
-               other = cam_curves(statement, "second-profile");
-    if (!first.front().at({0}).at.allFinite()) break;
-    if (turns_back(first.front()) || !turns_back(other.front())) continue;
-    found = true;
-    CHECK_THROWS_WITH(ToolPath(statement, path_of_tool(other.front(), 5), CurveForm::Arcs, {}),
-                      Contains("turns back"));
-  }
-}
-
 TEST_CASE("Inspection points lie on the profile, and their normals across it",
           "[exports][proofs]") {
   for (const std::string& file : cam_files()) {
