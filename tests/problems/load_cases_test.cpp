@@ -211,7 +211,6 @@ TEST_CASE("Another value in a case and another bound can be set beside the file"
   const auto limits = standing(problem);
   CHECK(limits[0].bound == Approx(30));
   CHECK(limits[1].bound == Approx(15));
-  CHECK_THROWS_WITH(set_value(problem, "fast.mass=2 kg"), Contains("do not set mass"));
   CHECK_THROWS_WITH(set_value(problem, "speed=100 rpm"), Contains("slow.speed"));
   CHECK_THROWS_WITH(set_value(problem, "fast.weight=0"), Contains("above 0"));
   const std::vector<std::string> both{"fast.speed=210 rpm", "slow.speed=50 rpm", "fast.load=30 N"};
@@ -220,7 +219,16 @@ TEST_CASE("Another value in a case and another bound can be set beside the file"
         response(read(cam("speed = '50 rpm'\nload = '220 N'\n")), "velocity").highest);
   set_value(problem, "fast.weight=3");
   CHECK(problem.cases[1].weight == 3);
-  CHECK_THROWS_WITH(set_value(problem, "follower_force.upper=1 N"), Contains("no limit"));
+  CHECK_THROWS_WITH(set_value(problem, "follower_forces.upper=1 N"), Contains("no limit"));
+  // What the file's cases do not set, and a side that it does not limit, are added.
+  const std::size_t stated = problem.constraints.size();
+  set_values(problem, std::vector<std::string>{"fast.mass=2 kg", "follower_force.upper=5 kN"});
+  CHECK(problem.constraints.size() == stated + problem.cases.size());
+  for (const LoadCase& load : problem.cases) CHECK(load.parameters.size() == 3);
+  CHECK(problem.cases[1].weight == 3);
+  CHECK(*problem.constraints[0].lower == Approx(30));
+  CHECK(response(problem, "slow.velocity").highest ==
+        response(read(cam("speed = '50 rpm'\nload = '220 N'\n")), "velocity").highest);
   CHECK_THROWS_WITH(set_value(problem, "fast.speed=-1 rpm"), Contains("speed"));
 }
 
