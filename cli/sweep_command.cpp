@@ -19,6 +19,7 @@
 #include "output/answers/next_step.h"
 #include "output/answers/sweep_answer.h"
 #include "output/document/printing.h"
+#include "output/document/terminal.h"
 #include "problems/fronts/stored_front.h"
 #include "problems/statement/solver_settings.h"
 #include "problems/sweeps/sweep_worker.h"
