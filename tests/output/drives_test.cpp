@@ -70,7 +70,7 @@ const std::vector<Drive> kDrives{{"beckhoff-points", drive_readers::beckhoff_poi
 }  // namespace
 
 TEST_CASE("What a drive makes of its file is as near to the motion as the file says",
-          "[exports][drives]") {
+          "[exports][drives][heavy]") {
   for (const std::string& file : cam_files()) {
     const ProblemStatement statement = read_problem_file(file);
     const Motion motion = motion_of(statement, {}).value();
@@ -94,7 +94,7 @@ TEST_CASE("What a drive makes of its file is as near to the motion as the file s
 }
 
 TEST_CASE("Drives count the master in milliseconds or increments, and the slave in inches",
-          "[exports][drives]") {
+          "[exports][drives][heavy]") {
   const std::string file = CAMLAW_SOURCE_DIR "/problems/cams/roller_least_base.toml";
   const Motion motion = motion_of(read_problem_file(file), {}, true).value();
   CHECK(motion.unit == "in");
@@ -147,7 +147,7 @@ TEST_CASE("Quintics through a polynomial of degree 5 are that polynomial", "[exp
 }
 
 TEST_CASE("Where the acceleration jumps quintics still stay within the tolerance",
-          "[exports][drives]") {
+          "[exports][drives][heavy]") {
   // The parabola's acceleration jumps from 4 to -4 in the middle, and a table has one of both.
   const auto statement =
       read_problem("mechanism = 'follower-train'\n[law]\nname = 'parabolic'\n", "f.toml");
