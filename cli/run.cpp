@@ -49,21 +49,21 @@ int finish(int status) {
 }  // namespace
 
 Program camlaw_program() {
-  return {
-      "camlaw",
-      "camlaw: cam motion laws and mechanisms",
-      {laws_command(), mechanisms_command(), new_command(), examples_command(), law_command(),
-       study_command(), reproduce_command(), check_command(), evaluate_command(), verify_command(),
-       export_command(), optimize_command(), pareto_command(), front_command(), sweep_command(),
-       synthesize_command(), fit_command(), tolerance_command(), report_command(),
-       completion_command(), man_command()},
-      {{"camlaw laws", "every motion law with its constants"},
-       {"camlaw law modified-sine", "one law: its peaks, proved"},
-       {"camlaw new disc-cam-roller", "a problem file of one's own to begin with"},
-       {"camlaw optimize problems/spine_cutter/least_radius.toml",
-        "the best design of a problem file, and a verdict on it"},
-       {"camlaw optimize --help", "what a command takes, with examples"}},
-      version_text};
+  return {"camlaw",
+          "camlaw: cam motion laws and mechanisms",
+          {laws_command(),     mechanisms_command(), new_command(),       examples_command(),
+           law_command(),      study_command(),      reproduce_command(), check_command(),
+           evaluate_command(), verify_command(),     export_command(),    optimize_command(),
+           pareto_command(),   front_command(),      sweep_command(),     synthesize_command(),
+           fit_command(),      tolerance_command(),  report_command(),    completion_command(),
+           man_command()},
+          {{"camlaw laws", "every motion law with its constants"},
+           {"camlaw law modified-sine", "one law: its peaks, proved"},
+           {"camlaw new disc-cam-roller", "a problem file of one's own to begin with"},
+           {"camlaw optimize problems/spine_cutter/least_radius.toml",
+            "the best design of a problem file, and a verdict on it"},
+           {"camlaw optimize --help", "what a command takes, with examples"}},
+          version_text};
 }
 
 int run(int argc, const char* const* argv) {

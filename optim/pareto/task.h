@@ -113,8 +113,8 @@ class DirectExecutor final : public Executor {
   const OptimiseOptions& options_;
 };
 
-/// What is thrown on the way becomes the outcome's failure. Numbers are as a record keeps them: zero
-/// has no sign, and there is one NaN.
+/// What is thrown on the way becomes the outcome's failure. Numbers are as a record keeps them:
+/// zero has no sign, and there is one NaN.
 Outcome safely(const std::function<Outcome()>& work);
 
 /// A task carried out; what is thrown on the way becomes the outcome's failure. Numbers are as a

@@ -197,10 +197,10 @@ auto fitted(const PlaneCurve& curve, double tolerance, const ProofRoom& room,
     fit.worst.most += gap;
     if (fit.worst.most <= tolerance) return fit;
   }
-  throw std::invalid_argument(
-      fmt::format("that the {} is followed within {:.6g} {} cannot be proved; a larger tolerance is "
-                  "wanted",
-                  curve.name(), tolerance, curve.unit()));
+  throw std::invalid_argument(fmt::format(
+      "that the {} is followed within {:.6g} {} cannot be proved; a larger tolerance is "
+      "wanted",
+      curve.name(), tolerance, curve.unit()));
 }
 
 /// The distance of a point from the straight line between two others.

@@ -52,8 +52,8 @@ std::string contents(const ReportPage& page) {
 std::string scripts(const ReportPage& page) {
   std::string text =
       fmt::format("<script type=\"application/json\" id=\"data\">{}</script>\n", island(page.data));
-  for (const std::string_view script :
-       {data::chart_js, data::plots_js, data::motion_js, data::front_js, data::sweep_js, data::page_js}) {
+  for (const std::string_view script : {data::chart_js, data::plots_js, data::motion_js,
+                                        data::front_js, data::sweep_js, data::page_js}) {
     text += fmt::format("<script>\n{}</script>\n", script);
   }
   return text;

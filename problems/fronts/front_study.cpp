@@ -95,7 +95,8 @@ FrontSettings FrontStudy::settings_of(const optim::StudyRecord& record) {
 
 FrontSettings FrontStudy::settings_of(const optim::StudySettings& settings) {
   if (settings.contains("sweep")) {
-    throw std::invalid_argument("the study is of a sweep, not of a front; 'camlaw report' shows it");
+    throw std::invalid_argument(
+        "the study is of a sweep, not of a front; 'camlaw report' shows it");
   }
   return {points_of(find_setting(settings, "points")),
           parse_method(find_setting(settings, "method")),

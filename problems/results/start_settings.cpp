@@ -21,7 +21,8 @@ struct Number {
 
 /// The number that a design has for a variable of another problem: of its own variable of that
 /// name, or of the machine's constant.
-std::optional<Number> known_number(const ProblemStatement& design, const VariableStatement& variable) {
+std::optional<Number> known_number(const ProblemStatement& design,
+                                   const VariableStatement& variable) {
   for (const VariableStatement& own : design.variables) {
     if (own.name == variable.name) return Number{own.start, own.unit};
   }

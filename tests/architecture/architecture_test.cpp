@@ -82,11 +82,11 @@ const Names& refusals_caught() {
       "numerics/tables/columns.cpp", "machines/model/stated_response.cpp",
       "problems/fronts/problem_settings.cpp", "problems/law_files/law_file.cpp",
       "problems/results/recorded_design.cpp", "problems/results/start_settings.cpp",
-      "problems/statement/catalogue_rows.cpp",
-      "problems/statement/program_units.cpp", "problems/statement/read_program.cpp",
-      "problems/statement/read_responses.cpp", "problems/statement/read_table.cpp",
-      "problems/statement/toml_reader.cpp", "problems/statement/toml_reader.h",
-      "fitting/cams/measured_cam.cpp", "fitting/constants/printed_constants.cpp",
+      "problems/statement/catalogue_rows.cpp", "problems/statement/program_units.cpp",
+      "problems/statement/read_program.cpp", "problems/statement/read_responses.cpp",
+      "problems/statement/read_table.cpp", "problems/statement/toml_reader.cpp",
+      "problems/statement/toml_reader.h", "fitting/cams/measured_cam.cpp",
+      "fitting/constants/printed_constants.cpp",
       // Of a combination of a sweep it is the outcome: why that combination has no design.
       "problems/sweeps/sweep_study.cpp",
       // It becomes an exit status, a sentence with the file's name, an exception of Python.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/progress_line.h"
 
-#include "cli/search_progress.h"
-
 #include <catch2/catch.hpp>
+
+#include "cli/search_progress.h"
 
 namespace camlaw::cli::progress_line_test {
 
